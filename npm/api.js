@@ -15,9 +15,12 @@ export class EvenliftError extends Error {
 function hostOf(compiled) {
   const host = {};
   for (const { module, name } of WebAssembly.Module.imports(compiled)) {
-    (host[module] ??= {})[name] = name === "emscripten_notify_memory_growth" ? () => {} : () => {
-      throw new WebAssembly.RuntimeError(`evenlift cannot go on: ${name}`);
-    };
+    (host[module] ??= {})[name] =
+      name === "emscripten_notify_memory_growth"
+        ? () => {}
+        : () => {
+            throw new WebAssembly.RuntimeError(`evenlift cannot go on: ${name}`);
+          };
   }
   return host;
 }
@@ -51,12 +54,42 @@ function answerOf({ memory, evenlift_room, evenlift_free, evenlift_answer }, req
 // would give a line and a column of it is refused here, by its own name or place.
 
 // The settings, but for the centre of mass.
-export const settingNames = ["teams", "metric", "min_ratio", "weight", "seed", "robots", "goal", "min_margin", "apart", "clear",
-  "survive", "positions", "robot", "robot_radius", "robot_reach", "robot_depth", "robot_width", "robot_gap", "no_go", "com_radius",
-  "capacity", "overlays", "step", "unit", "weight_unit"];
+export const settingNames = [
+  "teams",
+  "metric",
+  "min_ratio",
+  "weight",
+  "seed",
+  "robots",
+  "goal",
+  "min_margin",
+  "apart",
+  "clear",
+  "survive",
+  "positions",
+  "robot",
+  "robot_radius",
+  "robot_reach",
+  "robot_depth",
+  "robot_width",
+  "robot_gap",
+  "no_go",
+  "com_radius",
+  "capacity",
+  "overlays",
+  "step",
+  "unit",
+  "weight_unit",
+];
 
 // What each function takes besides.
-const members = { place: ["candidates", "failures"], candidates: [], svg: ["candidates"], poses: ["format", "frame", "origin"], link: [] };
+const members = {
+  place: ["candidates", "failures"],
+  candidates: [],
+  svg: ["candidates"],
+  poses: ["format", "frame", "origin"],
+  link: [],
+};
 const ofPolygon = ["polygon", "text", "name", "set", "centre_of_mass"];
 const ofExperiment = ["min_ratio", "samples", "max_teams", "max_balanced"];
 
@@ -82,7 +115,8 @@ function distance(from, to) {
 // The known name that a wrong one stands for, if it is near to one: minRatio and min-ratio stand for min_ratio.
 function meant(wrong, known) {
   const letters = (name) => name.toLowerCase().replace(/[_-]/g, "");
-  let best, least = Infinity;
+  let best,
+    least = Infinity;
   for (const name of known) {
     const far = distance(letters(wrong), letters(name));
     if (far < least && 3 * far <= letters(name).length + 1) [best, least] = [name, far];
@@ -106,20 +140,23 @@ function textOf(text) {
   throw refusal("bad_syntax", `Line ${place.line}, column ${place.column}: this is half a character`, place);
 }
 
-const isPoint = (point) => Array.isArray(point) && point.length === 2 && point.every((number) => typeof number === "number");
+const isPoint = (point) =>
+  Array.isArray(point) && point.length === 2 && point.every((number) => typeof number === "number");
 
 function vertexOf(point, i) {
   const place = { vertices: [i] };
   if (!isPoint(point)) throw refusal("bad_syntax", `Vertex ${i + 1}: a point is two numbers [x, y]`, place);
-  if (!point.every(Number.isFinite)) throw refusal("bad_coordinate", `Vertex ${i + 1}: a coordinate is not a finite number`, place);
+  if (!point.every(Number.isFinite))
+    throw refusal("bad_coordinate", `Vertex ${i + 1}: a coordinate is not a finite number`, place);
   return point;
 }
 
 function centreOf(point) {
-  if (point === null) return null;  // the centroid
+  if (point === null) return null; // the centroid
   const place = { centre_of_mass: true };
   if (!isPoint(point)) throw refusal("bad_syntax", "The centre of mass is two numbers [x, y]", place);
-  if (!point.every(Number.isFinite)) throw refusal("bad_coordinate", "A coordinate of the centre of mass is not a finite number", place);
+  if (!point.every(Number.isFinite))
+    throw refusal("bad_coordinate", "A coordinate of the centre of mass is not a finite number", place);
   return point;
 }
 
@@ -127,7 +164,8 @@ function centreOf(point) {
 function shapeOf(polygon) {
   if (typeof polygon === "string") return { text: textOf(polygon) };
   if (!Array.isArray(polygon)) throw refusal("bad_syntax", "A polygon is an array of points [x, y], or a text");
-  if (polygon.length > mostVertices) throw refusal("too_many_vertices", `The polygon has more than ${mostVertices} vertices`);
+  if (polygon.length > mostVertices)
+    throw refusal("too_many_vertices", `The polygon has more than ${mostVertices} vertices`);
   return { polygon: Array.from(polygon, vertexOf) };
 }
 
@@ -145,13 +183,16 @@ function valueOf(name, value) {
       if (broken.test(value)) throw badSetting(name, `${name}: there is half a character in the text`);
       break;
     case "function":
-    case "symbol":  // which JSON.stringify() leaves out
+    case "symbol": // which JSON.stringify() leaves out
       throw badSetting(name, `${name}: expected a number or a text, not a ${typeof value}`);
   }
   return value;
 }
 
-const isOneOf = (...values) => (value) => values.includes(value);
+const isOneOf =
+  (...values) =>
+  (value) =>
+    values.includes(value);
 const frame = /^[A-Za-z0-9_.-][A-Za-z0-9_./-]{0,254}$/;
 const memberRules = {
   candidates: { allows: isOneOf(true, false), requirement: "candidates: expected true or false" },
@@ -192,16 +233,23 @@ function nameOf(name) {
 }
 
 function measuredOf(polygon) {
-  if (typeof polygon !== "object" || polygon === null) throw refusal("bad_syntax", 'Expected an object with "polygon" or "text"');
-  const asked = {}, shapes = [];
+  if (typeof polygon !== "object" || polygon === null)
+    throw refusal("bad_syntax", 'Expected an object with "polygon" or "text"');
+  const asked = {},
+    shapes = [];
   for (const [name, value] of given(polygon)) {
     if (!ofPolygon.includes(name)) throw refusal("unsupported", noSuch("member", name, ofPolygon));
     if (name === "centre_of_mass") asked[name] = centreOf(value);
     else if (name === "name" || name === "set") asked[name] = nameOf(value);
     else if ((name === "text") === (typeof value === "string")) shapes.push(shapeOf(value));
-    else throw refusal("bad_syntax", name === "text" ? "The text of a polygon is a string" : "A polygon is an array of points [x, y]");
+    else
+      throw refusal(
+        "bad_syntax",
+        name === "text" ? "The text of a polygon is a string" : "A polygon is an array of points [x, y]",
+      );
   }
-  if (shapes.length !== 1) throw refusal("bad_syntax", 'A polygon comes as "polygon", an array of points [x, y], or as "text"');
+  if (shapes.length !== 1)
+    throw refusal("bad_syntax", 'A polygon comes as "polygon", an array of points [x, y], or as "text"');
   return { ...asked, ...shapes[0] };
 }
 

@@ -224,7 +224,12 @@ export interface Placement {
   robot?: { radius: number; reach: number; depth: number; width: number; gap: number };
   no_go?: string;
   /** Parts of edges, which count from 1, where no robot can stand, and why. */
-  unusable?: [edge: number, from: number, to: number, why: "no_go" | "body" | "arm" | "corner" | "hand" | "near_no_go" | "narrow"][];
+  unusable?: [
+    edge: number,
+    from: number,
+    to: number,
+    why: "no_go" | "body" | "arm" | "corner" | "hand" | "near_no_go" | "narrow",
+  ][];
   /** Of a link with robots that somebody moved by hand. */
   moved?: string;
   /** Not there with no team. */
@@ -303,7 +308,13 @@ export function link(polygon: Polygon, settings?: Settings): string;
 
 /** The measurements of the thesis's chapter 5, over many polygons. Throws EvenliftError. */
 export function experiment(
-  polygons: readonly { name?: string; set?: string; polygon?: Exclude<Polygon, string>; text?: string; centre_of_mass?: readonly [x: number, y: number] | null }[],
+  polygons: readonly {
+    name?: string;
+    set?: string;
+    polygon?: Exclude<Polygon, string>;
+    text?: string;
+    centre_of_mass?: readonly [x: number, y: number] | null;
+  }[],
   settings?: { min_ratio?: number; samples?: number; max_teams?: number; max_balanced?: number },
 ): Experiment;
 

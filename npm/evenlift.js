@@ -4,9 +4,10 @@ import { createApi } from "./api.js";
 async function compile(url) {
   const answer = await fetch(url);
   if (!answer.ok) throw new Error(`${url} cannot be fetched: the server answers ${answer.status}`);
-  return WebAssembly.compile(await answer.arrayBuffer());  // whatever type the server calls it
+  return WebAssembly.compile(await answer.arrayBuffer()); // whatever type the server calls it
 }
 
 export { EvenliftError } from "./api.js";
-export const { run, place, candidates, svg, poses, link, experiment, version } =
-  createApi(await compile(new URL("evenlift.wasm", import.meta.url)));
+export const { run, place, candidates, svg, poses, link, experiment, version } = createApi(
+  await compile(new URL("evenlift.wasm", import.meta.url)),
+);

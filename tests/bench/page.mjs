@@ -19,7 +19,9 @@ for (let i = 0; i < 7; ++i) {
       const known = setInterval(() => {
         if (!globalThis.evenlift) return;
         clearInterval(known);
-        evenlift.ready.then(() => { globalThis.readyAt = performance.now(); });
+        evenlift.ready.then(() => {
+          globalThis.readyAt = performance.now();
+        });
       }, 1);
     },
   });
@@ -32,18 +34,20 @@ line("first picture, fastest of 7", `${Math.min(...starts).toFixed(0)} ms`);
 function timeFrames() {
   const own = globalThis.requestAnimationFrame.bind(globalThis);
   globalThis.frameTimes = [];
-  globalThis.requestAnimationFrame = (callback) => own((now) => {
-    const start = performance.now();
-    callback(now);
-    globalThis.frameTimes.push(performance.now() - start);
-  });
+  globalThis.requestAnimationFrame = (callback) =>
+    own((now) => {
+      const start = performance.now();
+      callback(now);
+      globalThis.frameTimes.push(performance.now() - start);
+    });
 }
 
-const circle = (n) => Array.from({ length: n }, (_, i) => {
-  const a = (2 * Math.PI * i) / n;
-  const r = 300 + 60 * Math.sin(7 * a) + 20 * Math.sin(31 * a);
-  return `(${(r * Math.cos(a)).toFixed(2)},${(r * Math.sin(a)).toFixed(2)})`;
-}).join("\n");
+const circle = (n) =>
+  Array.from({ length: n }, (_, i) => {
+    const a = (2 * Math.PI * i) / n;
+    const r = 300 + 60 * Math.sin(7 * a) + 20 * Math.sin(31 * a);
+    return `(${(r * Math.cos(a)).toFixed(2)},${(r * Math.sin(a)).toFixed(2)})`;
+  }).join("\n");
 
 for (const n of [100, 1000]) {
   const page = await browser.open({ script: timeFrames });
@@ -52,7 +56,9 @@ for (const n of [100, 1000]) {
   const [x, y] = await toScreen(page, (await state(page)).centre_of_mass);
   await page.mouse.move(x, y);
   await page.mouse.down();
-  await page.evaluate(() => { globalThis.frameTimes.length = 0; });
+  await page.evaluate(() => {
+    globalThis.frameTimes.length = 0;
+  });
   for (let i = 1; i <= 60; ++i) await page.mouse.move(x + i, y + i / 2);
   const times = (await page.evaluate(() => globalThis.frameTimes)).filter((time) => time > 0.5).sort((a, b) => a - b);
   await page.mouse.up();
@@ -65,16 +71,29 @@ for (const n of [100, 1000]) {
 function coast(n) {
   let seed = 12345;
   const random = () => (seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0) / 2 ** 32;
-  let points = [[1000, 0], [309, 951], [-809, 588], [-809, -588], [309, -951]];
+  let points = [
+    [1000, 0],
+    [309, 951],
+    [-809, 588],
+    [-809, -588],
+    [309, -951],
+  ];
   while (points.length < n) {
     points = points.flatMap(([x, y], i) => {
-      const [u, v] = points[(i + 1) % points.length], bend = (random() - 0.5) / 3;
-      return [[x, y], [(x + u) / 2 - bend * (v - y), (y + v) / 2 + bend * (u - x)]];
+      const [u, v] = points[(i + 1) % points.length],
+        bend = (random() - 0.5) / 3;
+      return [
+        [x, y],
+        [(x + u) / 2 - bend * (v - y), (y + v) / 2 + bend * (u - x)],
+      ];
     });
   }
   const excess = points.length - n;
-  const out = new Set(Array.from({ length: excess }, (_, i) => Math.floor(i * points.length / excess) | 1));
-  return points.filter((_, i) => !out.has(i)).map(([x, y]) => `(${x},${y})`).join("\n");
+  const out = new Set(Array.from({ length: excess }, (_, i) => Math.floor((i * points.length) / excess) | 1));
+  return points
+    .filter((_, i) => !out.has(i))
+    .map(([x, y]) => `(${x},${y})`)
+    .join("\n");
 }
 
 // How long the page is not free at a time while the centre of mass of a large polygon is dragged: the longest of the main
@@ -88,46 +107,66 @@ function coast(n) {
   await page.mouse.move(x, y);
   await page.mouse.down();
   await idle(page);
-  await browser.browser.startTracing(page, { categories: ["toplevel", "devtools.timeline", "disabled-by-default-devtools.timeline"] });
+  await browser.browser.startTracing(page, {
+    categories: ["toplevel", "devtools.timeline", "disabled-by-default-devtools.timeline"],
+  });
   for (let i = 1; i <= 60; ++i) await page.mouse.move(x + i, y + i / 2);
   const { traceEvents: events } = JSON.parse((await browser.browser.stopTracing()).toString());
   await page.mouse.up();
   await page.done();
   // Of all tasks of renderers, those in which the page drew.
   const drew = events.find(({ name }) => name === "FireAnimationFrame");
-  const times = events.filter(({ name, pid, tid, tdur }) => name === "RunTask" && pid === drew.pid && tid === drew.tid && tdur > 5000).map(({ tdur }) => tdur / 1000).sort((a, b) => a - b);
-  line(`a coast of 20,034 vertices, ten teams: a task of dragging C, middle, longest (${times.length} tasks)`, `${times[times.length >> 1].toFixed(0)}, ${times.at(-1).toFixed(0)} ms`);
+  const times = events
+    .filter(({ name, pid, tid, tdur }) => name === "RunTask" && pid === drew.pid && tid === drew.tid && tdur > 5000)
+    .map(({ tdur }) => tdur / 1000)
+    .sort((a, b) => a - b);
+  line(
+    `a coast of 20,034 vertices, ten teams: a task of dragging C, middle, longest (${times.length} tasks)`,
+    `${times[times.length >> 1].toFixed(0)}, ${times.at(-1).toFixed(0)} ms`,
+  );
 }
 
 // One case of each limit that README.md states: how long it takes from the call until all of it is on screen, and how
 // long a frame then takes.
-const star = (n) => Array.from({ length: n }, (_, i) => {
-  const a = (2 * Math.PI * i) / n;
-  const r = 4e5 + 5e4 * Math.sin(9 * a);
-  return `(${(r * Math.cos(a)).toFixed(2)},${(r * Math.sin(a)).toFixed(2)})`;
-}).join("\n");
+const star = (n) =>
+  Array.from({ length: n }, (_, i) => {
+    const a = (2 * Math.PI * i) / n;
+    const r = 4e5 + 5e4 * Math.sin(9 * a);
+    return `(${(r * Math.cos(a)).toFixed(2)},${(r * Math.sin(a)).toFixed(2)})`;
+  }).join("\n");
 // A comb whose facing edges make as many pairs as are allowed, or nearly so.
-const comb = (teeth) => `${Array.from({ length: teeth }, (_, i) => `(${2 * i},0)\n(${2 * i},${teeth})\n(${2 * i + 1},${teeth})\n(${2 * i + 1},0)`).join("\n")}\n(${2 * teeth - 1},-1)\n(0,-1)`;
+const comb = (teeth) =>
+  `${Array.from({ length: teeth }, (_, i) => `(${2 * i},0)\n(${2 * i},${teeth})\n(${2 * i + 1},${teeth})\n(${2 * i + 1},0)`).join("\n")}\n(${2 * teeth - 1},-1)\n(0,-1)`;
 
 async function limit(name, text, settings = {}) {
   for (const deviceScaleFactor of [1, 3]) {
     const page = await browser.open({ script: timeFrames, deviceScaleFactor, quiet: false });
     try {
       await page.waitForFunction(() => evenlift.frames > 0);
-      const ms = await page.evaluate(async ([given, changes]) => {
-        const start = performance.now();
-        evenlift.load(given);
-        evenlift.set(changes);
-        await evenlift.idle();
-        return performance.now() - start;
-      }, [text, settings]);
-      await page.evaluate(() => { globalThis.frameTimes.length = 0; });
+      const ms = await page.evaluate(
+        async ([given, changes]) => {
+          const start = performance.now();
+          evenlift.load(given);
+          evenlift.set(changes);
+          await evenlift.idle();
+          return performance.now() - start;
+        },
+        [text, settings],
+      );
+      await page.evaluate(() => {
+        globalThis.frameTimes.length = 0;
+      });
       for (let i = 0; i < 5; ++i) {
         await page.mouse.move(400 + 10 * i, 400);
         await idle(page);
       }
-      const times = (await page.evaluate(() => globalThis.frameTimes)).filter((time) => time > 0.5).sort((a, b) => a - b);
-      line(`${name}, ratio ${deviceScaleFactor}: opened; a frame, median`, `${ms.toFixed(0)}, ${times[times.length >> 1]?.toFixed(0)} ms`);
+      const times = (await page.evaluate(() => globalThis.frameTimes))
+        .filter((time) => time > 0.5)
+        .sort((a, b) => a - b);
+      line(
+        `${name}, ratio ${deviceScaleFactor}: opened; a frame, median`,
+        `${ms.toFixed(0)}, ${times[times.length >> 1]?.toFixed(0)} ms`,
+      );
     } catch (error) {
       line(`${name}, ratio ${deviceScaleFactor}`, error.message.split("\n")[0]);
     }

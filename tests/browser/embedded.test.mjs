@@ -39,7 +39,8 @@ const scrolled = (page) => page.evaluate(() => scrollY);
 // How large the figure shows its object, and where.
 const seen = (frame) => frame.evaluate(() => [...evenlift.view.to_screen(0, 0), ...evenlift.view.to_screen(100, 0)]);
 const isHeld = (frame) => frame.evaluate(() => !document.documentElement.classList.contains("guest"));
-const held = (frame, on) => frame.waitForFunction((wanted) => document.documentElement.classList.contains("guest") !== wanted, on);
+const held = (frame, on) =>
+  frame.waitForFunction((wanted) => document.documentElement.classList.contains("guest") !== wanted, on);
 
 // Scrolling is there when two pictures were drawn without any more of it.
 async function atRest(page) {
@@ -59,8 +60,9 @@ async function back(page) {
 
 // Turns the wheel over the figure. Returns whether that moved the article, or else the figure's view.
 async function wheel({ page, frame, ground }) {
-  await page.mouse.move(...await ground());
-  const before = JSON.stringify(await seen(frame)), from = await scrolled(page);
+  await page.mouse.move(...(await ground()));
+  const before = JSON.stringify(await seen(frame)),
+    from = await scrolled(page);
   await page.mouse.wheel(0, 120);
   const [movedArticle, movedFigure] = await moved(page, frame, from, before);
   assert.notEqual(movedArticle, movedFigure, `article ${movedArticle}, figure ${movedFigure}`);
@@ -69,13 +71,16 @@ async function wheel({ page, frame, ground }) {
 
 // Waits until one of the two has moved, and then until both are at rest.
 async function moved(page, frame, from, before) {
-  await page.waitForFunction(([top, view]) => {
-    const { to_screen: at } = frames[0].evenlift.view;
-    return scrollY !== top || JSON.stringify([...at(0, 0), ...at(100, 0)]) !== view;
-  }, [from, before]);
+  await page.waitForFunction(
+    ([top, view]) => {
+      const { to_screen: at } = frames[0].evenlift.view;
+      return scrollY !== top || JSON.stringify([...at(0, 0), ...at(100, 0)]) !== view;
+    },
+    [from, before],
+  );
   await atRest(page);
   await idle(frame);
-  return [await scrolled(page) !== from, JSON.stringify(await seen(frame)) !== before];
+  return [(await scrolled(page)) !== from, JSON.stringify(await seen(frame)) !== before];
 }
 
 test("the wheel scrolls the article over an untouched figure, and the figure once it was clicked, until the reader clicks elsewhere or presses Esc", async () => {
@@ -84,7 +89,7 @@ test("the wheel scrolls the article over an untouched figure, and the figure onc
   assert.equal(await isHeld(frame), false);
   assert.equal(await wheel(opened), "article");
   await back(page);
-  await page.mouse.click(...await ground());
+  await page.mouse.click(...(await ground()));
   await held(frame, true);
   assert.equal(await wheel(opened), "figure");
   assert.equal(await scrolled(page), 0);
@@ -95,7 +100,7 @@ test("the wheel scrolls the article over an untouched figure, and the figure onc
   assert.equal(await wheel(opened), "article");
   await back(page);
 
-  await page.mouse.click(...await ground());
+  await page.mouse.click(...(await ground()));
   await held(frame, true);
   assert.equal(await wheel(opened), "figure", "a second time, too");
   await page.keyboard.press("Escape");
@@ -138,8 +143,21 @@ test("Tab takes hold of a figure, keys are its own then, and Tab leaves it", asy
 
 test("Ctrl and the wheel, which a trackpad's pinch is, are the browser's over an untouched figure", async () => {
   const { frame, done } = await article();
-  const turn = () => frame.evaluate(() => document.getElementById("canvas").dispatchEvent(
-    new WheelEvent("wheel", { deltaY: 40, ctrlKey: true, clientX: 100, clientY: 100, bubbles: true, cancelable: true })));
+  const turn = () =>
+    frame.evaluate(() =>
+      document
+        .getElementById("canvas")
+        .dispatchEvent(
+          new WheelEvent("wheel", {
+            deltaY: 40,
+            ctrlKey: true,
+            clientX: 100,
+            clientY: 100,
+            bubbles: true,
+            cancelable: true,
+          }),
+        ),
+    );
   const before = await seen(frame);
   assert.ok(await turn(), "it is not kept from the browser");
   await idle(frame);
@@ -158,11 +176,13 @@ test("a swipe over an untouched figure scrolls the article; after a tap it moves
   const opened = await article(byFinger);
   const { page, frame, ground } = opened;
   const client = await page.context().newCDPSession(page);
-  const touch = (type, ...points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  const touch = (type, ...points) =>
+    client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
   // Returns what a swipe upwards moved.
   const swipe = async () => {
     const [x, y] = await ground();
-    const before = JSON.stringify(await seen(frame)), from = await scrolled(page);
+    const before = JSON.stringify(await seen(frame)),
+      from = await scrolled(page);
     await touch("touchStart", [x, y + 180]);
     for (let i = 1; i <= 10; ++i) await touch("touchMove", [x, y + 180 - 14 * i]);
     await touch("touchEnd");
@@ -174,7 +194,7 @@ test("a swipe over an untouched figure scrolls the article; after a tap it moves
   assert.equal(await swipe(), "article");
   assert.equal(await isHeld(frame), false, "a swipe does not take hold");
   await back(page);
-  await page.touchscreen.tap(...await ground());
+  await page.touchscreen.tap(...(await ground()));
   await held(frame, true);
   assert.equal(await swipe(), "figure");
   assert.equal(await scrolled(page), 0);
@@ -193,7 +213,8 @@ test("the tap that takes hold is the control's, too, and is one tap", async () =
   const before = stepOf(await link(page));
   await page.evaluate(() => {
     globalThis.mouse = [];
-    for (const type of ["mousedown", "click"]) addEventListener(type, () => globalThis.mouse.push(type), { capture: true });
+    for (const type of ["mousedown", "click"])
+      addEventListener(type, () => globalThis.mouse.push(type), { capture: true });
   });
   await tap(page, "Next step");
   await idle(page);
@@ -213,13 +234,29 @@ test("two fingers on an untouched figure are the article's, too", async () => {
   const before = await seen(page);
   const allowed = await page.evaluate(() => {
     const canvas = document.getElementById("canvas");
-    const touches = [[100, 200], [200, 200]].map(([clientX, clientY], identifier) => new Touch({ identifier, target: canvas, clientX, clientY }));
-    const send = (type, all, changed) => canvas.dispatchEvent(
-      new TouchEvent(type, { touches: all, targetTouches: all, changedTouches: changed, bubbles: true, cancelable: true }));
+    const touches = [
+      [100, 200],
+      [200, 200],
+    ].map(([clientX, clientY], identifier) => new Touch({ identifier, target: canvas, clientX, clientY }));
+    const send = (type, all, changed) =>
+      canvas.dispatchEvent(
+        new TouchEvent(type, {
+          touches: all,
+          targetTouches: all,
+          changedTouches: changed,
+          bubbles: true,
+          cancelable: true,
+        }),
+      );
     const [one, two] = touches;
     const wider = [one, new Touch({ identifier: 1, target: canvas, clientX: 300, clientY: 200 })];
-    return [send("touchstart", [one], [one]), send("touchstart", touches, [two]), send("touchmove", wider, [wider[1]]),
-      send("touchend", [one], [wider[1]]), send("touchend", [], [one])];
+    return [
+      send("touchstart", [one], [one]),
+      send("touchstart", touches, [two]),
+      send("touchmove", wider, [wider[1]]),
+      send("touchend", [one], [wider[1]]),
+      send("touchend", [], [one]),
+    ];
   });
   assert.deepEqual(allowed, [true, true, true, true, true], "none is kept from the browser");
   await idle(page);

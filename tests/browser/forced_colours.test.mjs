@@ -15,17 +15,28 @@ async function forced({ colorScheme = "light", ...options } = {}) {
 }
 
 // The elements of the mirror that can be seen, but for one that has the focus: they lie over what the canvas shows already.
-const twins = (page) => page.$$eval("#mirror > div > *", (all) => ({
-  count: all.length,
-  seen: all.filter((element) => element !== document.activeElement && Number(getComputedStyle(element).opacity) > 0).map((element) => element.outerHTML.slice(0, 80)),
-}));
+const twins = (page) =>
+  page.$$eval("#mirror > div > *", (all) => ({
+    count: all.length,
+    seen: all
+      .filter((element) => element !== document.activeElement && Number(getComputedStyle(element).opacity) > 0)
+      .map((element) => element.outerHTML.slice(0, 80)),
+  }));
 
-for (const [where, options] of [["wide", {}], ["dark", { colorScheme: "dark" }], ["on a phone", { viewport: phone, hasTouch: true, isMobile: true }]]) {
+for (const [where, options] of [
+  ["wide", {}],
+  ["dark", { colorScheme: "dark" }],
+  ["on a phone", { viewport: phone, hasTouch: true, isMobile: true }],
+]) {
   test(`the controls in HTML do not show over those of the canvas, ${where}`, async () => {
     const page = await forced(options);
     await load(page, asset("anchor"));
     await idle(page);
-    const plain = await browser.open({ colorScheme: options.colorScheme ?? "light", reducedMotion: "reduce", ...options });
+    const plain = await browser.open({
+      colorScheme: options.colorScheme ?? "light",
+      reducedMotion: "reduce",
+      ...options,
+    });
     await load(plain, asset("anchor"));
     await idle(plain);
     const { count, seen } = await twins(page);
@@ -33,9 +44,13 @@ for (const [where, options] of [["wide", {}], ["dark", { colorScheme: "dark" }],
     assert.deepEqual(seen, []);
     // The canvas has the same letters, and nothing lies over them.
     const { width, height } = page.viewportSize();
-    const clip = { x: 2, y: 2, width: width - 4, height: height - 4 };  // without the frame
-    const dark = await groundIsDark(page), like = await groundIsDark(plain);
-    if (dark === like) assert.ok((await browser.compare(await page.screenshot({ clip }), await plain.screenshot({ clip }))).share < 0.0005);
+    const clip = { x: 2, y: 2, width: width - 4, height: height - 4 }; // without the frame
+    const dark = await groundIsDark(page),
+      like = await groundIsDark(plain);
+    if (dark === like)
+      assert.ok(
+        (await browser.compare(await page.screenshot({ clip }), await plain.screenshot({ clip }))).share < 0.0005,
+      );
     await plain.done();
     await page.done();
   });
@@ -51,7 +66,14 @@ test("a control that has the focus shows where it is and no letters of its own, 
       const element = document.activeElement;
       if (!element.closest("#mirror")) return undefined;
       const { outlineStyle, outlineColor, backgroundColor, color, opacity } = getComputedStyle(element);
-      return { kind: element.localName === "input" ? element.type : element.localName, outlineStyle, outlineColor, backgroundColor, color, opacity };
+      return {
+        kind: element.localName === "input" ? element.type : element.localName,
+        outlineStyle,
+        outlineColor,
+        backgroundColor,
+        color,
+        opacity,
+      };
     });
     if (!found) break;
     kinds.add(found.kind);
@@ -68,19 +90,29 @@ test("a control that has the focus shows where it is and no letters of its own, 
 });
 
 // What can be pressed or typed into in a window, without an edge that can be seen.
-const shapeless = (window) => window.evaluate((root) => [...root.querySelectorAll(".button, .field, .choice, .sample, kbd")]
-  .filter((element) => element.checkVisibility()).filter((element) => {
-    const { borderTopWidth, borderTopStyle, borderTopColor } = getComputedStyle(element);
-    const ground = getComputedStyle(root).backgroundColor;
-    return !(parseFloat(borderTopWidth) >= 1 && borderTopStyle !== "none" && borderTopColor !== ground && !/^rgba\(.*, 0\)$/.test(borderTopColor));
-  }).map((element) => element.outerHTML.slice(0, 80)));
+const shapeless = (window) =>
+  window.evaluate((root) =>
+    [...root.querySelectorAll(".button, .field, .choice, .sample, kbd")]
+      .filter((element) => element.checkVisibility())
+      .filter((element) => {
+        const { borderTopWidth, borderTopStyle, borderTopColor } = getComputedStyle(element);
+        const ground = getComputedStyle(root).backgroundColor;
+        return !(
+          parseFloat(borderTopWidth) >= 1 &&
+          borderTopStyle !== "none" &&
+          borderTopColor !== ground &&
+          !/^rgba\(.*, 0\)$/.test(borderTopColor)
+        );
+      })
+      .map((element) => element.outerHTML.slice(0, 80)),
+  );
 
 for (const colorScheme of ["light", "dark"]) {
   test(`buttons and fields of windows have an edge, and what is set is told from what is not, on a ${colorScheme} system`, async () => {
     const page = await forced({ colorScheme });
     for (const name of ["samples", "open", "save", "table", "lessons", "experiment", "keys", "about"]) {
       const window = await openWindow(page, name);
-      assert.ok(await window.locator("button").count() > 0);
+      assert.ok((await window.locator("button").count()) > 0);
       assert.deepEqual(await shapeless(window), [], name);
       if (name === "samples") {
         const edge = (element) => element.evaluate((e) => getComputedStyle(e).borderTopWidth);
@@ -109,12 +141,22 @@ for (const colorScheme of ["light", "dark"]) {
         root.style.outlineColor = colour;
         return getComputedStyle(root).outlineColor;
       };
-      const strokes = (marks) => [...new Set([...root.querySelectorAll(marks)].map((mark) => getComputedStyle(mark).stroke))];
-      const keys = [...root.querySelector(".legend").querySelectorAll(".key")].map((key) => [...key.querySelectorAll("path, circle")]
-        .map((mark) => `${mark.localName} ${mark.getAttribute("d") ?? ""} ${getComputedStyle(mark).strokeDasharray}`).join());
+      const strokes = (marks) => [
+        ...new Set([...root.querySelectorAll(marks)].map((mark) => getComputedStyle(mark).stroke)),
+      ];
+      const keys = [...root.querySelector(".legend").querySelectorAll(".key")].map((key) =>
+        [...key.querySelectorAll("path, circle")]
+          .map((mark) => `${mark.localName} ${mark.getAttribute("d") ?? ""} ${getComputedStyle(mark).strokeDasharray}`)
+          .join(),
+      );
       return {
-        text: [system("CanvasText")], quiet: [system("GrayText")], keys,
-        lines: strokes("[class^=line-] path"), signs: strokes("[class^=dots-] > *"), legend: strokes(".key path, .key circle"), grid: strokes("[aria-label=y-grid] line"),
+        text: [system("CanvasText")],
+        quiet: [system("GrayText")],
+        keys,
+        lines: strokes("[class^=line-] path"),
+        signs: strokes("[class^=dots-] > *"),
+        legend: strokes(".key path, .key circle"),
+        grid: strokes("[aria-label=y-grid] line"),
       };
     });
     const { text, quiet, keys } = drawn;
@@ -126,13 +168,16 @@ for (const colorScheme of ["light", "dark"]) {
 }
 
 // Of the system's ground, and of the canvas in a corner where nothing stands.
-const groundIsDark = (page) => page.evaluate(() => {
-  const probe = document.body.appendChild(document.createElement("i"));
-  probe.style.backgroundColor = "Canvas";
-  const [red, green, blue] = getComputedStyle(probe).backgroundColor.match(/[\d.]+/g).map(Number);
-  probe.remove();
-  return red + green + blue < 384;
-});
+const groundIsDark = (page) =>
+  page.evaluate(() => {
+    const probe = document.body.appendChild(document.createElement("i"));
+    probe.style.backgroundColor = "Canvas";
+    const [red, green, blue] = getComputedStyle(probe)
+      .backgroundColor.match(/[\d.]+/g)
+      .map(Number);
+    probe.remove();
+    return red + green + blue < 384;
+  });
 
 async function canvasIsDark(page) {
   const png = (await page.screenshot({ clip: { x: 6, y: 300, width: 8, height: 8 } })).toString("base64");

@@ -1,7 +1,22 @@
 // Several tabs: each keeps its own work, address and undo, through reloads and crashes.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { asset, evenlift, fragment, idle, link, load, press, reload, sample, set, sharedBrowser, state, undo, wide } from "../page/browser.mjs";
+import {
+  asset,
+  evenlift,
+  fragment,
+  idle,
+  link,
+  load,
+  press,
+  reload,
+  sample,
+  set,
+  sharedBrowser,
+  state,
+  undo,
+  wide,
+} from "../page/browser.mjs";
 
 const browser = sharedBrowser();
 
@@ -15,7 +30,8 @@ async function fresh() {
   await context?.close();
   context = await browser.browser.newContext({ viewport: wide, colorScheme: "light" });
   await context.addInitScript(() => {
-    if (globalThis.ServiceWorkerContainer) ServiceWorkerContainer.prototype.register = () => Promise.reject(new Error("not here"));
+    if (globalThis.ServiceWorkerContainer)
+      ServiceWorkerContainer.prototype.register = () => Promise.reject(new Error("not here"));
   });
 }
 const tab = (address = "") => browser.open({ context, address });
@@ -138,9 +154,10 @@ test("a duplicated tab has the same work and undo, and is a tab of its own from 
   await load(a, asset("violin"));
   await set(a, { teams: 2 });
   await idle(a);
-  const violin = encoded("violin"), two = await link(a);
+  const violin = encoded("violin"),
+    two = await link(a);
   const coming = a.waitForEvent("popup");
-  await a.evaluate(() => void open(location.href));  // with what this tab keeps, as a browser duplicates it
+  await a.evaluate(() => void open(location.href)); // with what this tab keeps, as a browser duplicates it
   const copy = await coming;
   await copy.waitForFunction(() => globalThis.evenlift);
   await copy.evaluate(() => evenlift.ready);
@@ -160,7 +177,11 @@ test("a shape that is being drawn stays in its tab", async () => {
   const a = await tab();
   await focused(a);
   await a.keyboard.press("d");
-  for (const at of [[300, 300], [500, 300]]) await a.mouse.click(...at);
+  for (const at of [
+    [300, 300],
+    [500, 300],
+  ])
+    await a.mouse.click(...at);
   await idle(a);
   const b = await tab(`#${encoded("guitar")}`);
   await set(b, { teams: 2 });
@@ -197,13 +218,17 @@ test("after a crash a tab comes back with its own work and undo", async () => {
   const loaded = new Promise((done) => client.once("Page.loadEventFired", done));
   await client.send("Page.reload");
   await loaded;
-  const ask = async (expression) => (await client.send("Runtime.evaluate", { expression, awaitPromise: true, returnByValue: true })).result.value;
+  const ask = async (expression) =>
+    (await client.send("Runtime.evaluate", { expression, awaitPromise: true, returnByValue: true })).result.value;
   assert.equal(await ask("evenlift.ready.then(() => evenlift.link())"), mine);
   const key = { key: "z", code: "KeyZ", ctrlKey: true, bubbles: true };
-  assert.equal(await ask(`evenlift.idle().then(() => {
+  assert.equal(
+    await ask(`evenlift.idle().then(() => {
     document.getElementById("canvas").dispatchEvent(new KeyboardEvent("keydown", ${JSON.stringify(key)}));
     return evenlift.link();
-  })`), encoded("guitar"));
+  })`),
+    encoded("guitar"),
+  );
   await b.close();
   await a.done();
 });

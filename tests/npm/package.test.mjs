@@ -22,12 +22,22 @@ const project = path.join(work, "project");
 mkdirSync(project);
 writeFileSync(path.join(project, "package.json"), '{ "private": true, "type": "module" }\n');
 npm(project, "install", "--offline", "--no-audit", "--no-fund", path.join(work, packed.filename));
-const { place, candidates, svg, poses, link, experiment, run, version, EvenliftError } =
-  await import(pathToFileURL(path.join(project, "node_modules/evenlift/node.js")).href);
+const { place, candidates, svg, poses, link, experiment, run, version, EvenliftError } = await import(
+  pathToFileURL(path.join(project, "node_modules/evenlift/node.js")).href
+);
 const { settingNames } = await import(pathToFileURL(path.join(project, "node_modules/evenlift/api.js")).href);
 
-const plate = [[0, 0], [160, 0], [160, 90], [90, 90], [90, 60], [0, 60]];
-const samples = readdirSync(path.join(root, "assets/polygons")).filter((name) => name !== "index.txt").map((name) => name.replace(/\.txt$/, ""));
+const plate = [
+  [0, 0],
+  [160, 0],
+  [160, 90],
+  [90, 90],
+  [90, 60],
+  [0, 60],
+];
+const samples = readdirSync(path.join(root, "assets/polygons"))
+  .filter((name) => name !== "index.txt")
+  .map((name) => name.replace(/\.txt$/, ""));
 
 // The first block of JavaScript of a text that imports the package.
 function lines(file) {
@@ -41,9 +51,19 @@ function runInProject(name, code) {
 }
 
 test("it has what it needs and nothing else, and the version of the project", () => {
-  assert.deepEqual(packed.files.map((file) => file.path).sort(),
-    ["LICENSE", "README.md", "api.js", "evenlift.d.ts", "evenlift.js", "evenlift.wasm", "node.js", "package.json"]);
-  const [, projectVersion] = /project\(evenlift VERSION ([\d.]+)/.exec(readFileSync(path.join(root, "CMakeLists.txt"), "utf8"));
+  assert.deepEqual(packed.files.map((file) => file.path).sort(), [
+    "LICENSE",
+    "README.md",
+    "api.js",
+    "evenlift.d.ts",
+    "evenlift.js",
+    "evenlift.wasm",
+    "node.js",
+    "package.json",
+  ]);
+  const [, projectVersion] = /project\(evenlift VERSION ([\d.]+)/.exec(
+    readFileSync(path.join(root, "CMakeLists.txt"), "utf8"),
+  );
   assert.equal(packed.version, projectVersion);
   assert.equal(version, projectVersion);
   assert.equal(evenlift("--version"), `evenlift ${projectVersion}\n`);
@@ -71,14 +91,22 @@ test("settings have the effect that the program's options have", () => {
   const file = path.join(root, "assets/polygons/hammer.txt");
   const text = asset("hammer");
   for (const [options, args] of [
-    [{ teams: 5, metric: "circle", min_ratio: 0.7, weight: 42.5 }, ["--teams", "5", "--metric", "circle", "--min-ratio", "0.7", "--weight", "42.5"]],
+    [
+      { teams: 5, metric: "circle", min_ratio: 0.7, weight: 42.5 },
+      ["--teams", "5", "--metric", "circle", "--min-ratio", "0.7", "--weight", "42.5"],
+    ],
     [{ teams: "max", failures: true, candidates: true }, ["--teams", "max", "--failures", "--candidates"]],
     [{ metric: "random", seed: 18446744073709551615n }, ["--metric", "random", "--seed", "18446744073709551615"]],
     [{ metric: "balanced", robots: 5, goal: "hold" }, ["--metric", "balanced", "--robots", "5", "--goal", "hold"]],
     [{ capacity: 20, com_radius: 10 }, ["--capacity", "20", "--com-radius", "10"]],
     [{ unit: "mm", weight_unit: "lb" }, ["--unit", "mm", "--weight-unit", "lb"]],
     [{ centre_of_mass: [260, 480] }, ["--com", "260,480"]],
-  ]) assert.deepEqual(place(text, options), JSON.parse(evenlift("place", file, "--json", ...args)), JSON.stringify(args));
+  ])
+    assert.deepEqual(
+      place(text, options),
+      JSON.parse(evenlift("place", file, "--json", ...args)),
+      JSON.stringify(args),
+    );
   assert.deepEqual(candidates(text), place(text, { candidates: true }).candidates);
   assert.equal(link(text, { metric: "circle" }), evenlift("link", "encode", file, "--metric", "circle").trim());
   const message = path.join(work, "poses.yaml");
@@ -104,7 +132,12 @@ function refused(call, ...args) {
 }
 
 test("what is refused throws an error that says what is wrong and where", () => {
-  const crossing = refused(place, [[0, 0], [4, 4], [4, 0], [0, 4]]);
+  const crossing = refused(place, [
+    [0, 0],
+    [4, 4],
+    [4, 0],
+    [0, 4],
+  ]);
   assert.equal(crossing.code, "edges_cross");
   assert.deepEqual(crossing.place, { edges: [0, 2] });
   assert.match(crossing.message, /edges 1 and 3/i);
@@ -115,8 +148,17 @@ test("what is refused throws an error that says what is wrong and where", () => 
 });
 
 test("a wrong name is told, with the one that was meant", () => {
-  for (const [wrong, right] of Object.entries({ team: "teams", tems: "teams", min_ration: "min_ratio", wieght: "weight", minRatio: "min_ratio",
-    "min-ratio": "min_ratio", robots_radius: "robot_radius", center_of_mass: "centre_of_mass", failure: "failures" })) {
+  for (const [wrong, right] of Object.entries({
+    team: "teams",
+    tems: "teams",
+    min_ration: "min_ratio",
+    wieght: "weight",
+    minRatio: "min_ratio",
+    "min-ratio": "min_ratio",
+    robots_radius: "robot_radius",
+    center_of_mass: "centre_of_mass",
+    failure: "failures",
+  })) {
     const error = refused(place, plate, { [wrong]: 3 });
     assert.equal(error.message, `There is no setting "${wrong}"; did you mean "${right}"?`);
     assert.equal(error.code, "bad_setting");
@@ -125,20 +167,30 @@ test("a wrong name is told, with the one that was meant", () => {
   assert.equal(refused(place, plate, { zzz: 1 }).message, 'There is no setting "zzz"');
   assert.match(refused(poses, plate, { fromat: "csv" }).message, /"format"/);
   assert.match(refused(experiment, [{ polygon: plate }], { sample: 3 }).message, /"samples"/);
-  assert.match(refused(experiment, [{ polygn: plate }]).message, /^polygon 1: there is no member "polygn"; did you mean "polygon"\?/);
-  for (const call of [candidates, svg, link]) assert.deepEqual(refused(call, plate, { failures: true }).place, { setting: "failures" });
+  assert.match(
+    refused(experiment, [{ polygn: plate }]).message,
+    /^polygon 1: there is no member "polygn"; did you mean "polygon"\?/,
+  );
+  for (const call of [candidates, svg, link])
+    assert.deepEqual(refused(call, plate, { failures: true }).place, { setting: "failures" });
   for (const name of ["__proto__", "constructor", "toString"]) refused(place, plate, JSON.parse(`{"${name}": 1}`));
 });
 
 test("what is no finite number is told of by its vertex, of the centre of mass or by its setting", () => {
   for (const bad of [NaN, Infinity, -Infinity]) {
-    for (const vertex of [[bad, 90], [90, bad]]) {
+    for (const vertex of [
+      [bad, 90],
+      [90, bad],
+    ]) {
       const error = refused(place, [...plate.slice(0, 3), vertex, ...plate.slice(4)]);
       assert.equal(error.message, "Vertex 4: a coordinate is not a finite number");
       assert.equal(error.code, "bad_coordinate");
       assert.deepEqual(error.place, { vertices: [3] });
       assert.deepEqual(refused(place, plate, { centre_of_mass: vertex }).place, { centre_of_mass: true });
-      assert.match(refused(experiment, [{ polygon: plate }, { name: "hammer", polygon: [vertex] }]).message, /^hammer: vertex 1: /);
+      assert.match(
+        refused(experiment, [{ polygon: plate }, { name: "hammer", polygon: [vertex] }]).message,
+        /^hammer: vertex 1: /,
+      );
     }
     for (const name of settingNames) {
       const error = refused(place, plate, { [name]: bad });
@@ -154,14 +206,27 @@ test("so is what is no number, no point, no polygon or no text at all", () => {
     assert.deepEqual(refused(place, [[0, 0], [160, 0], vertex]).place, { vertices: [2] });
   }
   assert.deepEqual(refused(place, new Array(3)).place, { vertices: [0] });
-  for (const centre of [[1, 2, 3], 3, ["a", "b"], [[1, 2]]]) assert.deepEqual(refused(place, plate, { centre_of_mass: centre }).place, { centre_of_mass: true });
-  for (const value of [[1, 2], {}, () => 3, Symbol("a"), true, "half \ud800"]) assert.deepEqual(refused(place, plate, { weight: value }).place, { setting: "weight" });
+  for (const centre of [[1, 2, 3], 3, ["a", "b"], [[1, 2]]])
+    assert.deepEqual(refused(place, plate, { centre_of_mass: centre }).place, { centre_of_mass: true });
+  for (const value of [[1, 2], {}, () => 3, Symbol("a"), true, "half \ud800"])
+    assert.deepEqual(refused(place, plate, { weight: value }).place, { setting: "weight" });
   for (const polygon of [null, undefined, 3, {}]) assert.equal(refused(place, polygon).code, "bad_syntax");
   assert.deepEqual(refused(place, "(0,0)\n(4,\ud8000)").place, { line: 2, column: 4 });
   assert.equal(refused(place, new Array(1048577).fill([0, 0])).code, "too_many_vertices");
   assert.deepEqual(refused(place, plate, { candidates: 1 }).place, { setting: "candidates" });
-  for (const polygons of [undefined, {}, [3], [null], [{}], [{ text: plate }], [{ polygon: "x" }], [{ polygon: plate, text: "x" }], [{ polygon: plate, name: 3 }],
-    [{ polygon: plate, set: "\ud800" }], new Array(10001).fill({ polygon: plate })]) {
+  for (const polygons of [
+    undefined,
+    {},
+    [3],
+    [null],
+    [{}],
+    [{ text: plate }],
+    [{ polygon: "x" }],
+    [{ polygon: plate, text: "x" }],
+    [{ polygon: plate, name: 3 }],
+    [{ polygon: plate, set: "\ud800" }],
+    new Array(10001).fill({ polygon: plate }),
+  ]) {
     assert.doesNotMatch(refused(experiment, polygons).message, /column/);
   }
   assert.equal(place(plate, { seed: undefined, teams: null, centre_of_mass: null }).teams.length, 3);
@@ -189,7 +254,16 @@ test("every setting is one that the core knows", () => {
 });
 
 test("any bytes have an answer", () => {
-  for (const request of ["", "{", "[]", "null", '"\\ud800"', '{"command": "\u0000"}', '{"polygon": [[1e999, 0]]}', "[".repeat(100000)]) {
+  for (const request of [
+    "",
+    "{",
+    "[]",
+    "null",
+    '"\\ud800"',
+    '{"command": "\u0000"}',
+    '{"polygon": [[1e999, 0]]}',
+    "[".repeat(100000),
+  ]) {
     assert.ok(JSON.parse(run(request)).error.message, request.slice(0, 40));
   }
 });
@@ -198,33 +272,48 @@ test("any bytes have an answer", () => {
 const asText = (result) => JSON.stringify(result);
 
 test("a worker thread of Node places", () => {
-  writeFileSync(path.join(project, "worker.mjs"), `
+  writeFileSync(
+    path.join(project, "worker.mjs"),
+    `
     import { parentPort, workerData } from "node:worker_threads";
     import { place } from "evenlift";
     parentPort.postMessage(place(workerData));
-  `);
-  const printed = runInProject("threads.mjs", `
+  `,
+  );
+  const printed = runInProject(
+    "threads.mjs",
+    `
     import { Worker } from "node:worker_threads";
     new Worker("./worker.mjs", { workerData: ${JSON.stringify(plate)} }).on("message", (result) => console.log(JSON.stringify(result)));
-  `);
+  `,
+  );
   assert.equal(printed.trim(), asText(place(plate)));
 });
 
 test("a browser places, in the page and in a worker, under a strict policy", async (t) => {
   const site = path.join(project, "site");
   mkdirSync(site);
-  writeFileSync(path.join(site, "index.html"), '<!doctype html><meta charset="utf-8"><title>A consumer</title><script type="module" src="main.js"></script>');
+  writeFileSync(
+    path.join(site, "index.html"),
+    '<!doctype html><meta charset="utf-8"><title>A consumer</title><script type="module" src="main.js"></script>',
+  );
   const imported = 'import { place } from "../node_modules/evenlift/evenlift.js";';
-  writeFileSync(path.join(site, "worker.js"), `${imported}
+  writeFileSync(
+    path.join(site, "worker.js"),
+    `${imported}
     addEventListener("message", ({ data }) => postMessage(place(data)));
-    postMessage("ready");`);
-  writeFileSync(path.join(site, "main.js"), `${imported}
+    postMessage("ready");`,
+  );
+  writeFileSync(
+    path.join(site, "main.js"),
+    `${imported}
     const plate = ${JSON.stringify(plate)};
     const worker = new Worker(new URL("worker.js", import.meta.url), { type: "module" });
     const there = new Promise((done) => {
       worker.onmessage = ({ data }) => (data === "ready" ? worker.postMessage(plate) : done(data));
     });
-    globalThis.results = there.then((inWorker) => ({ here: place(plate), inWorker }));`);
+    globalThis.results = there.then((inWorker) => ({ here: place(plate), inWorker }));`,
+  );
   const server = await serve(project, 0);
   const { browser, close } = await startBrowser();
   t.after(async () => {
@@ -240,5 +329,8 @@ test("a browser places, in the page and in a worker, under a strict policy", asy
   const { here, inWorker } = await page.evaluate(() => globalThis.results);
   assert.equal(asText(here), asText(place(plate)));
   assert.equal(asText(inWorker), asText(place(plate)));
-  assert.deepEqual(complaints.filter((text) => !text.includes("favicon")), []);
+  assert.deepEqual(
+    complaints.filter((text) => !text.includes("favicon")),
+    [],
+  );
 });

@@ -2,7 +2,29 @@
 import assert from "node:assert/strict";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, control, controlIfShown, drag, evenlift, fragment, idle, link, load, press, program as placed, published, reload, root, sample, set, sharedBrowser, state, summary, thrown, toScreen } from "./browser.mjs";
+import {
+  asset,
+  control,
+  controlIfShown,
+  drag,
+  evenlift,
+  fragment,
+  idle,
+  link,
+  load,
+  press,
+  program as placed,
+  published,
+  reload,
+  root,
+  sample,
+  set,
+  sharedBrowser,
+  state,
+  summary,
+  thrown,
+  toScreen,
+} from "./browser.mjs";
 
 const browser = sharedBrowser();
 
@@ -10,8 +32,14 @@ const program = (name, ...options) => placed(name, "--metric", "balanced", ...op
 
 test("the search ends at the program's answer, bit for bit", async () => {
   const page = await browser.open();
-  const cases = [["grand-piano", { robots: 6 }], ["grand-piano", { robots: 5, goal: "cover" }], ["thesis-sample", { robots: 3 }],
-    ["guitar", { robots: 4 }], ["thesis-sample", { robots: 7, min_margin: 0.2, apart: 40, survive: 2 }], ["square", { robots: 2 }]];
+  const cases = [
+    ["grand-piano", { robots: 6 }],
+    ["grand-piano", { robots: 5, goal: "cover" }],
+    ["thesis-sample", { robots: 3 }],
+    ["guitar", { robots: 4 }],
+    ["thesis-sample", { robots: 7, min_margin: 0.2, apart: 40, survive: 2 }],
+    ["square", { robots: 2 }],
+  ];
   for (const [name, settings] of cases) {
     await load(page, asset(name));
     await set(page, { metric: "balanced", ...settings });
@@ -23,7 +51,11 @@ test("the search ends at the program's answer, bit for bit", async () => {
 });
 
 test("without workers the search goes on between pictures, to the same answer", async () => {
-  const page = await browser.open({ script: () => { delete globalThis.Worker; } });
+  const page = await browser.open({
+    script: () => {
+      delete globalThis.Worker;
+    },
+  });
   await load(page, asset("grand-piano"));
   await set(page, { metric: "balanced", robots: 6 });
   await idle(page);
@@ -91,14 +123,16 @@ test("a count for another capacity or another document is dropped", async () => 
 });
 
 test("during a drag nothing is counted, and after it once", async () => {
-  const page = await browser.open({ script: () => {
-    globalThis.counts = 0;
-    const { postMessage } = Worker.prototype;
-    Worker.prototype.postMessage = function (message) {
-      if (/^capacity=/m.test(message.problem?.settings)) ++globalThis.counts;
-      postMessage.call(this, message);
-    };
-  } });
+  const page = await browser.open({
+    script: () => {
+      globalThis.counts = 0;
+      const { postMessage } = Worker.prototype;
+      Worker.prototype.postMessage = function (message) {
+        if (/^capacity=/m.test(message.problem?.settings)) ++globalThis.counts;
+        postMessage.call(this, message);
+      };
+    },
+  });
   const counts = () => page.evaluate(() => globalThis.counts);
   await load(page, asset("thesis-sample"));
   await set(page, { metric: "balanced", robots: 5, capacity: 25 });
@@ -168,13 +202,16 @@ test("undo takes one step, whatever the search found meanwhile", async () => {
 
 test("what a search finds for another document is dropped", async () => {
   const page = await browser.open();
-  await page.evaluate(([piano, guitar]) => {
-    evenlift.load(piano);
-    evenlift.set({ metric: "balanced", robots: 8 });
-    evenlift.load(guitar);
-    evenlift.set({ metric: "balanced", robots: 5 });
-    evenlift.set({ robots: 6 });
-  }, [asset("grand-piano"), asset("guitar")]);
+  await page.evaluate(
+    ([piano, guitar]) => {
+      evenlift.load(piano);
+      evenlift.set({ metric: "balanced", robots: 8 });
+      evenlift.load(guitar);
+      evenlift.set({ metric: "balanced", robots: 5 });
+      evenlift.set({ robots: 6 });
+    },
+    [asset("grand-piano"), asset("guitar")],
+  );
   await idle(page);
   assert.deepEqual(await state(page), program("guitar", "--robots", "6"));
   await page.done();
@@ -237,8 +274,11 @@ test("what balanced robots have not is off", async () => {
   const page = await browser.open();
   await set(page, { metric: "balanced" });
   await idle(page);
-  assert.equal(await page.locator('#mirror [aria-label="Candidates"]').getAttribute("aria-disabled") ??
-    String(await page.locator('#mirror [aria-label="Candidates"]').isDisabled()), "true");
+  assert.equal(
+    (await page.locator('#mirror [aria-label="Candidates"]').getAttribute("aria-disabled")) ??
+      String(await page.locator('#mirror [aria-label="Candidates"]').isDisabled()),
+    "true",
+  );
   assert.ok(await control(page, "Chords"));
   await page.done();
 });
@@ -249,8 +289,13 @@ test("the lesson of balanced robots tells the search, and a link opens it at its
   await set(page, { metric: "balanced", robots: 6 });
   await page.keyboard.press("b");
   await idle(page);
-  assert.deepEqual((await state(page)).robots ?? (await state(page)).teams, (program("grand-piano", "--robots", "6")).robots ?? program("grand-piano", "--robots", "6").teams);
-  const steps = JSON.parse(evenlift("trace", path.join(root, "assets/polygons/grand-piano.txt"), "--metric", "balanced", "--json"));
+  assert.deepEqual(
+    (await state(page)).robots ?? (await state(page)).teams,
+    program("grand-piano", "--robots", "6").robots ?? program("grand-piano", "--robots", "6").teams,
+  );
+  const steps = JSON.parse(
+    evenlift("trace", path.join(root, "assets/polygons/grand-piano.txt"), "--metric", "balanced", "--json"),
+  );
   const settled = steps.findIndex((step) => step.kind === "settled");
   await set(page, { step: settled });
   await idle(page);
@@ -270,9 +315,12 @@ test("a robot that is pressed says what it bears and why", async () => {
   await set(page, { metric: "balanced", robots: 6 });
   await idle(page);
   const at = (await state(page)).teams[0].ends[1];
-  await page.mouse.click(...await toScreen(page, at));
+  await page.mouse.click(...(await toScreen(page, at)));
   await idle(page);
-  assert.match(await page.locator("#alert").textContent(), /^Robot 2 of 6\. It carries: 16\.7\skg of 100\skg\..*centroid of the 6 robots/);
+  assert.match(
+    await page.locator("#alert").textContent(),
+    /^Robot 2 of 6\. It carries: 16\.7\skg of 100\skg\..*centroid of the 6 robots/,
+  );
   assert.equal(await controlIfShown(page, "show in lesson"), null);
   await page.done();
 });
@@ -320,9 +368,17 @@ test("balanced robots beside teams are as many as those", async () => {
 
 test("set() refuses with a sentence what balanced robots cannot be asked", async () => {
   const page = await browser.open();
-  const bad = [[{ robots: 1 }, /^The number of robots is a whole number from 2 to 64/], [{ robots: 65 }, /robots/], [{ robots: 2.5 }, /robots/],
-    [{ robots: "6" }, /robots/], [{ goal: "best" }, /^The goal is cover or hold/], [{ metric: "random", goal: "hold" }, /goal: distributed and random teams/],
-    [{ min_margin: 2 }, /margin/], [{ apart: -1 }, /parts robots/], [{ metric: "balanced", robots: 6, survive: 2 }, /survive/]];
+  const bad = [
+    [{ robots: 1 }, /^The number of robots is a whole number from 2 to 64/],
+    [{ robots: 65 }, /robots/],
+    [{ robots: 2.5 }, /robots/],
+    [{ robots: "6" }, /robots/],
+    [{ goal: "best" }, /^The goal is cover or hold/],
+    [{ metric: "random", goal: "hold" }, /goal: distributed and random teams/],
+    [{ min_margin: 2 }, /margin/],
+    [{ apart: -1 }, /parts robots/],
+    [{ metric: "balanced", robots: 6, survive: 2 }, /survive/],
+  ];
   for (const [changes, why] of bad) assert.match(await thrown(page, "set", changes), why);
   assert.equal((await state(page)).metric, "area");
   await page.done();
@@ -335,13 +391,18 @@ test("one of three balanced robots is dragged along the edge, the others follow,
   await idle(page);
   const before = await state(page);
   const from = await toScreen(page, before.teams[0].ends[0]);
-  const to = await toScreen(page, before.teams[0].ends[0].map((x, i) => x + 0.06 * (before.centre_of_mass[i] - x)));
+  const to = await toScreen(
+    page,
+    before.teams[0].ends[0].map((x, i) => x + 0.06 * (before.centre_of_mass[i] - x)),
+  );
   await page.mouse.move(...from);
   assert.equal(await page.locator("#canvas").getAttribute("data-cursor"), "grab");
   const across = [from[0] + (to[1] - from[1]) * 2, from[1] - (to[0] - from[0]) * 2];
   await drag(page, from, across, 12);
   const now = await state(page);
-  const moved = now.teams[0].ends.filter((end, i) => Math.hypot(end[0] - before.teams[0].ends[i][0], end[1] - before.teams[0].ends[i][1]) > 1e-6);
+  const moved = now.teams[0].ends.filter(
+    (end, i) => Math.hypot(end[0] - before.teams[0].ends[i][0], end[1] - before.teams[0].ends[i][1]) > 1e-6,
+  );
   assert.equal(moved.length, 3, "one is dragged and two follow");
   assert.deepEqual(now.teams[0].loads, before.teams[0].loads);
   for (const axis of [0, 1]) {
@@ -360,7 +421,9 @@ test("the picture has no chords but a line from each robot to the centre of mass
   await load(page, asset("grand-piano"));
   await set(page, { metric: "balanced", robots: 5 });
   await idle(page);
-  const lines = await page.evaluate(() => [...new DOMParser().parseFromString(evenlift.svg(), "image/svg+xml").querySelectorAll(".chord")].length);
+  const lines = await page.evaluate(
+    () => [...new DOMParser().parseFromString(evenlift.svg(), "image/svg+xml").querySelectorAll(".chord")].length,
+  );
   assert.equal(lines, 5);
   await page.done();
 });

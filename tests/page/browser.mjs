@@ -17,7 +17,8 @@ export const pageFolder = process.env.EVENLIFT_PAGE || path.join(root, "build/pa
 const executed = process.env.EVENLIFT_PROGRAM || path.join(root, "build/bin/evenlift");
 
 // Headless Chromium without the rest of the browser opens a page three times as fast.
-const executable = process.env.EVENLIFT_BROWSER ||
+const executable =
+  process.env.EVENLIFT_BROWSER ||
   ["/usr/bin/chromium-headless-shell", "/usr/bin/chromium"].find((file) => existsSync(file));
 
 // axe-core, as a script for the page; and a reader of QR codes.
@@ -30,8 +31,15 @@ const graphics = existsSync("/usr/share/glvnd/egl_vendor.d/50_mesa.json")
   : ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 
 // Nothing asks the network.
-const options = [...graphics, "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
-  "--disable-component-update", "--disable-sync"];
+const options = [
+  ...graphics,
+  "--no-sandbox",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+];
 
 // How long a test waits for what must come: for as long as a very busy machine may need.
 export const patience = 300000;
@@ -47,23 +55,23 @@ export function evenlift(...args) {
 // The file of a sample, what is in it, and what the program places of it.
 export const sample = (name) => path.join(root, "assets/polygons", `${name}.txt`);
 export const asset = (name) => readFileSync(sample(name), "utf8");
-export const program = (name, ...options) => JSON.parse(evenlift("place", sample(name), "--json", "--candidates", ...options));
+export const program = (name, ...options) =>
+  JSON.parse(evenlift("place", sample(name), "--json", "--candidates", ...options));
 
 export const lShape = "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)\n";
 
 // The gallery's files, in its order.
 export function gallery() {
-  return readFileSync(path.join(root, "assets/polygons/index.txt"), "utf8").split("\n")
-    .filter((line) => line && !line.startsWith("#")).map((line) => line.split(/\s+/)[0]);
+  return readFileSync(path.join(root, "assets/polygons/index.txt"), "utf8")
+    .split("\n")
+    .filter((line) => line && !line.startsWith("#"))
+    .map((line) => line.split(/\s+/)[0]);
 }
 
 // Serves the page and starts a browser; close() ends both.
 export async function startBrowser(extraOptions = []) {
   const server = await serve(pageFolder, 0);
-  const browser = await chromium.launch({
-    executablePath: executable,
-    args: [...options, ...extraOptions],
-  });
+  const browser = await chromium.launch({ executablePath: executable, args: [...options, ...extraOptions] });
   async function close() {
     await browser.close();
     server.close();
@@ -72,9 +80,19 @@ export async function startBrowser(extraOptions = []) {
   // A page of its own storage. Whatever it complains about, or asks of another host, fails the test at close().
   // With `hasty` a test can let the page's timers ring before their time. With `first` the card of the first visit is shown.
   // With `offline` the browser may keep the page for later; `site` is another server's address than this one's.
-  async function open({ address = "", ready = true, quiet = true, context: reused, script, hasty = false, first = false, offline = false,
-    site = server.url, ...contextOptions } = {}) {
-    const context = reused ?? await browser.newContext({ viewport: wide, colorScheme: "light", ...contextOptions });
+  async function open({
+    address = "",
+    ready = true,
+    quiet = true,
+    context: reused,
+    script,
+    hasty = false,
+    first = false,
+    offline = false,
+    site = server.url,
+    ...contextOptions
+  } = {}) {
+    const context = reused ?? (await browser.newContext({ viewport: wide, colorScheme: "light", ...contextOptions }));
     context.setDefaultTimeout(patience);
     const page = await context.newPage();
     if (hasty) await page.addInitScript(keepTimers);
@@ -157,7 +175,8 @@ async function comparePictures([first, second]) {
     const at = 4 * (y * a.width + x);
     for (let dy = -1; dy <= 1; ++dy) {
       for (let dx = -1; dx <= 1; ++dx) {
-        const other = 4 * (Math.min(Math.max(y + dy, 0), a.height - 1) * a.width + Math.min(Math.max(x + dx, 0), a.width - 1));
+        const other =
+          4 * (Math.min(Math.max(y + dy, 0), a.height - 1) * a.width + Math.min(Math.max(x + dx, 0), a.width - 1));
         if ([0, 1, 2].every((c) => Math.abs(a.data[at + c] - b.data[other + c]) <= 24)) return true;
       }
     }
@@ -181,13 +200,16 @@ export const toScreen = (page, [x, y]) => page.evaluate((p) => evenlift.view.to_
 
 // The message of what a call throws in the page; undefined if it does not.
 export function thrown(page, call, argument) {
-  return page.evaluate(([name, value]) => {
-    try {
-      evenlift[name](value);
-    } catch (error) {
-      return error instanceof Error ? error.message : `not an Error: ${error}`;
-    }
-  }, [call, argument]);
+  return page.evaluate(
+    ([name, value]) => {
+      try {
+        evenlift[name](value);
+      } catch (error) {
+        return error instanceof Error ? error.message : `not an Error: ${error}`;
+      }
+    },
+    [call, argument],
+  );
 }
 
 // What is read out of the picture and its result.
@@ -260,7 +282,8 @@ export async function drawsNothing(page, why) {
 
 // Runs in the page before its own scripts: a browser that keeps no page for later, as some do in private windows.
 function keepNothing() {
-  if (globalThis.ServiceWorkerContainer) ServiceWorkerContainer.prototype.register = () => Promise.reject(new Error("not here"));
+  if (globalThis.ServiceWorkerContainer)
+    ServiceWorkerContainer.prototype.register = () => Promise.reject(new Error("not here"));
 }
 
 // Presses at one point and moves in steps to another, as a hand does.

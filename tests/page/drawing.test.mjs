@@ -1,7 +1,22 @@
 // Pointer, touch and keys.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { asset, control, drag, fragment, idle, load, openL, phone, press, published, set, sharedBrowser, state, toScreen } from "./browser.mjs";
+import {
+  asset,
+  control,
+  drag,
+  fragment,
+  idle,
+  load,
+  openL,
+  phone,
+  press,
+  published,
+  set,
+  sharedBrowser,
+  state,
+  toScreen,
+} from "./browser.mjs";
 
 const browser = sharedBrowser();
 
@@ -31,7 +46,10 @@ test("dragging a vertex moves that vertex, everything follows, and one undo take
   const now = await state(page);
   const [wx, wy] = await page.evaluate((p) => evenlift.view.to_world(...p), [x + 60, y - 40]);
   assert.ok(Math.hypot(now.polygon[2][0] - wx, now.polygon[2][1] - wy) < 2, "it keeps its distance to the pointer");
-  assert.deepEqual(now.polygon.filter((_, i) => i !== 2), before.polygon.filter((_, i) => i !== 2));
+  assert.deepEqual(
+    now.polygon.filter((_, i) => i !== 2),
+    before.polygon.filter((_, i) => i !== 2),
+  );
   assert.notEqual(now.coverage, before.coverage);
   await page.keyboard.press("Control+z");
   await idle(page);
@@ -94,16 +112,21 @@ test("quick presses between two frames are not lost", async () => {
   const page = await opened();
   const [x, y] = await toScreen(page, [400, 150]);
   // All in one task: no frame is drawn before the last of them.
-  await page.evaluate(([fromX, fromY]) => {
-    const canvas = document.getElementById("canvas");
-    const send = (type, cx, cy) => (type === "mouseup" ? document : canvas)
-      .dispatchEvent(new MouseEvent(type, { clientX: cx, clientY: cy, button: 0, bubbles: true }));
-    send("mousemove", fromX, fromY);
-    send("mousedown", fromX, fromY);
-    for (let i = 1; i <= 5; ++i) send("mousemove", fromX + 10 * i, fromY);
-    send("mouseup", fromX + 50, fromY);
-    send("mousemove", 20, 400);
-  }, [x, y]);
+  await page.evaluate(
+    ([fromX, fromY]) => {
+      const canvas = document.getElementById("canvas");
+      const send = (type, cx, cy) =>
+        (type === "mouseup" ? document : canvas).dispatchEvent(
+          new MouseEvent(type, { clientX: cx, clientY: cy, button: 0, bubbles: true }),
+        );
+      send("mousemove", fromX, fromY);
+      send("mousedown", fromX, fromY);
+      for (let i = 1; i <= 5; ++i) send("mousemove", fromX + 10 * i, fromY);
+      send("mouseup", fromX + 50, fromY);
+      send("mousemove", 20, 400);
+    },
+    [x, y],
+  );
   await idle(page);
   const [wx] = await page.evaluate((p) => evenlift.view.to_world(...p), [x + 50, y]);
   assert.ok(Math.abs((await state(page)).polygon[2][0] - wx) < 2);
@@ -114,7 +137,13 @@ test("keys that the page does not use stay the browser's", async () => {
   const page = await opened();
   await page.evaluate(() => {
     globalThis.prevented = {};
-    addEventListener("keydown", (event) => { globalThis.prevented[event.key] = event.defaultPrevented; }, { capture: true });
+    addEventListener(
+      "keydown",
+      (event) => {
+        globalThis.prevented[event.key] = event.defaultPrevented;
+      },
+      { capture: true },
+    );
     // The page's own listener came first and stops the event: look at what is left of it after that.
     const own = Event.prototype.preventDefault;
     Event.prototype.preventDefault = function () {
@@ -123,14 +152,37 @@ test("keys that the page does not use stay the browser's", async () => {
     };
   });
   await page.locator("#canvas").focus();
-  for (const key of ["F5", "F11", "F12", "Tab", "Control+f", "Control+s", "Control+t", "Control+r", "Alt+ArrowLeft", "PageDown", "q", "Control+Shift+i"]) {
+  for (const key of [
+    "F5",
+    "F11",
+    "F12",
+    "Tab",
+    "Control+f",
+    "Control+s",
+    "Control+t",
+    "Control+r",
+    "Alt+ArrowLeft",
+    "PageDown",
+    "q",
+    "Control+Shift+i",
+  ]) {
     const last = key.split("+").at(-1);
     // Dispatched, not pressed: the browser would act on some of them.
-    const prevented = await page.evaluate(([full, name]) => {
-      const event = new KeyboardEvent("keydown", { key: name, bubbles: true, cancelable: true, ctrlKey: full.includes("Control"), altKey: full.includes("Alt"), shiftKey: full.includes("Shift") });
-      document.getElementById("canvas").dispatchEvent(event);
-      return event.defaultPrevented;
-    }, [key, last]);
+    const prevented = await page.evaluate(
+      ([full, name]) => {
+        const event = new KeyboardEvent("keydown", {
+          key: name,
+          bubbles: true,
+          cancelable: true,
+          ctrlKey: full.includes("Control"),
+          altKey: full.includes("Alt"),
+          shiftKey: full.includes("Shift"),
+        });
+        document.getElementById("canvas").dispatchEvent(event);
+        return event.defaultPrevented;
+      },
+      [key, last],
+    );
     assert.equal(prevented, false, key);
   }
   const used = await page.evaluate(() => {
@@ -165,9 +217,8 @@ test("the panel's controls work", async () => {
 test("a finger drags a vertex from farther off, two fingers zoom", async () => {
   const page = await opened({ viewport: phone, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
   const client = await page.context().newCDPSession(page);
-  const touch = (type, ...points) => client.send("Input.dispatchTouchEvent", {
-    type, touchPoints: points.map(([x, y], id) => ({ x, y, id })),
-  });
+  const touch = (type, ...points) =>
+    client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
   const [x, y] = await toScreen(page, [400, 0]);
   await touch("touchStart", [x + 14, y - 13]);
   for (let i = 1; i <= 5; ++i) await touch("touchMove", [x + 14 - 6 * i, y - 13]);
@@ -204,20 +255,32 @@ test("two clicks that the browser does not count as a double-click are none", as
 // Taps are counted by the page: by when they were made, not by when a busy page hears of them.
 // Away from every robot: a finger on one takes it.
 test("two taps are a double one by the time at which they were made", async () => {
-  for (const [between, vertices] of [[200, 7], [900, 6]]) {
+  for (const [between, vertices] of [
+    [200, 7],
+    [900, 6],
+  ]) {
     const page = await opened({ viewport: phone, hasTouch: true, isMobile: true });
-    await page.evaluate(([[x, y], apart]) => {
-      const canvas = document.getElementById("canvas");
-      for (const time of [1000, 1000 + apart]) {
-        const touch = new Touch({ identifier: 1, target: canvas, clientX: x, clientY: y });
-        for (const type of ["touchstart", "touchend"]) {
-          const touches = type === "touchstart" ? [touch] : [];
-          const event = new TouchEvent(type, { touches, targetTouches: touches, changedTouches: [touch], bubbles: true, cancelable: true });
-          Object.defineProperty(event, "timeStamp", { value: time });
-          canvas.dispatchEvent(event);
+    await page.evaluate(
+      ([[x, y], apart]) => {
+        const canvas = document.getElementById("canvas");
+        for (const time of [1000, 1000 + apart]) {
+          const touch = new Touch({ identifier: 1, target: canvas, clientX: x, clientY: y });
+          for (const type of ["touchstart", "touchend"]) {
+            const touches = type === "touchstart" ? [touch] : [];
+            const event = new TouchEvent(type, {
+              touches,
+              targetTouches: touches,
+              changedTouches: [touch],
+              bubbles: true,
+              cancelable: true,
+            });
+            Object.defineProperty(event, "timeStamp", { value: time });
+            canvas.dispatchEvent(event);
+          }
         }
-      }
-    }, [[...await toScreen(page, [90, 0])], between]);
+      },
+      [[...(await toScreen(page, [90, 0]))], between],
+    );
     assert.equal((await state(page)).polygon.length, vertices, `${between} ms apart`);
     await page.done();
   }
@@ -226,7 +289,8 @@ test("two taps are a double one by the time at which they were made", async () =
 test("large polygons open and stay usable", async () => {
   const page = await opened();
   const points = Array.from({ length: 3000 }, (_, i) => {
-    const a = 2 * Math.PI * i / 3000, r = 1000 + 40 * Math.sin(9 * a);
+    const a = (2 * Math.PI * i) / 3000,
+      r = 1000 + 40 * Math.sin(9 * a);
     return `(${Math.round(100 * r * Math.cos(a)) / 100},${Math.round(100 * r * Math.sin(a)) / 100})`;
   });
   await load(page, points.join("\n"));
@@ -242,8 +306,14 @@ test("large polygons open and stay usable", async () => {
 test("a shape half drawn is still there after a reload", async () => {
   const page = await opened();
   await page.keyboard.press("d");
-  for (const at of [[220, 200], [560, 190], [640, 420]]) await page.mouse.click(...at);
-  const said = () => page.waitForFunction(() => document.getElementById("summary").textContent.startsWith("3 vertices so far"));
+  for (const at of [
+    [220, 200],
+    [560, 190],
+    [640, 420],
+  ])
+    await page.mouse.click(...at);
+  const said = () =>
+    page.waitForFunction(() => document.getElementById("summary").textContent.startsWith("3 vertices so far"));
   await said();
   await page.waitForFunction(() => localStorage.getItem("evenlift.drawing")?.trim().split("\n").length === 3);
   await page.reload();

@@ -1,7 +1,28 @@
 // Robots that fail, loads by other models, and a doubt about the centre of mass in the page.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { asset, control, controlIfShown, drag, evenlift, fragment, idle, link, load, press, program, published, reload, set, sharedBrowser, state, summary, tap, thrown, toScreen } from "./browser.mjs";
+import {
+  asset,
+  control,
+  controlIfShown,
+  drag,
+  evenlift,
+  fragment,
+  idle,
+  link,
+  load,
+  press,
+  program,
+  published,
+  reload,
+  set,
+  sharedBrowser,
+  state,
+  summary,
+  tap,
+  thrown,
+  toScreen,
+} from "./browser.mjs";
 
 const browser = sharedBrowser();
 
@@ -13,7 +34,7 @@ test("a robot is let fail from its card, and works again by its button, Esc or a
   const before = await state(page);
   const ways = [() => press(page, "fail"), () => page.keyboard.press("Escape"), () => page.mouse.click(40, 400)];
   for (const back of ways) {
-    await page.mouse.click(...await toScreen(page, robotAt(before, 2)));
+    await page.mouse.click(...(await toScreen(page, robotAt(before, 2))));
     await press(page, "fail");
     await idle(page);
     assert.match(await summary(page), /^Robot 3 fails: carried by the other five, at most \d+\.\d\skg\./);
@@ -48,7 +69,8 @@ test("set() lets a robot fail, and refuses one that there is not", async () => {
   assert.match(await thrown(page, "set", { failed: 7 }), /^failed: there is no robot 7: there are 6/);
   assert.match(await thrown(page, "set", { teams: 2, failed: 5 }), /^failed: there is no robot 5: there are 4/);
   assert.equal((await state(page)).teams.length, 3, "nothing has changed");
-  for (const failed of [0, -1, 1.5, "3", true]) assert.match(await thrown(page, "set", { failed }), /^The robot that fails/, String(failed));
+  for (const failed of [0, -1, 1.5, "3", true])
+    assert.match(await thrown(page, "set", { failed }), /^The robot that fails/, String(failed));
   await set(page, { failed: 2 });
   await set(page, { teams: 2 });
   await idle(page);
@@ -60,7 +82,8 @@ test("the row of signs lets robots fail by a press, by sliding and by keys", asy
   const page = await browser.open();
   await load(page, asset("grand-piano"));
   const row = await control(page, "failures");
-  const y = row.y + row.height / 2, x = (robot) => row.x + row.width * (robot + 0.5) / 6;
+  const y = row.y + row.height / 2,
+    x = (robot) => row.x + (row.width * (robot + 0.5)) / 6;
   await page.mouse.click(x(3), y);
   await idle(page);
   assert.match(await summary(page), /^Robot 4 fails/);
@@ -91,7 +114,12 @@ test("nothing in the panel moves because a robot fails", async () => {
   await load(page, asset("letter-e"));
   await set(page, { teams: 2 });
   await idle(page);
-  const places = async () => Object.fromEntries(await Promise.all(["failures", "methods", "teams +", "Base", "Team 1"].map(async (name) => [name, await control(page, name)])));
+  const places = async () =>
+    Object.fromEntries(
+      await Promise.all(
+        ["failures", "methods", "teams +", "Base", "Team 1"].map(async (name) => [name, await control(page, name)]),
+      ),
+    );
   const before = await places();
   for (const failed of [1, 2, 3, 4, null]) {
     await set(page, { failed });
@@ -156,7 +184,10 @@ test("which loads are shown, how well C is known, and what balanced robots keep 
   await press(page, "loads");
   await press(page, "At worst");
   await idle(page);
-  assert.match(await summary(page), /If the robots' heights are unequal or the object bends, a robot may come to bear up to [\d.]+\skg\./);
+  assert.match(
+    await summary(page),
+    /If the robots' heights are unequal or the object bends, a robot may come to bear up to [\d.]+\skg\./,
+  );
   await press(page, "survive +");
   await idle(page);
   assert.equal((await state(page)).survive, 1);

@@ -18,8 +18,9 @@ let browser;
 
 // A display of its own, whatever numbers are taken: Xvfb chooses one and tells it.
 async function startScreen() {
-  screen = spawn("Xvfb", ["-displayfd", "3", "-screen", "0", "1400x1000x24", "-nolisten", "tcp"],
-    { stdio: ["ignore", "ignore", "ignore", "pipe"] });
+  screen = spawn("Xvfb", ["-displayfd", "3", "-screen", "0", "1400x1000x24", "-nolisten", "tcp"], {
+    stdio: ["ignore", "ignore", "ignore", "pipe"],
+  });
   const failed = once(screen, "error").then(([error]) => {
     throw error;
   });
@@ -30,9 +31,12 @@ async function startScreen() {
 before(async () => {
   if (skip) return;
   server = await serve(pageFolder, 0);
-  const DISPLAY = process.env.DISPLAY || await startScreen();
+  const DISPLAY = process.env.DISPLAY || (await startScreen());
   browser = await puppeteer.launch({
-    browser: "firefox", executablePath, headless: false, env: { ...process.env, DISPLAY },
+    browser: "firefox",
+    executablePath,
+    headless: false,
+    env: { ...process.env, DISPLAY },
     // A machine without graphics draws in software, which Firefox would rather not.
     extraPrefsFirefox: { "webgl.force-enabled": true, "widget.dmabuf.force-enabled": false },
   });
@@ -69,12 +73,15 @@ test("Firefox opens the page on its first sample and comes to rest", { skip }, a
   const { teams, polygon } = await state(page);
   assert.equal(teams.length, 3);
   assert.ok(polygon.length > 10);
-  const drawn = await page.evaluate(() => new Promise((done) => {
-    const { frames } = evenlift;
-    let left = 30;
-    const next = () => (--left > 0 ? requestAnimationFrame(next) : done(evenlift.frames - frames));
-    next();
-  }));
+  const drawn = await page.evaluate(
+    () =>
+      new Promise((done) => {
+        const { frames } = evenlift;
+        let left = 30;
+        const next = () => (--left > 0 ? requestAnimationFrame(next) : done(evenlift.frames - frames));
+        next();
+      }),
+  );
   assert.equal(drawn, 0, "while the browser shows thirty pictures");
   await page.done();
 });
@@ -82,7 +89,13 @@ test("Firefox opens the page on its first sample and comes to rest", { skip }, a
 test("Firefox draws a polygon by clicks", { skip }, async () => {
   const page = await open();
   await page.keyboard.press("d");
-  for (const [x, y] of [[220, 200], [560, 190], [640, 420], [400, 610], [222, 202]]) {
+  for (const [x, y] of [
+    [220, 200],
+    [560, 190],
+    [640, 420],
+    [400, 610],
+    [222, 202],
+  ]) {
     await page.mouse.click(x, y);
     await idle(page);
   }
@@ -153,7 +166,8 @@ test("Firefox opens the page without a network after one visit", { skip }, async
   const page = await open();
   await page.evaluate(async () => {
     await navigator.serviceWorker.ready;
-    if (!navigator.serviceWorker.controller) await new Promise((done) => navigator.serviceWorker.addEventListener("controllerchange", done, { once: true }));
+    if (!navigator.serviceWorker.controller)
+      await new Promise((done) => navigator.serviceWorker.addEventListener("controllerchange", done, { once: true }));
   });
   await page.evaluate(() => evenlift.load("(0,0)\n(40,0)\n(40,30)\n(0,30)"));
   await idle(page);

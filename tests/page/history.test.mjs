@@ -1,7 +1,21 @@
 // Undo and redo survive a reload, and say what they do.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { asset, drag, idle, link, load, lShape, redo, reload, set, sharedBrowser, state, toScreen, undo } from "./browser.mjs";
+import {
+  asset,
+  drag,
+  idle,
+  link,
+  load,
+  lShape,
+  redo,
+  reload,
+  set,
+  sharedBrowser,
+  state,
+  toScreen,
+  undo,
+} from "./browser.mjs";
 import { noticed } from "./windows.mjs";
 
 const browser = sharedBrowser();
@@ -17,9 +31,13 @@ test("after a reload every edit can be undone and done again", async () => {
   await page.locator("#canvas").focus();
   const links = [await link(page)];
   const edits = [
-    () => load(page, asset("horseshoe")), () => set(page, { teams: 2 }), () => set(page, { metric: "circle", min_ratio: 0.7 }),
-    async () => drag(page, await toScreen(page, await page.evaluate(() => evenlift.state().centre_of_mass)), [500, 420]),
-    () => load(page, asset("violin")), () => set(page, { weight: 437 }),
+    () => load(page, asset("horseshoe")),
+    () => set(page, { teams: 2 }),
+    () => set(page, { metric: "circle", min_ratio: 0.7 }),
+    async () =>
+      drag(page, await toScreen(page, await page.evaluate(() => evenlift.state().centre_of_mass)), [500, 420]),
+    () => load(page, asset("violin")),
+    () => set(page, { weight: 437 }),
   ];
   for (const edit of edits) {
     await edit();
@@ -48,10 +66,14 @@ test("it says what was undone", async () => {
   const page = await browser.open();
   await page.locator("#canvas").focus();
   const steps = [
-    [() => set(page, { teams: 2 }), "changed the number of teams"], [() => set(page, { weight: 12, seed: 3 }), "changed settings"],
-    [() => page.keyboard.press("m"), "changed the method"], [() => load(page, asset("arrow")), "opened a polygon"],
-    [() => page.keyboard.press("v").then(() => page.keyboard.press("ArrowUp")), "moved a vertex"], [() => page.keyboard.press("i"), "added a vertex"],
-    [() => set(page, { capacity: 30 }), "changed what a robot can carry"], [() => page.keyboard.press("k"), "changed the comparison"],
+    [() => set(page, { teams: 2 }), "changed the number of teams"],
+    [() => set(page, { weight: 12, seed: 3 }), "changed settings"],
+    [() => page.keyboard.press("m"), "changed the method"],
+    [() => load(page, asset("arrow")), "opened a polygon"],
+    [() => page.keyboard.press("v").then(() => page.keyboard.press("ArrowUp")), "moved a vertex"],
+    [() => page.keyboard.press("i"), "added a vertex"],
+    [() => set(page, { capacity: 30 }), "changed what a robot can carry"],
+    [() => page.keyboard.press("k"), "changed the comparison"],
   ];
   for (const [edit] of steps) {
     await edit();
@@ -112,7 +134,14 @@ test("a polygon that is refused comes back, and its steps do not grow with each 
   await idle(page);
   await drag(page, await toScreen(page, [400, 150]), await toScreen(page, [75, 350]));
   const good = await link(page);
-  const kept = () => page.evaluate(() => localStorage.getItem("evenlift.history").split("\n").filter((line) => /^[<>]/.test(line)).length);
+  const kept = () =>
+    page.evaluate(
+      () =>
+        localStorage
+          .getItem("evenlift.history")
+          .split("\n")
+          .filter((line) => /^[<>]/.test(line)).length,
+    );
   await reloaded(page);
   const steps = await kept();
   await reloaded(page);
@@ -129,12 +158,22 @@ test("only the newest steps are kept, within a bound of bytes", async () => {
     for (let i = 0; i < 600; ++i) evenlift.set({ weight: 100 + i });
   });
   await idle(page);
-  const count = () => page.evaluate(() => localStorage.getItem("evenlift.history").split("\n").filter((line) => /^[<>]/.test(line)).length);
+  const count = () =>
+    page.evaluate(
+      () =>
+        localStorage
+          .getItem("evenlift.history")
+          .split("\n")
+          .filter((line) => /^[<>]/.test(line)).length,
+    );
   assert.equal(await count(), 500);
   // Coordinates of full precision, so that a link of them is long.
   await page.evaluate(() => {
     for (let k = 0; k < 12; ++k) {
-      const points = Array.from({ length: 3000 }, (_, i) => `(${(1000 + k) * Math.cos(i / 1500 * Math.PI)},${(900 + k) * Math.sin(i / 1500 * Math.PI)})`);
+      const points = Array.from(
+        { length: 3000 },
+        (_, i) => `(${(1000 + k) * Math.cos((i / 1500) * Math.PI)},${(900 + k) * Math.sin((i / 1500) * Math.PI)})`,
+      );
       evenlift.load(points.join("\n"));
     }
   });
@@ -149,7 +188,9 @@ test("a kept text that is broken stops nothing; in a frame nothing is kept", asy
   await set(page, { teams: 2 });
   await idle(page);
   await page.evaluate(() => {
-    addEventListener("pagehide", () => sessionStorage.setItem("evenlift.history", "< 999 -1 77 1.abc\n< 0 0 0\nnonsense\n> 1 x y z"));
+    addEventListener("pagehide", () =>
+      sessionStorage.setItem("evenlift.history", "< 999 -1 77 1.abc\n< 0 0 0\nnonsense\n> 1 x y z"),
+    );
   });
   await page.reload();
   await page.evaluate(() => evenlift.ready);
@@ -159,7 +200,10 @@ test("a kept text that is broken stops nothing; in a frame nothing is kept", asy
   const frame = await browser.open({ address: "?embed=1" });
   await set(frame, { teams: 2 });
   await idle(frame);
-  assert.deepEqual(await frame.evaluate(() => [localStorage, sessionStorage].map((kept) => kept.getItem("evenlift.history"))), [null, null]);
+  assert.deepEqual(
+    await frame.evaluate(() => [localStorage, sessionStorage].map((kept) => kept.getItem("evenlift.history"))),
+    [null, null],
+  );
   await frame.done();
 });
 
@@ -180,13 +224,20 @@ test("undo to another object shows all of it, as opening does", async () => {
 test("the comparison survives a reload, and its steps are undone and done again", async () => {
   const page = await browser.open();
   await page.locator("#canvas").focus();
-  const compared = () => page.locator("#mirror").getByRole("combobox", { name: "Compare with" }).evaluate((list) => list.selectedOptions[0].text);
+  const compared = () =>
+    page
+      .locator("#mirror")
+      .getByRole("combobox", { name: "Compare with" })
+      .evaluate((list) => list.selectedOptions[0].text);
   await page.keyboard.press("k");
   await idle(page);
   const chosen = await compared();
   assert.notEqual(chosen, "Nothing");
   await reloaded(page);
-  await page.waitForFunction((text) => [...document.querySelectorAll("#mirror select")].some((list) => list.selectedOptions[0]?.text === text), chosen);
+  await page.waitForFunction(
+    (text) => [...document.querySelectorAll("#mirror select")].some((list) => list.selectedOptions[0]?.text === text),
+    chosen,
+  );
   await undo(page);
   await idle(page);
   assert.equal(await compared(), "Nothing");
@@ -196,7 +247,11 @@ test("the comparison survives a reload, and its steps are undone and done again"
   await load(page, lShape);
   await page.keyboard.press("k");
   await idle(page);
-  await page.evaluate(() => addEventListener("pagehide", () => sessionStorage.setItem("evenlift.history", sessionStorage.getItem("evenlift.history").replace(/^= \d+/, "= 77"))));
+  await page.evaluate(() =>
+    addEventListener("pagehide", () =>
+      sessionStorage.setItem("evenlift.history", sessionStorage.getItem("evenlift.history").replace(/^= \d+/, "= 77")),
+    ),
+  );
   await reloaded(page);
   assert.equal(await compared(), "Nothing", "a method that is not there is not compared with");
   await page.done();

@@ -2,7 +2,19 @@
 import assert from "node:assert/strict";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, drag, drawsNothing, evenlift, idle, load, root, set, sharedBrowser, state, thrown } from "./browser.mjs";
+import {
+  asset,
+  drag,
+  drawsNothing,
+  evenlift,
+  idle,
+  load,
+  root,
+  set,
+  sharedBrowser,
+  state,
+  thrown,
+} from "./browser.mjs";
 
 let page;
 const browser = sharedBrowser({
@@ -63,14 +75,37 @@ test("set() changes what it names and nothing else", async () => {
 });
 
 const refused = [
-  [{ colour: "red" }, /colour/], [{ teams: 3, colour: "red" }, /colour/], [{ toString: 1 }, /toString/],
-  [{ teams: 0 }, /team/], [{ teams: -1 }, /teams/], [{ teams: 2.5 }, /teams/], [{ teams: "3" }, /teams/], [{ teams: "all" }, /teams/],
-  [{ teams: null }, /teams/], [{ teams: 1e9 }, /team/], [{ metric: "Area" }, /metric/], [{ metric: "" }, /metric/], [{ metric: 1 }, /metric/],
-  [{ min_ratio: 1.01 }, /ratio/], [{ min_ratio: -0.1 }, /ratio/], [{ min_ratio: NaN }, /ratio/], [{ min_ratio: "0.8" }, /ratio/],
-  [{ weight: 0 }, /weight/], [{ weight: -5 }, /weight/], [{ weight: Infinity }, /weight/], [{ seed: -1 }, /seed/], [{ seed: 1.5 }, /seed/],
-  [{ com: [0, 0] }, /centre of mass/i], [{ com: [1, 2, 3] }, /centre of mass/i], [{ com: "1,2" }, /com|centre of mass/i], [{ com: [1, NaN] }, /com|centre of mass/i],
-  [{ step: -1 }, /step/], [{ step: "2" }, /step/], [{ teams: "max", metric: "random" }, /team/i],
-  [{ teams: 4, min_ratio: 2 }, /ratio/], [{ metric: "area\nteams=9" }, /metric/],
+  [{ colour: "red" }, /colour/],
+  [{ teams: 3, colour: "red" }, /colour/],
+  [{ toString: 1 }, /toString/],
+  [{ teams: 0 }, /team/],
+  [{ teams: -1 }, /teams/],
+  [{ teams: 2.5 }, /teams/],
+  [{ teams: "3" }, /teams/],
+  [{ teams: "all" }, /teams/],
+  [{ teams: null }, /teams/],
+  [{ teams: 1e9 }, /team/],
+  [{ metric: "Area" }, /metric/],
+  [{ metric: "" }, /metric/],
+  [{ metric: 1 }, /metric/],
+  [{ min_ratio: 1.01 }, /ratio/],
+  [{ min_ratio: -0.1 }, /ratio/],
+  [{ min_ratio: NaN }, /ratio/],
+  [{ min_ratio: "0.8" }, /ratio/],
+  [{ weight: 0 }, /weight/],
+  [{ weight: -5 }, /weight/],
+  [{ weight: Infinity }, /weight/],
+  [{ seed: -1 }, /seed/],
+  [{ seed: 1.5 }, /seed/],
+  [{ com: [0, 0] }, /centre of mass/i],
+  [{ com: [1, 2, 3] }, /centre of mass/i],
+  [{ com: "1,2" }, /com|centre of mass/i],
+  [{ com: [1, NaN] }, /com|centre of mass/i],
+  [{ step: -1 }, /step/],
+  [{ step: "2" }, /step/],
+  [{ teams: "max", metric: "random" }, /team/i],
+  [{ teams: 4, min_ratio: 2 }, /ratio/],
+  [{ metric: "area\nteams=9" }, /metric/],
 ];
 
 test("set() refuses what it does not know, and then changes nothing", async () => {
@@ -97,7 +132,12 @@ test("load() reads every format, and refuses with a sentence", async () => {
   const geojson = '{"type":"Polygon","coordinates":[[[0,0],[10,0],[10,10],[0,10],[0,0]]]}';
   for (const text of [wkt, geojson, "(0,0)\n(10,0)\n(10,10)\n(0,10)\n"]) {
     await load(page, text);
-    assert.deepEqual((await state(page)).polygon, [[0, 0], [10, 0], [10, 10], [0, 10]]);
+    assert.deepEqual((await state(page)).polygon, [
+      [0, 0],
+      [10, 0],
+      [10, 10],
+      [0, 10],
+    ]);
   }
   await load(page, asset("grand-piano"));
   const before = JSON.stringify(await state(page));
@@ -112,7 +152,9 @@ test("load() reads every format, and refuses with a sentence", async () => {
 test("load() opens as the program does: with the defaults, whatever was set before", async () => {
   await set(page, { teams: 6, metric: "circle" });
   await load(page, asset("boat-hull"));
-  const program = JSON.parse(evenlift("place", path.join(root, "assets/polygons/boat-hull.txt"), "--json", "--candidates"));
+  const program = JSON.parse(
+    evenlift("place", path.join(root, "assets/polygons/boat-hull.txt"), "--json", "--candidates"),
+  );
   assert.deepEqual(await state(page), program);
 });
 
@@ -121,16 +163,21 @@ test("text() and svg() give the polygon and its picture", async () => {
   assert.equal(await page.evaluate(() => evenlift.text()), asset("thesis-sample").trimEnd() + "\n");
   const drawn = await page.evaluate(() => {
     const svg = new DOMParser().parseFromString(evenlift.svg(), "image/svg+xml");
-    return [svg.documentElement.nodeName, svg.querySelectorAll("parsererror").length, svg.querySelectorAll("title").length];
+    return [
+      svg.documentElement.nodeName,
+      svg.querySelectorAll("parsererror").length,
+      svg.querySelectorAll("title").length,
+    ];
   });
   assert.deepEqual(drawn, ["svg", 0, 1]);
 });
 
 test("view goes from the polygon to the screen and back, and follows the view", async () => {
-  const trip = () => page.evaluate(() => {
-    const [x, y] = evenlift.view.to_screen(539, 220);
-    return [x, y, ...evenlift.view.to_world(x, y)];
-  });
+  const trip = () =>
+    page.evaluate(() => {
+      const [x, y] = evenlift.view.to_screen(539, 220);
+      return [x, y, ...evenlift.view.to_world(x, y)];
+    });
   const [x, y, wx, wy] = await trip();
   assert.ok(x > 0 && x < 1280 && y > 0 && y < 800);
   assert.ok(Math.abs(wx - 539) < 1e-9 && Math.abs(wy - 220) < 1e-9);

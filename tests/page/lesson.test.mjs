@@ -3,13 +3,37 @@ import assert from "node:assert/strict";
 import { readFileSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, control, controlIfShown, drag, drawsNothing, evenlift, fragment, idle, link, load, pageFolder, press, published, sample, set, sharedBrowser, state, summary, tap, thrown, toScreen } from "./browser.mjs";
+import {
+  asset,
+  control,
+  controlIfShown,
+  drag,
+  drawsNothing,
+  evenlift,
+  fragment,
+  idle,
+  link,
+  load,
+  pageFolder,
+  press,
+  published,
+  sample,
+  set,
+  sharedBrowser,
+  state,
+  summary,
+  tap,
+  thrown,
+  toScreen,
+} from "./browser.mjs";
 import { allClosed, drop, noticed, openWindow, paste } from "./windows.mjs";
 
-let maker;  // a page to make links in
-const browser = sharedBrowser({ begin: async () => {
-  maker = await browser.open();
-} });
+let maker; // a page to make links in
+const browser = sharedBrowser({
+  begin: async () => {
+    maker = await browser.open();
+  },
+});
 
 async function linkAt(name, step) {
   await load(maker, asset(name));
@@ -105,7 +129,7 @@ test("the main steps come first: few of them, from the polygon to the result; a 
   const page = await inLesson();
   const links = new Set();
   const main = [];
-  for (let last; last !== await link(page);) {
+  for (let last; last !== (await link(page));) {
     last = await link(page);
     links.add(last);
     main.push(await step(page));
@@ -114,8 +138,23 @@ test("the main steps come first: few of them, from the polygon to the result; a 
   const kinds = main.map((at) => stone[at].kind);
   assert.ok(links.size >= 12 && links.size <= 22, kinds.join());
   assert.deepEqual([kinds[0], kinds.at(-1)], ["polygon", "result"]);
-  for (const kind of ["centre", "ray", "slopes", "sections", "outcome", "candidates", "scores", "team", "base", "loads", "coverage", "contacts", "closure"]) assert.ok(kinds.includes(kind), kind);
-  const pair = main.find((at) => stone[at].kind === "outcome");  // the one that stands for all
+  for (const kind of [
+    "centre",
+    "ray",
+    "slopes",
+    "sections",
+    "outcome",
+    "candidates",
+    "scores",
+    "team",
+    "base",
+    "loads",
+    "coverage",
+    "contacts",
+    "closure",
+  ])
+    assert.ok(kinds.includes(kind), kind);
+  const pair = main.find((at) => stone[at].kind === "outcome"); // the one that stands for all
   await set(page, { step: pair });
   const more = stone.filter(({ kind }) => kind === "outcome").length - 1;
   await press(page, "All steps");
@@ -145,7 +184,7 @@ test("the timeline gives each chapter the same width, with main steps and with a
     const { x, y, width, height } = await control(page, "timeline");
     for (const [i, chapter] of chapters.entries()) {
       // A little after a chapter's mark; the knob's middle keeps 8 px from both ends.
-      await page.mouse.click(x + 8 + (width - 16) * (i + 0.02) / chapters.length, y + height / 2);
+      await page.mouse.click(x + 8 + ((width - 16) * (i + 0.02)) / chapters.length, y + height / 2);
       await idle(page);
       assert.equal(stone[await step(page)].chapter, chapter, `${all}`);
     }
@@ -163,27 +202,39 @@ test("presenting: large words, no settings, full screen, and Escape leaves it", 
   await page.keyboard.press("P");
   await idle(page);
   const shown = (name) => page.evaluate((n) => Boolean(evenlift.view.control(n)), name);
-  assert.deepEqual([await page.evaluate(() => globalThis.asked), await shown("Samples"), await shown("Teams"), await shown("timeline")], [1, false, false, true]);
+  assert.deepEqual(
+    [
+      await page.evaluate(() => globalThis.asked),
+      await shown("Samples"),
+      await shown("Teams"),
+      await shown("timeline"),
+    ],
+    [1, false, false, true],
+  );
   const at = await step(page);
   await page.keyboard.press("ArrowRight");
   await goesOn(page, at);
   await page.keyboard.press("Escape");
   await idle(page);
   assert.ok(await shown("Samples"));
-  assert.ok(await step(page) !== undefined, "the lesson is still open");
+  assert.ok((await step(page)) !== undefined, "the lesson is still open");
   await page.keyboard.press("P");
   await idle(page);
   assert.equal(await shown("Samples"), false);
-  await page.evaluate(() => document.dispatchEvent(new Event("fullscreenchange")));  // as when the browser's own key leaves it
+  await page.evaluate(() => document.dispatchEvent(new Event("fullscreenchange"))); // as when the browser's own key leaves it
   await idle(page);
   assert.ok(await shown("Samples"));
   await page.done();
 });
 
 test("on a phone the drawing stands still from step to step, and a question's button is in view", async () => {
-  for (const viewport of [{ width: 390, height: 844 }, { width: 320, height: 568 }]) {
+  for (const viewport of [
+    { width: 390, height: 844 },
+    { width: 320, height: 568 },
+  ]) {
     const page = await inLesson("stone-slab", 0, { viewport, hasTouch: true, isMobile: true });
-    const corners = () => page.evaluate(() => evenlift.state().polygon.map(([x, y]) => [...evenlift.view.to_screen(x, y)]));
+    const corners = () =>
+      page.evaluate(() => evenlift.state().polygon.map(([x, y]) => [...evenlift.view.to_screen(x, y)]));
     const row = await control(page, "Next step");
     const before = await corners();
     for (let i = 0; i < 6; ++i) {
@@ -202,7 +253,10 @@ test("on a phone the drawing stands still from step to step, and a question's bu
 });
 
 test("embedded in a small frame, a question and its button are in view above one row of buttons", async () => {
-  for (const viewport of [{ width: 480, height: 360 }, { width: 640, height: 480 }]) {
+  for (const viewport of [
+    { width: 480, height: 360 },
+    { width: 640, height: 480 },
+  ]) {
     const page = await browser.open({ address: "?embed=1&lesson=metrics-area", viewport });
     await page.locator("#canvas").focus();
     await page.keyboard.press("ArrowRight");
@@ -210,7 +264,8 @@ test("embedded in a small frame, a question and its button are in view above one
     const row = await control(page, "Next step");
     const take = await control(page, "take");
     assert.ok(take.y + take.height <= row.y, JSON.stringify([take, row]));
-    for (const name of ["play", "timeline", "player more", "out"]) assert.ok(Math.abs((await control(page, name)).y - row.y) < 8, name);
+    for (const name of ["play", "timeline", "player more", "out"])
+      assert.ok(Math.abs((await control(page, name)).y - row.y) < 8, name);
     await page.done();
   }
 });
@@ -220,7 +275,10 @@ test("buttons and keys: first, last, chapters, one on, one back", async () => {
   await page.keyboard.press("u");
   const begin = (name) => stone.findIndex((s) => s.chapter === name);
   const last = stone.length - 1;
-  for (const [key, button, at] of [["End", "Last step", last], ["Home", "First step", 0]]) {
+  for (const [key, button, at] of [
+    ["End", "Last step", last],
+    ["Home", "First step", 0],
+  ]) {
     await page.keyboard.press(key);
     await stands(page, at, key);
     await page.keyboard.press(key === "End" ? "Home" : "End");
@@ -249,10 +307,14 @@ test("buttons and keys: first, last, chapters, one on, one back", async () => {
 
 test("playing goes on by itself, is read out when it pauses, and stops at the end; paused, nothing is drawn", async () => {
   const page = await inLesson("square", 0, { hasty: true });
-  for (let i = 0; i < 6; ++i) await page.keyboard.press("ArrowUp");  // 32 times as fast
+  for (let i = 0; i < 6; ++i) await page.keyboard.press("ArrowUp"); // 32 times as fast
   await page.evaluate(() => {
     globalThis.said = 0;
-    new MutationObserver(() => ++globalThis.said).observe(document.getElementById("summary"), { childList: true, characterData: true, subtree: true });
+    new MutationObserver(() => ++globalThis.said).observe(document.getElementById("summary"), {
+      childList: true,
+      characterData: true,
+      subtree: true,
+    });
   });
   await idle(page);
   await page.evaluate(() => {
@@ -281,9 +343,9 @@ test("paused before its time, it does not draw when that would have come", async
   const page = await inLesson("square", 5, { hasty: true });
   const frames = await page.evaluate(() => evenlift.frames);
   await page.keyboard.press("Space");
-  await page.waitForFunction((before) => evenlift.frames > before + 2, frames);  // it waits for its next step
+  await page.waitForFunction((before) => evenlift.frames > before + 2, frames); // it waits for its next step
   await page.keyboard.press("Space");
-  const at = await step(page);  // 5, unless the machine was so busy that a step went by
+  const at = await step(page); // 5, unless the machine was so busy that a step went by
   await drawsNothing(page);
   await stands(page, at);
   await page.done();
@@ -355,7 +417,10 @@ test("an edit keeps the place, and so does undo", async () => {
 
 // A place on a candidate's chord, off the centre, where no other one is near.
 async function onCandidate(page, index) {
-  const { candidates, centre_of_mass: [cx, cy] } = await state(page);
+  const {
+    candidates,
+    centre_of_mass: [cx, cy],
+  } = await state(page);
   const [[x, y]] = candidates[index].ends;
   return toScreen(page, [cx + 0.8 * (x - cx), cy + 0.8 * (y - cy)]);
 }
@@ -371,7 +436,7 @@ test("with predictions on it asks before a choice, and says whether the guess is
     await stands(page, find("scores", 1) - 1, "the answer is not shown yet");
     const { candidates, teams } = await state(page);
     const choice = candidates.findIndex((c) => (right ? same(c, teams[1]) : !teams.some((t) => same(c, t))));
-    await page.mouse.click(...await onCandidate(page, choice));
+    await page.mouse.click(...(await onCandidate(page, choice)));
     await stands(page, find("scores", 1));
     assert.match(await noticed(page), right ? /^Right\./ : /^Not this time\. .*\d/);
     await spoken(page, right ? /\. Right\. / : /\. Not this time\. /);
@@ -402,7 +467,12 @@ test("of two ends, too; and Next shows the answer to those who do not guess", as
 test("a click on a candidate that was not taken says why, in numbers", async () => {
   const page = await inLesson("stone-slab", stone.length - 1);
   const { candidates, teams } = await state(page);
-  await page.mouse.click(...await onCandidate(page, candidates.findIndex((c) => !teams.some((t) => same(c, t)))));
+  await page.mouse.click(
+    ...(await onCandidate(
+      page,
+      candidates.findIndex((c) => !teams.some((t) => same(c, t))),
+    )),
+  );
   const said = await noticed(page);
   assert.match(said, /score|ratio|gain/i);
   assert.match(said, /\d/);
@@ -418,10 +488,17 @@ test("every ready-made lesson opens from the window, and every stop has its word
     const window = await openWindow(page, "lessons");
     await window.getByRole("button", { name: lesson.title }).click();
     await allClosed(page);
-    const words = lesson.text.split(/^\[question\]/m)[0].split(/^\[.*\]\r?\n/m).slice(1).map((part) => part.trim().split(/\s+/).slice(0, 4).join(" "));
+    const words = lesson.text
+      .split(/^\[question\]/m)[0]
+      .split(/^\[.*\]\r?\n/m)
+      .slice(1)
+      .map((part) => part.trim().split(/\s+/).slice(0, 4).join(" "));
     assert.equal(words.length, lesson.stops);
     for (const [i, first] of words.entries()) {
-      await spoken(page, new RegExp(`^Step ${i + 1} of ${words.length}, [^.]*\\. ${first.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")}`));
+      await spoken(
+        page,
+        new RegExp(`^Step ${i + 1} of ${words.length}, [^.]*\\. ${first.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")}`),
+      );
       assert.doesNotMatch(await summary(page), /NaN|undefined|inf\b/);
       await page.keyboard.press("ArrowRight");
       if (await page.locator("#alert").textContent()) await page.keyboard.press("ArrowRight");
@@ -473,9 +550,12 @@ test("a copied address opens the same lesson at the same stop", async () => {
   // Another step of the same lesson, put into the same tab.
   await page.keyboard.press("ArrowRight");
   await spoken(page, /^Step 4 of 6/);
-  await other.evaluate((l) => {
-    location.hash = l;
-  }, await link(page));
+  await other.evaluate(
+    (l) => {
+      location.hash = l;
+    },
+    await link(page),
+  );
   await spoken(other, /^Step 4 of 6, .*Seven candidates/);
   assert.equal(await named(other), "?lesson=moved");
   await other.done();
@@ -517,16 +597,30 @@ test("a teacher's file beside the page opens by its name; other addresses do not
   await published(page);
   assert.equal(await named(page), "?lesson=lesson-of-a-test.txt");
   await page.done();
-  for (const [name, why] of [["broken-lesson-of-a-test.txt", /line 3: unknown setting/], ["long-lesson-of-a-test.txt", /65,536 bytes/],
-    ["no-such-lesson", /no ready-made lesson/], ["../page/lesson-of-a-test.txt", /own folder/], ["%2e%2e/x.txt", /own folder/], ["https://example.org/x.txt", /own folder/],
-    ["//example.org/x.txt", /own folder/], ["/lesson-of-a-test.txt", /own folder/], ["lessons.json", /own folder/], ["..\\x.txt", /own folder/], ["a%0A.txt", /own folder/], [`${"a".repeat(300)}.txt`, /own folder/]]) {
+  for (const [name, why] of [
+    ["broken-lesson-of-a-test.txt", /line 3: unknown setting/],
+    ["long-lesson-of-a-test.txt", /65,536 bytes/],
+    ["no-such-lesson", /no ready-made lesson/],
+    ["../page/lesson-of-a-test.txt", /own folder/],
+    ["%2e%2e/x.txt", /own folder/],
+    ["https://example.org/x.txt", /own folder/],
+    ["//example.org/x.txt", /own folder/],
+    ["/lesson-of-a-test.txt", /own folder/],
+    ["lessons.json", /own folder/],
+    ["..\\x.txt", /own folder/],
+    ["a%0A.txt", /own folder/],
+    [`${"a".repeat(300)}.txt`, /own folder/],
+  ]) {
     const other = await browser.open({ address: `?lesson=${name}` });
     assert.match(await noticed(other), why, name);
     assert.equal(await step(other), undefined, name);
     await other.done();
   }
-  const missing = await browser.open({ address: "?lesson=no-such-file.txt", quiet: false });  // the browser itself reports a 404
-  assert.match(await noticed(missing), /^The lesson “no-such-file\.txt” cannot be opened: the server does not have it\.$/);
+  const missing = await browser.open({ address: "?lesson=no-such-file.txt", quiet: false }); // the browser itself reports a 404
+  assert.match(
+    await noticed(missing),
+    /^The lesson “no-such-file\.txt” cannot be opened: the server does not have it\.$/,
+  );
   await missing.done();
 });
 
@@ -541,7 +635,8 @@ test("a challenge link hides the answer and asks", async () => {
   await page.done();
   const other = await browser.open({ address: copied.slice(browser.server.url.length) });
   assert.equal(await step(other), 0);
-  for (let i = 0; i < stone.length && !await other.locator("#alert").textContent(); ++i) await other.keyboard.press("ArrowRight");
+  for (let i = 0; i < stone.length && !(await other.locator("#alert").textContent()); ++i)
+    await other.keyboard.press("ArrowRight");
   assert.match(await other.locator("#alert").textContent(), /\?/);
   assert.equal(await named(other), "?challenge=1");
   await other.keyboard.press("b");
@@ -549,14 +644,17 @@ test("a challenge link hides the answer and asks", async () => {
   await other.done();
   // Of a ready-made lesson, at a step of it.
   const both = await browser.open({ address: "?lesson=moved&challenge=1" });
-  for (let i = 0; i < 13 && !await both.locator("#alert").textContent(); ++i) await both.keyboard.press("ArrowRight");
+  for (let i = 0; i < 13 && !(await both.locator("#alert").textContent()); ++i) await both.keyboard.press("ArrowRight");
   assert.match(await both.locator("#alert").textContent(), /\?/);
   assert.equal(await named(both), "?lesson=moved&challenge=1");
   await both.done();
 });
 
 test("a challenge begins at the beginning, whatever step its link has, and has shown no other", async () => {
-  const page = await browser.open({ address: "?lesson=metrics-area", permissions: ["clipboard-read", "clipboard-write"] });
+  const page = await browser.open({
+    address: "?lesson=metrics-area",
+    permissions: ["clipboard-read", "clipboard-write"],
+  });
   await page.locator("#canvas").focus();
   await page.keyboard.press("End");
   await idle(page);
@@ -566,25 +664,38 @@ test("a challenge begins at the beginning, whatever step its link has, and has s
   await window.getByText("The challenge link is copied.").waitFor();
   const copied = await page.evaluate(() => navigator.clipboard.readText());
   assert.match(copied, /\?lesson=metrics-area&challenge=1#1\./);
-  assert.equal(JSON.parse(evenlift("link", "decode", copied.split("#")[1])).step ?? undefined, undefined, "the link has no step");
+  assert.equal(
+    JSON.parse(evenlift("link", "decode", copied.split("#")[1])).step ?? undefined,
+    undefined,
+    "the link has no step",
+  );
   assert.equal(await link(page), last, "and what is open stays where it is");
   await page.done();
   const first = await browser.open({ address: "?lesson=metrics-area" });
   await idle(first);
   const begun = await step(first);
   await first.done();
-  for (const [address, at, search] of [[copied.slice(browser.server.url.length), begun, "?lesson=metrics-area&challenge=1"],
-    [`?lesson=metrics-area&challenge=1#${last}`, begun, "?lesson=metrics-area&challenge=1"], [`?challenge=1#${last}`, 0, "?challenge=1"]]) {
+  for (const [address, at, search] of [
+    [copied.slice(browser.server.url.length), begun, "?lesson=metrics-area&challenge=1"],
+    [`?lesson=metrics-area&challenge=1#${last}`, begun, "?lesson=metrics-area&challenge=1"],
+    [`?challenge=1#${last}`, 0, "?challenge=1"],
+  ]) {
     const other = await browser.open({ address });
     await idle(other);
     assert.equal(await step(other), at, address);
     await spoken(other, /^Step 1 of /);
     await published(other);
     assert.equal(await named(other), search);
-    const before = await other.$$eval("#mirror [aria-label]", (all) => all.map((e) => e.getAttribute("aria-label")).filter((label) => /^Step [\d–]/.test(label)));
-    assert.deepEqual(before.filter((label) => !label.includes("The object: a polygon")), [], "nothing that comes later was looked at");
+    const before = await other.$$eval("#mirror [aria-label]", (all) =>
+      all.map((e) => e.getAttribute("aria-label")).filter((label) => /^Step [\d–]/.test(label)),
+    );
+    assert.deepEqual(
+      before.filter((label) => !label.includes("The object: a polygon")),
+      [],
+      "nothing that comes later was looked at",
+    );
     await other.locator("#canvas").focus();
-    for (let i = 0; i < 60 && !await other.locator("#alert").textContent(); ++i) {
+    for (let i = 0; i < 60 && !(await other.locator("#alert").textContent()); ++i) {
       await other.keyboard.press("ArrowRight");
       await idle(other);
     }
@@ -653,7 +764,9 @@ test("a lesson's text is dropped, pasted, typed, chosen, or loaded by a script",
   await spoken(page, /Here is the centre\./);
   assert.match(await thrown(page, "load", sampled), /with a link: only; this one is about the sample “letter-k-moved”/);
   window = await openWindow(page, "lessons");
-  await window.locator("input[type=file]").setInputFiles({ name: "k.txt", mimeType: "text/plain", buffer: Buffer.from(sampled) });
+  await window
+    .locator("input[type=file]")
+    .setInputFiles({ name: "k.txt", mimeType: "text/plain", buffer: Buffer.from(sampled) });
   await allClosed(page);
   await spoken(page, /Held or not\?/);
   assert.equal(await named(page), "", "an address cannot name it");
@@ -664,7 +777,10 @@ test("a lesson's text is dropped, pasted, typed, chosen, or loaded by a script",
 const broken = [
   ["title: X\npolygon: square\nteams: none\n[end]\nWords.\n", /line 3: .*teams/i],
   ["title: X\npolygon: square\n[nowhere]\nWords.\n", /line 3: .*address/i],
-  ["title: X\npolygon: square\n[team 40]\nWords.\n", /line 3: .*there is no step \[team 40\]: .*there are \[team 1\] to \[team \d\]/i],
+  [
+    "title: X\npolygon: square\n[team 40]\nWords.\n",
+    /line 3: .*there is no step \[team 40\]: .*there are \[team 1\] to \[team \d\]/i,
+  ],
   ["title: X\npolygon: square\n[end]\n", /line 3: .*no words/i],
   ["title: X\npolygon: square\ncom: 9,99999\n[end]\nWords.\n", /centre of mass/i],
   ["title: X\npolygon: no-such-sample\n[end]\nWords.\n", /sample “no-such-sample”, and there is none/],
@@ -685,7 +801,9 @@ test("a broken lesson gets one sentence with its line, and changes nothing", asy
     assert.match(said, /^“x\.txt” cannot be opened: [^\n]*[^.]\.$/);
     assert.equal(await link(page), before, text.slice(0, 60));
     const window = await openWindow(page, "lessons");
-    await window.locator("input[type=file]").setInputFiles({ name: "y.txt", mimeType: "text/plain", buffer: Buffer.from(text) });
+    await window
+      .locator("input[type=file]")
+      .setInputFiles({ name: "y.txt", mimeType: "text/plain", buffer: Buffer.from(text) });
     await window.locator(".problem:not(:empty)").waitFor();
     assert.match(await window.locator(".problem").textContent(), why);
     assert.equal(await link(page), before);
@@ -698,12 +816,20 @@ test("a broken lesson gets one sentence with its line, and changes nothing", asy
 test("letters that no font of the page has are named by their writing", async () => {
   const page = await browser.open();
   await load(page, `title: 你好\nlink: ${await link(page)}\n\n[polygon]\nשלום, 世界 😀.\n`);
-  assert.equal(await noticed(page), "Some characters cannot be shown on the canvas: Hebrew letters, Chinese characters, emoji.");
+  assert.equal(
+    await noticed(page),
+    "Some characters cannot be shown on the canvas: Hebrew letters, Chinese characters, emoji.",
+  );
   await page.done();
 });
 
 test("under a finger: buttons on a phone, and the sheet says the step", async () => {
-  const page = await browser.open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, address: "?lesson=opposite" });
+  const page = await browser.open({
+    viewport: { width: 390, height: 844 },
+    hasTouch: true,
+    isMobile: true,
+    address: "?lesson=opposite",
+  });
   await idle(page);
   const at = await step(page);
   await tap(page, "Next step");
@@ -716,7 +842,9 @@ test("a step looks the same, whether the lesson began at it or came to it", asyn
   const begun = await browser.open({ reducedMotion: "reduce" });
   await load(begun, asset("arrow"));
   await begun.evaluate(() => {
-    document.querySelector("#canvas").dispatchEvent(new KeyboardEvent("keydown", { key: "b", code: "KeyB", bubbles: true }));
+    document
+      .querySelector("#canvas")
+      .dispatchEvent(new KeyboardEvent("keydown", { key: "b", code: "KeyB", bubbles: true }));
     evenlift.set({ step: 30 });
   });
   await idle(begun);
@@ -743,7 +871,12 @@ test("on a phone on its side the player is one row, and the object has the room"
 });
 
 test("on the smallest phone the buttons of a long question are seen whole", async () => {
-  const page = await browser.open({ viewport: { width: 320, height: 568 }, hasTouch: true, isMobile: true, address: "?lesson=not-convex" });
+  const page = await browser.open({
+    viewport: { width: 320, height: 568 },
+    hasTouch: true,
+    isMobile: true,
+    address: "?lesson=not-convex",
+  });
   for (let i = 0; i < 20 && !(await controlIfShown(page, "take")); ++i) {
     await page.keyboard.press("ArrowRight");
     await idle(page);

@@ -3,7 +3,24 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, drag, evenlift, fragment, idle, link, load, program, published, root, sample, set, sharedBrowser, state, summary, toScreen } from "./browser.mjs";
+import {
+  asset,
+  drag,
+  evenlift,
+  fragment,
+  idle,
+  link,
+  load,
+  program,
+  published,
+  root,
+  sample,
+  set,
+  sharedBrowser,
+  state,
+  summary,
+  toScreen,
+} from "./browser.mjs";
 
 const browser = sharedBrowser();
 
@@ -20,7 +37,10 @@ test("link() is what the program encodes", async () => {
   await load(page, asset("thesis-sample"));
   assert.equal(await link(page), encoded("thesis-sample"));
   await set(page, { teams: 5, min_ratio: 0.6, metric: "distance" });
-  assert.equal(await link(page), encoded("thesis-sample", "--teams", "5", "--min-ratio", "0.6", "--metric", "distance"));
+  assert.equal(
+    await link(page),
+    encoded("thesis-sample", "--teams", "5", "--min-ratio", "0.6", "--metric", "distance"),
+  );
   await page.done();
 });
 
@@ -51,7 +71,9 @@ test("the address bar follows the work without a history of its own", async () =
 test("a new fragment is opened, and undo leads back", async () => {
   const page = await browser.open();
   const first = JSON.stringify(await state(page));
-  await page.evaluate((l) => { location.hash = l; }, encoded("anchor"));
+  await page.evaluate((l) => {
+    location.hash = l;
+  }, encoded("anchor"));
   await page.waitForFunction((l) => evenlift.link() === l, encoded("anchor"));
   assert.deepEqual(await state(page), program("anchor"));
   await page.locator("#canvas").focus();
@@ -65,26 +87,53 @@ test("hostile links give a message and leave the page working", async () => {
   const good = encoded("thesis-sample");
   const version = good.slice(0, good.indexOf("."));
   // Line breaks and tabs are dropped by the browser before anybody sees them.
-  const listed = readFileSync(path.join(root, "tests/data/hostile_links.txt"), "utf8").split("\n")
-    .filter((line) => line && !line.startsWith("#")).map((line) => JSON.parse(line.split("\t")[1]))
+  const listed = readFileSync(path.join(root, "tests/data/hostile_links.txt"), "utf8")
+    .split("\n")
+    .filter((line) => line && !line.startsWith("#"))
+    .map((line) => JSON.parse(line.split("\t")[1]))
     .filter((l) => l && l !== "#" && !/[\t\r\n]/.test(l));
-  const hostile = [...new Set([...listed, good.slice(0, -1), good.slice(0, 10), `${good}A`, `${version}.`, ".", "99999.AAAA", `9${good}`, "0.0",
-    "<script>alert(1)</script>", "%00", "constructor", "__proto__", "1.%31", encodeURIComponent(`#${good}`), "x".repeat(3000),
-    `${version}.${"_".repeat(20000)}`, good.split("").reverse().join(""), `${good.slice(0, 12)}z${good.slice(13)}`])];
+  const hostile = [
+    ...new Set([
+      ...listed,
+      good.slice(0, -1),
+      good.slice(0, 10),
+      `${good}A`,
+      `${version}.`,
+      ".",
+      "99999.AAAA",
+      `9${good}`,
+      "0.0",
+      "<script>alert(1)</script>",
+      "%00",
+      "constructor",
+      "__proto__",
+      "1.%31",
+      encodeURIComponent(`#${good}`),
+      "x".repeat(3000),
+      `${version}.${"_".repeat(20000)}`,
+      good.split("").reverse().join(""),
+      `${good.slice(0, 12)}z${good.slice(13)}`,
+    ]),
+  ];
   assert.ok(hostile.length >= 30);
   const page = await browser.open();
   const before = JSON.stringify(await state(page));
   for (const bad of hostile) {
     const drawn = await page.evaluate(() => evenlift.frames);
-    const shown = await page.evaluate((l) => new Promise((resolve) => {
-      addEventListener("hashchange", () => requestAnimationFrame(() => resolve(true)), { once: true });
-      const old = location.href;
-      location.hash = l;
-      if (location.href === old) resolve(false);
-    }), bad);
+    const shown = await page.evaluate(
+      (l) =>
+        new Promise((resolve) => {
+          addEventListener("hashchange", () => requestAnimationFrame(() => resolve(true)), { once: true });
+          const old = location.href;
+          location.hash = l;
+          if (location.href === old) resolve(false);
+        }),
+      bad,
+    );
     await idle(page);
     assert.equal(JSON.stringify(await state(page)), before, `after ${bad.slice(0, 60)}`);
-    if (shown) assert.ok((await page.evaluate(() => evenlift.frames)) > drawn, `a message is drawn for ${bad.slice(0, 60)}`);
+    if (shown)
+      assert.ok((await page.evaluate(() => evenlift.frames)) > drawn, `a message is drawn for ${bad.slice(0, 60)}`);
     assert.match(await page.locator("#alert").textContent(), /cannot be opened/, bad.slice(0, 60));
   }
   await set(page, { teams: 2 });
@@ -94,7 +143,10 @@ test("hostile links give a message and leave the page working", async () => {
 
 test("a bad link at the start gives a message and a page that works", async () => {
   const page = await browser.open({ address: `#${encoded("anchor").slice(0, -3)}` });
-  assert.match(await page.locator("#alert").textContent(), /^This link cannot be opened: the link .* What you see is a sample\.$/);
+  assert.match(
+    await page.locator("#alert").textContent(),
+    /^This link cannot be opened: the link .* What you see is a sample\.$/,
+  );
   assert.ok((await state(page)).teams.length > 0);
   await page.done();
 });

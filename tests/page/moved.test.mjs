@@ -2,13 +2,33 @@
 import assert from "node:assert/strict";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, drag, evenlift, idle, link, load, press, published, redo, reload, root, set, sharedBrowser, state, toScreen, undo } from "./browser.mjs";
+import {
+  asset,
+  drag,
+  evenlift,
+  idle,
+  link,
+  load,
+  press,
+  published,
+  redo,
+  reload,
+  root,
+  set,
+  sharedBrowser,
+  state,
+  toScreen,
+  undo,
+} from "./browser.mjs";
 
 const browser = sharedBrowser();
 
 // Drags a robot a little about the centre of mass.
 async function turn(page, team, end, by) {
-  const { teams, centre_of_mass: [cx, cy] } = await state(page);
+  const {
+    teams,
+    centre_of_mass: [cx, cy],
+  } = await state(page);
   const [x, y] = teams[team].ends[end];
   await drag(page, await toScreen(page, [x, y]), await toScreen(page, [x - by * (y - cy), y + by * (x - cx)]));
   await idle(page);
@@ -67,7 +87,11 @@ test("a team that was dragged along its range comes back by undo, reload and lin
   // A press on a robot that stands at a vertex takes the vertex.
   const far = ([x, y]) => states[0].polygon.every(([vx, vy]) => Math.hypot(vx - x, vy - y) > 15);
   const [one, other] = [...states[0].teams.keys()].filter((team) => far(states[0].teams[team].ends[0]));
-  for (const [team, by] of [[one, 0.02], [other ?? one, -0.02], [one, 0.03]]) {
+  for (const [team, by] of [
+    [one, 0.02],
+    [other ?? one, -0.02],
+    [one, 0.03],
+  ]) {
     const now = await turn(page, team, 0, by);
     if (now.moved !== states.at(-1).moved) states.push(now);
   }
@@ -87,7 +111,10 @@ test("a link with robots that cannot stand there is refused with a sentence", as
   const page = await browser.open();
   const before = await state(page);
   const bad = evenlift("link", "encode", path.join(root, "tests/data/moved_nowhere.json")).trim();
-  await assert.rejects(load(page, bad), /Error: Robots that were moved by hand: the centroid of the robots is not the centre of mass/);
+  await assert.rejects(
+    load(page, bad),
+    /Error: Robots that were moved by hand: the centroid of the robots is not the centre of mass/,
+  );
   assert.deepEqual(await state(page), before);
   await page.done();
 });

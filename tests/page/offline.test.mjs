@@ -8,7 +8,19 @@ import { tmpdir } from "node:os";
 import path from "node:path";
 import { test } from "node:test";
 import { serve } from "../../web/serve.mjs";
-import { asset, controlIfShown, idle, link, load, pageFolder, published, root, set, sharedBrowser, state } from "./browser.mjs";
+import {
+  asset,
+  controlIfShown,
+  idle,
+  link,
+  load,
+  pageFolder,
+  published,
+  root,
+  set,
+  sharedBrowser,
+  state,
+} from "./browser.mjs";
 import { closeAll, noticed, openWindow } from "./windows.mjs";
 
 const browser = sharedBrowser();
@@ -63,11 +75,13 @@ async function startHost(t) {
 const visit = (host, options = {}) => browser.open({ site: host.site, offline: true, ...options });
 
 // Waits until the browser keeps the whole page.
-const kept = (page) => page.evaluate(async () => {
-  const { serviceWorker } = navigator;
-  await serviceWorker.ready;
-  if (!serviceWorker.controller) await new Promise((done) => serviceWorker.addEventListener("controllerchange", done, { once: true }));
-});
+const kept = (page) =>
+  page.evaluate(async () => {
+    const { serviceWorker } = navigator;
+    await serviceWorker.ready;
+    if (!serviceWorker.controller)
+      await new Promise((done) => serviceWorker.addEventListener("controllerchange", done, { once: true }));
+  });
 
 const versionSeen = (page) => page.evaluate(async () => (await (await fetch("version.json")).json()).version);
 
@@ -80,8 +94,20 @@ test("every file of the page is kept, as it was built and with the policy", asyn
   host.cut();
   const { build } = workerOf(host.folder);
   const names = Object.keys(build.files);
-  for (const name of ["index.html", "evenlift.wasm", "windows.js", "search_worker.js", "balanced_core.wasm", "charts.js", "samples.json",
-    "lessons.json", "letters-regular.otf", "evenlift.webmanifest", "icon-512.png"]) assert.ok(names.includes(name), name);
+  for (const name of [
+    "index.html",
+    "evenlift.wasm",
+    "windows.js",
+    "search_worker.js",
+    "balanced_core.wasm",
+    "charts.js",
+    "samples.json",
+    "lessons.json",
+    "letters-regular.otf",
+    "evenlift.webmanifest",
+    "icon-512.png",
+  ])
+    assert.ok(names.includes(name), name);
   for (const name of names) {
     const { base64, sent } = await page.evaluate(async (n) => {
       const answer = await fetch(n);
@@ -113,7 +139,7 @@ test("after one visit it opens without a network: the work, a link, a lesson, an
   await page.evaluate(() => evenlift.ready);
   await idle(page);
   assert.deepEqual(await state(page), mine);
-  await set(page, { metric: "balanced", robots: 5 });  // a worker, with a module of its own
+  await set(page, { metric: "balanced", robots: 5 }); // a worker, with a module of its own
   await idle(page);
   assert.equal((await state(page)).robots.length, 5);
   assert.equal(await noticed(page), "");
@@ -127,7 +153,9 @@ test("after one visit it opens without a network: the work, a link, a lesson, an
   await page.locator("#qr img.qr").waitFor();
   await closeAll(page);
   const open = await openWindow(page, "open");
-  await open.locator("textarea").fill('<svg xmlns="http://www.w3.org/2000/svg"><rect id="table" width="120" height="80"/></svg>');
+  await open
+    .locator("textarea")
+    .fill('<svg xmlns="http://www.w3.org/2000/svg"><rect id="table" width="120" height="80"/></svg>');
   await open.getByRole("button", { name: "Open", exact: true }).click();
   await page.waitForFunction(() => evenlift.state().polygon.length === 4);
   await openWindow(page, "experiment");
@@ -156,10 +184,15 @@ test("without a network the policy holds", async (t) => {
   host.cut();
   await page.reload();
   await page.evaluate(() => evenlift.ready);
-  const refused = await page.evaluate(() => new Promise((done) => {
-    addEventListener("securitypolicyviolation", ({ violatedDirective }) => done(violatedDirective), { once: true });
-    document.head.append(Object.assign(document.createElement("script"), { textContent: "globalThis.slipped = true" }));
-  }));
+  const refused = await page.evaluate(
+    () =>
+      new Promise((done) => {
+        addEventListener("securitypolicyviolation", ({ violatedDirective }) => done(violatedDirective), { once: true });
+        document.head.append(
+          Object.assign(document.createElement("script"), { textContent: "globalThis.slipped = true" }),
+        );
+      }),
+  );
   assert.match(refused, /^script-src/);
   assert.equal(await page.evaluate(() => globalThis.slipped), undefined);
   await page.done();
@@ -192,19 +225,27 @@ test("nothing is kept before the first picture, nor by a figure in an article", 
 // --- A new version ----------------------------------------------------------------------------------------------------
 
 // A worker that says which version it sees, as the page's own workers would.
-const probe = { "probe.js": 'fetch("version.json").then((answer) => answer.json()).then(({ version }) => postMessage(version));\n' };
+const probe = {
+  "probe.js": 'fetch("version.json").then((answer) => answer.json()).then(({ version }) => postMessage(version));\n',
+};
 const edition = (version) => ({ ...probe, "version.json": `{ "version": "${version}" }\n` });
-const versionOfWorker = (page) => page.evaluate(() => new Promise((done) => {
-  new Worker("probe.js").onmessage = ({ data }) => done(data);
-}));
+const versionOfWorker = (page) =>
+  page.evaluate(
+    () =>
+      new Promise((done) => {
+        new Worker("probe.js").onmessage = ({ data }) => done(data);
+      }),
+  );
 const card = (page) => page.getByRole("region", { name: "New version" });
-const mark = (page) => page.evaluate(() => {
-  globalThis.sameVisit = true;
-});
+const mark = (page) =>
+  page.evaluate(() => {
+    globalThis.sameVisit = true;
+  });
 const sameVisit = (page) => page.evaluate(() => globalThis.sameVisit === true);
-const lookForNews = (page) => page.evaluate(async () => {
-  await (await navigator.serviceWorker.getRegistration()).update();
-});
+const lookForNews = (page) =>
+  page.evaluate(async () => {
+    await (await navigator.serviceWorker.getRegistration()).update();
+  });
 
 test("a new version says so in a sentence, is loaded by its button, and other tabs keep theirs", async (t) => {
   const host = await startHost(t);
@@ -220,7 +261,10 @@ test("a new version says so in a sentence, is loaded by its button, and other ta
   buildAgain(host.folder, edition("second"));
   await lookForNews(page);
   await card(page).waitFor();
-  assert.equal(await card(page).getByRole("status").textContent(), "A new version of evenlift is ready, and what you have open stays.");
+  assert.equal(
+    await card(page).getByRole("status").textContent(),
+    "A new version of evenlift is ready, and what you have open stays.",
+  );
   await idle(page);
   assert.ok(await sameVisit(page), "no reload behind the back");
   assert.equal(await versionSeen(page), "first");
@@ -230,7 +274,9 @@ test("a new version says so in a sentence, is loaded by its button, and other ta
   const mine = await state(page);
 
   await card(page).getByRole("button", { name: "Load it" }).click();
-  await page.waitForFunction(() => !globalThis.sameVisit && document.getElementById("cover")?.classList.contains("done"));
+  await page.waitForFunction(
+    () => !globalThis.sameVisit && document.getElementById("cover")?.classList.contains("done"),
+  );
   await idle(page);
   assert.equal(await versionSeen(page), "second");
   assert.equal(await versionOfWorker(page), "second");
@@ -248,7 +294,9 @@ test("a new version says so in a sentence, is loaded by its button, and other ta
   host.cut();
   assert.equal(await versionOfWorker(other), "first");
   await card(other).getByRole("button", { name: "Load it" }).click();
-  await other.waitForFunction(() => !globalThis.sameVisit && document.getElementById("cover")?.classList.contains("done"));
+  await other.waitForFunction(
+    () => !globalThis.sameVisit && document.getElementById("cover")?.classList.contains("done"),
+  );
   assert.equal(await versionSeen(other), "second");
   await other.done();
   assert.deepEqual(page.complaints, []);
@@ -260,18 +308,22 @@ test("what was needed by the former version alone goes, and what both have is no
   buildAgain(host.folder, edition("first"));
   const page = await visit(host);
   await kept(page);
-  const places = () => page.evaluate(async () => {
-    const [name] = await caches.keys();
-    return (await (await caches.open(name)).keys()).map(({ url }) => url.slice(url.lastIndexOf("/") + 1)).sort();
-  });
+  const places = () =>
+    page.evaluate(async () => {
+      const [name] = await caches.keys();
+      return (await (await caches.open(name)).keys()).map(({ url }) => url.slice(url.lastIndexOf("/") + 1)).sort();
+    });
   const before = await places();
   // Only what differs can still be had.
   buildAgain(host.folder, edition("second"));
-  for (const name of Object.keys(workerOf(host.folder).build.files)) if (name !== "version.json") rmSync(path.join(host.folder, name));
+  for (const name of Object.keys(workerOf(host.folder).build.files))
+    if (name !== "version.json") rmSync(path.join(host.folder, name));
   await mark(page);
   await lookForNews(page);
   await card(page).getByRole("button", { name: "Load it" }).click();
-  await page.waitForFunction(() => !globalThis.sameVisit && document.getElementById("cover")?.classList.contains("done"));
+  await page.waitForFunction(
+    () => !globalThis.sameVisit && document.getElementById("cover")?.classList.contains("done"),
+  );
   await idle(page);
   assert.equal(await versionSeen(page), "second");
   // The page with the former version is closed by now, and the next that opens looks for that.
@@ -283,7 +335,10 @@ test("what was needed by the former version alone goes, and what both have is no
   }, before.length);
   const after = await places();
   const changed = after.filter((place) => !before.includes(place));
-  assert.deepEqual(changed.map((place) => place.replace(/=.*/, "")), ["?files", "version.json?sha256"]);
+  assert.deepEqual(
+    changed.map((place) => place.replace(/=.*/, "")),
+    ["?files", "version.json?sha256"],
+  );
   await page.done();
 });
 
@@ -296,10 +351,12 @@ test("a version that arrives damaged is not taken, and the one that is kept goes
   writeFileSync(path.join(host.folder, "version.json"), '{ "version": "not what was built" }\n');
   const end = await page.evaluate(async () => {
     const registration = await navigator.serviceWorker.getRegistration();
-    const ended = new Promise((done) => registration.addEventListener("updatefound", () => {
-      const { installing } = registration;
-      installing.addEventListener("statechange", () => done(installing.state));
-    }));
+    const ended = new Promise((done) =>
+      registration.addEventListener("updatefound", () => {
+        const { installing } = registration;
+        installing.addEventListener("statechange", () => done(installing.state));
+      }),
+    );
     await registration.update().catch(() => {});
     return ended;
   });
@@ -318,9 +375,11 @@ test("where the host has the page no more, what is kept goes", async (t) => {
   await kept(page);
   writeFileSync(path.join(host.folder, "index.html"), "<!doctype html><title>Something else</title>");
   rmSync(path.join(host.folder, "service_worker.js"));
-  await page.reload();  // what is kept comes once more
+  await page.reload(); // what is kept comes once more
   await page.evaluate(() => evenlift.ready);
-  await page.waitForFunction(async () => (await navigator.serviceWorker.getRegistrations()).length === 0 && (await caches.keys()).length === 0);
+  await page.waitForFunction(
+    async () => (await navigator.serviceWorker.getRegistrations()).length === 0 && (await caches.keys()).length === 0,
+  );
   await page.goto(`${host.site}?again`);
   assert.equal(await page.title(), "Something else");
   await page.context().close();
@@ -338,7 +397,8 @@ test("the card of a new version waits until no other card is open, and says what
   await lookForNews(page);
   await page.evaluate(async () => {
     const registration = await navigator.serviceWorker.getRegistration();
-    if (registration.installing) await new Promise((done) => registration.installing.addEventListener("statechange", done, { once: true }));
+    if (registration.installing)
+      await new Promise((done) => registration.installing.addEventListener("statechange", done, { once: true }));
   });
   await idle(page);
   assert.ok(await photo.isVisible());

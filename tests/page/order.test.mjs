@@ -5,16 +5,23 @@ import { idle, openL, sharedBrowser, state, toScreen } from "./browser.mjs";
 
 const browser = sharedBrowser();
 
-const corners = [[220, 200], [560, 190], [640, 420], [400, 610], [190, 470]];
+const corners = [
+  [220, 200],
+  [560, 190],
+  [640, 420],
+  [400, 610],
+  [190, 470],
+];
 
 // A frame that takes half a second, as on a slow machine with a large polygon.
 function slowFrames() {
   const own = globalThis.requestAnimationFrame.bind(globalThis);
-  globalThis.requestAnimationFrame = (callback) => own((now) => {
-    callback(now);
-    const until = performance.now() + 500;
-    while (performance.now() < until);
-  });
+  globalThis.requestAnimationFrame = (callback) =>
+    own((now) => {
+      callback(now);
+      const until = performance.now() + 500;
+      while (performance.now() < until);
+    });
 }
 
 const opened = (options) => openL(browser, options);
@@ -24,10 +31,13 @@ const opened = (options) => openL(browser, options);
 function act(page, actions) {
   return page.evaluate((all) => {
     const canvas = document.getElementById("canvas");
-    const send = (type, [clientX, clientY]) => (type === "mouseup" ? document : canvas)
-      .dispatchEvent(new MouseEvent(type, { clientX, clientY, button: 0, detail: 1, bubbles: true, cancelable: true }));
+    const send = (type, [clientX, clientY]) =>
+      (type === "mouseup" ? document : canvas).dispatchEvent(
+        new MouseEvent(type, { clientX, clientY, button: 0, detail: 1, bubbles: true, cancelable: true }),
+      );
     const acts = {
-      key: (key, ctrlKey = false) => canvas.dispatchEvent(new KeyboardEvent("keydown", { key, ctrlKey, bubbles: true, cancelable: true })),
+      key: (key, ctrlKey = false) =>
+        canvas.dispatchEvent(new KeyboardEvent("keydown", { key, ctrlKey, bubbles: true, cancelable: true })),
       click: (at) => ["mousemove", "mousedown", "mouseup"].forEach((type) => send(type, at)),
       drag(from, to) {
         send("mousemove", from);
@@ -37,7 +47,9 @@ function act(page, actions) {
       },
       wheel: (at, deltaY) => {
         send("mousemove", at);
-        canvas.dispatchEvent(new WheelEvent("wheel", { clientX: at[0], clientY: at[1], deltaY, bubbles: true, cancelable: true }));
+        canvas.dispatchEvent(
+          new WheelEvent("wheel", { clientX: at[0], clientY: at[1], deltaY, bubbles: true, cancelable: true }),
+        );
       },
       set: (changes) => evenlift.set(changes),
     };
@@ -49,14 +61,19 @@ const worldOf = (page, places) => page.evaluate((all) => all.map((p) => [...even
 
 function near(polygon, expected) {
   assert.equal(polygon.length, expected.length);
-  polygon.forEach((p, i) => assert.ok(Math.hypot(p[0] - expected[i][0], p[1] - expected[i][1]) < 2, `vertex ${i + 1} is ${p}, not ${expected[i]}`));
+  polygon.forEach((p, i) =>
+    assert.ok(
+      Math.hypot(p[0] - expected[i][0], p[1] - expected[i][1]) < 2,
+      `vertex ${i + 1} is ${p}, not ${expected[i]}`,
+    ),
+  );
 }
 
 test("five clicks and Enter in one moment close a shape of these five vertices", async () => {
   const page = await opened();
   await act(page, [["key", "d"], ...corners.map((at) => ["click", at]), ["key", "Enter"]]);
   const drawn = (await state(page)).polygon;
-  await act(page, [["key", "z", true]]);  // the view is as it was while they were placed
+  await act(page, [["key", "z", true]]); // the view is as it was while they were placed
   await idle(page);
   near(drawn, await worldOf(page, corners));
   await page.done();
@@ -67,7 +84,11 @@ test("so do the browser's own clicks and keys, one behind the other, where each 
   const expected = await worldOf(page, corners);
   await page.locator("#canvas").focus();
   // Nothing waits for the page in between.
-  await Promise.all([page.keyboard.press("d"), ...corners.map(([x, y]) => page.mouse.click(x, y)), page.keyboard.press("Enter")]);
+  await Promise.all([
+    page.keyboard.press("d"),
+    ...corners.map(([x, y]) => page.mouse.click(x, y)),
+    page.keyboard.press("Enter"),
+  ]);
   near((await state(page)).polygon, expected);
   await page.done();
 });
@@ -76,17 +97,28 @@ test("a key is dealt with after the click before it, and before the click after 
   const page = await opened();
   const expected = await worldOf(page, [corners[0], corners[2], corners[3]]);
   // Escape takes back the second vertex, not another one.
-  await act(page, [["key", "d"], ["click", corners[0]], ["click", corners[1]], ["key", "Escape"], ["click", corners[2]], ["click", corners[3]], ["key", "Enter"]]);
+  await act(page, [
+    ["key", "d"],
+    ["click", corners[0]],
+    ["click", corners[1]],
+    ["key", "Escape"],
+    ["click", corners[2]],
+    ["click", corners[3]],
+    ["key", "Enter"],
+  ]);
   near((await state(page)).polygon, expected);
   await page.done();
 });
 
 test("calls of scripts take their place between drags and keys", async () => {
   const page = await opened();
-  const vertex = [...await toScreen(page, [400, 150])];
+  const vertex = [...(await toScreen(page, [400, 150]))];
   const there = [vertex[0] + 40, vertex[1] - 20];
   const [to] = await worldOf(page, [there]);
-  await act(page, [["drag", vertex, there], ["set", { teams: 2 }]]);
+  await act(page, [
+    ["drag", vertex, there],
+    ["set", { teams: 2 }],
+  ]);
   let now = await state(page);
   assert.equal(now.requested_teams, 2);
   assert.ok(Math.hypot(now.polygon[2][0] - to[0], now.polygon[2][1] - to[1]) < 2, "the drag came first");
@@ -102,10 +134,11 @@ test("calls of scripts take their place between drags and keys", async () => {
 
 test("what is read by a call holds all that was done before it", async () => {
   const page = await opened();
-  const vertex = [...await toScreen(page, [400, 150])];
+  const vertex = [...(await toScreen(page, [400, 150]))];
   const read = await page.evaluate(([x, y]) => {
     const canvas = document.getElementById("canvas");
-    const send = (target, type, cx, cy) => target.dispatchEvent(new MouseEvent(type, { clientX: cx, clientY: cy, button: 0, detail: 1, bubbles: true }));
+    const send = (target, type, cx, cy) =>
+      target.dispatchEvent(new MouseEvent(type, { clientX: cx, clientY: cy, button: 0, detail: 1, bubbles: true }));
     send(canvas, "mousemove", x, y);
     send(canvas, "mousedown", x, y);
     send(canvas, "mousemove", x + 30, y);
@@ -122,7 +155,14 @@ test("a click after a key meets the panels as the key left them", async () => {
   const { x, y, width, height } = await page.evaluate(() => evenlift.view.control("ratio"));
   const where = [x + width / 2, y + height / 2];
   // With the panel folded away there is only the ground to draw on.
-  await act(page, [["key", "d"], ["key", "p"], ["click", where], ["click", corners[0]], ["click", corners[2]], ["key", "Enter"]]);
+  await act(page, [
+    ["key", "d"],
+    ["key", "p"],
+    ["click", where],
+    ["click", corners[0]],
+    ["click", corners[2]],
+    ["key", "Enter"],
+  ]);
   assert.equal((await state(page)).polygon.length, 3);
   assert.equal((await state(page)).min_ratio, 0.8);
   await page.done();
@@ -131,7 +171,10 @@ test("a click after a key meets the panels as the key left them", async () => {
 test("the wheel turns about where the pointer was when it turned", async () => {
   const page = await opened();
   const world = await worldOf(page, [[300, 300]]);
-  await act(page, [["wheel", [300, 300], -300], ["click", [700, 500]]]);
+  await act(page, [
+    ["wheel", [300, 300], -300],
+    ["click", [700, 500]],
+  ]);
   await idle(page);
   const [x, y] = await toScreen(page, world[0]);
   assert.ok(Math.hypot(x - 300, y - 300) < 1, `${x}, ${y}`);
@@ -140,16 +183,23 @@ test("the wheel turns about where the pointer was when it turned", async () => {
 
 test("a number that is typed at once after the key of its field is all in the field", async () => {
   const page = await opened();
-  for (const [key, typed] of [["y", "231"], ["R", "0.65"]]) {
-    await page.evaluate(([first, rest]) => {
-      const send = (name) => {
-        const { activeElement: at } = document;
-        const own = at.dispatchEvent(new KeyboardEvent("keydown", { key: name, bubbles: true, cancelable: true }));
-        // What a browser does with a key that nobody kept.
-        if (own && at instanceof HTMLInputElement && name.length === 1) document.execCommand("insertText", false, name);
-      };
-      for (const name of [first, ...rest, "Enter"]) send(name);
-    }, [key, typed]);
+  for (const [key, typed] of [
+    ["y", "231"],
+    ["R", "0.65"],
+  ]) {
+    await page.evaluate(
+      ([first, rest]) => {
+        const send = (name) => {
+          const { activeElement: at } = document;
+          const own = at.dispatchEvent(new KeyboardEvent("keydown", { key: name, bubbles: true, cancelable: true }));
+          // What a browser does with a key that nobody kept.
+          if (own && at instanceof HTMLInputElement && name.length === 1)
+            document.execCommand("insertText", false, name);
+        };
+        for (const name of [first, ...rest, "Enter"]) send(name);
+      },
+      [key, typed],
+    );
     await idle(page);
   }
   const { weight, min_ratio: ratio } = await state(page);

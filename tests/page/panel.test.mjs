@@ -3,21 +3,54 @@ import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, control, controlIfShown, drawsNothing, idle, load, lShape, phone, press, root, set, sharedBrowser, state, tap, toScreen } from "./browser.mjs";
+import {
+  asset,
+  control,
+  controlIfShown,
+  drawsNothing,
+  idle,
+  load,
+  lShape,
+  phone,
+  press,
+  root,
+  set,
+  sharedBrowser,
+  state,
+  tap,
+  toScreen,
+} from "./browser.mjs";
 import { noticed, paste } from "./windows.mjs";
 
 const browser = sharedBrowser();
 
 const touch = { hasTouch: true, isMobile: true };
 const sizes = [
-  [320, 568, touch], [390, 844, touch], [844, 390, touch], [820, 1180, touch], [1180, 820, touch],
-  [820, 1180, {}], [1024, 768, {}], [1440, 900, {}], [3840, 2160, {}],
+  [320, 568, touch],
+  [390, 844, touch],
+  [844, 390, touch],
+  [820, 1180, touch],
+  [1180, 820, touch],
+  [820, 1180, {}],
+  [1024, 768, {}],
+  [1440, 900, {}],
+  [3840, 2160, {}],
 ];
 
-const mirrored = (page) => page.$$eval("#mirror > div > :not(p)", (elements) => elements.map((element) => {
-  const { left, top, right, bottom } = element.getBoundingClientRect();
-  return { label: element.getAttribute("aria-label"), card: element.parentElement.getAttribute("aria-label"), left, top, right, bottom };
-}));
+const mirrored = (page) =>
+  page.$$eval("#mirror > div > :not(p)", (elements) =>
+    elements.map((element) => {
+      const { left, top, right, bottom } = element.getBoundingClientRect();
+      return {
+        label: element.getAttribute("aria-label"),
+        card: element.parentElement.getAttribute("aria-label"),
+        left,
+        top,
+        right,
+        bottom,
+      };
+    }),
+  );
 const field = (page, label) => page.locator(`#mirror input[aria-label="${label}"]`);
 
 test("a number is clicked and typed over, with its unit and a decimal comma or without", async () => {
@@ -57,12 +90,24 @@ test("a number with another unit of the same kind is converted, not taken as it 
   const page = await browser.open();
   await press(page, "robot size");
   await idle(page);
-  for (const [unit, typed, radius] of [["mm", "2 cm", 20], ["mm", "1,5in", 38.1], ["m", "7 mm", 0.007], ["in", "2.54 cm", 1], ["cm", "3 cm", 3]]) {
+  for (const [unit, typed, radius] of [
+    ["mm", "2 cm", 20],
+    ["mm", "1,5in", 38.1],
+    ["m", "7 mm", 0.007],
+    ["in", "2.54 cm", 1],
+    ["cm", "3 cm", 3],
+  ]) {
     await set(page, { unit });
     await type(page, "robot radius", typed);
     assert.equal((await state(page)).robot.radius, radius, `${typed} in ${unit}`);
   }
-  for (const [weight_unit, typed, weight] of [["kg", "2 t", 2000], ["kg", "50 lb", 22.6796185], ["kg", "9.80665 N", 1], ["N", "1 kg", 9.80665], ["lb", "0.45359237 kg", 1]]) {
+  for (const [weight_unit, typed, weight] of [
+    ["kg", "2 t", 2000],
+    ["kg", "50 lb", 22.6796185],
+    ["kg", "9.80665 N", 1],
+    ["N", "1 kg", 9.80665],
+    ["lb", "0.45359237 kg", 1],
+  ]) {
     await set(page, { weight_unit });
     await type(page, "weight", typed);
     assert.equal((await state(page)).weight, weight, `${typed} in ${weight_unit}`);
@@ -71,20 +116,37 @@ test("a number with another unit of the same kind is converted, not taken as it 
   await type(page, "com", "60 cm, 20 cm");
   assert.deepEqual((await state(page)).centre_of_mass, [600, 200]);
   await type(page, "com", "610,205");
-  assert.deepEqual((await state(page)).centre_of_mass, [610, 205], "one number is no centre of mass, so its comma parts two");
+  assert.deepEqual(
+    (await state(page)).centre_of_mass,
+    [610, 205],
+    "one number is no centre of mass, so its comma parts two",
+  );
   await page.done();
 });
 
 test("a unit of another kind is refused, and so is one where numbers have none", async () => {
-  const page = await browser.open({ viewport: { width: 1280, height: 1200 } });  // all settings are in sight at once
+  const page = await browser.open({ viewport: { width: 1280, height: 1200 } }); // all settings are in sight at once
   await press(page, "robot size");
   await set(page, { unit: "none" });
   const before = await state(page);
-  for (const [name, typed, why] of [["robot radius", "5 mm", /^“5 mm” has the unit mm, but lengths have none here: type the number alone, or choose their unit under More settings\.$/],
-    ["weight", "5 mm", /^“5 mm” is a length, but this number is a weight in kg\.$/], ["teams", "4 kg", /^“4 kg” has the unit kg, but this number has none/],
-    ["min ratio", "0.5 m", /^“0\.5 m” has the unit m,/], ["com", "300 mm, 250 mm", /^“300 mm, 250 mm” has the unit mm,/], ["weight", "heavy", /^The weight is a number greater than 0/],
-    ["weight", "500 g", /^“g” is no unit that is known here: lengths are in m, cm, mm or in, and weights in kg, t, N or lb\.$/],
-    ["weight", "1,000", /^“1,000” may be 1000 or 1\.000: type it like one of these\.$/]]) {
+  for (const [name, typed, why] of [
+    [
+      "robot radius",
+      "5 mm",
+      /^“5 mm” has the unit mm, but lengths have none here: type the number alone, or choose their unit under More settings\.$/,
+    ],
+    ["weight", "5 mm", /^“5 mm” is a length, but this number is a weight in kg\.$/],
+    ["teams", "4 kg", /^“4 kg” has the unit kg, but this number has none/],
+    ["min ratio", "0.5 m", /^“0\.5 m” has the unit m,/],
+    ["com", "300 mm, 250 mm", /^“300 mm, 250 mm” has the unit mm,/],
+    ["weight", "heavy", /^The weight is a number greater than 0/],
+    [
+      "weight",
+      "500 g",
+      /^“g” is no unit that is known here: lengths are in m, cm, mm or in, and weights in kg, t, N or lb\.$/,
+    ],
+    ["weight", "1,000", /^“1,000” may be 1000 or 1\.000: type it like one of these\.$/],
+  ]) {
     await type(page, name, typed);
     assert.match(await page.locator("#alert").textContent(), why);
     await page.keyboard.press("Escape");
@@ -127,7 +189,9 @@ test("every setting is reached and changed by keys alone", async () => {
   const reached = [];
   for (let i = 0; i < 60; ++i) {
     await page.keyboard.press("Tab");
-    const label = await page.evaluate(() => document.activeElement.closest("#mirror") && document.activeElement.getAttribute("aria-label"));
+    const label = await page.evaluate(
+      () => document.activeElement.closest("#mirror") && document.activeElement.getAttribute("aria-label"),
+    );
     if (!label || reached.includes(label)) continue;
     reached.push(label);
     if (label === "Method") {
@@ -151,24 +215,47 @@ test("every setting is reached and changed by keys alone", async () => {
       assert.equal(await page.locator('#mirror [aria-label="Candidates"]').getAttribute("aria-pressed"), "true");
     }
   }
-  for (const label of ["Samples", "Draw", "Open", "Save", "More", "Method", "Teams", "A team on every candidate chord",
-    "Minimum load ratio", "Minimum load ratio, as a slider", "Candidates", "Weight in kg", "Centre of mass, x and y", "Compare with", "Base", "Tipping"])
+  for (const label of [
+    "Samples",
+    "Draw",
+    "Open",
+    "Save",
+    "More",
+    "Method",
+    "Teams",
+    "A team on every candidate chord",
+    "Minimum load ratio",
+    "Minimum load ratio, as a slider",
+    "Candidates",
+    "Weight in kg",
+    "Centre of mass, x and y",
+    "Compare with",
+    "Base",
+    "Tipping",
+  ])
     assert.ok(reached.includes(label), `${label} is not among ${reached.join(" · ")}`);
   await page.done();
 });
 
 test("each card has its place in the order of reading, and a name only while something is on it", async () => {
   const panels = path.join(root, "wasm/panels");
-  const sources = readdirSync(panels).map((name) => readFileSync(path.join(panels, name), "utf8")).join("");
+  const sources = readdirSync(panels)
+    .map((name) => readFileSync(path.join(panels, name), "utf8"))
+    .join("");
   const begun = [...sources.matchAll(/begin_card\(\s*ui, "([^"]+)"/g)].map(([, card]) => card);
-  const [, listed] = /cards = new Map\(\[(.*?)\]\);/s.exec(readFileSync(path.join(root, "web/mirror/mirror.js"), "utf8"));
+  const [, listed] = /cards = new Map\(\[(.*?)\]\);/s.exec(
+    readFileSync(path.join(root, "web/mirror/mirror.js"), "utf8"),
+  );
   assert.deepEqual([...listed.matchAll(/\["([^"]+)"/g)].map(([, card]) => card).sort(), begun.sort());
   const page = await browser.open();
-  const groups = () => page.$$eval("#mirror > div", (all) => all.filter((e) => e.checkVisibility()).map((e) => e.getAttribute("aria-label")));
+  const groups = () =>
+    page.$$eval("#mirror > div", (all) =>
+      all.filter((e) => e.checkVisibility()).map((e) => e.getAttribute("aria-label")),
+    );
   await idle(page);
   assert.deepEqual(await groups(), ["Toolbar", "Panel", "View"]);
   await page.keyboard.press("w");
-  await page.keyboard.press("Control+c");  // which a notice tells of
+  await page.keyboard.press("Control+c"); // which a notice tells of
   await idle(page);
   assert.deepEqual(await groups(), ["Toolbar", "Tool", "Panel", "View", "Notice"]);
   await page.done();
@@ -179,7 +266,12 @@ test("each value that can be typed has a key", async () => {
   await idle(page);
   await page.evaluate(() => evenlift.set({ metric: "random" }));
   await page.focus("#canvas");
-  for (const [key, typed, name, value] of [["y", "437", "weight", 437], ["R", "0.5", "min_ratio", 0.5], ["U", "77", "seed", 77], ["j", "400 300", "centre_of_mass", [400, 300]]]) {
+  for (const [key, typed, name, value] of [
+    ["y", "437", "weight", 437],
+    ["R", "0.5", "min_ratio", 0.5],
+    ["U", "77", "seed", 77],
+    ["j", "400 300", "centre_of_mass", [400, 300]],
+  ]) {
     await page.keyboard.press(key);
     await idle(page);
     await page.keyboard.type(typed);
@@ -233,13 +325,14 @@ for (const [width, height, options] of sizes) {
     const page = await browser.open({ viewport: { width, height }, ...options });
     await idle(page);
     for (const list of [undefined, "more", "methods"]) {
-      const begin = list && await controlIfShown(page, list);
+      const begin = list && (await controlIfShown(page, list));
       if (begin) {
-        if (begin.y + begin.height > height) continue;  // in the part of the sheet that is not pulled up
+        if (begin.y + begin.height > height) continue; // in the part of the sheet that is not pulled up
         await (options.hasTouch ? tap : press)(page, list);
         await idle(page);
       }
-      const outside = (await mirrored(page)).filter(({ card }) => card !== "Panel" || list === "methods")
+      const outside = (await mirrored(page))
+        .filter(({ card }) => card !== "Panel" || list === "methods")
         .filter(({ left, right }) => left < 0 || right > width);
       assert.deepEqual(outside, [], `with ${list ?? "no list"}`);
       const toolbar = (await mirrored(page)).filter(({ card }) => card === "Toolbar");
@@ -254,7 +347,13 @@ for (const [width, height, options] of sizes) {
 
 test("a list that is open covers the fields below it", async () => {
   const page = await browser.open();
-  for (const [name, metric] of [["Random", "random"], ["Distance", "distance"], ["Distributed", "distributed"], ["Circle", "circle"], ["Area", "area"]]) {
+  for (const [name, metric] of [
+    ["Random", "random"],
+    ["Distance", "distance"],
+    ["Distributed", "distributed"],
+    ["Circle", "circle"],
+    ["Area", "area"],
+  ]) {
     await press(page, "methods");
     await press(page, name);
     await idle(page);
@@ -264,16 +363,22 @@ test("a list that is open covers the fields below it", async () => {
 });
 
 test("a finger scrolls the toolbar's menu to its end, and takes the last row", async () => {
-  for (const [width, height] of [[740, 360], [320, 568]]) {
+  for (const [width, height] of [
+    [740, 360],
+    [320, 568],
+  ]) {
     const page = await browser.open({ viewport: { width, height }, ...touch });
     await tap(page, "more");
-    const { middle: [x, y] } = await control(page, "Coordinates");
+    const {
+      middle: [x, y],
+    } = await control(page, "Coordinates");
     const rows = async () => {
       await idle(page);
       return (await mirrored(page)).filter(({ label }) => ["Coordinates", "About evenlift"].includes(label));
     };
     const client = await page.context().newCDPSession(page);
-    const finger = (type, ...at) => client.send("Input.dispatchTouchEvent", { type, touchPoints: at.map(([px, py], id) => ({ x: px, y: py, id })) });
+    const finger = (type, ...at) =>
+      client.send("Input.dispatchTouchEvent", { type, touchPoints: at.map(([px, py], id) => ({ x: px, y: py, id })) });
     for (let stroke = 0; stroke < 3; ++stroke) {
       await finger("touchStart", [x, y]);
       for (let i = 1; i <= 8; ++i) await finger("touchMove", [x, y - 20 * i]);
@@ -281,7 +386,10 @@ test("a finger scrolls the toolbar's menu to its end, and takes the last row", a
       await idle(page);
     }
     const about = (await rows()).find(({ label }) => label === "About evenlift");
-    assert.ok(about.top > 0 && about.bottom <= height && about.left >= 0 && about.right <= width, JSON.stringify(about));
+    assert.ok(
+      about.top > 0 && about.bottom <= height && about.left >= 0 && about.right <= width,
+      JSON.stringify(about),
+    );
     await page.touchscreen.tap((about.left + about.right) / 2, (about.top + about.bottom) / 2);
     await page.locator("#about").waitFor();
     await page.done();
@@ -293,17 +401,31 @@ test("no control moves because the result changed", async () => {
     const page = await browser.open(options);
     await page.evaluate((text) => evenlift.load(text), lShape);
     await idle(page);
-    const settings = async () => Object.fromEntries((await mirrored(page))
-      .filter(({ card, label }) => card === "Panel" && !label.startsWith("Team ") && !/^Lower the ratio/.test(label))
-      .map(({ label, left, top }) => [label, [left, top]]));
+    const settings = async () =>
+      Object.fromEntries(
+        (await mirrored(page))
+          .filter(
+            ({ card, label }) => card === "Panel" && !label.startsWith("Team ") && !/^Lower the ratio/.test(label),
+          )
+          .map(({ label, left, top }) => [label, [left, top]]),
+      );
     const at = await settings();
-    assert.ok(Object.keys(at).length >= (options.viewport ? 4 : 9), Object.keys(at).join(" · "));  // of the closed sheet only its first rows
-    for (const change of [{ teams: 4 }, { teams: 1 }, { min_ratio: 1 }, { min_ratio: 0 }, { teams: "max" }, { com: [380, 20], min_ratio: 0.99 },
-      { metric: "distributed", teams: 9 }, { com: null, min_ratio: 0.8, teams: 3, metric: "area" }]) {
+    assert.ok(Object.keys(at).length >= (options.viewport ? 4 : 9), Object.keys(at).join(" · ")); // of the closed sheet only its first rows
+    for (const change of [
+      { teams: 4 },
+      { teams: 1 },
+      { min_ratio: 1 },
+      { min_ratio: 0 },
+      { teams: "max" },
+      { com: [380, 20], min_ratio: 0.99 },
+      { metric: "distributed", teams: 9 },
+      { com: null, min_ratio: 0.8, teams: 3, metric: "area" },
+    ]) {
       await page.evaluate((settings) => evenlift.set(settings), change);
       await idle(page);
       const now = await settings();
-      for (const label of Object.keys(at)) if (label in now) assert.deepEqual(now[label], at[label], `${label} after ${JSON.stringify(change)}`);
+      for (const label of Object.keys(at))
+        if (label in now) assert.deepEqual(now[label], at[label], `${label} after ${JSON.stringify(change)}`);
     }
     await page.done();
   }
@@ -344,7 +466,10 @@ test("a robot that is pressed says why it stands there, and leads into the lesso
   });
   await page.mouse.click(x, y);
   await idle(page);
-  assert.match(await page.locator("#alert").textContent(), /^Team 2: robot [34] of 6\. It carries: .*\skg of 100\skg\..* Load ratio: 0\.\d{3}\. Its chord: number \d+ of \d+ possible\. Team 2 takes the chord that adds the most area to the lifting base: .* It adds an area of \d+; the next best chord would add \d+\.$/);
+  assert.match(
+    await page.locator("#alert").textContent(),
+    /^Team 2: robot [34] of 6\. It carries: .*\skg of 100\skg\..* Load ratio: 0\.\d{3}\. Its chord: number \d+ of \d+ possible\. Team 2 takes the chord that adds the most area to the lifting base: .* It adds an area of \d+; the next best chord would add \d+\.$/,
+  );
   await press(page, "show in lesson");
   await idle(page);
   assert.match(await page.locator("#summary").textContent(), /Team 2 takes candidate/);
@@ -365,8 +490,8 @@ test("on a phone the card that says why stands below the robot, whichever was ta
       const close = await control(page, "close explanation");
       assert.ok(close.y > y + 12, `${viewport.width}: the card begins at ${close.y}, the robot is at ${y}`);
       ++asked;
-      await page.keyboard.press("Escape");  // the card
-      await page.keyboard.press("Escape");  // a vertex that was selected
+      await page.keyboard.press("Escape"); // the card
+      await page.keyboard.press("Escape"); // a vertex that was selected
       await idle(page);
     }
     assert.ok(asked >= 4, String(asked));
@@ -388,7 +513,8 @@ test("the verdict stays in sight while the settings below it scroll", async () =
   await page.done();
 });
 
-const elementAt = (page, [x, y]) => page.evaluate((at) => document.elementFromPoint(...at).id || document.elementFromPoint(...at).ariaLabel, [x, y]);
+const elementAt = (page, [x, y]) =>
+  page.evaluate((at) => document.elementFromPoint(...at).id || document.elementFromPoint(...at).ariaLabel, [x, y]);
 
 test("on a phone a robot's card takes the presses on it, also where a field of the sheet lies below", async () => {
   const page = await browser.open({ viewport: phone, ...touch });
@@ -411,29 +537,46 @@ test("above a keyboard the row below the verdict is seen whole, also while one d
   const teams = await control(page, "teams");
   assert.ok(teams.y + teams.height <= 500, JSON.stringify(teams));
   await page.keyboard.press("d");
-  for (const [x, y] of [[80, 180], [200, 200]]) {
+  for (const [x, y] of [
+    [80, 180],
+    [200, 200],
+  ]) {
     await page.touchscreen.tap(x, y);
     await idle(page);
   }
-  for (const field of await page.locator("#mirror").getByLabel(/^(Length|Angle)/).all()) {
+  for (const field of await page
+    .locator("#mirror")
+    .getByLabel(/^(Length|Angle)/)
+    .all()) {
     const { y, height } = await field.boundingBox();
     assert.ok(y + height <= 500, `${y} ${height}`);
   }
-  assert.equal(await page.locator("#mirror").getByLabel(/^(Length|Angle)/).count(), 2);
+  assert.equal(
+    await page
+      .locator("#mirror")
+      .getByLabel(/^(Length|Angle)/)
+      .count(),
+    2,
+  );
   await page.done();
 });
 
 test("the sheet's handle and headline stay, and no field that scrolls reaches them", async () => {
   const page = await browser.open({ viewport: phone, ...touch });
   await tap(page, "handle");
-  const handle = await control(page, "handle"), teams = await control(page, "teams");
+  const handle = await control(page, "handle"),
+    teams = await control(page, "teams");
   for (let scrolled = 0; scrolled < 12; ++scrolled) {
     await page.mouse.move(200, 750);
     await page.mouse.wheel(0, 25);
     await idle(page);
     assert.deepEqual(await control(page, "handle"), handle);
     for (let down = 0; down < 80; down += 4)
-      assert.equal(await elementAt(page, [handle.middle[0], handle.y + down]), "canvas", `${down} below the sheet's top`);
+      assert.equal(
+        await elementAt(page, [handle.middle[0], handle.y + down]),
+        "canvas",
+        `${down} below the sheet's top`,
+      );
   }
   assert.ok((await control(page, "teams")).y < teams.y - 100, "the rest scrolled");
   await page.done();
@@ -499,7 +642,9 @@ test("choosing a unit says that no number changes, and sizes have it, too", asyn
 test("a limit is typed where there is none, and a section that is opened comes into view", async () => {
   const page = await browser.open();
   await page.keyboard.press("Y");
-  await page.waitForFunction(() => document.activeElement?.getAttribute("aria-label")?.startsWith("What a robot carries"));
+  await page.waitForFunction(() =>
+    document.activeElement?.getAttribute("aria-label")?.startsWith("What a robot carries"),
+  );
   await page.keyboard.press("Escape");
   await idle(page);
   assert.equal((await state(page)).capacity, undefined, "to look at it sets nothing");
@@ -521,12 +666,12 @@ test("on a phone on its side the card that says why stands over the panel, and c
   const { teams, polygon } = await state(page);
   const object = await Promise.all(polygon.map((at) => toScreen(page, at)));
   for (const robot of teams.flatMap(({ ends }) => ends)) {
-    await page.mouse.click(...await toScreen(page, robot));
+    await page.mouse.click(...(await toScreen(page, robot)));
     await idle(page);
     const button = await control(page, "show in lesson");
     assert.ok(Math.max(...object.map(([x]) => x)) < button.x - 16, JSON.stringify(button));
-    await page.keyboard.press("Escape");  // the card
-    await page.keyboard.press("Escape");  // a vertex that was selected
+    await page.keyboard.press("Escape"); // the card
+    await page.keyboard.press("Escape"); // a vertex that was selected
     await idle(page);
   }
   await page.done();
@@ -557,13 +702,21 @@ test("a candidate that is pressed says why it was not taken; Esc closes the card
 test("a tip covers neither the button that it is about nor a neighbour", async () => {
   const page = await browser.open();
   await page.mouse.move(600, 600);
-  const pictures = async (...names) => Promise.all(names.map(async (name) => {
-    const { x, y, width, height } = await control(page, name);
-    return (await page.screenshot({ clip: { x, y, width, height } })).toString("base64");
-  }));
+  const pictures = async (...names) =>
+    Promise.all(
+      names.map(async (name) => {
+        const { x, y, width, height } = await control(page, name);
+        return (await page.screenshot({ clip: { x, y, width, height } })).toString("base64");
+      }),
+    );
   const neighbours = ["Samples", "Undo", "weight", "weight -", "teams", "Zoom in", "Coordinates"];
-  const before = await pictures(...neighbours), whole = await page.screenshot();
-  for (const [x, y] of [(await control(page, "Draw")).middle, [960, (await control(page, "weight")).middle[1]], (await control(page, "Show all of the object")).middle]) {
+  const before = await pictures(...neighbours),
+    whole = await page.screenshot();
+  for (const [x, y] of [
+    (await control(page, "Draw")).middle,
+    [960, (await control(page, "weight")).middle[1]],
+    (await control(page, "Show all of the object")).middle,
+  ]) {
     await page.mouse.move(x, y);
     await idle(page);
     assert.ok((await browser.compare(whole, await page.screenshot())).share > 0, "there is a tip");
@@ -599,11 +752,12 @@ test("the pointer says what a press would do", async () => {
 
 test("zooming has limits, and an object out of view is one press away", async () => {
   const page = await browser.open();
-  const width = () => page.evaluate(() => {
-    const { polygon } = evenlift.state();
-    const xs = polygon.map((p) => evenlift.view.to_screen(...p).x);
-    return Math.max(...xs) - Math.min(...xs);
-  });
+  const width = () =>
+    page.evaluate(() => {
+      const { polygon } = evenlift.state();
+      const xs = polygon.map((p) => evenlift.view.to_screen(...p).x);
+      return Math.max(...xs) - Math.min(...xs);
+    });
   const fitted = await width();
   for (let i = 0; i < 40; ++i) await page.keyboard.press("-");
   await idle(page);
@@ -617,14 +771,17 @@ test("zooming has limits, and an object out of view is one press away", async ()
   for (let i = 0; i < 5; ++i) await page.mouse.wheel(0, 300);
   await idle(page);
   const now = await page.evaluate(() => [...evenlift.view.to_world(400, 400)]);
-  assert.ok(Math.hypot(now[0] - held[0], now[1] - held[1]) < 1e-3, `at its limit zooming moves nothing: ${held} ${now}`);
+  assert.ok(
+    Math.hypot(now[0] - held[0], now[1] - held[1]) < 1e-3,
+    `at its limit zooming moves nothing: ${held} ${now}`,
+  );
   await page.keyboard.press("0");
   await page.mouse.move(20, 400);
   for (let i = 0; i < 30; ++i) await page.mouse.wheel(0, -300);
   await idle(page);
   await press(page, "show object");
   await idle(page);
-  assert.ok(Math.abs(await width() - fitted) < 1);
+  assert.ok(Math.abs((await width()) - fitted) < 1);
   await page.done();
 });
 
@@ -649,9 +806,17 @@ test("the numbers of the result are there for screen readers", async () => {
   await idle(page);
   const texts = await page.locator("#mirror p").allTextContents();
   for (const wanted of ["Coverage: 96.0\u00a0%", "Spread of loads: 0.5 kg", "Form closure: yes"])
-    assert.ok(texts.map((text) => text.replaceAll("\u202f", " ").replaceAll("\u2009", " ")).some((text) => text.replace(/\s/g, " ") === wanted.replace(/\s/g, " ")), `${wanted} in ${texts}`);
+    assert.ok(
+      texts
+        .map((text) => text.replaceAll("\u202f", " ").replaceAll("\u2009", " "))
+        .some((text) => text.replace(/\s/g, " ") === wanted.replace(/\s/g, " ")),
+      `${wanted} in ${texts}`,
+    );
   const row = page.locator("#mirror").getByRole("button", { name: /^Team 2:/ });
-  assert.match(await row.getAttribute("aria-label"), /^Team 2: loads 16\.9 and 16\.4 kg, length \d+, ratio 0\.972\. Why here\?$/);
+  assert.match(
+    await row.getAttribute("aria-label"),
+    /^Team 2: loads 16\.9 and 16\.4 kg, length \d+, ratio 0\.972\. Why here\?$/,
+  );
   assert.equal(await field(page, "What a robot carries, in kg").inputValue(), "no limit");
   await page.done();
 });
@@ -661,7 +826,10 @@ test("a refusal is told again when it comes again", async () => {
   await idle(page);
   await page.evaluate(() => {
     globalThis.told = [];
-    new MutationObserver(() => globalThis.told.push(document.getElementById("alert").textContent.trim())).observe(document.getElementById("alert"), { childList: true, characterData: true, subtree: true });
+    new MutationObserver(() => globalThis.told.push(document.getElementById("alert").textContent.trim())).observe(
+      document.getElementById("alert"),
+      { childList: true, characterData: true, subtree: true },
+    );
   });
   for (const wrong of ["abc", "-5"]) {
     await press(page, "weight");
@@ -681,13 +849,18 @@ test("what is selected and shown is told, and no more than that", async () => {
   await idle(page);
   await page.evaluate(() => {
     globalThis.said = [];
-    const seen = (records) => records.forEach(({ target, addedNodes }) => {
-      const element = (target.nodeType === 1 ? target : target.parentElement).closest("span");
-      for (const each of [element, ...addedNodes])
-        if (each?.nodeType === 1 && each.ariaLive !== "off") globalThis.said.push(each.textContent);
-    });
+    const seen = (records) =>
+      records.forEach(({ target, addedNodes }) => {
+        const element = (target.nodeType === 1 ? target : target.parentElement).closest("span");
+        for (const each of [element, ...addedNodes])
+          if (each?.nodeType === 1 && each.ariaLive !== "off") globalThis.said.push(each.textContent);
+      });
     for (const id of ["summary", "news"])
-      new MutationObserver(seen).observe(document.getElementById(id), { childList: true, characterData: true, subtree: true });
+      new MutationObserver(seen).observe(document.getElementById(id), {
+        childList: true,
+        characterData: true,
+        subtree: true,
+      });
   });
   await page.focus("#canvas");
   await page.keyboard.press("v");
@@ -696,14 +869,21 @@ test("what is selected and shown is told, and no more than that", async () => {
   await idle(page);
   await page.keyboard.press("h");
   await idle(page);
-  assert.deepEqual(await page.evaluate(() => globalThis.said), ["Vertex 1 of 6, (0.0, 0.0).", "Shown: candidates.", "Hidden: the lifting base."]);
+  assert.deepEqual(await page.evaluate(() => globalThis.said), [
+    "Vertex 1 of 6, (0.0, 0.0).",
+    "Shown: candidates.",
+    "Hidden: the lifting base.",
+  ]);
   await page.done();
 });
 
 test("while the pointer rests on a row of the table, nothing more is drawn", async () => {
   const page = await browser.open({ hasty: true, viewport: { width: 1280, height: 1400 } });
   await load(page, asset("violin"));
-  for (const [settings, row] of [[{ metric: "area", teams: 3 }, "Team 2"], [{ metric: "balanced", robots: 5 }, "Robot 2"]]) {
+  for (const [settings, row] of [
+    [{ metric: "area", teams: 3 }, "Team 2"],
+    [{ metric: "balanced", robots: 5 }, "Robot 2"],
+  ]) {
     await set(page, settings);
     const { middle } = await control(page, row);
     await page.mouse.move(...middle);
@@ -746,13 +926,14 @@ test("every candidate is asked for by the word on the button, too", async () => 
 test("whoever came to a number by Tab stays there after Enter, and others are back at the drawing", async () => {
   const page = await browser.open();
   await idle(page);
-  const focus = () => page.evaluate(() => document.activeElement.id || document.activeElement.getAttribute("aria-label"));
+  const focus = () =>
+    page.evaluate(() => document.activeElement.id || document.activeElement.getAttribute("aria-label"));
   await page.keyboard.press("y");
   const name = await focus();
   await page.keyboard.type("231");
   await page.keyboard.press("Enter");
   assert.equal(await focus(), "canvas");
-  for (let i = 0; i < 60 && await focus() !== name; ++i) await page.keyboard.press("Tab");
+  for (let i = 0; i < 60 && (await focus()) !== name; ++i) await page.keyboard.press("Tab");
   await page.keyboard.type("437");
   await page.keyboard.press("Enter");
   assert.equal(await focus(), name);
@@ -818,7 +999,12 @@ test("a button that has done its work keeps the focus", async () => {
   await needed.focus();
   await page.keyboard.press("Enter");
   await idle(page);
-  const now = () => page.evaluate(() => [document.activeElement.ariaLabel, document.activeElement.getAttribute("aria-disabled"), document.activeElement.disabled]);
+  const now = () =>
+    page.evaluate(() => [
+      document.activeElement.ariaLabel,
+      document.activeElement.getAttribute("aria-disabled"),
+      document.activeElement.disabled,
+    ]);
   assert.deepEqual(await now(), ["As many as are needed", "true", false]);
   await page.keyboard.press("Tab");
   assert.equal(await page.locator('#mirror [aria-label="As many as are needed"]').isDisabled(), true);

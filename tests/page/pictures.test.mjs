@@ -14,7 +14,9 @@ const browser = sharedBrowser();
 const expected = fileURLToPath(new URL("expected/", import.meta.url));
 const ofReadme = fileURLToPath(new URL("../../docs/page.png", import.meta.url));
 // Other systems draw letters and the edges of shapes a little otherwise: up to 1.6 % of a window full of words on Debian 13.
-const system = /^PRETTY_NAME="?([^"\n]*)/m.exec(existsSync("/etc/os-release") ? readFileSync("/etc/os-release", "utf8") : "")?.[1] ?? process.platform;
+const system =
+  /^PRETTY_NAME="?([^"\n]*)/m.exec(existsSync("/etc/os-release") ? readFileSync("/etc/os-release", "utf8") : "")?.[1] ??
+  process.platform;
 const drawnOn = readFileSync(path.join(expected, "drawn-on.txt"), "utf8").trim();
 const tolerance = system === drawnOn ? 0.002 : 0.03;
 
@@ -37,7 +39,10 @@ async function check(page, name) {
 test("wide, light: the first sample", async () => check(await browser.open(), "wide-light"));
 
 test("the picture in README is the page as it looks now", () => {
-  assert.ok(readFileSync(ofReadme).equals(readFileSync(path.join(expected, "wide-light.png"))), "please copy tests/page/expected/wide-light.png to docs/page.png");
+  assert.ok(
+    readFileSync(ofReadme).equals(readFileSync(path.join(expected, "wide-light.png"))),
+    "please copy tests/page/expected/wide-light.png to docs/page.png",
+  );
 });
 
 test("wide, dark: the first sample", async () => check(await browser.open({ colorScheme: "dark" }), "wide-dark"));
@@ -46,7 +51,13 @@ test("a shape being drawn", async () => {
   const page = await browser.open();
   await idle(page);
   await page.keyboard.press("d");
-  for (const at of [[220, 200], [560, 190], [640, 420], [400, 610]]) await page.mouse.click(...at);
+  for (const at of [
+    [220, 200],
+    [560, 190],
+    [640, 420],
+    [400, 610],
+  ])
+    await page.mouse.click(...at);
   await page.mouse.move(210, 470);
   await check(page, "drawing");
 });
@@ -67,7 +78,13 @@ test("a step of the lesson", async () => {
 });
 
 test("phone: a question of the lesson, dark", async () => {
-  const page = await browser.open({ viewport: phone, hasTouch: true, isMobile: true, deviceScaleFactor: 2, colorScheme: "dark" });
+  const page = await browser.open({
+    viewport: phone,
+    hasTouch: true,
+    isMobile: true,
+    deviceScaleFactor: 2,
+    colorScheme: "dark",
+  });
   await load(page, asset("arrow"));
   await page.keyboard.press("b");
   await set(page, { step: 29 });
@@ -155,7 +172,10 @@ const finger = { hasTouch: true, isMobile: true };
 
 test("a phone on its side, the smallest phone, and a tablet", async () => {
   await check(await browser.open({ viewport: { width: 844, height: 390 }, ...finger }), "phone-on-its-side");
-  await check(await browser.open({ viewport: { width: 320, height: 568 }, ...finger, colorScheme: "dark" }), "small-phone-dark");
+  await check(
+    await browser.open({ viewport: { width: 320, height: 568 }, ...finger, colorScheme: "dark" }),
+    "small-phone-dark",
+  );
   await check(await browser.open({ viewport: { width: 1180, height: 820 }, ...finger }), "tablet");
 });
 
@@ -175,7 +195,9 @@ test("the toolbar's menu", async () => {
 test("why a robot stands there, dark", async () => {
   const page = await browser.open({ colorScheme: "dark" });
   await idle(page);
-  await page.mouse.click(...await page.evaluate(() => [...evenlift.view.to_screen(...evenlift.state().teams[1].ends[0])]));
+  await page.mouse.click(
+    ...(await page.evaluate(() => [...evenlift.view.to_screen(...evenlift.state().teams[1].ends[0])])),
+  );
   await page.mouse.move(600, 700);
   await check(page, "why-dark");
 });
@@ -189,21 +211,37 @@ test("a number that is being typed", async () => {
 
 test("letters of many languages", async () => {
   const page = await browser.open();
-  await page.evaluate(() => evenlift.load(`title: Łódź – Übung größe\nlink: ${evenlift.link()}\n\n[polygon]\nZażółć gęślą jaźń. α ≤ β ≈ π/2 → „gut“. Привет, ∑ ∞.\n`));
+  await page.evaluate(() =>
+    evenlift.load(
+      `title: Łódź – Übung größe\nlink: ${evenlift.link()}\n\n[polygon]\nZażółć gęślą jaźń. α ≤ β ≈ π/2 → „gut“. Привет, ∑ ∞.\n`,
+    ),
+  );
   await check(page, "letters");
 });
 
 test("the first visit, wide and on a phone", async () => {
   await check(await browser.open({ first: true }), "first-visit");
-  await check(await browser.open({ first: true, viewport: phone, ...finger, colorScheme: "dark" }), "first-visit-phone-dark");
+  await check(
+    await browser.open({ first: true, viewport: phone, ...finger, colorScheme: "dark" }),
+    "first-visit-phone-dark",
+  );
 });
 
-for (const [name, options] of [["about", {}], ["lessons", { colorScheme: "dark" }], ["save", {}], ["glossary", {}]]) {
+for (const [name, options] of [
+  ["about", {}],
+  ["lessons", { colorScheme: "dark" }],
+  ["save", {}],
+  ["glossary", {}],
+]) {
   test(`the window ${name}`, async () => {
     const page = await browser.open(options);
     await openWindow(page, name);
     // The server's port is another one each time.
-    await page.evaluate(() => document.querySelectorAll("#link").forEach((field) => { field.value = "https://example.org/"; }));
+    await page.evaluate(() =>
+      document.querySelectorAll("#link").forEach((field) => {
+        field.value = "https://example.org/";
+      }),
+    );
     await check(page, `window-${name}`);
   });
 }
@@ -211,7 +249,11 @@ for (const [name, options] of [["about", {}], ["lessons", { colorScheme: "dark" 
 test("which of several shapes?", async () => {
   const page = await browser.open();
   const window = await openWindow(page, "open");
-  await window.locator("textarea").fill('<svg xmlns="http://www.w3.org/2000/svg"><rect id="table" width="120" height="80" rx="10"/><circle id="lid" r="25"/></svg>');
+  await window
+    .locator("textarea")
+    .fill(
+      '<svg xmlns="http://www.w3.org/2000/svg"><rect id="table" width="120" height="80" rx="10"/><circle id="lid" r="25"/></svg>',
+    );
   await window.getByRole("button", { name: "Open", exact: true }).click();
   await check(page, "shapes");
 });

@@ -1,15 +1,35 @@
 // Teams anywhere in their ranges, and teams that are to hold: the program's answers, the panel, a team dragged along its range.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { asset, controlIfShown, drag, fragment, idle, load, press, program, published, set, sharedBrowser, state, thrown, toScreen } from "./browser.mjs";
+import {
+  asset,
+  controlIfShown,
+  drag,
+  fragment,
+  idle,
+  load,
+  press,
+  program,
+  published,
+  set,
+  sharedBrowser,
+  state,
+  thrown,
+  toScreen,
+} from "./browser.mjs";
 
 const browser = sharedBrowser();
 
 test("teams in ranges that are to hold are the program's, bit for bit", async () => {
   const page = await browser.open();
-  const cases = [["guitar", { positions: "range" }], ["guitar", { positions: "range", goal: "hold" }], ["labyrinth", { goal: "hold", teams: 2 }],
-    ["thesis-sample-centroid", { metric: "circle", goal: "hold", min_margin: 0.2, teams: 4 }], ["square", { positions: "range", teams: "max" }],
-    ["grand-piano", { positions: "range", robot: "r=30,reach=20,depth=40,width=60,gap=10", goal: "hold" }]];
+  const cases = [
+    ["guitar", { positions: "range" }],
+    ["guitar", { positions: "range", goal: "hold" }],
+    ["labyrinth", { goal: "hold", teams: 2 }],
+    ["thesis-sample-centroid", { metric: "circle", goal: "hold", min_margin: 0.2, teams: 4 }],
+    ["square", { positions: "range", teams: "max" }],
+    ["grand-piano", { positions: "range", robot: "r=30,reach=20,depth=40,width=60,gap=10", goal: "hold" }],
+  ];
   for (const [name, settings] of cases) {
     await load(page, asset(name));
     await set(page, { metric: "area", teams: 3, positions: "best", goal: "cover", min_margin: 0.05 });
@@ -56,10 +76,12 @@ test("a team is dragged along its range with its loads, and reset puts it back",
   const team = before.teams.findIndex((each) => apart(each.ends[0]));
   assert.ok(team >= 0);
   const other = team === 0 ? 1 : 0;
-  const [x, y] = before.teams[team].ends[0], [cx, cy] = before.centre_of_mass;
+  const [x, y] = before.teams[team].ends[0],
+    [cx, cy] = before.centre_of_mass;
   // Around C, a little to one side and to the other: one of the two is within the range.
   const turned = (by) => [cx + (x - cx) - by * (y - cy), cy + (y - cy) + by * (x - cx)];
-  for (const by of [0.05, -0.05]) await drag(page, await toScreen(page, (await state(page)).teams[team].ends[0]), await toScreen(page, turned(by)));
+  for (const by of [0.05, -0.05])
+    await drag(page, await toScreen(page, (await state(page)).teams[team].ends[0]), await toScreen(page, turned(by)));
   await idle(page);
   const moved = await state(page);
   assert.notDeepEqual(moved.teams[team].ends, before.teams[team].ends);
@@ -73,7 +95,10 @@ test("a team is dragged along its range with its loads, and reset puts it back",
 
 test("set() refuses with a sentence what teams cannot be asked", async () => {
   const page = await browser.open();
-  for (const [changes, why] of [[{ positions: "any" }, /^The positions are best or range/], [{ metric: "distributed", goal: "hold" }, /^goal: distributed and random/]])
+  for (const [changes, why] of [
+    [{ positions: "any" }, /^The positions are best or range/],
+    [{ metric: "distributed", goal: "hold" }, /^goal: distributed and random/],
+  ])
     assert.match(await thrown(page, "set", changes), why);
   await page.done();
 });

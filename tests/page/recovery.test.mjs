@@ -26,7 +26,12 @@ function loadOutline(page, n) {
 
 const vertices = (page) => page.evaluate(() => evenlift.text().trimEnd().split("\n").length);
 
-for (const [n, ratio] of [[200000, 1], [200000, 1.5], [200000, 3], [1048576, 3]]) {
+for (const [n, ratio] of [
+  [200000, 1],
+  [200000, 1.5],
+  [200000, 3],
+  [1048576, 3],
+]) {
   test(`${n} vertices are drawn with ${ratio} device pixels for a CSS pixel, and undo leads back`, async () => {
     const page = await browser.open({ deviceScaleFactor: ratio, colorScheme: "dark" });
     const before = await state(page);
@@ -93,7 +98,9 @@ async function startsAnew(page, act) {
     globalThis.thisStart = true;
   });
   await act().catch(() => {});
-  await page.waitForFunction(() => !globalThis.thisStart && document.getElementById("cover")?.classList.contains("done"));
+  await page.waitForFunction(
+    () => !globalThis.thisStart && document.getElementById("cover")?.classList.contains("done"),
+  );
 }
 
 async function savedAside(page) {
@@ -112,16 +119,25 @@ test("without memory for what is opened, the last polygon comes back with a mess
   await published(page);
   await idle(page);
   const good = await state(page);
-  const large = Array.from({ length: 60000 }, (_, i) => `(${Math.round(1e6 * Math.cos(i / 60000 * 2 * Math.PI))},${Math.round(1e6 * Math.sin(i / 60000 * 2 * Math.PI))})`).join("\n");
-  await startsAnew(page, () => page.evaluate((text) => {
-    globalThis.noMemory = true;
-    try {
-      evenlift.load(text);
-    } catch (error) {
-      globalThis.said = error.message;
-    }
-  }, large));
-  assert.match(await noticed(page), /^The page stopped when this was opened, and has started anew with the last polygon that was shown\. It is kept: Save has it as a file\.$/);
+  const large = Array.from(
+    { length: 60000 },
+    (_, i) =>
+      `(${Math.round(1e6 * Math.cos((i / 60000) * 2 * Math.PI))},${Math.round(1e6 * Math.sin((i / 60000) * 2 * Math.PI))})`,
+  ).join("\n");
+  await startsAnew(page, () =>
+    page.evaluate((text) => {
+      globalThis.noMemory = true;
+      try {
+        evenlift.load(text);
+      } catch (error) {
+        globalThis.said = error.message;
+      }
+    }, large),
+  );
+  assert.match(
+    await noticed(page),
+    /^The page stopped when this was opened, and has started anew with the last polygon that was shown\. It is kept: Save has it as a file\.$/,
+  );
   assert.deepEqual(await state(page), good);
   assert.equal(await savedAside(page), large);
   await set(page, { teams: 4 });
@@ -135,10 +151,12 @@ test("an exception while a picture is drawn: the same, and what had no picture i
   await published(page);
   await idle(page);
   const good = await state(page);
-  await startsAnew(page, () => page.evaluate((text) => {
-    globalThis.noPicture = true;
-    evenlift.load(text);
-  }, asset("star")));
+  await startsAnew(page, () =>
+    page.evaluate((text) => {
+      globalThis.noPicture = true;
+      evenlift.load(text);
+    }, asset("star")),
+  );
   assert.match(await noticed(page), /^The page stopped when this was opened/);
   assert.deepEqual(await state(page), good);
   assert.equal(await savedAside(page), asset("star"));
@@ -152,10 +170,12 @@ test("what was drawn a moment ago is what comes back", async () => {
   await page.evaluate(() => evenlift.set({ teams: 5 }));
   await page.waitForFunction((before) => evenlift.frames > before, await page.evaluate(() => evenlift.frames));
   const good = await state(page);
-  await startsAnew(page, () => page.evaluate((text) => {
-    globalThis.noPicture = true;
-    evenlift.load(text);
-  }, asset("star")));
+  await startsAnew(page, () =>
+    page.evaluate((text) => {
+      globalThis.noPicture = true;
+      evenlift.load(text);
+    }, asset("star")),
+  );
   assert.deepEqual(await state(page), good);
   await page.done();
 });
@@ -183,7 +203,10 @@ test("a start that failed is not repeated with the same document, which is kept"
   await idle(page);
   await page.evaluate(() => localStorage.setItem("test.starts", "1"));
   await startsAnew(page, () => page.goto(browser.server.url + "?plain"));
-  assert.match(await noticed(page), /^The page stopped when the last polygon was opened, so it is not opened again\. It is kept: Save has it as a file\.$/);
+  assert.match(
+    await noticed(page),
+    /^The page stopped when the last polygon was opened, so it is not opened again\. It is kept: Save has it as a file\.$/,
+  );
   assert.deepEqual(await state(page), first);
   const saved = await savedAside(page);
   assert.equal(saved, kept);

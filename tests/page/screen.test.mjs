@@ -2,15 +2,33 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { asset, axe, evenlift, fragment, idle, link, load, phone, press, sample, set, sharedBrowser, startBrowser, state, thrown, wide } from "./browser.mjs";
+import {
+  asset,
+  axe,
+  evenlift,
+  fragment,
+  idle,
+  link,
+  load,
+  phone,
+  press,
+  sample,
+  set,
+  sharedBrowser,
+  startBrowser,
+  state,
+  thrown,
+  wide,
+} from "./browser.mjs";
 import { sizes } from "./sizes.mjs";
 
 const browser = sharedBrowser();
 
-const canvasSize = (page) => page.evaluate(() => {
-  const canvas = document.getElementById("canvas");
-  return [canvas.width, canvas.height];
-});
+const canvasSize = (page) =>
+  page.evaluate(() => {
+    const canvas = document.getElementById("canvas");
+    return [canvas.width, canvas.height];
+  });
 
 for (const ratio of [1, 1.5, 2, 3]) {
   test(`${ratio} device pixels for a CSS pixel: the canvas has them all`, async () => {
@@ -26,8 +44,13 @@ test("it follows the window's size and a change of the device-pixel ratio", asyn
   await idle(page);
   assert.deepEqual(await canvasSize(page), [1000, 700]);
   const client = await page.context().newCDPSession(page);
-  await client.send("Emulation.setDeviceMetricsOverride", { width: 1000, height: 700, deviceScaleFactor: 2, mobile: false });
-  await page.mouse.move(500, 300);  // this emulation tells nobody; on a real screen the browser does
+  await client.send("Emulation.setDeviceMetricsOverride", {
+    width: 1000,
+    height: 700,
+    deviceScaleFactor: 2,
+    mobile: false,
+  });
+  await page.mouse.move(500, 300); // this emulation tells nobody; on a real screen the browser does
   await page.waitForFunction(() => document.getElementById("canvas").width === 2000);
   await idle(page);
   assert.deepEqual(await canvasSize(page), [2000, 1400]);
@@ -37,10 +60,13 @@ test("it follows the window's size and a change of the device-pixel ratio", asyn
 test("the object stays in sight when the window changes, and everything is within it on a phone", async () => {
   const page = await browser.open({ viewport: phone, hasTouch: true, isMobile: true });
   await idle(page);
-  const seen = () => page.evaluate(() => evenlift.state().polygon.every((p) => {
-    const [x, y] = evenlift.view.to_screen(...p);
-    return x >= 0 && x <= innerWidth && y >= 0 && y <= innerHeight;
-  }));
+  const seen = () =>
+    page.evaluate(() =>
+      evenlift.state().polygon.every((p) => {
+        const [x, y] = evenlift.view.to_screen(...p);
+        return x >= 0 && x <= innerWidth && y >= 0 && y <= innerHeight;
+      }),
+    );
   assert.ok(await seen());
   await page.setViewportSize({ width: phone.height, height: phone.width });
   await idle(page);
@@ -85,7 +111,7 @@ test("a lost WebGL context comes back with everything on it", async () => {
     globalThis.extension.loseContext();
   });
   await page.waitForFunction(() => !document.getElementById("cover").classList.contains("done"));
-  await page.evaluate(() => evenlift.set({ teams: 3 }));  // the program goes on without a canvas
+  await page.evaluate(() => evenlift.set({ teams: 3 })); // the program goes on without a canvas
   await page.evaluate(() => globalThis.extension.restoreContext());
   await page.waitForFunction(() => document.getElementById("cover").classList.contains("done"));
   await idle(page);
@@ -95,8 +121,22 @@ test("a lost WebGL context comes back with everything on it", async () => {
 });
 
 test("without WebAssembly it says so", async () => {
-  const page = await browser.open({ ready: false, quiet: false, script: () => { delete globalThis.WebAssembly; } });
-  assert.match(await page.evaluate(() => evenlift.ready.then(() => "ready", (error) => error.message)), /WebAssembly/);
+  const page = await browser.open({
+    ready: false,
+    quiet: false,
+    script: () => {
+      delete globalThis.WebAssembly;
+    },
+  });
+  assert.match(
+    await page.evaluate(() =>
+      evenlift.ready.then(
+        () => "ready",
+        (error) => error.message,
+      ),
+    ),
+    /WebAssembly/,
+  );
   assert.ok(await page.locator("#problem").isVisible());
   await page.done();
 });
@@ -109,8 +149,10 @@ test("without JavaScript there is a word about it", async () => {
 
 test("it runs in a sub-folder of a static host, under its policy", async () => {
   const response = await fetch(browser.server.url);
-  assert.equal(response.headers.get("content-security-policy"),
-    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:");
+  assert.equal(
+    response.headers.get("content-security-policy"),
+    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:",
+  );
   const html = await response.text();
   assert.doesNotMatch(html, /(?:src|href)="(?:\/|https?:)/, "only relative addresses");
   assert.doesNotMatch(html, /<script(?![^>]*src)|<style|\son\w+=|style="/, "nothing inline");
@@ -129,10 +171,12 @@ test("it has nothing in the console from start to end of a session", async () =>
 test("embedded it shows the drawing and a link out, and no panel", async () => {
   const page = await browser.open({ address: "?embed=1", viewport: { width: 640, height: 420 } });
   await idle(page);
-  const seen = await page.evaluate(() => evenlift.state().polygon.every((p) => {
-    const [x, y] = evenlift.view.to_screen(...p);
-    return x >= 0 && x <= innerWidth && y >= 0 && y <= innerHeight;
-  }));
+  const seen = await page.evaluate(() =>
+    evenlift.state().polygon.every((p) => {
+      const [x, y] = evenlift.view.to_screen(...p);
+      return x >= 0 && x <= innerWidth && y >= 0 && y <= innerHeight;
+    }),
+  );
   assert.ok(seen);
   const [popup] = await Promise.all([page.waitForEvent("popup"), press(page, "out")]);
   await popup.waitForLoadState();
@@ -159,7 +203,7 @@ const withoutWebGl = () => {
     return kind === "2d" ? before.call(this, kind, ...rest) : null;
   };
   const address = URL.createObjectURL;
-  URL.createObjectURL = (blob) => address(globalThis.lastBlob = blob);
+  URL.createObjectURL = (blob) => address((globalThis.lastBlob = blob));
 };
 const open = (options) => browser.open({ script: withoutWebGl, ...options });
 
@@ -183,27 +227,38 @@ test("without graphics at all it is there, too, of the opening sample", async (t
   t.after(() => bare.close());
   const page = await bare.open({ quiet: false });
   assert.match(await alt(page), /robots carry/);
-  assert.ok(await page.locator("#still img").evaluate((picture) => picture.decode().then(() => picture.naturalWidth > 0)));
+  assert.ok(
+    await page.locator("#still img").evaluate((picture) => picture.decode().then(() => picture.naturalWidth > 0)),
+  );
   await page.done();
 });
 
 test("a link of a polygon that is refused says why, and the opening sample is shown", async () => {
   const page = await open({ address: `#${refusedLink}` });
-  assert.match(await words(page), /This link cannot be opened: vertices 2 and 3: two vertices are at the same place\./i);
+  assert.match(
+    await words(page),
+    /This link cannot be opened: vertices 2 and 3: two vertices are at the same place\./i,
+  );
   assert.match(await alt(page), /robots carry/);
   await page.done();
 });
 
 test("another link in the address changes the still picture, and a refused one says that nothing was changed", async () => {
   const page = await open({ address: `#${encoded("guitar")}` });
-  await page.evaluate((to) => { location.hash = to; }, encoded("anchor"));
+  await page.evaluate((to) => {
+    location.hash = to;
+  }, encoded("anchor"));
   await idle(page);
   assert.equal(await alt(page), verdict("anchor"));
-  await page.evaluate((to) => { location.hash = to; }, refusedLink);
+  await page.evaluate((to) => {
+    location.hash = to;
+  }, refusedLink);
   await idle(page);
   assert.match(await words(page), /cannot be opened: .* same place\. Nothing was changed\./i);
   assert.equal(await alt(page), verdict("anchor"));
-  await page.evaluate((to) => { location.hash = to; }, encoded("violin"));
+  await page.evaluate((to) => {
+    location.hash = to;
+  }, encoded("violin"));
   await idle(page);
   assert.doesNotMatch(await words(page), /cannot be opened/);
   assert.equal(await shown(page), await page.evaluate(() => evenlift.svg()));
@@ -233,8 +288,10 @@ test("balanced robots are looked for until the still picture has them", async ()
 
 test("the one thing to press is Save, which saves the same picture and gives the focus back", async () => {
   const page = await open({ address: `#${encoded("guitar")}` });
-  const pressable = () => page.$$eval("button, a, input, select, canvas",
-    (all) => all.filter((element) => element.checkVisibility()).map((element) => element.textContent));
+  const pressable = () =>
+    page.$$eval("button, a, input, select, canvas", (all) =>
+      all.filter((element) => element.checkVisibility()).map((element) => element.textContent),
+    );
   assert.deepEqual(await pressable(), ["Save"]);
   await page.getByRole("button", { name: "Save" }).click();
   const [file] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: /^SVG/ }).click()]);
@@ -252,20 +309,35 @@ test("what was kept of other visits stays as it is", async () => {
   await page.evaluate(() => evenlift.ready);
   await set(page, { teams: 2 });
   await idle(page);
-  const now = await page.evaluate((names) => Object.fromEntries(names.map((name) => [name, localStorage[name]])), Object.keys(kept));
+  const now = await page.evaluate(
+    (names) => Object.fromEntries(names.map((name) => [name, localStorage[name]])),
+    Object.keys(kept),
+  );
   assert.deepEqual(now, kept);
   await page.done();
 });
 
 test("a challenge shows no picture, which would hold its answer", async () => {
   const page = await open({ address: `?challenge=1#${encoded("guitar")}`, ready: false });
-  assert.match(await page.evaluate(() => evenlift.ready.then(() => "ready", (error) => error.message)), /WebGL 2/);
+  assert.match(
+    await page.evaluate(() =>
+      evenlift.ready.then(
+        () => "ready",
+        (error) => error.message,
+      ),
+    ),
+    /WebGL 2/,
+  );
   assert.match(await page.locator("#problem").innerText(), /cannot run here[^]*WebGL 2/);
   assert.match(await thrown(page, "link"), /not ready/);
   await page.done();
 });
 
-for (const [where, viewport] of [["a phone", phone], ["a desk", wide], ["a figure in an article", { width: 640, height: 420 }]]) {
+for (const [where, viewport] of [
+  ["a phone", phone],
+  ["a desk", wide],
+  ["a figure in an article", { width: 640, height: 420 }],
+]) {
   for (const colorScheme of ["light", "dark"]) {
     test(`the still picture is whole on ${where} in ${colorScheme} colours, and can be read by all`, async () => {
       const embed = viewport.width === 640;
@@ -276,7 +348,12 @@ for (const [where, viewport] of [["a phone", phone], ["a desk", wide], ["a figur
       assert.ok(await page.evaluate(() => document.getElementById("still").scrollWidth <= innerWidth));
       assert.equal(await page.getByRole("button").count(), embed ? 0 : 1);
       await page.evaluate(axe);
-      assert.deepEqual(await page.evaluate(async () => (await globalThis.axe.run()).violations.map(({ id, nodes }) => [id, nodes[0].html])), []);
+      assert.deepEqual(
+        await page.evaluate(async () =>
+          (await globalThis.axe.run()).violations.map(({ id, nodes }) => [id, nodes[0].html]),
+        ),
+        [],
+      );
       await page.done();
     });
   }

@@ -44,7 +44,9 @@ test("the first key of a drawing shows the cursor, also Enter, and a sentence sa
   const page = await browser.open();
   await idle(page);
   await page.keyboard.press("d");
-  await page.waitForFunction(() => /arrow keys move a cursor, and Enter places a vertex/.test(document.getElementById("news").textContent));
+  await page.waitForFunction(() =>
+    /arrow keys move a cursor, and Enter places a vertex/.test(document.getElementById("news").textContent),
+  );
   await page.keyboard.press("Enter");
   await page.waitForFunction(() => /^Cursor at /.test(document.getElementById("news").textContent));
   await page.keyboard.press("Enter");
@@ -56,7 +58,7 @@ test("a shape is drawn by keys alone, and what happens is told", async () => {
   const page = await browser.open();
   await idle(page);
   await page.keyboard.press("d");
-  await page.keyboard.press("ArrowRight");  // shows the cursor
+  await page.keyboard.press("ArrowRight"); // shows the cursor
   await page.keyboard.press("Enter");
   for (let i = 0; i < 5; ++i) await page.keyboard.press("ArrowRight");
   await page.waitForFunction(() => /Cursor at .*long · 0\.0°/.test(document.getElementById("news").textContent));
@@ -99,7 +101,9 @@ test("the length and the angle of an edge are typed", async () => {
   await page.locator("#canvas").focus();
   await press(page, "Close the shape");
   await idle(page);
-  const { polygon: [a, b, c, d] } = await state(page);
+  const {
+    polygon: [a, b, c, d],
+  } = await state(page);
   const along = (p, q) => [q[0] - p[0], q[1] - p[1]];
   assert.ok(near(along(a, b), [120, 0], 1e-4), JSON.stringify([a, b]));
   assert.ok(near(along(b, c), [0, 50], 1e-4), JSON.stringify([b, c]));
@@ -109,8 +113,10 @@ test("the length and the angle of an edge are typed", async () => {
 
 test("digits typed on the drawing are the length of the next edge, which is shown at once; Enter leads to the next length", async () => {
   const page = await drawing([300, 300], [500, 320]);
-  const focus = () => page.evaluate(() => [document.activeElement.getAttribute("aria-label"), document.activeElement.value]);
-  const told = (words) => page.waitForFunction((text) => document.getElementById("news").textContent.includes(text), words);
+  const focus = () =>
+    page.evaluate(() => [document.activeElement.getAttribute("aria-label"), document.activeElement.value]);
+  const told = (words) =>
+    page.waitForFunction((text) => document.getElementById("news").textContent.includes(text), words);
   await page.keyboard.type("120");
   assert.deepEqual(await focus(), ["Length", "120"]);
   await page.keyboard.press("Tab");
@@ -132,7 +138,10 @@ test("digits typed on the drawing are the length of the next edge, which is show
   await idle(page);
   const { polygon } = await state(page);
   assert.equal(polygon.length, 3);
-  assert.ok(near([polygon[2][0] - polygon[1][0], polygon[2][1] - polygon[1][1]], [0, 120], 1e-4), JSON.stringify(polygon));
+  assert.ok(
+    near([polygon[2][0] - polygon[1][0], polygon[2][1] - polygon[1][1]], [0, 120], 1e-4),
+    JSON.stringify(polygon),
+  );
   await page.done();
 });
 
@@ -177,7 +186,11 @@ test("on a phone, too, the length and the angle of an edge are typed", async () 
   const page = await browser.open({ viewport: phone, hasTouch: true, isMobile: true });
   await tap(page, "Draw");
   await idle(page);
-  for (const at of [[100, 300], [300, 320]]) await page.touchscreen.tap(...at);
+  for (const at of [
+    [100, 300],
+    [300, 320],
+  ])
+    await page.touchscreen.tap(...at);
   await idle(page);
   await tap(page, "edge length");
   await page.keyboard.type("50");
@@ -187,7 +200,9 @@ test("on a phone, too, the length and the angle of an edge are typed", async () 
   await idle(page);
   await tap(page, "Close the shape");
   await idle(page);
-  const { polygon: [, b, c] } = await state(page);
+  const {
+    polygon: [, b, c],
+  } = await state(page);
   assert.ok(near([c[0] - b[0], c[1] - b[1]], [0, 50], 1e-4), JSON.stringify([b, c]));
   await control(page, "teams +");
   await page.done();
@@ -198,7 +213,10 @@ test("under a finger the fields of the next edge are empty until something is ty
   await tap(page, "Draw");
   const shown = async () => {
     await idle(page);
-    return page.locator("#mirror").getByRole("textbox", { name: /^(Length|Angle)$/ }).evaluateAll((fields) => fields.map((field) => field.value));
+    return page
+      .locator("#mirror")
+      .getByRole("textbox", { name: /^(Length|Angle)$/ })
+      .evaluateAll((fields) => fields.map((field) => field.value));
   };
   await idle(page);
   await page.touchscreen.tap(100, 300);
@@ -234,7 +252,10 @@ test("Draw and Move say that they are on, and snapping says so, too", async () =
   const page = await browser.open();
   await idle(page);
   const toggle = (name) => page.locator(`#mirror [aria-pressed][aria-label^="${name}"]`).first();
-  for (const [key, name] of [["d", "Draw"], ["w", "Move, turn or scale the shape"]]) {
+  for (const [key, name] of [
+    ["d", "Draw"],
+    ["w", "Move, turn or scale the shape"],
+  ]) {
     await toggle(name).waitFor({ state: "attached" });
     assert.equal(await toggle(name).getAttribute("aria-pressed"), "false");
     await page.keyboard.press(key);

@@ -1,7 +1,21 @@
 // Robots with a size in the page: typed, drawn, marked with the brush, undone, and the same as the program.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { asset, control, drag, idle, link, load, press, program, set, sharedBrowser, state, thrown, toScreen } from "./browser.mjs";
+import {
+  asset,
+  control,
+  drag,
+  idle,
+  link,
+  load,
+  press,
+  program,
+  set,
+  sharedBrowser,
+  state,
+  thrown,
+  toScreen,
+} from "./browser.mjs";
 
 const browser = sharedBrowser();
 
@@ -11,12 +25,18 @@ test("set() gives robots a size and marks edges, and the placement is the progra
   const points = await state(page);
   await set(page, { robot: "r=30,reach=20,depth=40,width=60,gap=10", no_go: "38,2:0.25-0.75" });
   await idle(page);
-  assert.deepEqual(await state(page), program("grand-piano", "--robot", "r=30,reach=20,depth=40,width=60,gap=10", "--no-go", "38,2:0.25-0.75"));
+  assert.deepEqual(
+    await state(page),
+    program("grand-piano", "--robot", "r=30,reach=20,depth=40,width=60,gap=10", "--no-go", "38,2:0.25-0.75"),
+  );
   await page.keyboard.press("Control+z");
   await idle(page);
   assert.deepEqual(await state(page), points, "one step of undo");
   assert.match(await thrown(page, "set", { robot: "r=-1" }), /^The size of a robot is none, or some of/);
-  assert.match(await thrown(page, "set", { robot: "depth=5000" }), /^No edge has room for a hand of depth 5000 and width 0/);
+  assert.match(
+    await thrown(page, "set", { robot: "depth=5000" }),
+    /^No edge has room for a hand of depth 5000 and width 0/,
+  );
   assert.match(await thrown(page, "set", { no_go: "99" }), /^There is no edge 99; the polygon has 38/);
   await page.done();
 });
@@ -25,7 +45,7 @@ test("the size is typed in the panel, and links carry it", async () => {
   const page = await browser.open();
   await load(page, asset("grand-piano"));
   await page.keyboard.press("Shift+H");
-  await page.waitForFunction(() => document.activeElement?.tagName === "INPUT");  // the section opens first
+  await page.waitForFunction(() => document.activeElement?.tagName === "INPUT"); // the section opens first
   await page.keyboard.type("30");
   await page.keyboard.press("Enter");
   await idle(page);
@@ -83,7 +103,11 @@ test("the radius has a slider, for the pointer and for keys, and is typed, too",
   await load(page, asset("square"));
   await press(page, "robot size");
   await idle(page);
-  const { x, width, middle: [, y] } = await control(page, "radius");
+  const {
+    x,
+    width,
+    middle: [, y],
+  } = await control(page, "radius");
   await drag(page, [x + 9, y], [x + width / 2, y]);
   await idle(page);
   const radius = async () => (await state(page)).robot?.radius ?? 0;
@@ -115,7 +139,9 @@ test("the view that fits leaves room for the robots' bodies", async () => {
   await idle(page);
   const { robots } = await state(page);
   assert.equal(robots.length, 4);
-  for (const { stand: [sx, sy] } of robots) {
+  for (const {
+    stand: [sx, sy],
+  } of robots) {
     const [px, py] = await toScreen(page, [sx, sy]);
     const [rim] = await toScreen(page, [sx + 90, sy]);
     const r = rim - px;

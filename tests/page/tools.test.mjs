@@ -1,13 +1,34 @@
 // Drawing, taking hold of the whole, comparing, what tips, capacity: what a person does on the canvas.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { asset, control, controlIfShown, drag, drawsNothing, idle, load, openL, phone, press, sharedBrowser, state, tap, toScreen } from "./browser.mjs";
+import {
+  asset,
+  control,
+  controlIfShown,
+  drag,
+  drawsNothing,
+  idle,
+  load,
+  openL,
+  phone,
+  press,
+  sharedBrowser,
+  state,
+  tap,
+  toScreen,
+} from "./browser.mjs";
 
 const browser = sharedBrowser();
 
 const opened = (options) => openL(browser, options);
 
-const corners = [[220, 200], [560, 190], [640, 420], [400, 610], [190, 470]];
+const corners = [
+  [220, 200],
+  [560, 190],
+  [640, 420],
+  [400, 610],
+  [190, 470],
+];
 
 test("a shape is drawn by clicks and closed on its first vertex; undo brings the old one back", async () => {
   const page = await opened();
@@ -38,7 +59,13 @@ test("Escape takes back vertex by vertex, and then the tool; nothing has changed
 test("crossing edges do not close, and Enter does when they are mended", async () => {
   const page = await opened();
   await page.keyboard.press("d");
-  for (const at of [[200, 200], [500, 500], [500, 200], [200, 500]]) await page.mouse.click(...at);
+  for (const at of [
+    [200, 200],
+    [500, 500],
+    [500, 200],
+    [200, 500],
+  ])
+    await page.mouse.click(...at);
   await idle(page);
   await page.keyboard.press("Enter");
   assert.equal((await state(page)).polygon.length, 6, "still the old one");
@@ -56,7 +83,12 @@ test("on a phone a shape is drawn with a finger", async () => {
   const page = await opened({ viewport: phone, hasTouch: true, isMobile: true });
   await page.keyboard.press("d");
   await idle(page);
-  for (const at of [[100, 200], [300, 220], [260, 430], [90, 400]]) {
+  for (const at of [
+    [100, 200],
+    [300, 220],
+    [260, 430],
+    [90, 400],
+  ]) {
     await page.touchscreen.tap(...at);
     await idle(page);
   }
@@ -105,17 +137,20 @@ test("on the smallest phone the frame about the shape is clear of the tool's bar
   await idle(page);
   await page.keyboard.press("w");
   const bar = await control(page, "Done");
-  const top = await page.evaluate(() => Math.min(...evenlift.state().polygon.map((p) => [...evenlift.view.to_screen(...p)][1])));
+  const top = await page.evaluate(() =>
+    Math.min(...evenlift.state().polygon.map((p) => [...evenlift.view.to_screen(...p)][1])),
+  );
   assert.ok(top > bar.y + bar.height + 8 + 10, `${top} ${JSON.stringify(bar)}`);
   await page.done();
 });
 
 test("undo of a shape that was made larger shows it as large as it was", async () => {
   const page = await opened();
-  const width = () => page.evaluate(() => {
-    const xs = evenlift.state().polygon.map((p) => [...evenlift.view.to_screen(...p)][0]);
-    return Math.max(...xs) - Math.min(...xs);
-  });
+  const width = () =>
+    page.evaluate(() => {
+      const xs = evenlift.state().polygon.map((p) => [...evenlift.view.to_screen(...p)][0]);
+      return Math.max(...xs) - Math.min(...xs);
+    });
   const before = await width();
   await page.keyboard.press("w");
   for (let i = 0; i < 8; ++i) await page.keyboard.press("}");
@@ -123,7 +158,7 @@ test("undo of a shape that was made larger shows it as large as it was", async (
   for (let i = 0; i < 8; ++i) await page.keyboard.press("Control+z");
   await page.keyboard.press("Escape");
   await idle(page);
-  assert.ok(await width() > 0.69 * before, `${await width()} ${before}`);
+  assert.ok((await width()) > 0.69 * before, `${await width()} ${before}`);
   await page.done();
 });
 
@@ -134,7 +169,7 @@ test("two methods are compared side by side, and the drawing changes on both sid
   await idle(page);
   const both = await page.screenshot();
   assert.ok((await browser.compare(alone, both)).share > 0.02);
-  for (let i = 0; i < 5; ++i) await page.keyboard.press("k");  // through the other methods
+  for (let i = 0; i < 5; ++i) await page.keyboard.press("k"); // through the other methods
   await idle(page);
   assert.ok((await browser.compare(alone, await page.screenshot())).share < 0.001, "and back");
   await page.done();
@@ -204,7 +239,13 @@ test("the sample of the thesis says that it can still move, and how", async () =
 
 test("the tool's bar has what fits beside the drawing; the rest is in the toolbar's menu", async () => {
   // [width, height, whether the bar has the switches]
-  for (const [width, height, inBar] of [[1280, 800, true], [900, 1000, true], [360, 740, false], [740, 360, false], [320, 568, false]]) {
+  for (const [width, height, inBar] of [
+    [1280, 800, true],
+    [900, 1000, true],
+    [360, 740, false],
+    [740, 360, false],
+    [320, 568, false],
+  ]) {
     const finger = width < 800 || height < 500;
     const page = await opened({ viewport: { width, height }, hasTouch: finger, isMobile: finger });
     await page.keyboard.press("v");
@@ -214,7 +255,8 @@ test("the tool's bar has what fits beside the drawing; the rest is in the toolba
     const chip = await bar("Snap to axis");
     assert.equal(chip !== null, inBar, `${width} by ${height}`);
     if (chip) assert.ok(chip.x + chip.width <= (await bar("fold")).x, "not under the panel");
-    if (!inBar && height > 700) {  // elsewhere the menu scrolls
+    if (!inBar && height > 700) {
+      // elsewhere the menu scrolls
       const step = async () => {
         const [before] = (await state(page)).polygon[0];
         await page.keyboard.press("ArrowRight");
@@ -225,14 +267,17 @@ test("the tool's bar has what fits beside the drawing; the rest is in the toolba
       await press(page, "more");
       await press(page, "Snap to grid");
       await idle(page);
-      assert.ok(await step() > 2 * fine, "arrows go from dot to dot");
+      assert.ok((await step()) > 2 * fine, "arrows go from dot to dot");
     }
     await page.done();
   }
 });
 
 test("on a phone the buttons of a selected vertex stand on the sheet, not over the drawing", async () => {
-  for (const [width, height] of [[390, 844], [320, 568]]) {
+  for (const [width, height] of [
+    [390, 844],
+    [320, 568],
+  ]) {
     const page = await opened({ viewport: { width, height }, hasTouch: true, isMobile: true });
     const teams = await control(page, "teams");
     await page.keyboard.press("v");

@@ -2,7 +2,17 @@
 import assert from "node:assert/strict";
 import { axe, idle } from "./browser.mjs";
 
-const keys = { samples: "g", open: "o", save: "s", table: "e", lessons: "Shift+B", experiment: "K", keys: "?", about: "A", glossary: "G" };
+const keys = {
+  samples: "g",
+  open: "o",
+  save: "s",
+  table: "e",
+  lessons: "Shift+B",
+  experiment: "K",
+  keys: "?",
+  about: "A",
+  glossary: "G",
+};
 
 // Opens a window by its key, and waits until it is there.
 export async function openWindow(page, name) {
@@ -24,12 +34,15 @@ export async function noticed(page) {
 
 // Drops files or a text onto the page: what a browser sends, with a DataTransfer of the page's own.
 export async function drop(page, { files = [], text }, target = "#canvas") {
-  const data = await page.evaluateHandle(([list, plain]) => {
-    const transfer = new DataTransfer();
-    for (const [name, content] of list) transfer.items.add(new File([content], name));
-    if (plain !== undefined) transfer.setData("text/plain", plain);
-    return transfer;
-  }, [files, text]);
+  const data = await page.evaluateHandle(
+    ([list, plain]) => {
+      const transfer = new DataTransfer();
+      for (const [name, content] of list) transfer.items.add(new File([content], name));
+      if (plain !== undefined) transfer.setData("text/plain", plain);
+      return transfer;
+    },
+    [files, text],
+  );
   await page.dispatchEvent(target, "dragover", { dataTransfer: data });
   await page.dispatchEvent(target, "drop", { dataTransfer: data });
 }
@@ -39,7 +52,9 @@ export async function paste(page, text) {
   await page.evaluate((plain) => {
     const clipboardData = new DataTransfer();
     clipboardData.setData("text/plain", plain);
-    document.activeElement.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+    document.activeElement.dispatchEvent(
+      new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }),
+    );
   }, text);
 }
 
@@ -58,6 +73,9 @@ export async function allClosed(page) {
 // The faults that axe finds in the page, each with where.
 export async function violations(page) {
   await page.evaluate(axe);
-  return page.evaluate(async () => (await globalThis.axe.run(document)).violations
-    .map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(" | ")}`));
+  return page.evaluate(async () =>
+    (await globalThis.axe.run(document)).violations.map(
+      ({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(" | ")}`,
+    ),
+  );
 }

@@ -8,7 +8,8 @@ const mostBatchesAtATime = 10;
 const secondsForABatch = 120;
 const mostDifferences = 20;
 
-const ask = (program, first, count, ...more) => run([...program, `${first}`, `${count}`, ...more], { seconds: secondsForABatch * Math.ceil(count / batch) });
+const ask = (program, first, count, ...more) =>
+  run([...program, `${first}`, `${count}`, ...more], { seconds: secondsForABatch * Math.ceil(count / batch) });
 
 // The first document of the batch that the two do not agree on; `ended` says how they ended when all were asked for.
 async function findDocument({ native, webAssembly, first, count, ended }) {
@@ -16,8 +17,10 @@ async function findDocument({ native, webAssembly, first, count, ended }) {
   for (let i = 0; i < count; ++i) {
     if (a.lines[i] !== undefined && a.lines[i] === b.lines[i]) continue;
     const number = first + i;
-    if (a.lines[i] === undefined && a.status !== 0) return { number, problem: `the native program ended with ${a.ending}` };
-    if (b.lines[i] === undefined && b.status !== 0) return { number, problem: `the WebAssembly program ended with ${b.ending}` };
+    if (a.lines[i] === undefined && a.status !== 0)
+      return { number, problem: `the native program ended with ${a.ending}` };
+    if (b.lines[i] === undefined && b.status !== 0)
+      return { number, problem: `the WebAssembly program ended with ${b.ending}` };
     return { number, problem: "native and WebAssembly differ" };
   }
   return { number: first, problem: `a batch of ${count} differs, but none of its documents by itself (${ended})` };
@@ -43,7 +46,7 @@ export async function compareStreams({ native, webAssembly, first, seconds, chun
   const left = () => seconds * 1000 - (performance.now() - began);
   const different = [];
   let cases = 0;
-  for (let from = first, size = chunk; left() > 0 && different.length < mostDifferences; ) {
+  for (let from = first, size = chunk; left() > 0 && different.length < mostDifferences;) {
     const asked = performance.now();
     const most = mostDifferences - different.length;
     const found = await compareBatches({ native, webAssembly, first: from, count: size, most });

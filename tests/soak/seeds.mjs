@@ -15,7 +15,10 @@ const column = async (root, file, index) => {
 };
 
 const polygons = (root) => textsOf(path.join(root, "assets/polygons"));
-const links = async (root) => [...await column(root, "links_version_1.txt", 0), ...await column(root, "links_version_2.txt", 0)];
+const links = async (root) => [
+  ...(await column(root, "links_version_1.txt", 0)),
+  ...(await column(root, "links_version_2.txt", 0)),
+];
 
 const written = [
   "POLYGON ((0 0, 160 0, 160 90, 90 90, 90 60, 0 60, 0 0))",
@@ -26,8 +29,13 @@ const written = [
 const drawn = [
   '<svg><path d="M0 0C1 0 2 1 2 2S0 4 0 3zm9 9a1 2 30 0110 0q1 1 2 0t3 4z"/><rect x="1" width="3mm" height="2" rx=".5" transform="rotate(30)skewX(3)"/></svg>',
   '<svg><ellipse rx="3" ry="2"/><polyline points="0,0 1e1,0 0-3"/><polygon points="0 0 4 0 4 3"/><circle r="2"/></svg>',
-  "[[0,0],[4,0],[4,3]]", '[{"x":0,"y":0},{"x":4,"y":0},{"x":4,"y":3}]', "0;0\n4,5;0\n4;3,25\n", "x\ty\n0\t0\n4\t0\n4\t3\n\nlid\n1 2\n",
-  "0 0\n4 0\n4 3\n", "0|0\n4|0\n4|3", '"X (m)","Y (m)"\n0,0\n4,0\n4,3\n',
+  "[[0,0],[4,0],[4,3]]",
+  '[{"x":0,"y":0},{"x":4,"y":0},{"x":4,"y":3}]',
+  "0;0\n4,5;0\n4;3,25\n",
+  "x\ty\n0\t0\n4\t0\n4\t3\n\nlid\n1 2\n",
+  "0 0\n4 0\n4 3\n",
+  "0|0\n4|0\n4|3",
+  '"X (m)","Y (m)"\n0,0\n4,0\n4,3\n',
 ];
 const dataOf = async (root) => {
   const folder = path.join(root, "tests/data/import");
@@ -87,7 +95,13 @@ export const fuzzers = {
   import: {
     what: "drawings",
     longest: 8192,
-    seeds: async (root) => [...drawn, ...(await dataOf(root)), ...(await expected(root)), ...written, ...(await links(root)).slice(0, 3)],
+    seeds: async (root) => [
+      ...drawn,
+      ...(await dataOf(root)),
+      ...(await expected(root)),
+      ...written,
+      ...(await links(root)).slice(0, 3),
+    ],
   },
   lesson: { what: "lessons", longest: 4096, seeds: (root) => textsOf(path.join(root, "assets/lessons")) },
   set: { what: "settings", longest: 512, seeds: async () => settings },

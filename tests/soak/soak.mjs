@@ -29,7 +29,9 @@ const searchOf = (kind) => async (seconds, seed) => {
   });
   const totals = /^tried (\d+), passed over (\d+), failed (\d+)$/.exec(lines.at(-1) ?? "");
   if (!totals || (status !== 0 && totals[3] === "0")) {
-    console.log(`${kind}: the program ended with ${ending}; to repeat it: build/bin/evenlift_soak ${kind} ${seed} ${Math.ceil(seconds)}`);
+    console.log(
+      `${kind}: the program ended with ${ending}; to repeat it: build/bin/evenlift_soak ${kind} ${seed} ${Math.ceil(seconds)}`,
+    );
     return row(kind, 0, 0, 1);
   }
   return row(kind, Number(totals[1]), Number(totals[2]), Number(totals[3]));
@@ -62,7 +64,7 @@ const fuzz = (name) => async (seconds, seed) => {
       `-seed=${(seed % 0xffffffff) + 1}`,
       `-max_len=${fuzzers[name].longest}`,
       `-artifact_prefix=${found}/${name}-`,
-      "-timeout=120",  // far more than an input of this length takes, on a busy machine too
+      "-timeout=120", // far more than an input of this length takes, on a busy machine too
       "-rss_limit_mb=2048",
       "-print_final_stats=1",
       corpus,
@@ -96,9 +98,11 @@ function numberFrom(text, what, least, most) {
 
 function table(rows) {
   const lines = [["kind", "cases", "passed over", "seconds", "seed", "failures"]];
-  for (const r of rows) lines.push([r.kind, r.cases, r.passedOver, r.seconds.toFixed(0), r.seed, r.failures].map(String));
+  for (const r of rows)
+    lines.push([r.kind, r.cases, r.passedOver, r.seconds.toFixed(0), r.seed, r.failures].map(String));
   const width = lines[0].map((_, column) => Math.max(...lines.map((line) => line[column].length)));
-  const text = (line) => `| ${line.map((cell, i) => (i === 0 ? cell.padEnd(width[i]) : cell.padStart(width[i]))).join(" | ")} |`;
+  const text = (line) =>
+    `| ${line.map((cell, i) => (i === 0 ? cell.padEnd(width[i]) : cell.padStart(width[i]))).join(" | ")} |`;
   const rule = `| ${width.map((w, i) => (i === 0 ? "-".repeat(w) : `${"-".repeat(w - 1)}:`)).join(" | ")} |`;
   return [text(lines[0]), rule, ...lines.slice(1).map(text)].join("\n");
 }

@@ -9,7 +9,11 @@ const finger = { viewport: phone, hasTouch: true, isMobile: true };
 
 const browser = sharedBrowser();
 
-for (const [how, options] of [["light", {}], ["dark", { colorScheme: "dark" }], ["on a phone", finger]]) {
+for (const [how, options] of [
+  ["light", {}],
+  ["dark", { colorScheme: "dark" }],
+  ["on a phone", finger],
+]) {
   test(`no window has a fault that axe finds, ${how}`, async () => {
     const page = await browser.open({ ...options, reducedMotion: "reduce" });
     assert.deepEqual(await violations(page), [], "without a window");
@@ -41,7 +45,9 @@ test("Tab stays in a modal window, keys do not reach the canvas, Escape gives th
     await openWindow(page, name);
     for (let i = 0; i < 14; ++i) {
       await page.keyboard.press("Tab");
-      const inside = await page.evaluate(() => document.activeElement === document.body || document.activeElement.closest("dialog") !== null);
+      const inside = await page.evaluate(
+        () => document.activeElement === document.body || document.activeElement.closest("dialog") !== null,
+      );
       assert.ok(inside, name);
     }
     await page.evaluate(() => document.activeElement.blur());
@@ -76,21 +82,44 @@ test("pressed twice, a window opens once; a modal one is not opened over another
 });
 
 test("they fit small screens: they begin at their beginning, nothing is cut off, targets are for fingers", async () => {
-  for (const viewport of [{ width: 320, height: 568 }, { width: 740, height: 360 }, { width: 844, height: 390 }]) {
+  for (const viewport of [
+    { width: 320, height: 568 },
+    { width: 740, height: 360 },
+    { width: 844, height: 390 },
+  ]) {
     const page = await browser.open({ ...finger, viewport });
     for (const name of names) {
       const window = await openWindow(page, name);
       const { x, y, width, height } = await window.boundingBox();
-      assert.ok(x >= 0 && y >= -1 && x + width <= viewport.width && y + height <= viewport.height + 1, `${name}: ${[x, y, width, height]}`);
-      assert.ok(await window.evaluate((root) => [...root.querySelectorAll("*")].every((e) => e.closest(".for-readers, svg, .acts, .qr") || (e.getBoundingClientRect().right <= innerWidth + 0.5 && e.getBoundingClientRect().left >= -0.5))), name);
-      assert.ok(await window.evaluate((root) => [root, ...root.querySelectorAll("*")].every(({ scrollTop }) => scrollTop === 0)), `${name} begins at its beginning`);
+      assert.ok(
+        x >= 0 && y >= -1 && x + width <= viewport.width && y + height <= viewport.height + 1,
+        `${name}: ${[x, y, width, height]}`,
+      );
+      assert.ok(
+        await window.evaluate((root) =>
+          [...root.querySelectorAll("*")].every(
+            (e) =>
+              e.closest(".for-readers, svg, .acts, .qr") ||
+              (e.getBoundingClientRect().right <= innerWidth + 0.5 && e.getBoundingClientRect().left >= -0.5),
+          ),
+        ),
+        name,
+      );
+      assert.ok(
+        await window.evaluate((root) =>
+          [root, ...root.querySelectorAll("*")].every(({ scrollTop }) => scrollTop === 0),
+        ),
+        `${name} begins at its beginning`,
+      );
       // What a window says has at least half of it: buttons at its foot do not crowd it out.
       const words = await window.evaluate((root) => {
         const { top, bottom } = (root.querySelector(".scroll") ?? root).getBoundingClientRect();
         return Math.min(bottom, innerHeight) - top;
       });
       assert.ok(["table", "open"].includes(name) || words >= height / 2, `${name}: ${words} of ${height}`);
-      const smallest = await window.locator("button:visible").evaluateAll((all) => Math.min(...all.map((b) => b.getBoundingClientRect().height)));
+      const smallest = await window
+        .locator("button:visible")
+        .evaluateAll((all) => Math.min(...all.map((b) => b.getBoundingClientRect().height)));
       assert.ok(smallest >= 44, `${name}: ${smallest}`);
       await page.keyboard.press("Escape");
       await page.evaluate(() => document.querySelector("dialog")?.close());

@@ -18,15 +18,29 @@ async function documents() {
 test("About leads to documents whose links and pictures all are there", async () => {
   const all = await documents();
   assert.ok(all.length >= 6, String(all));
-  const anchors = new Map(), links = [];
+  const anchors = new Map(),
+    links = [];
   for (const address of all) {
     const page = await browser.open({ address, ready: false });
     assert.equal(await page.locator("h1").count(), 1, address);
-    assert.ok(await page.locator("h2").count() >= 3, `${address} has headings`);
+    assert.ok((await page.locator("h2").count()) >= 3, `${address} has headings`);
     anchors.set(address, await page.locator("[id]").evaluateAll((ids) => ids.map(({ id }) => id)));
-    for (const href of await page.locator("a").evaluateAll((found) => found.map((a) => a.href))) links.push([address, new URL(href)]);
-    const pictures = await page.locator("img").evaluateAll((found) => Promise.all(found.map((image) => image.decode().then(() => image.alt.length > 0, () => image.src))));
-    assert.ok(pictures.every((good) => good === true), `${address}: ${pictures}`);
+    for (const href of await page.locator("a").evaluateAll((found) => found.map((a) => a.href)))
+      links.push([address, new URL(href)]);
+    const pictures = await page.locator("img").evaluateAll((found) =>
+      Promise.all(
+        found.map((image) =>
+          image.decode().then(
+            () => image.alt.length > 0,
+            () => image.src,
+          ),
+        ),
+      ),
+    );
+    assert.ok(
+      pictures.every((good) => good === true),
+      `${address}: ${pictures}`,
+    );
     // What Markdown would look like if it were not understood.
     const words = await page.locator("main").evaluate((main) => {
       const copy = main.cloneNode(true);
@@ -48,7 +62,10 @@ test("a document can be read on a phone and in the dark, without a script", asyn
   for (const options of [{}, { viewport: phone, hasTouch: true, isMobile: true, colorScheme: "dark" }]) {
     const page = await browser.open({ address: "docs-algorithm.html", ready: false, ...options });
     assert.equal(await page.evaluate(() => document.scripts.length), 0);
-    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "nothing is wider than the window");
+    assert.ok(
+      await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth),
+      "nothing is wider than the window",
+    );
     assert.deepEqual(await violations(page), []);
     await page.done();
   }

@@ -17,8 +17,19 @@ after(() => rmSync(folder, { recursive: true, force: true }));
 
 // The examples of tests/text/test_words.cpp, and where toFixed() differs from the program.
 test("numbers are rounded as the program rounds them", () => {
-  const examples = [[2.345, 2, "2.35"], [1.005, 2, "1.01"], [0.25, 1, "0.3"], [9.995, 2, "10.00"], [-0.04, 1, "0.0"], [-2.5, 0, "−3"],
-    [1.5e-7, 2, "0.00"], [0, 2, "0.00"], [100, 1, "100.0"], [99.95, 1, "100.0"], [1234.5, 0, "1235"]];
+  const examples = [
+    [2.345, 2, "2.35"],
+    [1.005, 2, "1.01"],
+    [0.25, 1, "0.3"],
+    [9.995, 2, "10.00"],
+    [-0.04, 1, "0.0"],
+    [-2.5, 0, "−3"],
+    [1.5e-7, 2, "0.00"],
+    [0, 2, "0.00"],
+    [100, 1, "100.0"],
+    [99.95, 1, "100.0"],
+    [1234.5, 0, "1235"],
+  ];
   for (const [value, decimals, text] of examples) assert.equal(fixed(value, decimals), text);
 });
 
@@ -29,9 +40,18 @@ const mostBalanced = 5;
 function program(paths, { samples }) {
   const out = mkdtempSync(path.join(folder, "out-"));
   try {
-    evenlift("experiment", ...paths, "--out", out, "--samples", String(samples), "--max-balanced", String(mostBalanced));
+    evenlift(
+      "experiment",
+      ...paths,
+      "--out",
+      out,
+      "--samples",
+      String(samples),
+      "--max-balanced",
+      String(mostBalanced),
+    );
   } catch (error) {
-    assert.equal(error.status, 1);  // some were refused
+    assert.equal(error.status, 1); // some were refused
   }
   return (name) => readFileSync(path.join(out, name), "utf8");
 }
@@ -47,14 +67,21 @@ function fileWith(name, text) {
 
 // The rows of a CSV by the names of its columns.
 function rowsOf(csv) {
-  const [head, ...lines] = csv.trim().split("\n").map((line) => line.split(","));
+  const [head, ...lines] = csv
+    .trim()
+    .split("\n")
+    .map((line) => line.split(","));
   return lines.map((cells) => Object.fromEntries(head.map((name, at) => [name, cells[at]])));
 }
 
-const filesOf = (names) => names.map((name) => ({ name: `${name}.txt`, mimeType: "text/plain", buffer: Buffer.from(asset(name)) }));
+const filesOf = (names) =>
+  names.map((name) => ({ name: `${name}.txt`, mimeType: "text/plain", buffer: Buffer.from(asset(name)) }));
 
 async function saved(page, button) {
-  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: button }).click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("button", { name: button }).click(),
+  ]);
   return readFileSync(await download.path(), "utf8");
 }
 
@@ -83,7 +110,13 @@ async function runOver(window, files, samples) {
 
 test("it costs nothing until it is opened, and computes nothing until it is told to", async () => {
   const page = await browser.open();
-  const asked = () => page.evaluate(() => performance.getEntriesByType("resource").filter(({ name }) => /experiment|charts|windows/.test(name)).map(({ name }) => name.split("/").pop()));
+  const asked = () =>
+    page.evaluate(() =>
+      performance
+        .getEntriesByType("resource")
+        .filter(({ name }) => /experiment|charts|windows/.test(name))
+        .map(({ name }) => name.split("/").pop()),
+    );
   assert.deepEqual(await asked(), []);
   await openWindow(page, "experiment");
   assert.deepEqual((await asked()).sort(), ["charts.css", "experiment.css", "windows.js"]);
@@ -94,7 +127,9 @@ test("it costs nothing until it is opened, and computes nothing until it is told
 async function checkWhole(page, window, of, titles) {
   await window.locator(".running p").evaluate((line) => {
     globalThis.told = new Set();
-    new MutationObserver(() => globalThis.told.add(line.textContent.replace(/^.*?: /, ""))).observe(line, { childList: true });
+    new MutationObserver(() => globalThis.told.add(line.textContent.replace(/^.*?: /, ""))).observe(line, {
+      childList: true,
+    });
   });
   await compare(window, 2);
   const told = await page.evaluate(() => [...globalThis.told]);
@@ -103,13 +138,32 @@ async function checkWhole(page, window, of, titles) {
   assert.equal(await saved(page, "Measurements"), expected("measurements.csv"));
   assert.equal(await saved(page, "Averages"), expected("aggregates.csv"));
   await window.getByText("3 to 12 robots").click();
-  const few = await window.locator(".few-robots figure").evaluateAll((all) => all.map((figure) => [figure.querySelector("h3").textContent,
-    [...figure.querySelectorAll("tbody tr")].map((row) => [...row.children].map((cell) => cell.textContent))]));
-  const lines = expected("robots.md").trim().split("\n").slice(2).map((line) => line.slice(2, -2).split(" | "));
-  assert.deepEqual(few.flatMap(([what, rows]) => rows.map((row) => [what, ...row])), lines);
+  const few = await window
+    .locator(".few-robots figure")
+    .evaluateAll((all) =>
+      all.map((figure) => [
+        figure.querySelector("h3").textContent,
+        [...figure.querySelectorAll("tbody tr")].map((row) => [...row.children].map((cell) => cell.textContent)),
+      ]),
+    );
+  const lines = expected("robots.md")
+    .trim()
+    .split("\n")
+    .slice(2)
+    .map((line) => line.slice(2, -2).split(" | "));
+  assert.deepEqual(
+    few.flatMap(([what, rows]) => rows.map((row) => [what, ...row])),
+    lines,
+  );
   await window.getByText("Against the thesis").click();
-  const rows = await window.locator(".claims tbody tr").evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
-  const table = expected("thesis.md").trim().split("\n").slice(2).map((line) => line.slice(2, -2).split(" | "));
+  const rows = await window
+    .locator(".claims tbody tr")
+    .evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
+  const table = expected("thesis.md")
+    .trim()
+    .split("\n")
+    .slice(2)
+    .map((line) => line.slice(2, -2).split(" | "));
   assert.deepEqual(rows, table);
   await page.done();
 }
@@ -139,33 +193,77 @@ test("the polygon on the screen is measured with its own centre of mass, ratio a
   assert.ok(await window.getByLabel("This polygon").isChecked());
   assert.ok(await window.getByText("minimum load ratio 0.7 and weight 480 lb").isVisible());
   await compare(window, 4);
-  assert.deepEqual(await window.locator("h3").allTextContents(), ["Greatest load of a robot (lb)", "Difference between the greatest and the least load of a robot (lb)",
-    "Coverage: part of the object inside the lifting base (%)", "Form closure (%)"]);
+  assert.deepEqual(await window.locator("h3").allTextContents(), [
+    "Greatest load of a robot (lb)",
+    "Difference between the greatest and the least load of a robot (lb)",
+    "Coverage: part of the object inside the lifting base (%)",
+    "Form closure (%)",
+  ]);
   const rows = rowsOf(await saved(page, "Measurements"));
   const file = fileWith("shape.txt", asset("letter-e-moved"));
-  const candidates = JSON.parse(evenlift("place", file, "--min-ratio", "0.7", "--json", "--candidates")).candidates.length;
+  const candidates = JSON.parse(evenlift("place", file, "--min-ratio", "0.7", "--json", "--candidates")).candidates
+    .length;
   assert.ok(candidates > 5);
   for (const method of ["area", "circle", "distance", "distributed", "random"]) {
     const measured = rows.filter((row) => row.method === method);
-    assert.deepEqual(measured.map(({ teams }) => Number(teams)), Array.from({ length: candidates }, (_, at) => at + 1), method);
+    assert.deepEqual(
+      measured.map(({ teams }) => Number(teams)),
+      Array.from({ length: candidates }, (_, at) => at + 1),
+      method,
+    );
     if (method === "random") continue;
     for (const row of measured) {
-      const placed = JSON.parse(evenlift("place", file, "--min-ratio", "0.7", "--weight", "480", "--metric", method, "--teams", row.teams, "--json"));
+      const placed = JSON.parse(
+        evenlift(
+          "place",
+          file,
+          "--min-ratio",
+          "0.7",
+          "--weight",
+          "480",
+          "--metric",
+          method,
+          "--teams",
+          row.teams,
+          "--json",
+        ),
+      );
       const expected = [placed.loads.max, placed.loads.spread, placed.coverage, placed.closure.form_closure ? 1 : 0];
-      assert.deepEqual(["load_max", "spread", "coverage", "form_closure"].map((name) => Number(row[name])), expected, `${method} ${row.teams}`);
+      assert.deepEqual(
+        ["load_max", "spread", "coverage", "form_closure"].map((name) => Number(row[name])),
+        expected,
+        `${method} ${row.teams}`,
+      );
     }
   }
   const balanced = rows.filter(({ method }) => method === "balanced");
-  assert.deepEqual(balanced.map(({ robots }) => Number(robots)), [2, 3, 4, 5]);
+  assert.deepEqual(
+    balanced.map(({ robots }) => Number(robots)),
+    [2, 3, 4, 5],
+  );
   for (const row of balanced) {
-    const placed = JSON.parse(evenlift("place", file, "--weight", "480", "--metric", "balanced", "--robots", row.robots, "--json"));
-    assert.deepEqual(["load_max", "spread", "coverage", "form_closure"].map((name) => Number(row[name])),
-      [placed.loads.max, placed.loads.spread, placed.coverage, placed.closure.form_closure ? 1 : 0], row.robots);
+    const placed = JSON.parse(
+      evenlift("place", file, "--weight", "480", "--metric", "balanced", "--robots", row.robots, "--json"),
+    );
+    assert.deepEqual(
+      ["load_max", "spread", "coverage", "form_closure"].map((name) => Number(row[name])),
+      [placed.loads.max, placed.loads.spread, placed.coverage, placed.closure.form_closure ? 1 : 0],
+      row.robots,
+    );
   }
   // Its curves are these rows: of teams at every even number, of balanced robots at every number.
   for (const method of ["area", "balanced"]) {
-    const drawn = await window.locator(".plot svg").nth(2).locator(`.dots-${method} > *`).evaluateAll((all) => all.map((sign) => sign.getAttribute("aria-label")));
-    assert.deepEqual(drawn, rows.filter((row) => row.method === method).map(({ robots, coverage }) => `${method}: ${fixed(100 * coverage, 1)} % with ${robots} robots`));
+    const drawn = await window
+      .locator(".plot svg")
+      .nth(2)
+      .locator(`.dots-${method} > *`)
+      .evaluateAll((all) => all.map((sign) => sign.getAttribute("aria-label")));
+    assert.deepEqual(
+      drawn,
+      rows
+        .filter((row) => row.method === method)
+        .map(({ robots, coverage }) => `${method}: ${fixed(100 * coverage, 1)} % with ${robots} robots`),
+    );
   }
   assert.ok(await window.getByText("Balanced robots are measured up to 5, since").isVisible());
   // They are there again when it is opened again, until the polygon is another one.
@@ -186,13 +284,15 @@ test("balanced robots come last, and whoever cancels then keeps the other curves
   await load(page, asset("labyrinth"));
   const window = await openWindow(page, "experiment");
   await window.getByLabel("Random placements").fill("2");
-  await window.getByLabel("Most balanced robots").fill("64");  // this takes minutes
+  await window.getByLabel("Most balanced robots").fill("64"); // this takes minutes
   await window.getByRole("button", { name: "Compare", exact: true }).click();
   await window.locator(".plot svg").nth(3).waitFor();
-  await window.getByText("Balanced robots are measured up to 64, since the search for more takes longer. They are still missing.").waitFor();
+  await window
+    .getByText("Balanced robots are measured up to 64, since the search for more takes longer. They are still missing.")
+    .waitFor();
   assert.ok(await window.getByRole("progressbar").isVisible(), "it still computes");
   assert.equal(await window.locator(".dots-balanced").count(), 0);
-  assert.ok(await window.locator(".dots-random").count() > 0);
+  assert.ok((await window.locator(".dots-random").count()) > 0);
   await window.getByRole("button", { name: "Cancel" }).click();
   await window.getByText("Cancelled; balanced robots are missing.").waitFor();
   assert.equal(await window.locator(".plot svg").count(), 4);
@@ -207,9 +307,18 @@ test("where no team can be placed it says so, and measures balanced robots", asy
   assert.equal((await state(page)).teams.length, 0);
   const window = await openWindow(page, "experiment");
   await window.getByRole("button", { name: "Compare", exact: true }).click();
-  await window.getByText("No chord through the centre of mass is this even: the algorithm can place no team here, so only balanced robots were measured.").waitFor();
+  await window
+    .getByText(
+      "No chord through the centre of mass is this even: the algorithm can place no team here, so only balanced robots were measured.",
+    )
+    .waitFor();
   await window.locator(".plot svg").nth(3).waitFor();
-  assert.deepEqual(await window.locator("figure .legend").allTextContents(), ["balanced", "balanced", "balanced", "balanced"]);
+  assert.deepEqual(await window.locator("figure .legend").allTextContents(), [
+    "balanced",
+    "balanced",
+    "balanced",
+    "balanced",
+  ]);
   await page.done();
 });
 
@@ -219,21 +328,57 @@ test("what the charts draw is what the CSV holds", async () => {
   await runOver(window, filesOf(some), 5);
   await window.locator(".plot svg").nth(6).waitFor();
   const rows = rowsOf(await saved(page, "Averages"));
-  const columns = { "5.3": "spread_mean", "5.4": "spread_sd", "5.5": "max_share_mean", "5.6": "max_share_sd", "5.7": "coverage_mean", "5.8": "coverage_sd", "5.11": "form_closure_mean" };
+  const columns = {
+    5.3: "spread_mean",
+    5.4: "spread_sd",
+    5.5: "max_share_mean",
+    5.6: "max_share_sd",
+    5.7: "coverage_mean",
+    5.8: "coverage_sd",
+    5.11: "form_closure_mean",
+  };
   for (const [id, column] of Object.entries(columns)) {
-    const drawn = await window.locator(`[data-figure="${id}"]`).evaluate((plot) => Object.fromEntries(["area", "circle", "distance", "distributed", "random", "balanced"].map((method) =>
-      [method, [...plot.querySelectorAll(`.dots-${method} > *`)].map((sign) => sign.cy?.baseVal.value ?? sign.transform.baseVal.consolidate().matrix.f)])));
-    const ticks = await window.locator(`[data-figure="${id}"]`).evaluate((plot) => [...plot.querySelectorAll("[aria-label='y-axis tick label'] text")].map((label) => [Number(label.textContent), label.transform.baseVal.consolidate().matrix.f]));
+    const drawn = await window
+      .locator(`[data-figure="${id}"]`)
+      .evaluate((plot) =>
+        Object.fromEntries(
+          ["area", "circle", "distance", "distributed", "random", "balanced"].map((method) => [
+            method,
+            [...plot.querySelectorAll(`.dots-${method} > *`)].map(
+              (sign) => sign.cy?.baseVal.value ?? sign.transform.baseVal.consolidate().matrix.f,
+            ),
+          ]),
+        ),
+      );
+    const ticks = await window
+      .locator(`[data-figure="${id}"]`)
+      .evaluate((plot) =>
+        [...plot.querySelectorAll("[aria-label='y-axis tick label'] text")].map((label) => [
+          Number(label.textContent),
+          label.transform.baseVal.consolidate().matrix.f,
+        ]),
+      );
     const [[v0, y0], [v1, y1]] = [ticks[0], ticks.at(-1)];
     const scale = ["5.3", "5.4"].includes(id) ? 1 : 100;
-    const most = Math.max(...rows.filter((row) => row.method === "area" && Number(row.polygons) * 5 >= some.length).map((row) => Number(row.teams)));
+    const most = Math.max(
+      ...rows
+        .filter((row) => row.method === "area" && Number(row.polygons) * 5 >= some.length)
+        .map((row) => Number(row.teams)),
+    );
     let points = 0;
     for (const [method, places] of Object.entries(drawn)) {
-      const expected = rows.filter((row) => row.method === method && row[column] !== "" && (method === "balanced" || Number(row.teams) <= most)).map((row) => scale * Number(row[column]));
+      const expected = rows
+        .filter(
+          (row) => row.method === method && row[column] !== "" && (method === "balanced" || Number(row.teams) <= most),
+        )
+        .map((row) => scale * Number(row[column]));
       assert.equal(places.length, expected.length, `${id} ${method}`);
       places.forEach((y, at) => {
-        const value = v0 + (v1 - v0) * (y - y0) / (y1 - y0);
-        assert.ok(Math.abs(value - expected[at]) < Math.abs(v1 - v0) / 200, `${id} ${method} ${at}: ${value} for ${expected[at]}`);
+        const value = v0 + ((v1 - v0) * (y - y0)) / (y1 - y0);
+        assert.ok(
+          Math.abs(value - expected[at]) < Math.abs(v1 - v0) / 200,
+          `${id} ${method} ${at}: ${value} for ${expected[at]}`,
+        );
       });
       points += places.length;
     }
@@ -246,16 +391,38 @@ test("the visitor's own files, one of them broken", async () => {
   const page = await browser.open();
   const window = await openWindow(page, "experiment");
   const broken = "(0,0)\n(4,0)\n(4 4)\n";
-  await runOver(window, [...filesOf(some), { name: "broken.txt", mimeType: "text/plain", buffer: Buffer.from(broken) }], 4);
+  await runOver(
+    window,
+    [...filesOf(some), { name: "broken.txt", mimeType: "text/plain", buffer: Buffer.from(broken) }],
+    4,
+  );
   const expected = program([...pathsOf(some), fileWith("broken.txt", broken)], { samples: 4 });
   assert.equal(await saved(page, "Measurements"), expected("measurements.csv"));
-  assert.match(await window.locator(".results .problem").textContent(), /1 polygon could not be read and was left out:broken: line 3, column 4: expected ','/);
+  assert.match(
+    await window.locator(".results .problem").textContent(),
+    /1 polygon could not be read and was left out:broken: line 3, column 4: expected ','/,
+  );
   // Dropped on the window, they are this window's.
-  await drop(page, { files: [["a.txt", asset("kite")], ["b.wkt", "POLYGON ((0 0, 4 0, 4 3, 0 0))"]] }, "#experiment");
+  await drop(
+    page,
+    {
+      files: [
+        ["a.txt", asset("kite")],
+        ["b.wkt", "POLYGON ((0 0, 4 0, 4 3, 0 0))"],
+      ],
+    },
+    "#experiment",
+  );
   await window.getByText("My files (2)").waitFor();
   await window.getByRole("button", { name: "Compare", exact: true }).click();
   await page.waitForFunction(() => document.querySelector(".results .problem") === null);
-  const names = new Set((await saved(page, "Measurements")).trim().split("\n").slice(1).map((line) => line.split(",")[1]));
+  const names = new Set(
+    (await saved(page, "Measurements"))
+      .trim()
+      .split("\n")
+      .slice(1)
+      .map((line) => line.split(",")[1]),
+  );
   assert.deepEqual([...names], ["a", "b"]);
   await page.done();
 });
@@ -268,12 +435,20 @@ test("it says what is wrong with files and settings", async () => {
   await window.getByLabel("My files").check();
   await press();
   await window.getByText("Choose files first, or drop them here.").waitFor();
-  await window.locator("input[type=file]").setInputFiles([...filesOf(["star"]), { name: "star.wkt", mimeType: "text/plain", buffer: Buffer.from("x") }]);
+  await window
+    .locator("input[type=file]")
+    .setInputFiles([...filesOf(["star"]), { name: "star.wkt", mimeType: "text/plain", buffer: Buffer.from("x") }]);
   await press();
   await window.getByText("Two files have the name “star”.").waitFor();
   await window.locator("input[type=file]").setInputFiles(filesOf(["star"]));
-  for (const [label, value, message] of [["Minimum load ratio", "1.2", "The minimum load ratio is a number from 0 to 1."], ["Random placements", "0", "The number of random samples is from 1 to 100000."], ["Random placements", "", "The number of random samples is from 1 to 100000."], ["Most teams", "0", "The greatest number of teams is from 1 to 10000."],
-    ["Most balanced robots", "1", "The greatest number of balanced robots is from 2 to 64."], ["Most balanced robots", "", "The greatest number of balanced robots is from 2 to 64."]]) {
+  for (const [label, value, message] of [
+    ["Minimum load ratio", "1.2", "The minimum load ratio is a number from 0 to 1."],
+    ["Random placements", "0", "The number of random samples is from 1 to 100000."],
+    ["Random placements", "", "The number of random samples is from 1 to 100000."],
+    ["Most teams", "0", "The greatest number of teams is from 1 to 10000."],
+    ["Most balanced robots", "1", "The greatest number of balanced robots is from 2 to 64."],
+    ["Most balanced robots", "", "The greatest number of balanced robots is from 2 to 64."],
+  ]) {
     const ofOne = label === "Most teams";
     await window.getByLabel(ofOne ? "This polygon" : "My files").check();
     if (!ofOne) await window.getByLabel("Minimum load ratio").fill("0.8");
@@ -292,7 +467,7 @@ test("the page stays smooth while it computes; it shows how far it is, and stops
   const page = await browser.open();
   const window = await openWindow(page, "experiment");
   await window.locator("input[type=file]").setInputFiles(filesOf(["square", "kite", "labyrinth"]));
-  await window.getByLabel("Random placements").fill("20000");  // the last polygon then takes minutes
+  await window.getByLabel("Random placements").fill("20000"); // the last polygon then takes minutes
   await window.getByRole("button", { name: "Compare", exact: true }).click();
   const bar = window.getByRole("progressbar");
   await page.waitForFunction(() => document.querySelector("#experiment progress").value > 0);
@@ -346,7 +521,11 @@ test("when the module cannot be fetched it says so, and tries again", async () =
   await page.done();
 });
 
-for (const [how, options] of [["light", {}], ["dark", { colorScheme: "dark" }], ["on a phone", { viewport: phone, hasTouch: true, isMobile: true }]]) {
+for (const [how, options] of [
+  ["light", {}],
+  ["dark", { colorScheme: "dark" }],
+  ["on a phone", { viewport: phone, hasTouch: true, isMobile: true }],
+]) {
   test(`with results it has no fault that axe finds and fits, ${how}`, async () => {
     const page = await browser.open({ ...options, reducedMotion: "reduce" });
     const window = await openWindow(page, "experiment");
@@ -354,9 +533,17 @@ for (const [how, options] of [["light", {}], ["dark", { colorScheme: "dark" }], 
     await window.locator(".plot svg").nth(6).waitFor();
     for (const summary of await window.locator("summary").all()) await summary.click();
     await page.evaluate(axe);
-    const found = await page.evaluate(async () => (await globalThis.axe.run(document)).violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(" | ")}`));
+    const found = await page.evaluate(async () =>
+      (await globalThis.axe.run(document)).violations.map(
+        ({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(" | ")}`,
+      ),
+    );
     assert.deepEqual(found, []);
-    assert.ok(await window.evaluate((dialog) => dialog.querySelector(".scroll").scrollWidth <= dialog.querySelector(".scroll").clientWidth));
+    assert.ok(
+      await window.evaluate(
+        (dialog) => dialog.querySelector(".scroll").scrollWidth <= dialog.querySelector(".scroll").clientWidth,
+      ),
+    );
     await page.done();
   });
 }
@@ -364,7 +551,17 @@ for (const [how, options] of [["light", {}], ["dark", { colorScheme: "dark" }], 
 test("the program's report has the same charts, and needs nothing else", async () => {
   const out = path.join(folder, "report");
   execFileSync("mkdir", ["-p", out]);
-  evenlift("experiment", ...pathsOf(some), path.join(root, "assets/thesis-like"), "--out", out, "--samples", "2", "--max-balanced", String(mostBalanced));
+  evenlift(
+    "experiment",
+    ...pathsOf(some),
+    path.join(root, "assets/thesis-like"),
+    "--out",
+    out,
+    "--samples",
+    "2",
+    "--max-balanced",
+    String(mostBalanced),
+  );
   const page = await browser.browser.newPage({ viewport: { width: 360, height: 700 } });
   const complaints = [];
   page.on("console", (message) => complaints.push(message.text()));
@@ -375,14 +572,21 @@ test("the program's report has the same charts, and needs nothing else", async (
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
   const figures = await page.evaluate(() => JSON.parse(document.getElementById("figures").textContent));
   for (const figure of figures) {
-    const drawn = await page.locator(`[data-figure="${figure.id}"][data-set="${figure.set}"] .plot svg`).evaluate((svg) => [...svg.querySelectorAll("[class^=dots-] > *")].map((sign) => sign.getAttribute("aria-label")));
+    const drawn = await page
+      .locator(`[data-figure="${figure.id}"][data-set="${figure.set}"] .plot svg`)
+      .evaluate((svg) =>
+        [...svg.querySelectorAll("[class^=dots-] > *")].map((sign) => sign.getAttribute("aria-label")),
+      );
     assert.equal(drawn.length, figure.series.flatMap(({ points }) => points).length, figure.id);
     const [first] = figure.series[0].points;
     const value = figure.unit === "%" ? fixed(100 * first[1], 1) : fixed(first[1], 2);
     assert.ok(drawn[0].includes(`${value} ${figure.unit} with ${first[0]} robots`), drawn[0]);
   }
   await page.evaluate(axe);
-  assert.deepEqual(await page.evaluate(async () => (await globalThis.axe.run(document)).violations.map(({ id }) => id)), []);
+  assert.deepEqual(
+    await page.evaluate(async () => (await globalThis.axe.run(document)).violations.map(({ id }) => id)),
+    [],
+  );
   assert.deepEqual(complaints, []);
   await page.close();
 });

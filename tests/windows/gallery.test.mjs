@@ -6,17 +6,29 @@ import { allClosed, openWindow } from "../page/windows.mjs";
 
 const browser = sharedBrowser();
 
-const focused = (page) => page.evaluate(() => document.activeElement.textContent || document.activeElement.id || document.activeElement.ariaLabel);
+const focused = (page) =>
+  page.evaluate(
+    () => document.activeElement.textContent || document.activeElement.id || document.activeElement.ariaLabel,
+  );
 
 test("it costs nothing until it is opened, then shows every sample with its outline", async () => {
   const page = await browser.open();
-  const asked = () => page.evaluate(() => performance.getEntriesByType("resource").filter(({ name }) => /samples|windows|dialogs/.test(name)).length);
+  const asked = () =>
+    page.evaluate(
+      () => performance.getEntriesByType("resource").filter(({ name }) => /samples|windows|dialogs/.test(name)).length,
+    );
   assert.equal(await asked(), 0);
   const root = await openWindow(page, "samples");
   assert.ok((await asked()) > 0);
-  const shown = await root.locator(".sample").evaluateAll((all) => all.map((sample) => ({
-    title: sample.textContent, points: sample.querySelector("polygon").points.numberOfItems, dot: sample.querySelector("circle") !== null,
-  })));
+  const shown = await root
+    .locator(".sample")
+    .evaluateAll((all) =>
+      all.map((sample) => ({
+        title: sample.textContent,
+        points: sample.querySelector("polygon").points.numberOfItems,
+        dot: sample.querySelector("circle") !== null,
+      })),
+    );
   assert.equal(shown.length, gallery().length);
   assert.ok(shown.every(({ title, points, dot }) => title && points >= 3 && dot));
   const headings = await root.locator("h3").allTextContents();
@@ -30,13 +42,18 @@ test("a sample keeps method, teams, ratio, weight and what is shown, and undo le
   await set(page, { teams: 2, metric: "circle", min_ratio: 0.6, weight: 40, step: 1 });
   const before = await state(page);
   const root = await openWindow(page, "samples");
-  assert.deepEqual(await root.locator("[aria-current=true]").allTextContents(), ["Claw hammer"], "the open sample is marked");
+  assert.deepEqual(
+    await root.locator("[aria-current=true]").allTextContents(),
+    ["Claw hammer"],
+    "the open sample is marked",
+  );
   await root.getByText("Grand piano").click();
   await idle(page);
   await allClosed(page);
   const now = await state(page);
   assert.equal(now.polygon.length, 38);
-  for (const name of ["requested_teams", "metric", "min_ratio", "weight"]) assert.deepEqual(now[name], before[name], name);
+  for (const name of ["requested_teams", "metric", "min_ratio", "weight"])
+    assert.deepEqual(now[name], before[name], name);
   await page.keyboard.press("Control+z");
   await idle(page);
   assert.deepEqual(await state(page), before);
@@ -48,7 +65,7 @@ test("by key alone: filter, arrows, Enter, Escape", async () => {
   const before = await state(page);
   const root = await openWindow(page, "samples");
   assert.equal(await page.evaluate(() => document.activeElement.type), "search");
-  await page.keyboard.type("t");  // not the canvas's key
+  await page.keyboard.type("t"); // not the canvas's key
   assert.equal((await state(page)).requested_teams, before.requested_teams);
   await page.keyboard.press("Backspace");
   await page.keyboard.type("wing");
@@ -86,7 +103,9 @@ test("by key alone: filter, arrows, Enter, Escape", async () => {
 test("under a finger on a phone", async () => {
   const page = await browser.open({ viewport: phone, hasTouch: true, isMobile: true });
   const root = await openWindow(page, "samples");
-  const boxes = await root.locator("button:visible").evaluateAll((all) => all.map((b) => b.getBoundingClientRect()).map(({ width, height }) => [width, height]));
+  const boxes = await root
+    .locator("button:visible")
+    .evaluateAll((all) => all.map((b) => b.getBoundingClientRect()).map(({ width, height }) => [width, height]));
   assert.ok(boxes.every(([width, height]) => width >= 44 && height >= 44));
   assert.ok(await root.evaluate((r) => r.scrollWidth <= innerWidth));
   await root.getByText("Violin").tap();

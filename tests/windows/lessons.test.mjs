@@ -4,10 +4,33 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, control, drag, idle, link, load, lShape, phone, press, redo, reload, root, set, sharedBrowser, state, summary, toScreen, undo, wide } from "../page/browser.mjs";
+import {
+  asset,
+  control,
+  drag,
+  idle,
+  link,
+  load,
+  lShape,
+  phone,
+  press,
+  redo,
+  reload,
+  root,
+  set,
+  sharedBrowser,
+  state,
+  summary,
+  toScreen,
+  undo,
+  wide,
+} from "../page/browser.mjs";
 import { allClosed, openWindow, violations } from "../page/windows.mjs";
 
-const order = readFileSync(path.join(root, "assets/lessons/index.txt"), "utf8").split("\n").filter((line) => line && !line.startsWith("#")).map((line) => line.split(/\s+/)[0]);
+const order = readFileSync(path.join(root, "assets/lessons/index.txt"), "utf8")
+  .split("\n")
+  .filter((line) => line && !line.startsWith("#"))
+  .map((line) => line.split(/\s+/)[0]);
 
 const browser = sharedBrowser();
 
@@ -29,7 +52,8 @@ test("lessons have their order, minutes, and a mark once they were played to the
   let window = await openWindow(page, "lessons");
   const all = window.locator("ol .choice");
   assert.deepEqual(await all.evaluateAll((list) => list.map((b) => b.dataset.name)), order);
-  for (const [i, words] of (await all.allTextContents()).entries()) assert.match(words, new RegExp(`^${i + 1}\\. .+ about \\d+ min$`));
+  for (const [i, words] of (await all.allTextContents()).entries())
+    assert.match(words, new RegExp(`^${i + 1}\\. .+ about \\d+ min$`));
   await page.keyboard.press("Escape");
   await begin(page, order[0]);
   await page.keyboard.press("ArrowRight");
@@ -47,12 +71,19 @@ test("lessons have their order, minutes, and a mark once they were played to the
   await begin(page, order[4]);
   await goToEnd(page);
   window = await openWindow(page, "lessons");
-  assert.match(await window.locator(`[data-name="${order[5]}"]`).textContent(), /next/, "who went ahead goes on from there");
+  assert.match(
+    await window.locator(`[data-name="${order[5]}"]`).textContent(),
+    /next/,
+    "who went ahead goes on from there",
+  );
   assert.doesNotMatch(await window.locator(`[data-name="${order[1]}"]`).textContent(), /next/);
   await page.done();
 });
 
-for (const [how, options] of [["in a low window", { viewport: { width: 1280, height: 640 } }], ["on a phone", { viewport: phone, hasTouch: true, isMobile: true }]]) {
+for (const [how, options] of [
+  ["in a low window", { viewport: { width: 1280, height: 640 } }],
+  ["on a phone", { viewport: phone, hasTouch: true, isMobile: true }],
+]) {
   test(`the window fades out at its foot as long as there is more below, ${how}`, async () => {
     const page = await browser.open({ ...options, reducedMotion: "reduce" });
     const window = await openWindow(page, "lessons");
@@ -75,7 +106,9 @@ test("from the end, one key leads to the next lesson; going back takes the card 
   await idle(page);
   assert.equal(await end(page).count(), 0);
   await goToEnd(page);
-  await end(page).getByRole("button", { name: /^Next: / }).click();
+  await end(page)
+    .getByRole("button", { name: /^Next: / })
+    .click();
   await idle(page);
   assert.equal(await end(page).count(), 0);
   assert.equal(await page.evaluate(() => new URLSearchParams(location.search).get("lesson")), order[1]);
@@ -111,7 +144,11 @@ test("at the end a question waits, its answer comes when it is asked for, and is
   assert.deepEqual(await end(page).boundingBox(), before, "its room was kept, so that the drawing stands still");
   assert.match(await end(page).innerText(), /again\?\s+About a third of the way/);
   assert.equal(await end(page).getByRole("button", { name: "Answer" }).count(), 0);
-  assert.match(await page.evaluate(() => document.activeElement.textContent), /^Next: /, "the keyboard goes on from here");
+  assert.match(
+    await page.evaluate(() => document.activeElement.textContent),
+    /^Next: /,
+    "the keyboard goes on from here",
+  );
   assert.deepEqual(await violations(page), []);
   await page.locator("#canvas").focus();
   await page.keyboard.press("ArrowLeft");
@@ -129,7 +166,17 @@ test("while the question is tried on the shape, it stays", async () => {
   const page = await browser.open();
   await begin(page, "moved");
   await goToEnd(page);
-  for (const [from, to] of [[[440, 330], [478, 354]], [[1000, 300], [960, 320]]]) {  // C, then a vertex
+  for (const [from, to] of [
+    [
+      [440, 330],
+      [478, 354],
+    ],
+    [
+      [1000, 300],
+      [960, 320],
+    ],
+  ]) {
+    // C, then a vertex
     await drag(page, await toScreen(page, from), await toScreen(page, to));
     await idle(page);
     assert.match(await end(page).textContent(), /room for six teams again\?/);
@@ -141,8 +188,11 @@ test("while the question is tried on the shape, it stays", async () => {
 test("a lesson from a file ends with its question, too, with paragraphs and without markup", async () => {
   const page = await browser.open();
   const window = await openWindow(page, "lessons");
-  const text = "title: Mine\npolygon: square\n\n[centre]\nHere.\n\n[team 1]\nThere.\n\n[question]\nIs <b>1 < 2</b>?\n\nOr not?\n\n[answer]\nIt is.\n";
-  await window.locator("input[type=file]").setInputFiles({ name: "mine.txt", mimeType: "text/plain", buffer: Buffer.from(text) });
+  const text =
+    "title: Mine\npolygon: square\n\n[centre]\nHere.\n\n[team 1]\nThere.\n\n[question]\nIs <b>1 < 2</b>?\n\nOr not?\n\n[answer]\nIt is.\n";
+  await window
+    .locator("input[type=file]")
+    .setInputFiles({ name: "mine.txt", mimeType: "text/plain", buffer: Buffer.from(text) });
   await allClosed(page);
   await goToEnd(page);
   assert.deepEqual(await end(page).locator("p.question").allTextContents(), ["Is <b>1 < 2</b>?", "Or not?"]);
@@ -156,7 +206,11 @@ test("a lesson from a file ends with its question, too, with paragraphs and with
 });
 
 test("the card at the end covers no control of the player, wide and on a phone", async () => {
-  for (const options of [{}, { viewport: phone, hasTouch: true, isMobile: true }, { viewport: { width: 844, height: 390 }, hasTouch: true, isMobile: true }]) {
+  for (const options of [
+    {},
+    { viewport: phone, hasTouch: true, isMobile: true },
+    { viewport: { width: 844, height: 390 }, hasTouch: true, isMobile: true },
+  ]) {
     const page = await browser.open(options);
     await begin(page, order[0]);
     await goToEnd(page);
@@ -165,14 +219,21 @@ test("the card at the end covers no control of the player, wide and on a phone",
     const tools = options.viewport?.height < 480 ? [] : ["Show all of the object"];
     for (const name of ["timeline", "play", "Next step", "Samples", ...tools]) {
       const place = await control(page, name);
-      const apart = card.x + card.width <= place.x || place.x + place.width <= card.x || card.y + card.height <= place.y || place.y + place.height <= card.y;
+      const apart =
+        card.x + card.width <= place.x ||
+        place.x + place.width <= card.x ||
+        card.y + card.height <= place.y ||
+        place.y + place.height <= card.y;
       assert.ok(apart, `${name}: ${JSON.stringify(card)} ${JSON.stringify(place)}`);
     }
     await page.done();
   }
 });
 
-for (const [width, height] of [[1280, 800], [1920, 1080]]) {
+for (const [width, height] of [
+  [1280, 800],
+  [1920, 1080],
+]) {
   test(`at ${width} by ${height}, before a room, the card at the end takes its room from the words and not from the drawing, and covers no control`, async () => {
     const page = await browser.open({ viewport: { width, height }, reducedMotion: "reduce" });
     await begin(page, "moved");
@@ -205,10 +266,11 @@ for (const [width, height] of [[1280, 800], [1920, 1080]]) {
 
 test("before a room the card at the end is larger, as all else is, and no longer when that ends", async () => {
   const page = await browser.open();
-  const sizes = () => end(page).evaluate((card) => {
-    const height = (selector) => card.querySelector(selector).getBoundingClientRect().height;
-    return { cross: height(".away"), button: height(".primary") };
-  });
+  const sizes = () =>
+    end(page).evaluate((card) => {
+      const height = (selector) => card.querySelector(selector).getBoundingClientRect().height;
+      return { cross: height(".away"), button: height(".primary") };
+    });
   await begin(page, "moved");
   await goToEnd(page);
   await end(page).waitFor();
@@ -217,7 +279,8 @@ test("before a room the card at the end is larger, as all else is, and no longer
   await page.keyboard.press("Shift+P");
   await idle(page);
   const large = await sizes();
-  for (const what of ["cross", "button"]) assert.ok(large[what] > 1.3 * before[what], `${what}: ${before[what]}, ${large[what]}`);
+  for (const what of ["cross", "button"])
+    assert.ok(large[what] > 1.3 * before[what], `${what}: ${before[what]}, ${large[what]}`);
   await page.locator("#canvas").focus();
   await page.keyboard.press("Shift+P");
   await idle(page);
@@ -225,9 +288,20 @@ test("before a room the card at the end is larger, as all else is, and no longer
   await page.done();
 });
 
-for (const [width, height] of [[390, 844], [844, 390], [320, 568], [1280, 800], [1920, 1080]]) {
+for (const [width, height] of [
+  [390, 844],
+  [844, 390],
+  [320, 568],
+  [1280, 800],
+  [1920, 1080],
+]) {
   test(`at ${width} by ${height} no button of the card at the end is cut or lies below another, nor before a room`, async () => {
-    const page = await browser.open({ viewport: { width, height }, hasTouch: true, isMobile: true, reducedMotion: "reduce" });
+    const page = await browser.open({
+      viewport: { width, height },
+      hasTouch: true,
+      isMobile: true,
+      reducedMotion: "reduce",
+    });
     await begin(page, "moved");
     await goToEnd(page);
     await end(page).waitFor();
@@ -238,19 +312,30 @@ for (const [width, height] of [[390, 844], [844, 390], [320, 568], [1280, 800], 
           const { left, top, right, bottom } = e.getBoundingClientRect();
           return { name: e.textContent, left, top, right, bottom, cut: e.scrollWidth > e.clientWidth };
         };
-        return { inWindow: box(root).bottom <= innerHeight, card: box(root), buttons: [...root.querySelectorAll("button")].filter((e) => e.checkVisibility()).map(box) };
+        return {
+          inWindow: box(root).bottom <= innerHeight,
+          card: box(root),
+          buttons: [...root.querySelectorAll("button")].filter((e) => e.checkVisibility()).map(box),
+        };
       });
       assert.ok(inWindow, `${when}: ${JSON.stringify(card)}`);
       buttons.forEach((a, i) => {
-        assert.ok(!a.cut && a.left >= card.left && a.right <= card.right && a.bottom <= card.bottom, `${when}: ${JSON.stringify(a)}`);
+        assert.ok(
+          !a.cut && a.left >= card.left && a.right <= card.right && a.bottom <= card.bottom,
+          `${when}: ${JSON.stringify(a)}`,
+        );
         for (const b of buttons.slice(i + 1)) {
-          assert.ok(a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top, `${when}: ${JSON.stringify([a, b])}`);
+          assert.ok(
+            a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top,
+            `${when}: ${JSON.stringify([a, b])}`,
+          );
         }
       });
     };
     await check("at the end");
     const question = end(page).getByRole("button", { name: "Question" });
-    if (await question.isVisible()) {  // where there is little room the card begins as a row of buttons
+    if (await question.isVisible()) {
+      // where there is little room the card begins as a row of buttons
       await question.click();
       await check("unfolded");
     }
@@ -359,7 +444,9 @@ test("from lesson to lesson and then out: what was open before the first is back
     const { page, ...was } = await drawing(browser);
     await begin(page, order[0]);
     await goToEnd(page);
-    await end(page).getByRole("button", { name: /^Next: / }).click();
+    await end(page)
+      .getByRole("button", { name: /^Next: / })
+      .click();
     await idle(page);
     await page.locator("#canvas").focus();
     await begin(page, order[4]);
@@ -380,13 +467,16 @@ test("what was edited in a lesson is one undo away when it is left, and a notice
   const { polygon, centre_of_mass: centre } = await state(page);
   await leave(page);
   assert.deepEqual(await open(page), before);
-  assert.equal(await page.locator("#alert").textContent(), "What was open before the lesson is back. Undo shows the lesson's object as you left it.");
+  assert.equal(
+    await page.locator("#alert").textContent(),
+    "What was open before the lesson is back. Undo shows the lesson's object as you left it.",
+  );
   await undo(page);
   const again = await state(page);
   assert.deepEqual([again.polygon, again.centre_of_mass, again.requested_teams], [polygon, centre, 2]);
   await redo(page);
   assert.deepEqual(await open(page), before);
-  for (let i = 0; i < 5; ++i) await undo(page);  // leaving, two edits, the lesson, and the edit before it
+  for (let i = 0; i < 5; ++i) await undo(page); // leaving, two edits, the lesson, and the edit before it
   assert.equal(await link(page), former);
   await page.done();
 });
@@ -411,7 +501,13 @@ test("a lesson that was loaded anew in its midst is left for what was open befor
   assert.equal(await link(page), was.former);
   await page.locator("#canvas").focus();
   const window = await openWindow(page, "lessons");
-  await window.locator("input[type=file]").setInputFiles({ name: "mine.txt", mimeType: "text/plain", buffer: Buffer.from("title: Mine\npolygon: square\n\n[centre]\nHere.\n") });
+  await window
+    .locator("input[type=file]")
+    .setInputFiles({
+      name: "mine.txt",
+      mimeType: "text/plain",
+      buffer: Buffer.from("title: Mine\npolygon: square\n\n[centre]\nHere.\n"),
+    });
   await allClosed(page);
   assert.equal((await state(page)).polygon.length, 4);
   await reload(page);
@@ -455,7 +551,11 @@ test("what is shown and compared is back, too; the lesson itself has the whole p
   await page.locator("#canvas").focus();
   await page.keyboard.press("k");
   await idle(page);
-  const compared = () => page.locator("#mirror").getByRole("combobox", { name: "Compare with" }).evaluate((list) => list.selectedOptions[0].text);
+  const compared = () =>
+    page
+      .locator("#mirror")
+      .getByRole("combobox", { name: "Compare with" })
+      .evaluate((list) => list.selectedOptions[0].text);
   const before = [await link(page), await compared()];
   await begin(page, "convex");
   assert.doesNotMatch(await page.locator("#news").textContent(), /Compared with/);
@@ -479,7 +579,10 @@ test("the sample of a lesson that there is not: those with nearly that name are 
   await page.locator("#open textarea").fill("title: x\npolygon: stone-slap\n\n[centre]\nHere.\n");
   await page.locator("#open").getByRole("button", { name: "Open", exact: true }).click();
   await idle(page);
-  assert.match(await page.locator("#open .problem").textContent(), /“stone-slap”, and there is none of that name; near it are “stone-slab”, “.+” and “.+”\.$/);
+  assert.match(
+    await page.locator("#open .problem").textContent(),
+    /“stone-slap”, and there is none of that name; near it are “stone-slab”, “.+” and “.+”\.$/,
+  );
   await page.done();
 });
 
@@ -494,7 +597,11 @@ async function editor(page) {
   return { root, text: root.locator("textarea"), problem: root.locator(".problem") };
 }
 
-for (const [how, options] of [["beside it", {}], ["above it on a phone", { viewport: phone, hasTouch: true, isMobile: true }], ["above it on a small phone", { viewport: { width: 320, height: 568 }, hasTouch: true, isMobile: true }]]) {
+for (const [how, options] of [
+  ["beside it", {}],
+  ["above it on a phone", { viewport: phone, hasTouch: true, isMobile: true }],
+  ["above it on a small phone", { viewport: { width: 320, height: 568 }, hasTouch: true, isMobile: true }],
+]) {
   test(`the editor does not cover the card at the lesson's end, which stands ${how}`, async () => {
     const page = await browser.open(options);
     const { root, text } = await editor(page);
@@ -527,7 +634,8 @@ test("who only looks into the editor gets back the lesson or the polygon that wa
   await page.done();
 });
 
-const stepOf = (page) => page.evaluate(() => evenlift.view.control("timeline") && document.getElementById("summary").textContent);
+const stepOf = (page) =>
+  page.evaluate(() => evenlift.view.control("timeline") && document.getElementById("summary").textContent);
 
 test("the editor shows the lesson at the step of the cursor, and its problems with their lines, and undo takes all of it back", async () => {
   const page = await browser.open();
@@ -573,9 +681,13 @@ test("the editor shows the lesson at the step of the cursor, and its problems wi
 
 // How many steps the template has, by what is open.
 for (const [what, settings, steps] of [
-  ["area", { metric: "area" }, 5], ["circle", { metric: "circle" }, 5], ["distance", { metric: "distance" }, 5],
-  ["distributed", { metric: "distributed" }, 4], ["random", { metric: "random" }, 3],
-  ["balanced robots", { metric: "balanced" }, 5], ["two balanced robots", { metric: "balanced", robots: 2 }, 5],
+  ["area", { metric: "area" }, 5],
+  ["circle", { metric: "circle" }, 5],
+  ["distance", { metric: "distance" }, 5],
+  ["distributed", { metric: "distributed" }, 4],
+  ["random", { metric: "random" }, 3],
+  ["balanced robots", { metric: "balanced" }, 5],
+  ["two balanced robots", { metric: "balanced", robots: 2 }, 5],
 ]) {
   test(`the untouched template has no mistake: ${what}`, async () => {
     const page = await browser.open();
@@ -608,7 +720,10 @@ test("the untouched template has no mistake where no team stands, and where a ba
   await load(page, asset("grand-piano"));
   await set(page, { metric: "balanced", robots: 3, min_ratio: 0.8 });
   await idle(page);
-  const { teams, centre_of_mass: [cx, cy] } = await state(page);
+  const {
+    teams,
+    centre_of_mass: [cx, cy],
+  } = await state(page);
   const [x, y] = teams[0].ends[0];
   await drag(page, await toScreen(page, [x, y]), await toScreen(page, [x - 0.05 * (y - cy), y + 0.05 * (x - cx)]));
   assert.notEqual((await state(page)).moved, undefined);
@@ -627,7 +742,10 @@ test("what the editor says about an unknown setting names every one that a lesso
   const said = /^Line 2: unknown setting; there are (.+)\.$/.exec(await problem.textContent())[1];
   assert.deepEqual(said.split(/, | and /).sort(), listed.sort());
   await page.getByRole("button", { name: "Go to line 2" }).click();
-  assert.equal(await text.evaluate((field) => field.value.slice(field.selectionStart, field.selectionEnd)), "colour: red");
+  assert.equal(
+    await text.evaluate((field) => field.value.slice(field.selectionStart, field.selectionEnd)),
+    "colour: red",
+  );
   await page.done();
 });
 
@@ -635,7 +753,10 @@ test("two tabs in which lessons are written keep a draft of their own, and the n
   const context = await browser.browser.newContext({ viewport: wide });
   const [a, b] = [await browser.open({ context }), await browser.open({ context })];
   const written = (name) => `title: ${name}\npolygon: square\n\n[centre]\nHere.\n`;
-  for (const [page, name] of [[a, "One"], [b, "Two"]]) {
+  for (const [page, name] of [
+    [a, "One"],
+    [b, "Two"],
+  ]) {
     await page.bringToFront();
     const { text } = await editor(page);
     await text.fill(written(name));
@@ -678,8 +799,13 @@ test("the editor stands clear of the drawing and has no fault that axe finds, li
     const { root: window } = await editor(page);
     assert.deepEqual(await violations(page), []);
     const { x, y, width, height } = await window.boundingBox();
-    const corners = await page.evaluate(() => [...evenlift.text().matchAll(/^\(([^,]+),([^)]+)\)/gm)].map(([, a, b]) => [...evenlift.view.to_screen(Number(a), Number(b))]));
-    for (const [px, py] of corners) assert.ok(px < x || px > x + width || py < y || py > y + height, `a vertex at ${[px, py]} is behind the window`);
+    const corners = await page.evaluate(() =>
+      [...evenlift.text().matchAll(/^\(([^,]+),([^)]+)\)/gm)].map(([, a, b]) => [
+        ...evenlift.view.to_screen(Number(a), Number(b)),
+      ]),
+    );
+    for (const [px, py] of corners)
+      assert.ok(px < x || px > x + width || py < y || py > y + height, `a vertex at ${[px, py]} is behind the window`);
     await page.done();
   }
 });
@@ -696,29 +822,58 @@ test("the handout has a picture and the words for each stop of the lesson, and o
   await idle(page);
   const lesson = readFileSync(path.join(root, "assets/lessons/convex.txt"), "utf8");
   assert.equal(await figures.count(), lesson.match(/^\[(?!question|answer)/gm).length);
-  assert.match(await page.locator("#handout .paper-question").textContent(), /A question.*Do the even chords stay even\?.*an even chord moves along with C/);
+  assert.match(
+    await page.locator("#handout .paper-question").textContent(),
+    /A question.*Do the even chords stay even\?.*an even chord moves along with C/,
+  );
   assert.match(await figures.first().textContent(), /Eight vertices, no corner that points inwards/);
   assert.equal(await page.locator("#handout figure svg .object").count(), await figures.count());
-  assert.match(await figures.nth(3).locator("svg").textContent(), /edge 4.*edge 1|edge 1.*edge 4/, "what its caption speaks of");
+  assert.match(
+    await figures.nth(3).locator("svg").textContent(),
+    /edge 4.*edge 1|edge 1.*edge 4/,
+    "what its caption speaks of",
+  );
   const last = figures.last().locator("svg");
   assert.match(await last.textContent(), /16\.7\u00A0kg/);
   assert.equal(await last.locator(".robot").count(), 6, "three teams at the end");
-  assert.match(await page.locator("#handout .paper-legend").textContent(), /a candidate.*the image of an edge/, "the lines are named");
-  const covered = await figures.evaluateAll((all) => all.flatMap((figure, number) => {
-    const boxes = (selector) => [...figure.querySelectorAll(selector)].map((e) => ({ name: e.textContent || selector, ...e.getBoundingClientRect().toJSON() }));
-    const words = boxes("svg .words"), marks = [...boxes("svg .robot"), ...boxes("svg .centre")];
-    return words.flatMap((a, i) => [...words.slice(i + 1), ...marks].filter((b) => a.left < b.right && b.left < a.right && a.top + 2 < b.bottom && b.top < a.bottom - 2)
-      .map((b) => `${number + 1}: ${a.name} on ${b.name}`));
-  }));
+  assert.match(
+    await page.locator("#handout .paper-legend").textContent(),
+    /a candidate.*the image of an edge/,
+    "the lines are named",
+  );
+  const covered = await figures.evaluateAll((all) =>
+    all.flatMap((figure, number) => {
+      const boxes = (selector) =>
+        [...figure.querySelectorAll(selector)].map((e) => ({
+          name: e.textContent || selector,
+          ...e.getBoundingClientRect().toJSON(),
+        }));
+      const words = boxes("svg .words"),
+        marks = [...boxes("svg .robot"), ...boxes("svg .centre")];
+      return words.flatMap((a, i) =>
+        [...words.slice(i + 1), ...marks]
+          .filter((b) => a.left < b.right && b.left < a.right && a.top + 2 < b.bottom && b.top < a.bottom - 2)
+          .map((b) => `${number + 1}: ${a.name} on ${b.name}`),
+      );
+    }),
+  );
   assert.deepEqual(covered, [], "no words lie on others or on a robot");
   assert.deepEqual(await violations(page), []);
   await page.emulateMedia({ media: "print" });
-  const seen = await page.evaluate(() => ({ canvas: document.getElementById("canvas").checkVisibility(), figures: [...document.querySelectorAll("#handout figure")].every((f) => f.checkVisibility()), button: document.querySelector("#handout footer").checkVisibility() }));
+  const seen = await page.evaluate(() => ({
+    canvas: document.getElementById("canvas").checkVisibility(),
+    figures: [...document.querySelectorAll("#handout figure")].every((f) => f.checkVisibility()),
+    button: document.querySelector("#handout footer").checkVisibility(),
+  }));
   assert.deepEqual(seen, { canvas: false, figures: true, button: false });
   const height = await page.evaluate(() => document.documentElement.scrollHeight);
   assert.ok(height > 1500, "all of it is laid out, not a window's height of it");
-  const outside = await page.evaluate(() => [...document.querySelectorAll("#handout figure")].map((f) => f.getBoundingClientRect())
-    .filter(({ left, right }) => left < 0 || right > document.documentElement.clientWidth).length);
+  const outside = await page.evaluate(
+    () =>
+      [...document.querySelectorAll("#handout figure")]
+        .map((f) => f.getBoundingClientRect())
+        .filter(({ left, right }) => left < 0 || right > document.documentElement.clientWidth).length,
+  );
   assert.equal(outside, 0, "no picture begins or ends beyond the paper");
   await page.done();
 });
@@ -750,7 +905,7 @@ test("the handout of a lesson about balanced robots has the robots, with their o
   await figures.first().waitFor();
   for (const figure of await figures.all())
     assert.deepEqual((await figure.locator(".robot-number").allTextContents()).sort(), ["1", "2", "3", "4", "5", "6"]);
-  assert.ok(await page.locator("#handout .left").count() > 0, "where robots stood before");
+  assert.ok((await page.locator("#handout .left").count()) > 0, "where robots stood before");
   assert.match(await page.locator("#handout .paper-legend").textContent(), /an even chord.*where a robot goes/);
   await page.done();
 });
@@ -763,10 +918,14 @@ test("the printed handout begins at the head of its first page", async () => {
   await page.locator("#handout figure").first().waitFor();
   await idle(page);
   await page.emulateMedia({ media: "print" });
-  const [title, first] = [await page.locator("#handout .paper-title").boundingBox(), await page.locator("#handout figure").first().boundingBox()];
+  const [title, first] = [
+    await page.locator("#handout .paper-title").boundingBox(),
+    await page.locator("#handout figure").first().boundingBox(),
+  ];
   assert.ok(title.y >= 0 && title.y < 40, `the title is ${title.y} pixels from the paper's head`);
   assert.ok(first.y > title.y, "and the first step is below it");
-  for (const sample of await page.locator("#handout .paper-legend svg").all()) assert.ok((await sample.boundingBox()).height < 20, "a line of the list");
+  for (const sample of await page.locator("#handout .paper-legend svg").all())
+    assert.ok((await sample.boundingBox()).height < 20, "a line of the list");
   await page.emulateMedia({ media: "screen" });
   await page.done();
 });

@@ -17,7 +17,11 @@ const browser = sharedBrowser({
 // What one test leaves open is not the next one's.
 afterEach(() => closeAll(page));
 
-const triangle = [[0, 0], [40, 0], [10, 30.5]];
+const triangle = [
+  [0, 0],
+  [40, 0],
+  [10, 30.5],
+];
 const svg = (inside, more = "") => `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 50 50"${more}>${inside}</svg>`;
 
 // What holds the triangle, in all the ways that are read.
@@ -29,7 +33,8 @@ const good = {
   "columns of a spreadsheet": "x\ty\n0\t0\n40\t0\n10\t30,5\n",
   "CSV with decimal commas": "# measured\nPunkt;x;y\nA;0;0\nB;40;0\nC;10;30,5\n",
   "JSON points": "[[0,0],[40,0],[10,30.5]]",
-  "a collection": '{"type":"FeatureCollection","features":[{"type":"Feature","geometry":{"type":"MultiPolygon","coordinates":[[[[0,0],[40,0],[10,30.5],[0,0]]]]}}]}',
+  "a collection":
+    '{"type":"FeatureCollection","features":[{"type":"Feature","geometry":{"type":"MultiPolygon","coordinates":[[[[0,0],[40,0],[10,30.5],[0,0]]]]}}]}',
   DXF: "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n70\n1\n10\n0\n20\n0\n10\n40\n20\n0\n10\n10\n20\n30.5\n0\nENDSEC\n0\nEOF\n",
   "SVG polyline": svg('<polyline points="0,0 40,0 10-30.5"/>'),
   "SVG polygon": svg('<polygon points="0,0 40,0 10-30.5"/>'),
@@ -37,9 +42,14 @@ const good = {
   "SVG path, relative": svg('<path d="m0,0h40l-30-30.5z"/>'),
   "SVG path, open": svg('<path d="M0 0H40V0L1e1-30.5"/>').replace("V0", ""),
   "SVG path, vertical": svg('<path d="M10-30.5V-30.5L0 0h40z"/>').replace("V-30.5", ""),
-  "SVG with transforms": svg('<g transform="translate(1 2)"><g transform="scale(2)rotate(90 1 1)"><polygon transform="translate(-.5,-1) scale(.5) rotate(-90, 2, 2)" points="0,0 40,0 10,-30.5"/></g></g>'),
+  "SVG with transforms": svg(
+    '<g transform="translate(1 2)"><g transform="scale(2)rotate(90 1 1)"><polygon transform="translate(-.5,-1) scale(.5) rotate(-90, 2, 2)" points="0,0 40,0 10,-30.5"/></g></g>',
+  ),
   "SVG with prefixes": `<s:svg xmlns:s="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"><s:polygon s:points="" xlink:href="#a" points="0,0 40,0 10-30.5"/></s:svg>`,
-  "SVG with styles, handlers and scripts": svg('<style>polygon { fill: red }</style><script>alert(1)</script><image href="nowhere.png"/><foreignObject><p xmlns="http://www.w3.org/1999/xhtml" style="color: red" onclick="alert(1)">text</p></foreignObject><polygon style="fill:red" onload="alert(1)" points="0,0 40,0 10-30.5"/>', ' style="color:red" onload="alert(1)"'),
+  "SVG with styles, handlers and scripts": svg(
+    '<style>polygon { fill: red }</style><script>alert(1)</script><image href="nowhere.png"/><foreignObject><p xmlns="http://www.w3.org/1999/xhtml" style="color: red" onclick="alert(1)">text</p></foreignObject><polygon style="fill:red" onload="alert(1)" points="0,0 40,0 10-30.5"/>',
+    ' style="color:red" onload="alert(1)"',
+  ),
   "SVG with characters as numbers": svg('<polygon points="&#x30;,0&#32;40,0 1&#48;-30.5"/>'),
   "SVG without a namespace": '<svg><polygon xlink:href="#a" points="0,0 40,0 10-30.5"/></svg>',
   "SVG with a heading": `<?xml version="1.0"?>\n<!-- a drawing -->\n${svg('<defs><path d="M0 0C1 1 2 2 3 3"/></defs><title>T</title><text>a</text><polygon points="0 0 40 0 10 -30.5 0 0"/>')}`,
@@ -49,10 +59,17 @@ const polygon = async () => (await state(page)).polygon;
 async function isTriangle(what) {
   await page.waitForFunction(() => evenlift.state().polygon.length === 3);
   const now = await polygon();
-  const start = now.findIndex(([x, y]) => Math.hypot(x - now[0][0], y - now[0][1]) < 1e9 && Math.abs(y - Math.min(...now.map((p) => p[1]))) < 1e-9 && Math.abs(x - Math.min(...now.map((p) => p[0]))) < 1e-9);
+  const start = now.findIndex(
+    ([x, y]) =>
+      Math.hypot(x - now[0][0], y - now[0][1]) < 1e9 &&
+      Math.abs(y - Math.min(...now.map((p) => p[1]))) < 1e-9 &&
+      Math.abs(x - Math.min(...now.map((p) => p[0]))) < 1e-9,
+  );
   const turned = [0, 1, 2].map((i) => now[(start + i) % 3]);
   const [ox, oy] = turned[0];
-  turned.forEach(([x, y], i) => assert.ok(Math.hypot(x - ox - triangle[i][0], y - oy - triangle[i][1]) < 1e-9, `${what}: ${JSON.stringify(now)}`));
+  turned.forEach(([x, y], i) =>
+    assert.ok(Math.hypot(x - ox - triangle[i][0], y - oy - triangle[i][1]) < 1e-9, `${what}: ${JSON.stringify(now)}`),
+  );
 }
 
 for (const [format, text] of Object.entries(good)) {
@@ -79,7 +96,11 @@ for (const [format, text] of Object.entries(good)) {
 test("SVG without a transform is taken to the last bit", async () => {
   await drop(page, { files: [["a.svg", svg('<path d="M.1 .2 12345.6789 0 7e-3 -99.30000000000001z"/>')]] });
   await page.waitForFunction(() => evenlift.state().polygon[0][0] === 0.1);
-  assert.deepEqual(await polygon(), [[0.1, -0.2], [12345.6789, 0], [0.007, 99.30000000000001]]);
+  assert.deepEqual(await polygon(), [
+    [0.1, -0.2],
+    [12345.6789, 0],
+    [0.007, 99.30000000000001],
+  ]);
 });
 
 test("a chosen file", async () => {
@@ -87,7 +108,9 @@ test("a chosen file", async () => {
   const root = await openWindow(page, "open");
   const chooser = page.waitForEvent("filechooser");
   await root.getByRole("button", { name: "Choose a file" }).click();
-  await (await chooser).setFiles({ name: "plate.geojson", mimeType: "application/geo+json", buffer: Buffer.from(good.GeoJSON) });
+  await (
+    await chooser
+  ).setFiles({ name: "plate.geojson", mimeType: "application/geo+json", buffer: Buffer.from(good.GeoJSON) });
   await isTriangle("chosen");
   assert.match(await noticed(page), /“plate.geojson” is opened\. Undo/);
 });
@@ -141,11 +164,17 @@ const bad = [
   ["<!-- no end", /not well-formed/],
   [`${svg(triangleShape)}${svg("")}`, /not well-formed/],
   [svg('<polygon points="0,0 4,0 4,&#x10034;"/>'), /character 11: not a number/],
-  ['<?xml version="1.0"?><!DOCTYPE svg [<!ENTITY a "b">]><svg xmlns="http://www.w3.org/2000/svg"><polygon points="&a;"/></svg>', /character 1: not a number/],
+  [
+    '<?xml version="1.0"?><!DOCTYPE svg [<!ENTITY a "b">]><svg xmlns="http://www.w3.org/2000/svg"><polygon points="&a;"/></svg>',
+    /character 1: not a number/,
+  ],
   [svg(""), /no closed shape/],
   [svg("<text>a</text>"), /no closed shape, only 1 text \(in Inkscape: Path, Object to Path/],
   [svg('<path d="M0 0L1 1"/><path d="M0 0L1 1"/>'), /no closed shape/],
-  ["0\nSECTION\n2\nENTITIES\n0\nLINE\n11\n5\n0\nENDSEC\n0\nEOF\n", /DXF drawing has no closed outline: the chain from \(0, 0\) ends at \(5, 0\)/],
+  [
+    "0\nSECTION\n2\nENTITIES\n0\nLINE\n11\n5\n0\nENDSEC\n0\nEOF\n",
+    /DXF drawing has no closed outline: the chain from \(0, 0\) ends at \(5, 0\)/,
+  ],
   ["robot,team,end,x,y,load\n1,1,r1,0,0,5\n", /the robots of a result and no polygon: open the JSON/],
   ["1,5 2,3\n2,5 4,3\n", /write decimals with a point/],
   ['{"type":"Point","coordinates":[1,2]}', /no polygon, only 1 Point/],
@@ -191,18 +220,37 @@ test("of several shapes one is chosen, by the keys or a click", async () => {
   await drop(page, { files: [["layers.svg", await data("layers.svg")]] });
   await shapes(page).first().waitFor();
   await idle(page);
-  assert.deepEqual(await shapes(page).allTextContents(), ["plate rectangle with round corners 20 vertices, 100 × 50", "wheel circle 64 vertices, 80 × 80",
-    "Layer 1, part 1 path 57 vertices, 130.8 × 122", "Layer 1, part 2 path 3 vertices, 5 × 5"]);
-  assert.match(await page.locator("#shapes .second").first().textContent(), /^Outlines inside another .* without a hole\. 1 text, 1 copy \(<use>\) and 1 hidden element were left out\.$/);
+  assert.deepEqual(await shapes(page).allTextContents(), [
+    "plate rectangle with round corners 20 vertices, 100 × 50",
+    "wheel circle 64 vertices, 80 × 80",
+    "Layer 1, part 1 path 57 vertices, 130.8 × 122",
+    "Layer 1, part 2 path 3 vertices, 5 × 5",
+  ]);
+  assert.match(
+    await page.locator("#shapes .second").first().textContent(),
+    /^Outlines inside another .* without a hole\. 1 text, 1 copy \(<use>\) and 1 hidden element were left out\.$/,
+  );
   assert.equal((await polygon()).length, 12, "nothing is opened yet");
-  assert.match(await page.locator("#shapes").textContent(), /“layers\.svg” has 4 shapes\. Choose the one to open\..*Keep edges within of the curves, in units of the drawing/s);
+  assert.match(
+    await page.locator("#shapes").textContent(),
+    /“layers\.svg” has 4 shapes\. Choose the one to open\..*Keep edges within of the curves, in units of the drawing/s,
+  );
   assert.equal(await focused(page), "2", "the largest, which holes and letters are not");
-  for (const [key, at] of [["ArrowLeft", "1"], ["End", "3"], ["Home", "0"], ["ArrowLeft", "0"], ["ArrowRight", "1"]]) {
+  for (const [key, at] of [
+    ["ArrowLeft", "1"],
+    ["End", "3"],
+    ["Home", "0"],
+    ["ArrowLeft", "0"],
+    ["ArrowRight", "1"],
+  ]) {
     await page.keyboard.press(key);
     assert.equal(await focused(page), at, key);
   }
   await page.keyboard.press("Enter");
-  assert.match(await noticed(page), /^“layers\.svg” is opened\. Curves were flattened to within 0\.05 units of the drawing, which “Open” can change\. Undo/);
+  assert.match(
+    await noticed(page),
+    /^“layers\.svg” is opened\. Curves were flattened to within 0\.05 units of the drawing, which “Open” can change\. Undo/,
+  );
   assert.equal((await polygon()).length, 64);
   await allClosed(page);
   await page.keyboard.press("Control+z");
@@ -234,10 +282,16 @@ test("how near the edges are to curves can be set, before and after", async () =
   assert.equal((await polygon()).length, 512);
 
   await drop(page, { files: [["wheel.svg", svg('<circle r="40"/>')]] });
-  assert.match(await noticed(page), /^“wheel\.svg” is opened\. Curves were flattened to within 0\.05 units of the drawing/);
+  assert.match(
+    await noticed(page),
+    /^“wheel\.svg” is opened\. Curves were flattened to within 0\.05 units of the drawing/,
+  );
   assert.equal((await polygon()).length, 64);
   const open = await openWindow(page, "open");
-  assert.match(await open.textContent(), /The curves of “wheel\.svg” were flattened to within 0\.05 units of the drawing\./);
+  assert.match(
+    await open.textContent(),
+    /The curves of “wheel\.svg” were flattened to within 0\.05 units of the drawing\./,
+  );
   await open.getByRole("button", { name: "Change" }).click();
   await shapes(page).first().waitFor();
   assert.equal(await field.inputValue(), "0.05");
@@ -250,7 +304,17 @@ test("how near the edges are to curves can be set, before and after", async () =
 });
 
 test("a saved result opens with all its settings, and a picture by the link in it", async () => {
-  const made = evenlift("link", "encode", path.join(root, "assets/polygons/key.txt"), "--metric", "random", "--seed", "18446744073709551615", "--teams", "2").trim();
+  const made = evenlift(
+    "link",
+    "encode",
+    path.join(root, "assets/polygons/key.txt"),
+    "--metric",
+    "random",
+    "--seed",
+    "18446744073709551615",
+    "--teams",
+    "2",
+  ).trim();
   const result = evenlift("place", made, "--capacity", "30", "--json");
   const limited = evenlift("link", "encode", made, "--capacity", "30").trim();
   await load(page, asset("cross"));
@@ -270,7 +334,10 @@ test("a drawing of a CAD program, chosen as a file", async () => {
   await window.getByRole("button", { name: "Choose a file" }).click();
   await (await chooser).setFiles(path.join(root, "tests/data/import/plate.dxf"));
   await shapes(page).first().waitFor();
-  assert.match(await page.locator("#shapes .second").first().textContent(), /^Lengths are in millimetres\. 1 line or arc does not close/);
+  assert.match(
+    await page.locator("#shapes .second").first().textContent(),
+    /^Lengths are in millimetres\. 1 line or arc does not close/,
+  );
   assert.match(await page.locator("#shapes .curves").textContent(), /of the curves, in millimetres/);
   await shapes(page).nth(3).click();
   assert.match(await noticed(page), /^“plate\.dxf” is opened\. Curves were flattened to within 0\.01 millimetres/);
@@ -278,15 +345,25 @@ test("a drawing of a CAD program, chosen as a file", async () => {
 });
 
 test("files that are no texts are refused with what to do", async () => {
-  const bytes = (name, list) => page.evaluate(([called, numbers]) => {
-    const dataTransfer = new DataTransfer();
-    dataTransfer.items.add(new File([new Uint8Array(numbers)], called));
-    dispatchEvent(new DragEvent("drop", { dataTransfer, cancelable: true }));
-  }, [name, list]);
+  const bytes = (name, list) =>
+    page.evaluate(
+      ([called, numbers]) => {
+        const dataTransfer = new DataTransfer();
+        dataTransfer.items.add(new File([new Uint8Array(numbers)], called));
+        dispatchEvent(new DragEvent("drop", { dataTransfer, cancelable: true }));
+      },
+      [name, list],
+    );
   const codes = (text) => Array.from(text, (c) => c.charCodeAt(0));
-  for (const [name, list, pattern] of [["a.png", [0x89, ...codes("PNG\r\n"), 0], /damaged, or no picture/], ["a.jpg", [0xff, 0xd8, 0xff, 0xe0], /damaged, or no picture/], ["a.gif", codes("GIF89a"), /PNG, JPEG or WebP can/],
-    ["a.pdf", codes("%PDF-1.7\n"), /PDF.*Inkscape/], ["a.xlsx", [...codes("PK"), 3, 4, 20, 0], /save the sheet as CSV/],
-    ["a.dxf", [...codes("AutoCAD Binary DXF\r\n"), 26, 0], /ASCII DXF/], ["zeros", [0, 0, 0], /not a text/]]) {
+  for (const [name, list, pattern] of [
+    ["a.png", [0x89, ...codes("PNG\r\n"), 0], /damaged, or no picture/],
+    ["a.jpg", [0xff, 0xd8, 0xff, 0xe0], /damaged, or no picture/],
+    ["a.gif", codes("GIF89a"), /PNG, JPEG or WebP can/],
+    ["a.pdf", codes("%PDF-1.7\n"), /PDF.*Inkscape/],
+    ["a.xlsx", [...codes("PK"), 3, 4, 20, 0], /save the sheet as CSV/],
+    ["a.dxf", [...codes("AutoCAD Binary DXF\r\n"), 26, 0], /ASCII DXF/],
+    ["zeros", [0, 0, 0], /not a text/],
+  ]) {
     await bytes(name, list);
     assert.match(await noticed(page), pattern, name);
   }
@@ -296,20 +373,27 @@ test("files that are no texts are refused with what to do", async () => {
 
 test("what reads drawings is fetched when the first one is opened", async () => {
   const other = await browser.open();
-  const fetched = () => other.evaluate(() => performance.getEntriesByType("resource").filter(({ name }) => name.includes("import_core")).length);
+  const fetched = () =>
+    other.evaluate(
+      () => performance.getEntriesByType("resource").filter(({ name }) => name.includes("import_core")).length,
+    );
   await drop(other, { text: good.WKT });
   await idle(other);
   assert.equal((await state(other)).polygon.length, 3);
   assert.equal(await fetched(), 0);
   await drop(other, { text: good["columns with commas"] });
   await idle(other);
-  assert.ok(await fetched() > 0);
+  assert.ok((await fetched()) > 0);
   await other.done();
 });
 
 test("a large picture is read, and one that is nested without end does no harm", async () => {
   const corners = 20000;
-  const d = Array.from({ length: corners }, (_, i) => `${i ? "L" : "M"}${(100 * Math.cos((2 * Math.PI * i) / corners)).toFixed(6)} ${(100 * Math.sin((2 * Math.PI * i) / corners)).toFixed(6)}`).join("");
+  const d = Array.from(
+    { length: corners },
+    (_, i) =>
+      `${i ? "L" : "M"}${(100 * Math.cos((2 * Math.PI * i) / corners)).toFixed(6)} ${(100 * Math.sin((2 * Math.PI * i) / corners)).toFixed(6)}`,
+  ).join("");
   await drop(page, { files: [["circle.svg", svg(`<g>${"<a b='c'></a>".repeat(50000)}</g><path d="${d}z"/>`)]] });
   await noticed(page);
   assert.equal((await polygon()).length, corners);
@@ -319,8 +403,13 @@ test("a large picture is read, and one that is nested without end does no harm",
 
 test("texts made to keep a reader busy are refused soon", async () => {
   const long = "a".repeat(4e6);
-  const texts = [svg(`<polygon transform="${long}" points="0,0 4,0 4,4"/>`), `${"<!--".repeat(1e6)}<svg/>`, `<!DOCTYPE ${long}`, `<svg ${long}`,
-    svg(`<defs>${"<path/>".repeat(4e5)}</defs>`)];
+  const texts = [
+    svg(`<polygon transform="${long}" points="0,0 4,0 4,4"/>`),
+    `${"<!--".repeat(1e6)}<svg/>`,
+    `<!DOCTYPE ${long}`,
+    `<svg ${long}`,
+    svg(`<defs>${"<path/>".repeat(4e5)}</defs>`),
+  ];
   for (const [i, text] of texts.entries()) {
     await drop(page, { files: [[`busy-${i}.svg`, text]] });
     assert.match(await noticed(page), new RegExp(`^“busy-${i}\\.svg” cannot be opened: .{10,150}$`));
@@ -337,7 +426,12 @@ test("bad files and texts dropped or pasted are a notice", async () => {
   assert.match(await noticed(page), /^The pasted text cannot be opened: line 3/);
   await drop(page, { text: "nothing" });
   assert.match(await noticed(page), /^The dropped text cannot be opened/);
-  await drop(page, { files: [["a", "1"], ["b", "2"]] });
+  await drop(page, {
+    files: [
+      ["a", "1"],
+      ["b", "2"],
+    ],
+  });
   assert.match(await noticed(page), /^Please open one file at a time\.$/);
   assert.equal(JSON.stringify(await state(page)), before);
 });

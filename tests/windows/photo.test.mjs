@@ -7,16 +7,19 @@ const browser = sharedBrowser();
 
 // Drops a picture that the browser itself makes, red, so many pixels wide and high.
 const dropPicture = (page, { name = "table.png", type = "image/png", width = 400, height = 200 } = {}) =>
-  page.evaluate(async ([name, type, width, height]) => {
-    const canvas = Object.assign(document.createElement("canvas"), { width, height });
-    const context = canvas.getContext("2d");
-    context.fillStyle = "#FF0000";
-    context.fillRect(0, 0, width, height);
-    const blob = await new Promise((done) => canvas.toBlob(done, type));
-    const data = new DataTransfer();
-    data.items.add(new File([blob], name, { type }));
-    dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
-  }, [name, type, width, height]);
+  page.evaluate(
+    async ([name, type, width, height]) => {
+      const canvas = Object.assign(document.createElement("canvas"), { width, height });
+      const context = canvas.getContext("2d");
+      context.fillStyle = "#FF0000";
+      context.fillRect(0, 0, width, height);
+      const blob = await new Promise((done) => canvas.toBlob(done, type));
+      const data = new DataTransfer();
+      data.items.add(new File([blob], name, { type }));
+      dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
+    },
+    [name, type, width, height],
+  );
 
 async function withPhoto(options, screen) {
   const page = await browser.open(screen);
@@ -40,21 +43,29 @@ async function colourAt(page, x, y) {
   }, shot.toString("base64"));
 }
 
-const boxOf = (page) => page.locator("#backdrop").evaluate((image) => {
-  const { left, top, width, height } = image.getBoundingClientRect();
-  return { left, top, width, height };
-});
+const boxOf = (page) =>
+  page.locator("#backdrop").evaluate((image) => {
+    const { left, top, width, height } = image.getBoundingClientRect();
+    return { left, top, width, height };
+  });
 
 test("a picture that is dropped is seen behind the drawing, and drawing begins", async () => {
   for (const type of ["image/png", "image/jpeg", "image/webp"]) {
     const page = await withPhoto({ type, name: `table.${type.slice(6)}` });
     const { left, top, width, height } = await boxOf(page);
-    const colours = [];  // at two places, since one may be a dot of the grid
-    for (const off of [3, 8]) colours.push(await colourAt(page, Math.round(left + width / 2) + off, Math.round(top + height / 2) + off));
-    assert.ok(colours.some(([red, green]) => red > 200 && green < 120), `${type}: ${colours.join("; ")}`);
+    const colours = []; // at two places, since one may be a dot of the grid
+    for (const off of [3, 8])
+      colours.push(await colourAt(page, Math.round(left + width / 2) + off, Math.round(top + height / 2) + off));
+    assert.ok(
+      colours.some(([red, green]) => red > 200 && green < 120),
+      `${type}: ${colours.join("; ")}`,
+    );
     assert.match(await page.locator("#photo").textContent(), /stays on this device/);
     assert.match(await page.locator("#alert").textContent(), /^“table\.\w+” lies behind the drawing/);
-    assert.equal(await page.evaluate(() => document.querySelector('#mirror [aria-label^="Draw"]').getAttribute("aria-pressed")), "true");
+    assert.equal(
+      await page.evaluate(() => document.querySelector('#mirror [aria-label^="Draw"]').getAttribute("aria-pressed")),
+      "true",
+    );
     await page.done();
   }
 });
@@ -88,7 +99,13 @@ test("two points and their distance set the scale, and what is traced has it", a
   await idle(page);
   const scaled = await boxOf(page);
   const at = (x, y) => [scaled.left + scaled.width * x, scaled.top + scaled.height * y];
-  for (const corner of [[0.2, 0.3], [0.8, 0.3], [0.8, 0.9], [0.2, 0.9]]) await page.mouse.click(...at(...corner));
+  for (const corner of [
+    [0.2, 0.3],
+    [0.8, 0.3],
+    [0.8, 0.9],
+    [0.2, 0.9],
+  ])
+    await page.mouse.click(...at(...corner));
   await page.locator("#canvas").focus();
   await page.keyboard.press("Enter");
   await idle(page);
@@ -103,18 +120,36 @@ test("both points and the line between them are seen where they were pressed, wh
   const before = await boxOf(page);
   await page.getByRole("button", { name: "Set scale" }).click();
   await idle(page);
-  const marks = () => page.locator("#measured").evaluate((svg) => {
-    const box = document.getElementById("backdrop").getBoundingClientRect();
-    const on = (x, y) => [(x - box.left) / box.width, (y - box.top) / box.height];
-    const circles = [...svg.querySelectorAll("circle")].map((c) => on(Number(c.getAttribute("cx")), Number(c.getAttribute("cy"))));
-    const line = svg.querySelector("line");
-    return { circles, line: line && [["x1", "y1"], ["x2", "y2"]].map((of) => on(...of.map((name) => Number(line.getAttribute(name))))) };
-  });
-  const near = (got, want) => got.forEach(([x, y], i) => assert.ok(Math.abs(x - want[i][0]) < 0.01 && Math.abs(y - want[i][1]) < 0.01, JSON.stringify(got)));
+  const marks = () =>
+    page.locator("#measured").evaluate((svg) => {
+      const box = document.getElementById("backdrop").getBoundingClientRect();
+      const on = (x, y) => [(x - box.left) / box.width, (y - box.top) / box.height];
+      const circles = [...svg.querySelectorAll("circle")].map((c) =>
+        on(Number(c.getAttribute("cx")), Number(c.getAttribute("cy"))),
+      );
+      const line = svg.querySelector("line");
+      return {
+        circles,
+        line:
+          line &&
+          [
+            ["x1", "y1"],
+            ["x2", "y2"],
+          ].map((of) => on(...of.map((name) => Number(line.getAttribute(name))))),
+      };
+    });
+  const near = (got, want) =>
+    got.forEach(([x, y], i) =>
+      assert.ok(Math.abs(x - want[i][0]) < 0.01 && Math.abs(y - want[i][1]) < 0.01, JSON.stringify(got)),
+    );
   const at = ([x, y]) => [before.left + before.width * x, before.top + before.height * y];
-  const says = (words) => page.waitForFunction((of) => document.getElementById("summary").textContent.includes(of), words);
+  const says = (words) =>
+    page.waitForFunction((of) => document.getElementById("summary").textContent.includes(of), words);
   await says("Two points set the scale.");
-  const ends = [[0.25, 0.5], [0.75, 0.25]];
+  const ends = [
+    [0.25, 0.5],
+    [0.75, 0.25],
+  ];
   await page.mouse.dblclick(...at(ends[0]));
   assert.equal(await page.locator("#measured circle").count(), 1, "a double press is one point");
   await page.mouse.move(...at([0.5, 0.5]));
@@ -166,33 +201,73 @@ test("what was traced goes with the picture when its scale is set afterwards, an
   await setWidth(page, "4");
   const picture = await boxOf(page);
   const at = (x, y) => [picture.left + picture.width * x, picture.top + picture.height * y];
-  const corners = [[0.25, 0.25], [0.75, 0.25], [0.75, 0.75]];
+  const corners = [
+    [0.25, 0.25],
+    [0.75, 0.25],
+    [0.75, 0.75],
+  ];
   for (const corner of corners) await page.mouse.click(...at(...corner));
-  await setWidth(page, "8");  // while one draws
+  await setWidth(page, "8"); // while one draws
   await page.mouse.click(...at(0.25, 0.75));
   await page.locator("#canvas").focus();
   await page.keyboard.press("Enter");
   await idle(page);
-  const near = (polygon, want) => polygon.forEach(([x, y], i) =>
-    assert.ok(Math.abs(x - want[i][0]) < 0.1 && Math.abs(y - want[i][1]) < 0.1, JSON.stringify(polygon)));
-  near((await state(page)).polygon, [[2, 3], [6, 3], [6, 1], [2, 1]]);
+  const near = (polygon, want) =>
+    polygon.forEach(([x, y], i) =>
+      assert.ok(Math.abs(x - want[i][0]) < 0.1 && Math.abs(y - want[i][1]) < 0.1, JSON.stringify(polygon)),
+    );
+  near((await state(page)).polygon, [
+    [2, 3],
+    [6, 3],
+    [6, 1],
+    [2, 1],
+  ]);
   await setWidth(page, "800");
-  near((await state(page)).polygon.map((p) => p.map((c) => c / 100)), [[2, 3], [6, 3], [6, 1], [2, 1]]);
-  assert.equal(await page.evaluate(() => document.querySelector('#mirror [aria-label^="Draw"]').getAttribute("aria-pressed")), "false");
-  assert.match(await page.locator("#alert").textContent(), /The picture is now 800 wide\. What is traced on it goes with it\./);
-  const about = async () => {  // where the picture is, by the polygon
-    const { left, width } = await boxOf(page), [x] = await page.evaluate((p) => evenlift.view.to_screen(...p), (await state(page)).polygon[0]);
+  near(
+    (await state(page)).polygon.map((p) => p.map((c) => c / 100)),
+    [
+      [2, 3],
+      [6, 3],
+      [6, 1],
+      [2, 1],
+    ],
+  );
+  assert.equal(
+    await page.evaluate(() => document.querySelector('#mirror [aria-label^="Draw"]').getAttribute("aria-pressed")),
+    "false",
+  );
+  assert.match(
+    await page.locator("#alert").textContent(),
+    /The picture is now 800 wide\. What is traced on it goes with it\./,
+  );
+  const about = async () => {
+    // where the picture is, by the polygon
+    const { left, width } = await boxOf(page),
+      [x] = await page.evaluate((p) => evenlift.view.to_screen(...p), (await state(page)).polygon[0]);
     return (x - left) / width;
   };
-  assert.ok(Math.abs(await about() - 0.25) < 0.02);
+  assert.ok(Math.abs((await about()) - 0.25) < 0.02);
   await page.locator("#canvas").focus();
   await page.keyboard.press("Control+z");
   await idle(page);
-  near((await state(page)).polygon, [[2, 3], [6, 3], [6, 1], [2, 1]]);
-  assert.ok(Math.abs(await about() - 0.25) < 0.02, "the picture is as it was, too");
+  near((await state(page)).polygon, [
+    [2, 3],
+    [6, 3],
+    [6, 1],
+    [2, 1],
+  ]);
+  assert.ok(Math.abs((await about()) - 0.25) < 0.02, "the picture is as it was, too");
   await setWidth(page, "1e12");
-  assert.match(await page.locator("#alert").textContent(), /Width: The picture would reach beyond the largest coordinate\./);
-  near((await state(page)).polygon, [[2, 3], [6, 3], [6, 1], [2, 1]]);
+  assert.match(
+    await page.locator("#alert").textContent(),
+    /Width: The picture would reach beyond the largest coordinate\./,
+  );
+  near((await state(page)).polygon, [
+    [2, 3],
+    [6, 3],
+    [6, 1],
+    [2, 1],
+  ]);
   await page.done();
 });
 
@@ -211,32 +286,41 @@ test("two points of the picture can be taken by keys", async () => {
   await distance.fill("1");
   await page.keyboard.press("Enter");
   await page.locator("#photo").waitFor();
-  const wanted = width / 100;  // the two points are 100 pixels of the screen apart
-  assert.ok(Math.abs(Number((await widthOfPhoto(page).inputValue())) / wanted - 1) < 0.01);
+  const wanted = width / 100; // the two points are 100 pixels of the screen apart
+  assert.ok(Math.abs(Number(await widthOfPhoto(page).inputValue()) / wanted - 1) < 0.01);
   await page.done();
 });
 
-for (const [width, height] of [[320, 568], [360, 740], [740, 360]]) {
+for (const [width, height] of [
+  [320, 568],
+  [360, 740],
+  [740, 360],
+]) {
   test(`at ${width} by ${height} the picture is seen beside its card, and all of the card can be had`, async () => {
     const page = await withPhoto({}, { viewport: { width, height }, hasTouch: true, isMobile: true });
     const card = page.locator("#photo");
     // The share of the picture that neither the card nor a control of the canvas covers.
-    const seen = () => page.evaluate(() => {
-      const picture = document.getElementById("backdrop").getBoundingClientRect(), over = document.querySelector(".seat-card")?.getBoundingClientRect();
-      const boxes = ["Close the shape", "Cancel", "Snap to grid", "Snap to axis", "Coordinates"].map((name) => evenlift.view.control(name)).filter(Boolean)
-        .map(({ x, y, width: w, height: h }) => ({ left: x - 8, top: y - 8, right: x + w + 8, bottom: y + h + 8 }));
-      let free = 0;
-      for (let i = 0; i < 400; ++i) {
-        const x = picture.left + picture.width * ((i % 20) + 0.5) / 20, y = picture.top + picture.height * (Math.floor(i / 20) + 0.5) / 20;
-        free += [over, ...boxes].every((b) => !b || x < b.left || x > b.right || y < b.top || y > b.bottom);
-      }
-      return free / 400;
-    });
+    const seen = () =>
+      page.evaluate(() => {
+        const picture = document.getElementById("backdrop").getBoundingClientRect(),
+          over = document.querySelector(".seat-card")?.getBoundingClientRect();
+        const boxes = ["Close the shape", "Cancel", "Snap to grid", "Snap to axis", "Coordinates"]
+          .map((name) => evenlift.view.control(name))
+          .filter(Boolean)
+          .map(({ x, y, width: w, height: h }) => ({ left: x - 8, top: y - 8, right: x + w + 8, bottom: y + h + 8 }));
+        let free = 0;
+        for (let i = 0; i < 400; ++i) {
+          const x = picture.left + (picture.width * ((i % 20) + 0.5)) / 20,
+            y = picture.top + (picture.height * (Math.floor(i / 20) + 0.5)) / 20;
+          free += [over, ...boxes].every((b) => !b || x < b.left || x > b.right || y < b.top || y > b.bottom);
+        }
+        return free / 400;
+      });
     assert.equal(await seen(), 1, "with the card");
     await page.locator("#photo .away").tap();
     await idle(page);
     assert.equal(await seen(), 1, "without the card");
-    await page.touchscreen.tap(width / 2, height / 2);  // a vertex, with which the bar has all that it can have
+    await page.touchscreen.tap(width / 2, height / 2); // a vertex, with which the bar has all that it can have
     await idle(page);
     assert.equal(await seen(), 1, "while it is traced");
     await page.locator("#canvas").focus();
@@ -252,7 +336,10 @@ for (const [width, height] of [[320, 568], [360, 740], [740, 360]]) {
     await card.getByRole("button", { name: "More …" }).tap();
     for (const name of ["Set", "Remove", "Less"]) await card.getByRole("button", { name, exact: true }).waitFor();
     const place = await card.boundingBox();
-    assert.ok(place.y >= 0 && place.x + place.width <= width && place.y + place.height <= height, JSON.stringify(place));
+    assert.ok(
+      place.y >= 0 && place.x + place.width <= width && place.y + place.height <= height,
+      JSON.stringify(place),
+    );
     await card.getByRole("button", { name: "Remove" }).tap();
     assert.equal(await page.locator("#backdrop").count(), 0);
     await page.done();
@@ -282,10 +369,12 @@ test("a damaged picture and one of too many pixels are refused, and nothing chan
   const before = await state(page);
   await page.evaluate(() => {
     const data = new DataTransfer();
-    data.items.add(new File([new Uint8Array([0x89, 0x50, 0x4E, 0x47, 1, 2, 3, 4])], "broken.png"));
+    data.items.add(new File([new Uint8Array([0x89, 0x50, 0x4e, 0x47, 1, 2, 3, 4])], "broken.png"));
     dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
   });
-  await page.waitForFunction(() => /“broken\.png” cannot be opened: it is damaged/.test(document.getElementById("alert").textContent));
+  await page.waitForFunction(() =>
+    /“broken\.png” cannot be opened: it is damaged/.test(document.getElementById("alert").textContent),
+  );
   await dropPicture(page, { name: "huge.png", width: 10000, height: 5100 });
   await page.waitForFunction(() => /51 megapixels/.test(document.getElementById("alert").textContent));
   assert.equal(await page.locator("#backdrop").count(), 0);

@@ -4,7 +4,22 @@ import { mkdtempSync, readFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { test } from "node:test";
-import { asset, drag, evenlift, idle, jsQR, link, load, reload, root, set, sharedBrowser, state, toScreen, undo } from "../page/browser.mjs";
+import {
+  asset,
+  drag,
+  evenlift,
+  idle,
+  jsQR,
+  link,
+  load,
+  reload,
+  root,
+  set,
+  sharedBrowser,
+  state,
+  toScreen,
+  undo,
+} from "../page/browser.mjs";
 import { allClosed, closeAll, drop, noticed, openWindow, paste } from "../page/windows.mjs";
 
 const browser = sharedBrowser();
@@ -42,7 +57,11 @@ async function qrText(page, png) {
 }
 
 // A polygon of n corners whose link is long.
-const circle = (n) => Array.from({ length: n }, (_, i) => `(${1000 * Math.cos((2 * Math.PI * i) / n)},${1000 * Math.sin((2 * Math.PI * i) / n)})\n`).join("");
+const circle = (n) =>
+  Array.from(
+    { length: n },
+    (_, i) => `(${1000 * Math.cos((2 * Math.PI * i) / n)},${1000 * Math.sin((2 * Math.PI * i) / n)})\n`,
+  ).join("");
 
 test("every file holds what it should, under a name that says what it is", async () => {
   const page = await browser.open({ acceptDownloads: true });
@@ -53,7 +72,10 @@ test("every file holds what it should, under a name that says what it is", async
   const now = await state(page);
 
   const text = await file("Text");
-  assert.deepEqual([text.name, String(text.bytes)], ["polygon-4-robots.txt", await page.evaluate(() => evenlift.text())]);
+  assert.deepEqual(
+    [text.name, String(text.bytes)],
+    ["polygon-4-robots.txt", await page.evaluate(() => evenlift.text())],
+  );
   const wkt = await file("WKT");
   assert.equal(wkt.name, "polygon-4-robots.wkt");
   assert.match(String(wkt.bytes), /^POLYGON \(\(0 0, 400 0, 400 150,/);
@@ -70,7 +92,10 @@ test("every file holds what it should, under a name that says what it is", async
 
   const csv = await file("CSV");
   assert.equal(csv.name, "polygon-4-robots.csv");
-  const [head, ...rows] = String(csv.bytes).trimEnd().split("\n").map((line) => line.split(","));
+  const [head, ...rows] = String(csv.bytes)
+    .trimEnd()
+    .split("\n")
+    .map((line) => line.split(","));
   assert.deepEqual(head, ["robot", "team", "end", "x", "y", "load", "share_of_team", "load_ratio"]);
   assert.equal(rows.length, 2 * now.teams.length);
   rows.forEach(([robot, team, end, ...numbers], i) => {
@@ -148,7 +173,12 @@ test("files are named after the one that was opened, as long as its polygon is o
   assert.equal(await savedName(page), "polygon-6-robots.txt");
   await page.locator("#canvas").focus();
   await page.keyboard.press("d");
-  for (const at of [[300, 300], [500, 300], [400, 500]]) await page.mouse.click(...at);
+  for (const at of [
+    [300, 300],
+    [500, 300],
+    [400, 500],
+  ])
+    await page.mouse.click(...at);
   await page.keyboard.press("Enter");
   await idle(page);
   assert.match(await savedName(page), /^polygon-\d-robots\.txt$/);
@@ -157,14 +187,21 @@ test("files are named after the one that was opened, as long as its polygon is o
 
 test("the name of an opened file is written so that any system takes it, and does not grow when files are opened again", async () => {
   const page = await browser.open({ acceptDownloads: true });
-  for (const [name, expected] of [["Side plate v1.2.txt", "Side-plate-v1.2-6-robots.txt"], ["bracket-8-robots-result.json", "bracket-6-robots.txt"],
-    ["polygon-4-robots.txt", "polygon-6-robots.txt"], ["Träger.csv", "Träger-6-robots.txt"], [".txt", "polygon-6-robots.txt"]]) {
+  for (const [name, expected] of [
+    ["Side plate v1.2.txt", "Side-plate-v1.2-6-robots.txt"],
+    ["bracket-8-robots-result.json", "bracket-6-robots.txt"],
+    ["polygon-4-robots.txt", "polygon-6-robots.txt"],
+    ["Träger.csv", "Träger-6-robots.txt"],
+    [".txt", "polygon-6-robots.txt"],
+  ]) {
     await load(page, asset("square"));
     await drop(page, { files: [[name, bracket]] });
     await idle(page);
     assert.equal(await savedName(page), expected);
   }
-  await drop(page, { files: [["mounting plate.dxf", readFileSync(path.join(root, "tests/data/import/plate.dxf"), "utf8")]] });
+  await drop(page, {
+    files: [["mounting plate.dxf", readFileSync(path.join(root, "tests/data/import/plate.dxf"), "utf8")]],
+  });
   await page.locator("#shapes .sample").nth(3).click();
   await allClosed(page);
   assert.match(await savedName(page), /^mounting-plate-\d-robots\.txt$/, "one of several shapes");
@@ -190,7 +227,11 @@ test("poses are the program's, byte for byte", async () => {
   await set(page, { unit: "cm" });
   const window = await openWindow(page, "save");
   const folder = mkdtempSync(path.join(tmpdir(), "evenlift-poses-"));
-  for (const [name, ending] of [["Poses as CSV", "csv"], ["Poses as JSON", "json"], ["Poses for ROS 2", "yaml"]]) {
+  for (const [name, ending] of [
+    ["Poses as CSV", "csv"],
+    ["Poses as JSON", "json"],
+    ["Poses for ROS 2", "yaml"],
+  ]) {
     const poses = await saved(page, window.getByRole("button", { name: new RegExp(`^${name}`) }));
     const file = path.join(folder, `poses.${ending}`);
     evenlift("place", path.join(root, "assets/polygons/violin.txt"), "--unit", "cm", "--poses", file);
@@ -208,7 +249,7 @@ test("the link is copied, and the button says so", async () => {
   assert.equal(await window.locator("#link").inputValue(), address);
   assert.match(await window.getByRole("status").first().textContent(), new RegExp(`${address.length} characters`));
   assert.doesNotMatch(await window.getByRole("status").first().textContent(), /some programs/);
-  await page.keyboard.press("Enter");  // the focus is on Copy
+  await page.keyboard.press("Enter"); // the focus is on Copy
   await window.getByRole("button", { name: "Copied" }).waitFor();
   assert.match(await window.getByRole("status").first().textContent(), /^The link is copied\./);
   assert.equal(await page.evaluate(() => navigator.clipboard.readText()), address);
@@ -220,11 +261,17 @@ test("the length of the link is told wherever it is copied; a long one is not pr
   const page = await browser.open({ permissions: ["clipboard-read", "clipboard-write"] });
   await page.locator("#canvas").focus();
   await page.keyboard.press("Control+c");
-  assert.match(await noticed(page), /^The link is copied\. It holds the polygon and all settings\. It has \d+ characters\.$/);
+  assert.match(
+    await noticed(page),
+    /^The link is copied\. It holds the polygon and all settings\. It has \d+ characters\.$/,
+  );
   await load(page, circle(400));
   await page.locator("#canvas").focus();
   await page.keyboard.press("Control+c");
-  assert.match(await noticed(page), /^The link is copied\. It holds the polygon and all settings\. It has [\d,]+ characters: some programs cut links from 2,000 on\. The JSON file in Save holds the same\.$/);
+  assert.match(
+    await noticed(page),
+    /^The link is copied\. It holds the polygon and all settings\. It has [\d,]+ characters: some programs cut links from 2,000 on\. The JSON file in Save holds the same\.$/,
+  );
   const window = await openWindow(page, "save");
   assert.match(await window.getByRole("status").first().textContent(), /some programs cut links from 2,000 on/);
   await window.getByRole("button", { name: "QR code" }).click();
@@ -238,7 +285,10 @@ test("Save says as the copied link does what the link lacks", async () => {
   await page.mouse.click(500, 400);
   await page.keyboard.press("Control+c");
   const copied = (await noticed(page)).replace(/^The link is copied\. /, "");
-  assert.match(copied, /^The shape that you are drawing is not closed yet: the link holds the one before\. It has \d+ characters\.$/);
+  assert.match(
+    copied,
+    /^The shape that you are drawing is not closed yet: the link holds the one before\. It has \d+ characters\.$/,
+  );
   const window = await openWindow(page, "save");
   assert.equal(await window.getByRole("status").first().textContent(), copied);
   await page.done();
@@ -265,7 +315,12 @@ for (const colorScheme of ["light", "dark"]) {
     const code = page.locator("#qr");
     await code.waitFor();
     await idle(page);
-    const modules = await page.evaluate(() => performance.getEntriesByType("resource").map(({ name }) => /\w+_core\.wasm$/.exec(name)?.[0]).filter(Boolean));
+    const modules = await page.evaluate(() =>
+      performance
+        .getEntriesByType("resource")
+        .map(({ name }) => /\w+_core\.wasm$/.exec(name)?.[0])
+        .filter(Boolean),
+    );
     assert.deepEqual(modules, ["qr_core.wasm"], "nothing is fetched for it but what makes it");
     const shown = await code.locator("img").boundingBox();
     assert.ok(shown.width > 500, "large enough for a room");

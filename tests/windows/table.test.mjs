@@ -1,7 +1,19 @@
 // The coordinates beside the canvas.
 import assert from "node:assert/strict";
 import { afterEach, test } from "node:test";
-import { controlIfShown, drag, evenlift, idle, load, lShape, phone, set, sharedBrowser, state, toScreen } from "../page/browser.mjs";
+import {
+  controlIfShown,
+  drag,
+  evenlift,
+  idle,
+  load,
+  lShape,
+  phone,
+  set,
+  sharedBrowser,
+  state,
+  toScreen,
+} from "../page/browser.mjs";
 import { allClosed, closeAll, openWindow } from "../page/windows.mjs";
 
 let page;
@@ -14,7 +26,10 @@ const browser = sharedBrowser({
 afterEach(() => closeAll(page));
 
 const polygon = async () => (await state(page)).polygon;
-const shown = () => page.locator("#table tbody tr").evaluateAll((rows) => rows.map((row) => [...row.querySelectorAll("input")].map((input) => input.value)));
+const shown = () =>
+  page
+    .locator("#table tbody tr")
+    .evaluateAll((rows) => rows.map((row) => [...row.querySelectorAll("input")].map((input) => input.value)));
 const field = (vertex, axis) => page.getByLabel(`Vertex ${vertex}, ${axis}`, { exact: true });
 const centre = (axis) => page.getByLabel(`Centre of mass, ${axis}`, { exact: true });
 
@@ -26,7 +41,10 @@ async function opened() {
 
 test("it shows every vertex, and what is typed moves it, undoably", async () => {
   await opened();
-  assert.deepEqual(await shown(), (await polygon()).map((p) => p.map(String)));
+  assert.deepEqual(
+    await shown(),
+    (await polygon()).map((p) => p.map(String)),
+  );
   assert.equal(await page.evaluate(() => document.activeElement.ariaLabel), "Vertex 1, x");
   await field(3, "y").fill("170.25");
   await page.keyboard.press("Enter");
@@ -67,7 +85,7 @@ test("numbers that are none get a sentence and change nothing", async () => {
     assert.equal(await field(1, "x").getAttribute("aria-invalid"), "true");
     assert.equal(JSON.stringify(await state(page)), before);
   }
-  await page.keyboard.press("Escape");  // takes back what was typed
+  await page.keyboard.press("Escape"); // takes back what was typed
   assert.equal(await field(1, "x").inputValue(), "0");
   assert.equal(await window.locator(".problem").textContent(), "");
   await page.keyboard.press("Escape");
@@ -112,7 +130,7 @@ test("the centre of mass, and back to the centroid", async () => {
   const back = window.getByRole("button", { name: "Back to centroid" });
   assert.ok(await back.isDisabled());
   // 193.333…: rounded, so that it fits, and exact where somebody goes.
-  const rounded = (await centre("x").inputValue());
+  const rounded = await centre("x").inputValue();
   assert.ok(rounded.length <= 11 && Math.abs(Number(rounded) - centroid[0]) < 1e-4, rounded);
   await centre("x").focus();
   assert.equal(Number(await centre("x").inputValue()), centroid[0]);
@@ -138,13 +156,13 @@ test("it follows the canvas, marks what is selected there, and leaves it usable"
   await page.mouse.move(x - 300, y - 300);
   await idle(page);
   assert.deepEqual(await page.locator("#table tr.selected th").allTextContents(), ["3"]);
-  await page.keyboard.press("t");  // the canvas's keys
+  await page.keyboard.press("t"); // the canvas's keys
   assert.equal((await state(page)).requested_teams, 4);
   await field(5, "x").focus();
-  await page.keyboard.press("t");  // not the canvas's
+  await page.keyboard.press("t"); // not the canvas's
   assert.equal((await state(page)).requested_teams, 4);
   await page.locator("#canvas").focus();
-  await page.keyboard.press("Escape");  // nothing selected any more
+  await page.keyboard.press("Escape"); // nothing selected any more
   await page.keyboard.press("Escape");
   await allClosed(page);
 });
@@ -189,7 +207,9 @@ test("on a phone it is the whole screen, for fingers", async () => {
   const window = await openWindow(small, "table");
   const { width, height } = await window.boundingBox();
   assert.deepEqual([width, height], [phone.width, phone.height]);
-  const sizes = await window.locator("button:visible, input:visible").evaluateAll((all) => all.map((b) => b.getBoundingClientRect()).map((b) => Math.min(b.width, b.height)));
+  const sizes = await window
+    .locator("button:visible, input:visible")
+    .evaluateAll((all) => all.map((b) => b.getBoundingClientRect()).map((b) => Math.min(b.width, b.height)));
   assert.ok(Math.min(...sizes) >= 44, String(Math.min(...sizes)));
   assert.ok(await window.evaluate((r) => r.scrollWidth <= innerWidth));
   await window.getByRole("button", { name: "Close" }).tap();

@@ -1,51 +1,112 @@
 // The first visit: the card that says what this is, and the tour.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { asset, control, idle, link, load, reload, set, sharedBrowser, state, tap, thrown, toScreen } from "../page/browser.mjs";
+import {
+  asset,
+  control,
+  idle,
+  link,
+  load,
+  reload,
+  set,
+  sharedBrowser,
+  state,
+  tap,
+  thrown,
+  toScreen,
+} from "../page/browser.mjs";
 import { allClosed, openWindow, violations } from "../page/windows.mjs";
 
 const browser = sharedBrowser();
 
 const card = (page) => page.locator("#welcome");
-const box = (page, selector) => page.locator(selector).evaluate((e) => {
-  const { left, top, right, bottom } = e.getBoundingClientRect();
-  return { left, top, right, bottom };
-});
+const box = (page, selector) =>
+  page.locator(selector).evaluate((e) => {
+    const { left, top, right, bottom } = e.getBoundingClientRect();
+    return { left, top, right, bottom };
+  });
 const apart = (a, b) => a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top;
 
-for (const [width, height, touch] of [[320, 568, true], [390, 844, true], [740, 360, true], [844, 390, true], [1024, 768, false], [820, 1180, true], [1440, 900, false], [3840, 2160, false]]) {
+for (const [width, height, touch] of [
+  [320, 568, true],
+  [390, 844, true],
+  [740, 360, true],
+  [844, 390, true],
+  [1024, 768, false],
+  [820, 1180, true],
+  [1440, 900, false],
+  [3840, 2160, false],
+]) {
   test(`at ${width} by ${height} the card covers neither the object nor a control`, async () => {
     const page = await browser.open({ first: true, viewport: { width, height }, hasTouch: touch, isMobile: touch });
     await idle(page);
     await card(page).waitFor();
     await idle(page);
     const place = await box(page, "#welcome");
-    assert.ok(place.left >= 0 && place.top >= 0 && place.right <= width && place.bottom <= height, JSON.stringify(place));
+    assert.ok(
+      place.left >= 0 && place.top >= 0 && place.right <= width && place.bottom <= height,
+      JSON.stringify(place),
+    );
     const things = await page.evaluate(() => {
       const state = evenlift.state();
-      const points = [...state.teams.flatMap(({ ends }) => ends), ...evenlift.text().matchAll(/^\(([^,]+),([^)]+)\)/gm)].map((p) => evenlift.view.to_screen(Number(p.at(-2)), Number(p.at(-1))));
-      const controls = ["Samples", "Draw", "Undo", "Copy link", "Zoom in", "Show all of the object", "Coordinates", "teams +", "teams -", "ratio"].map((name) => evenlift.view.control(name)).filter(Boolean);
+      const points = [
+        ...state.teams.flatMap(({ ends }) => ends),
+        ...evenlift.text().matchAll(/^\(([^,]+),([^)]+)\)/gm),
+      ].map((p) => evenlift.view.to_screen(Number(p.at(-2)), Number(p.at(-1))));
+      const controls = [
+        "Samples",
+        "Draw",
+        "Undo",
+        "Copy link",
+        "Zoom in",
+        "Show all of the object",
+        "Coordinates",
+        "teams +",
+        "teams -",
+        "ratio",
+      ]
+        .map((name) => evenlift.view.control(name))
+        .filter(Boolean);
       return [
-        { left: Math.min(...points.map((p) => p.x)) - 12, right: Math.max(...points.map((p) => p.x)) + 12, top: Math.min(...points.map((p) => p.y)) - 12, bottom: Math.max(...points.map((p) => p.y)) + 12 },
+        {
+          left: Math.min(...points.map((p) => p.x)) - 12,
+          right: Math.max(...points.map((p) => p.x)) + 12,
+          top: Math.min(...points.map((p) => p.y)) - 12,
+          bottom: Math.max(...points.map((p) => p.y)) + 12,
+        },
         ...controls.map(({ x, y, width: w, height: h }) => ({ left: x, top: y, right: x + w, bottom: y + h })),
       ];
     });
     assert.ok(things.length > 6);
-    for (const thing of things) assert.ok(apart(place, thing), `${JSON.stringify(place)} covers ${JSON.stringify(thing)}`);
-    const [one, other] = await page.evaluate(() => evenlift.state().teams[0].ends.map((at) => [...evenlift.view.to_screen(...at)]));
+    for (const thing of things)
+      assert.ok(apart(place, thing), `${JSON.stringify(place)} covers ${JSON.stringify(thing)}`);
+    const [one, other] = await page.evaluate(() =>
+      evenlift.state().teams[0].ends.map((at) => [...evenlift.view.to_screen(...at)]),
+    );
     const between = Math.hypot(one[0] - other[0], one[1] - other[1]);
     assert.ok(between >= 84, `the object is to be seen between its robots: ${between} pixels`);
     const sentence = await box(page, "#welcome p");
     assert.ok(sentence.bottom - sentence.top < 80, "the sentence is no column of words");
-    const targets = await page.locator("#welcome button").evaluateAll((all) => all.map((b) => b.getBoundingClientRect().height));
+    const targets = await page
+      .locator("#welcome button")
+      .evaluateAll((all) => all.map((b) => b.getBoundingClientRect().height));
     if (touch) assert.ok(Math.min(...targets) >= 44, String(targets));
-    assert.equal(await page.evaluate(() => document.activeElement.id !== "welcome" && document.activeElement.closest("#welcome") === null), true, "it takes no focus");
+    assert.equal(
+      await page.evaluate(
+        () => document.activeElement.id !== "welcome" && document.activeElement.closest("#welcome") === null,
+      ),
+      true,
+      "it takes no focus",
+    );
     await page.done();
   });
 }
 
 test("the card is told, and a list of the panels that would be under it is seen", async () => {
-  for (const [width, height] of [[320, 568], [390, 844]]) {
+  for (const [width, height] of [
+    [320, 568],
+    [390, 844],
+  ]) {
     const page = await browser.open({ first: true, viewport: { width, height }, hasTouch: true, isMobile: true });
     await card(page).waitFor();
     await idle(page);
@@ -115,10 +176,19 @@ test("the ways to begin: drawing, the gallery, the tour", async () => {
   await card(page).getByRole("button", { name: "Draw your own" }).click();
   await idle(page);
   assert.equal(await card(page).count(), 0);
-  for (const at of [[300, 300], [500, 300], [400, 500]]) await page.mouse.click(...at);
+  for (const at of [
+    [300, 300],
+    [500, 300],
+    [400, 500],
+  ])
+    await page.mouse.click(...at);
   await page.keyboard.press("Enter");
   await idle(page);
-  assert.equal(await page.evaluate(() => evenlift.text().trim().split("\n").length), 3, "clicks draw, and the keys are the canvas's");
+  assert.equal(
+    await page.evaluate(() => evenlift.text().trim().split("\n").length),
+    3,
+    "clicks draw, and the keys are the canvas's",
+  );
   await page.keyboard.press("W");
   await card(page).getByRole("button", { name: "Choose a sample" }).click();
   await page.locator("#samples .sample").first().waitFor();
@@ -131,10 +201,13 @@ test("the ways to begin: drawing, the gallery, the tour", async () => {
 });
 
 const tour = (page) => page.locator("#tour");
-const ringed = (page) => page.locator(".tour-rings > *").evaluateAll((all) => all.map((e) => {
-  const { left, top, right, bottom } = e.getBoundingClientRect();
-  return { kind: e.localName, left, top, right, bottom };
-}));
+const ringed = (page) =>
+  page.locator(".tour-rings > *").evaluateAll((all) =>
+    all.map((e) => {
+      const { left, top, right, bottom } = e.getBoundingClientRect();
+      return { kind: e.localName, left, top, right, bottom };
+    }),
+  );
 
 async function takeTour(page) {
   await page.locator("#canvas").focus();
@@ -148,36 +221,67 @@ async function takeTour(page) {
 // The stop that is shown, with what it says.
 async function stop(page) {
   await idle(page);
-  return { title: await page.locator("#tour-title").textContent(), words: await page.locator("#tour-words").textContent() };
+  return {
+    title: await page.locator("#tour-title").textContent(),
+    words: await page.locator("#tour-words").textContent(),
+  };
 }
 
 async function goToStop(page, title) {
   while ((await stop(page)).title !== title) await tour(page).getByRole("button", { name: "Next" }).click();
 }
 
-for (const [width, height] of [[1280, 800], [390, 844], [844, 390], [320, 568], [1920, 1080]]) {
+for (const [width, height] of [
+  [1280, 800],
+  [390, 844],
+  [844, 390],
+  [320, 568],
+  [1920, 1080],
+]) {
   test(`the tour at ${width} by ${height}: it covers nothing that it speaks of, its button stays, and keys lead through it`, async () => {
     const touch = width < 900;
-    const page = await browser.open({ viewport: { width, height }, hasTouch: touch, isMobile: touch, reducedMotion: "reduce" });
+    const page = await browser.open({
+      viewport: { width, height },
+      hasTouch: touch,
+      isMobile: touch,
+      reducedMotion: "reduce",
+    });
     await load(page, asset("horseshoe"));
     await idle(page);
     const before = await link(page);
     const count = await takeTour(page);
     assert.ok(count >= 6 && count <= 9, String(count));
-    const seats = new Set(), drawings = new Set(), titles = [];
+    const seats = new Set(),
+      drawings = new Set(),
+      titles = [];
     for (let i = 0; i < count; ++i) {
       titles.push((await stop(page)).title);
       const place = await box(page, "#tour");
-      assert.ok(place.left >= 0 && place.top >= 0 && place.right <= width && place.bottom <= height, `stop ${i + 1}: ${JSON.stringify(place)}`);
+      assert.ok(
+        place.left >= 0 && place.top >= 0 && place.right <= width && place.bottom <= height,
+        `stop ${i + 1}: ${JSON.stringify(place)}`,
+      );
       seats.add(JSON.stringify([place, await box(page, "#tour .primary")]));
       drawings.add(JSON.stringify(await toScreen(page, [0, 0])));
-      const robots = await page.evaluate(() => evenlift.state().teams.flatMap(({ ends }) => ends).map((at) => [...evenlift.view.to_screen(...at)]));
-      for (const [x, y] of robots) assert.ok(apart(place, { left: x - 10, right: x + 10, top: y - 10, bottom: y + 10 }), `stop ${i + 1} covers a robot at ${[x, y]}`);
+      const robots = await page.evaluate(() =>
+        evenlift
+          .state()
+          .teams.flatMap(({ ends }) => ends)
+          .map((at) => [...evenlift.view.to_screen(...at)]),
+      );
+      for (const [x, y] of robots)
+        assert.ok(
+          apart(place, { left: x - 10, right: x + 10, top: y - 10, bottom: y + 10 }),
+          `stop ${i + 1} covers a robot at ${[x, y]}`,
+        );
       const rings = await ringed(page);
       assert.ok(rings.length > 0, `stop ${i + 1} points at nothing`);
       for (const ring of rings) {
         assert.ok(apart(place, ring), `stop ${i + 1} covers what it points at: ${JSON.stringify(ring)}`);
-        assert.ok(ring.left >= 0 && ring.top >= 0 && ring.right <= width && ring.bottom <= height, `stop ${i + 1} points out of the window: ${JSON.stringify(ring)}`);
+        assert.ok(
+          ring.left >= 0 && ring.top >= 0 && ring.right <= width && ring.bottom <= height,
+          `stop ${i + 1} points out of the window: ${JSON.stringify(ring)}`,
+        );
       }
       assert.match(await tour(page).textContent(), new RegExp(`${i + 1} of ${count}`));
       if (i === 1) {
@@ -185,7 +289,7 @@ for (const [width, height] of [[1280, 800], [390, 844], [844, 390], [320, 568], 
         assert.equal((await stop(page)).title, titles[0]);
         await page.keyboard.press("ArrowRight");
       }
-      await page.keyboard.press("Enter");  // Next has the focus
+      await page.keyboard.press("Enter"); // Next has the focus
     }
     await idle(page);
     assert.equal(await tour(page).count(), 0);
@@ -226,7 +330,10 @@ test("the two discs of a team have a ring each; the vertex that is ringed is cle
 
 test("the tour says of each placement what is free to move, and speaks of hatching only where there is some", async () => {
   const page = await browser.open();
-  for (const [name, words] of [["puzzle-piece", /^Here it cannot/], ["horseshoe", /^Hatching shows .* clockwise in red, counter-clockwise in blue\. The arrow/]]) {
+  for (const [name, words] of [
+    ["puzzle-piece", /^Here it cannot/],
+    ["horseshoe", /^Hatching shows .* clockwise in red, counter-clockwise in blue\. The arrow/],
+  ]) {
     await load(page, asset(name));
     await takeTour(page);
     await goToStop(page, "Can it still move?");
@@ -293,10 +400,13 @@ test("a card that becomes higher, as when its font has come, keeps its foot wher
   await page.locator("#welcome p").evaluate((words) => {
     words.style.fontSize = "30px";
   });
-  await page.waitForFunction(([top, bottom]) => {
-    const now = document.getElementById("welcome").getBoundingClientRect();
-    return now.top < top - 20 && Math.abs(now.bottom - bottom) < 1;
-  }, [before.top, before.bottom]);
+  await page.waitForFunction(
+    ([top, bottom]) => {
+      const now = document.getElementById("welcome").getBoundingClientRect();
+      return now.top < top - 20 && Math.abs(now.bottom - bottom) < 1;
+    },
+    [before.top, before.bottom],
+  );
   await page.done();
 });
 
@@ -320,14 +430,22 @@ test("Escape leaves the tour, and nothing moves for those who asked for less mot
   assert.equal(await card(page).evaluate((root) => root.getAnimations({ subtree: true }).length), 0);
   await card(page).getByRole("button", { name: "Take the tour" }).click();
   await page.locator("#tour").getByRole("button", { name: "Next" }).click();
-  assert.equal(await page.evaluate(() => document.getAnimations().filter((a) => a.effect.target.closest("#tour, .tour-rings")).length), 0);
+  assert.equal(
+    await page.evaluate(
+      () => document.getAnimations().filter((a) => a.effect.target.closest("#tour, .tour-rings")).length,
+    ),
+    0,
+  );
   await page.keyboard.press("Escape");
   assert.equal(await page.locator("#tour").count(), 0);
   assert.equal(await thrown(page, "set", { teams: 2 }), undefined);
   await page.done();
 });
 
-for (const [width, height] of [[390, 844], [320, 568]]) {
+for (const [width, height] of [
+  [390, 844],
+  [320, 568],
+]) {
   test(`at ${width} by ${height} a card stands whole below a sheet that is pulled up to the top`, async () => {
     const page = await browser.open({ viewport: { width, height }, hasTouch: true, isMobile: true, first: true });
     await page.locator("#welcome").waitFor();
@@ -339,11 +457,19 @@ for (const [width, height] of [[390, 844], [320, 568]]) {
       }
     };
     const stands = async (name) => {
-      const card = await page.locator(name).boundingBox(), handle = await control(page, "handle");
+      const card = await page.locator(name).boundingBox(),
+        handle = await control(page, "handle");
       assert.ok(card.height > 80 && card.y + card.height <= height, `${name}: ${JSON.stringify(card)}`);
       assert.ok(card.y > height / 2 && handle.y < 120, `${name} is below the verdict`);
-      const spilt = await page.locator(`${name} *`).evaluateAll((all, { y, height: high }) => all.map((one) => one.getBoundingClientRect())
-        .filter((box) => box.height > 0 && (box.top < y - 1 || box.bottom > y + high + 1)).length, card);
+      const spilt = await page
+        .locator(`${name} *`)
+        .evaluateAll(
+          (all, { y, height: high }) =>
+            all
+              .map((one) => one.getBoundingClientRect())
+              .filter((box) => box.height > 0 && (box.top < y - 1 || box.bottom > y + high + 1)).length,
+          card,
+        );
       assert.equal(spilt, 0, `nothing of ${name} is beside it`);
     };
     await pullUp();

@@ -8,16 +8,21 @@ const colour = (method) => `var(--${method})`;
 
 export function inWords(figure, method, [robots, value, polygons]) {
   const words = `${methods[method].words}: ${inDigits(figure, value)} ${figure.unit} with ${robots} robots`;
-  if (!figure.set) return words;  // of a single polygon
+  if (!figure.set) return words; // of a single polygon
   return `${words}, ${polygons === 1 ? "1 polygon" : `${polygons} polygons`}`;
 }
 
 // The chart of a figure, `width` pixels wide. A figure is
 // {id, title, unit, series: [{method, points: [[robots, value, polygons], …]}]}.
 export function drawChart(figure, width) {
-  const rows = figure.series.flatMap(({ method, points }) => points.map((point) => ({
-    method, robots: point[0], value: inUnit(figure, point[1]), label: inWords(figure, method, point),
-  })));
+  const rows = figure.series.flatMap(({ method, points }) =>
+    points.map((point) => ({
+      method,
+      robots: point[0],
+      value: inUnit(figure, point[1]),
+      label: inWords(figure, method, point),
+    })),
+  );
   const svg = plot({
     className: "chart",
     width,
@@ -25,26 +30,70 @@ export function drawChart(figure, width) {
     marginLeft: 44,
     marginTop: 24,
     marginBottom: 40,
-    x: { domain: [Math.min(2, ...rows.map(({ robots }) => robots)), Math.max(4, ...rows.map(({ robots }) => robots))], inset: 6 },
+    x: {
+      domain: [Math.min(2, ...rows.map(({ robots }) => robots)), Math.max(4, ...rows.map(({ robots }) => robots))],
+      inset: 6,
+    },
     y: { domain: span(figure, rows), nice: true },
     marks: [
       gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
-      axisX({ label: "robots", tickFormat: "d", ticks: width / 70, tickSize: 4, labelAnchor: "center", labelArrow: "none", fontSize: 12 }),
+      axisX({
+        label: "robots",
+        tickFormat: "d",
+        ticks: width / 70,
+        tickSize: 4,
+        labelAnchor: "center",
+        labelArrow: "none",
+        fontSize: 12,
+      }),
       axisY({ label: figure.unit, ticks: 5, tickSize: 0, labelArrow: "none", fontSize: 12 }),
       ruleY(figure.unit === "%" && span(figure, rows)[0] > 0 ? [] : [0], { stroke: "var(--second)" }),
-      ...figure.series.map(({ method }) => line(rows.filter((row) => row.method === method), {
-        x: "robots", y: "value", stroke: colour(method), strokeWidth: 1.75, strokeDasharray: methods[method].dashes, className: `line-${method}`,
-      })),
-      ...figure.series.map(({ method }) => dot(rows.filter((row) => row.method === method), {
-        x: "robots", y: "value", stroke: colour(method), fill: method === "random" ? "none" : colour(method), symbol: methods[method].sign, r: width < 420 ? 2 : 2.5,
-        ariaLabel: "label", className: `dots-${method}`,
-      })),
-      tip(rows, pointer({ x: "robots", y: "value", title: "label", fontSize: 12, lineWidth: 22, fill: "var(--panel)", stroke: "var(--line)", textPadding: 8 })),
+      ...figure.series.map(({ method }) =>
+        line(
+          rows.filter((row) => row.method === method),
+          {
+            x: "robots",
+            y: "value",
+            stroke: colour(method),
+            strokeWidth: 1.75,
+            strokeDasharray: methods[method].dashes,
+            className: `line-${method}`,
+          },
+        ),
+      ),
+      ...figure.series.map(({ method }) =>
+        dot(
+          rows.filter((row) => row.method === method),
+          {
+            x: "robots",
+            y: "value",
+            stroke: colour(method),
+            fill: method === "random" ? "none" : colour(method),
+            symbol: methods[method].sign,
+            r: width < 420 ? 2 : 2.5,
+            ariaLabel: "label",
+            className: `dots-${method}`,
+          },
+        ),
+      ),
+      tip(
+        rows,
+        pointer({
+          x: "robots",
+          y: "value",
+          title: "label",
+          fontSize: 12,
+          lineWidth: 22,
+          fill: "var(--panel)",
+          stroke: "var(--line)",
+          textPadding: 8,
+        }),
+      ),
     ],
   });
   // Plot brings a style sheet of its own, which a page's content security policy refuses; charts.css says the same.
   svg.querySelector("style")?.remove();
-  svg.setAttribute("aria-hidden", "true");  // it is read out as one picture, see follow()
+  svg.setAttribute("aria-hidden", "true"); // it is read out as one picture, see follow()
   return svg;
 }
 
@@ -60,15 +109,34 @@ function span(figure, rows) {
 
 // Which line is which, for the methods that have values.
 export function legend(figures) {
-  const used = Object.keys(methods).filter((method) => figures.some(({ series }) => series.some((one) => one.method === method)));
+  const used = Object.keys(methods).filter((method) =>
+    figures.some(({ series }) => series.some((one) => one.method === method)),
+  );
   const list = document.createElement("ul");
   list.className = "legend";
   for (const method of used) {
     const key = plot({
-      className: "key", width: 34, height: 14, margin: 0, axis: null, x: { domain: [0, 1] }, y: { domain: [0, 1] },
+      className: "key",
+      width: 34,
+      height: 14,
+      margin: 0,
+      axis: null,
+      x: { domain: [0, 1] },
+      y: { domain: [0, 1] },
       marks: [
-        line([[0.04, 0.5], [0.96, 0.5]], { stroke: colour(method), strokeWidth: 1.75, strokeDasharray: methods[method].dashes }),
-        dot([[0.5, 0.5]], { stroke: colour(method), fill: method === "random" ? "none" : colour(method), symbol: methods[method].sign, r: 3 }),
+        line(
+          [
+            [0.04, 0.5],
+            [0.96, 0.5],
+          ],
+          { stroke: colour(method), strokeWidth: 1.75, strokeDasharray: methods[method].dashes },
+        ),
+        dot([[0.5, 0.5]], {
+          stroke: colour(method),
+          fill: method === "random" ? "none" : colour(method),
+          symbol: methods[method].sign,
+          r: 3,
+        }),
       ],
     });
     key.querySelector("style")?.remove();

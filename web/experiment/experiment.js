@@ -12,11 +12,15 @@ const manyPolygons = { weight: 100, weightUnit: "kg", mostTeams: 1000 };
 // What is missing if the algorithm can place no team on the polygon.
 function withoutTeams({ figures }) {
   if (figures.some(({ series }) => series.some(({ method }) => method !== "balanced"))) return "";
-  return "No chord through the centre of mass is this even: the algorithm can place no team here, "
-    + (figures.length > 0 ? "so only balanced robots were measured." : "and there are no balanced robots either, so nothing was measured.");
+  return (
+    "No chord through the centre of mass is this even: the algorithm can place no team here, " +
+    (figures.length > 0
+      ? "so only balanced robots were measured."
+      : "and there are no balanced robots either, so nothing was measured.")
+  );
 }
 
-let kept;  // the last results and what they describe; closing the window does not lose them
+let kept; // the last results and what they describe; closing the window does not lose them
 
 const count = (n, word) => `${number(n)} ${word}${n === 1 ? "" : "s"}`;
 
@@ -27,7 +31,7 @@ export async function show(page, { start = false, source = "this" } = {}) {
     name: "experiment",
     title: "Compare methods",
     body: [el("div", { class: "scroll" }, view.form, view.problem, view.running, view.said, view.results), view.footer],
-    focus: view.form.querySelector(":checked"),  // at its beginning, also where not all of it is seen; Enter compares
+    focus: view.form.querySelector(":checked"), // at its beginning, also where not all of it is seen; Enter compares
     closed: () => view.close(),
   });
   if (root) view.connect(root, start);
@@ -43,21 +47,31 @@ function reveal(element) {
 }
 
 class ExperimentWindow {
-  #polygon;  // the open polygon: its text in the thesis's format, and the settings that matter
+  #polygon; // the open polygon: its text in the thesis's format, and the settings that matter
   #files = [];
-  #stop;  // stops the run that is under way
-  #charts = [];  // functions that stop the charts from following the width
+  #stop; // stops the run that is under way
+  #charts = []; // functions that stop the charts from following the width
 
   constructor({ program }, source) {
-    this.#polygon = { text: program.text("page_text"), minRatio: program.number("page_min_ratio"), weight: program.number("page_weight"),
-      weightUnit: program.text("page_weight_unit"), points: program.number("page_robots_are_points") === 1 };
+    this.#polygon = {
+      text: program.text("page_text"),
+      minRatio: program.number("page_min_ratio"),
+      weight: program.number("page_weight"),
+      weightUnit: program.text("page_weight_unit"),
+      points: program.number("page_robots_are_points") === 1,
+    };
     this.problem = problemLine();
     this.start = button("Compare", { class: "button primary", onclick: () => this.#run() });
     this.cancel = button("Cancel", { onclick: () => this.#stop?.abort(new DOMException("cancelled", "AbortError")) });
     this.bar = el("progress", { "aria-label": "How much is measured", max: "1", value: "0" });
     this.now = el("p", { class: "second" });
     this.said = el("p", { class: "second said", role: "status" });
-    this.running = el("div", { class: "running", hidden: true }, el("div", { class: "row" }, this.bar, this.cancel), this.now);
+    this.running = el(
+      "div",
+      { class: "running", hidden: true },
+      el("div", { class: "row" }, this.bar, this.cancel),
+      this.now,
+    );
     this.results = el("div", { class: "results" });
     this.footer = el("footer", {});
     this.form = this.#makeForm();
@@ -66,33 +80,110 @@ class ExperimentWindow {
   }
 
   #makeForm() {
-    this.file = el("input", { type: "file", multiple: true, class: "for-readers", tabindex: "-1", "aria-hidden": "true", accept: ".txt,.csv,.tsv,.svg,.dxf,.json,.geojson,.wkt,text/plain,text/csv,image/svg+xml,image/vnd.dxf,application/json,application/geo+json" });
+    this.file = el("input", {
+      type: "file",
+      multiple: true,
+      class: "for-readers",
+      tabindex: "-1",
+      "aria-hidden": "true",
+      accept:
+        ".txt,.csv,.tsv,.svg,.dxf,.json,.geojson,.wkt,text/plain,text/csv,image/svg+xml,image/vnd.dxf,application/json,application/geo+json",
+    });
     this.file.addEventListener("change", () => {
       this.#take([...this.file.files]);
-      this.file.value = "";  // the same files may be chosen again
+      this.file.value = ""; // the same files may be chosen again
     });
-    const choice = (value, text) => el("label", { class: "radio" }, el("input", { type: "radio", name: "polygons", value, onchange: () => this.#chosenChanged() }), text);
+    const choice = (value, text) =>
+      el(
+        "label",
+        { class: "radio" },
+        el("input", { type: "radio", name: "polygons", value, onchange: () => this.#chosenChanged() }),
+        text,
+      );
     this.own = el("span", {}, "My files");
     this.choose = button("Choose files …", { onclick: () => this.file.click() }, "file");
-    this.samples = el("input", { class: "field", type: "number", min: "1", max: "100000", step: "1", value: "200", inputmode: "numeric" });
-    this.ratio = el("input", { class: "field", type: "number", min: "0", max: "1", step: "any", value: "0.8", inputmode: "decimal" });
+    this.samples = el("input", {
+      class: "field",
+      type: "number",
+      min: "1",
+      max: "100000",
+      step: "1",
+      value: "200",
+      inputmode: "numeric",
+    });
+    this.ratio = el("input", {
+      class: "field",
+      type: "number",
+      min: "0",
+      max: "1",
+      step: "any",
+      value: "0.8",
+      inputmode: "decimal",
+    });
     this.ratioLabel = el("label", {}, "Minimum load ratio ", this.ratio);
     // So many polygons give clear curves; one may ask for more.
-    this.most = el("input", { class: "field", type: "number", min: "1", max: "10000", step: "1", value: "30", inputmode: "numeric" });
+    this.most = el("input", {
+      class: "field",
+      type: "number",
+      min: "1",
+      max: "10000",
+      step: "1",
+      value: "30",
+      inputmode: "numeric",
+    });
     this.mostLabel = el("label", {}, "Most teams ", this.most);
     // Those up to 12, as `evenlift experiment` measures them, take five times as long as those up to 8.
-    this.balanced = el("input", { class: "field", type: "number", min: "2", max: "64", step: "1", value: "8", inputmode: "numeric" });
-    this.ownSettings = el("p", { class: "second" }, `With its own centre of mass, minimum load ratio ${this.#polygon.minRatio} and weight ${this.#polygon.weight} ${this.#polygon.weightUnit}.`);
-    return el("form", { class: "experiment", onsubmit: (event) => {
-      event.preventDefault();
-      this.#run();
-    } },
-      el("p", {}, "Loads, coverage and form closure by every method, with every number of robots: on this polygon, or averaged over many, as in chapter 5 of the thesis. It is computed here; nothing is sent anywhere."),
-      el("fieldset", {}, el("legend", {}, "Polygons"), choice("this", "This polygon"), choice("samples", "All samples, some with their centre of mass moved"),
-        choice("thesis", "A set like the thesis’s"), choice("files", this.own), this.choose, this.file),
-      el("fieldset", {}, el("legend", {}, "Settings"),
-        el("label", {}, "Random placements of each polygon ", this.samples), this.ratioLabel, this.mostLabel,
-        el("label", {}, "Most balanced robots ", this.balanced), this.ownSettings, this.start));
+    this.balanced = el("input", {
+      class: "field",
+      type: "number",
+      min: "2",
+      max: "64",
+      step: "1",
+      value: "8",
+      inputmode: "numeric",
+    });
+    this.ownSettings = el(
+      "p",
+      { class: "second" },
+      `With its own centre of mass, minimum load ratio ${this.#polygon.minRatio} and weight ${this.#polygon.weight} ${this.#polygon.weightUnit}.`,
+    );
+    return el(
+      "form",
+      {
+        class: "experiment",
+        onsubmit: (event) => {
+          event.preventDefault();
+          this.#run();
+        },
+      },
+      el(
+        "p",
+        {},
+        "Loads, coverage and form closure by every method, with every number of robots: on this polygon, or averaged over many, as in chapter 5 of the thesis. It is computed here; nothing is sent anywhere.",
+      ),
+      el(
+        "fieldset",
+        {},
+        el("legend", {}, "Polygons"),
+        choice("this", "This polygon"),
+        choice("samples", "All samples, some with their centre of mass moved"),
+        choice("thesis", "A set like the thesis’s"),
+        choice("files", this.own),
+        this.choose,
+        this.file,
+      ),
+      el(
+        "fieldset",
+        {},
+        el("legend", {}, "Settings"),
+        el("label", {}, "Random placements of each polygon ", this.samples),
+        this.ratioLabel,
+        this.mostLabel,
+        el("label", {}, "Most balanced robots ", this.balanced),
+        this.ownSettings,
+        this.start,
+      ),
+    );
   }
 
   get #chosen() {
@@ -111,7 +202,7 @@ class ExperimentWindow {
       root.addEventListener(type, (event) => {
         if (!event.dataTransfer?.types.includes("Files")) return;
         event.preventDefault();
-        event.stopPropagation();  // otherwise the page would open them
+        event.stopPropagation(); // otherwise the page would open them
         if (type === "drop") this.#take([...event.dataTransfer.files]);
       });
     }
@@ -140,13 +231,16 @@ class ExperimentWindow {
 
   // The tasks, the settings, and the caption of the results.
   async #plan() {
-    const random = this.samples.valueAsNumber, mostBalanced = this.balanced.valueAsNumber;
+    const random = this.samples.valueAsNumber,
+      mostBalanced = this.balanced.valueAsNumber;
     const upTo = `Balanced robots are measured up to ${number(mostBalanced)}, since the search for more takes longer.`;
     if (this.#chosen === "this") {
       const { minRatio, weight, weightUnit, points } = this.#polygon;
       const asPoints = points ? "" : " Robots count as points here: their size and the marked edges are left out.";
       return {
-        tasks: thisPolygon(this.#polygon), what: "methods", of: this.#polygon,
+        tasks: thisPolygon(this.#polygon),
+        what: "methods",
+        of: this.#polygon,
         settings: { minRatio, samples: random, weight, weightUnit, mostTeams: this.most.valueAsNumber, mostBalanced },
         caption: `This polygon at a minimum load ratio of ${minRatio} and a weight of ${number(weight)} ${weightUnit}, with as many teams as there are candidates, ${number(this.most.valueAsNumber)} at most.${asPoints} ${upTo}`,
       };
@@ -155,7 +249,9 @@ class ExperimentWindow {
     const names = { samples: "All samples", thesis: "A set like the thesis’s", files: "My files" };
     const minRatio = this.ratio.valueAsNumber;
     return {
-      tasks, what: "polygons", settings: { ...manyPolygons, mostBalanced, minRatio, samples: random },
+      tasks,
+      what: "polygons",
+      settings: { ...manyPolygons, mostBalanced, minRatio, samples: random },
       caption: `${names[this.#chosen]}: ${count(tasks.length, "polygon")}, at a minimum load ratio of ${minRatio} and a weight of 100 kg. ${upTo}`,
     };
   }
@@ -173,7 +269,9 @@ class ExperimentWindow {
     try {
       const { tasks, what, settings, caption, of } = await this.#plan();
       const outputs = await runExperiment(tasks, {
-        settings, onePolygon: of !== undefined, signal: stop.signal,
+        settings,
+        onePolygon: of !== undefined,
+        signal: stop.signal,
         partly: async (some) => {
           if (some.figures.length === 0) return;
           kept = { outputs: some, caption: `${caption} They are still missing.`, of };
@@ -191,7 +289,10 @@ class ExperimentWindow {
       if (!partly) reveal(this.results);
       this.said.textContent = of ? "Done." : `Done: ${count(tasks.length, "polygon")}.`;
     } catch (error) {
-      if (error.name === "AbortError") this.said.textContent = partly ? "Cancelled; balanced robots are missing." : "Cancelled; nothing of this comparison is kept.";
+      if (error.name === "AbortError")
+        this.said.textContent = partly
+          ? "Cancelled; balanced robots are missing."
+          : "Cancelled; nothing of this comparison is kept.";
       else this.problem.say(error.message.charAt(0).toUpperCase() + error.message.slice(1));
     } finally {
       this.#stop = undefined;
@@ -215,9 +316,16 @@ class ExperimentWindow {
   async #show() {
     const { outputs, caption, of } = kept;
     this.#forgetCharts();
-    const save = (name, text, file, title) => button(name, { onclick: () => download(new Blob([text], { type: "text/csv" }), `evenlift-${file}.csv`), title }, "save");
-    this.footer.replaceChildren(save("Measurements (CSV)", outputs.measurements, "measurements", "Save every measurement"),
-      ...(of ? [] : [save("Averages (CSV)", outputs.aggregates, "averages", "Save what the charts show")]));
+    const save = (name, text, file, title) =>
+      button(
+        name,
+        { onclick: () => download(new Blob([text], { type: "text/csv" }), `evenlift-${file}.csv`), title },
+        "save",
+      );
+    this.footer.replaceChildren(
+      save("Measurements (CSV)", outputs.measurements, "measurements", "Save every measurement"),
+      ...(of ? [] : [save("Averages (CSV)", outputs.aggregates, "averages", "Save what the charts show")]),
+    );
     this.#charts = await showResults(this.results, outputs, (of && withoutTeams(outputs)) || caption);
   }
 }

@@ -3,53 +3,139 @@ import { methods } from "../charts/methods.js";
 import { el, number } from "../kit/elements.js";
 import { figureTable } from "./figure_table.js";
 
-const wide = (label, content) => el("div", { class: "wide", tabindex: "0", role: "region", "aria-label": label }, content);
+const wide = (label, content) =>
+  el("div", { class: "wide", tabindex: "0", role: "region", "aria-label": label }, content);
 
 // Which polygons were left out, and why.
 function refused({ refused: all }) {
   if (all.length === 0) return [];
-  return [el("div", { class: "problem", role: "status" }, `${number(all.length)} polygon${all.length === 1 ? "" : "s"} could not be read and ${all.length === 1 ? "was" : "were"} left out:`,
-    el("ul", {}, ...all.map(({ polygon, problem }) => el("li", {}, `${polygon}: ${problem}`))))];
+  return [
+    el(
+      "div",
+      { class: "problem", role: "status" },
+      `${number(all.length)} polygon${all.length === 1 ? "" : "s"} could not be read and ${all.length === 1 ? "was" : "were"} left out:`,
+      el("ul", {}, ...all.map(({ polygon, problem }) => el("li", {}, `${polygon}: ${problem}`))),
+    ),
+  ];
 }
 
 function figure(made, place) {
-  return el("figure", {},
-    el("h3", {}, `${made.title} (${made.unit})`), place, el("figcaption", {}, made.sentence),
-    el("details", {}, el("summary", {}, "Numbers"), wide(`Numbers: ${made.title}`, figureTable(made))));
+  return el(
+    "figure",
+    {},
+    el("h3", {}, `${made.title} (${made.unit})`),
+    place,
+    el("figcaption", {}, made.sentence),
+    el("details", {}, el("summary", {}, "Numbers"), wide(`Numbers: ${made.title}`, figureTable(made))),
+  );
 }
 
 function claims({ claims: { sets, rows } }) {
   if (rows.length === 0) return [];
   const head = (name) => el("th", { scope: "col" }, name);
-  return [el("details", { class: "claims" }, el("summary", {}, "Against the thesis: what its chapter 5 states, and these polygons"),
-    wide("Against the thesis", el("table", {},
-      el("thead", {}, el("tr", {}, ...["Section", "What", "The thesis", ...(sets.length > 1 ? sets : ["Here"])].map(head))),
-      el("tbody", {}, ...rows.map(({ section, what, thesis, ours }) => el("tr", {},
-        el("td", {}, section), el("th", { scope: "row" }, what), el("td", {}, thesis), ...ours.map((cell) => el("td", {}, cell))))))))];
+  return [
+    el(
+      "details",
+      { class: "claims" },
+      el("summary", {}, "Against the thesis: what its chapter 5 states, and these polygons"),
+      wide(
+        "Against the thesis",
+        el(
+          "table",
+          {},
+          el(
+            "thead",
+            {},
+            el("tr", {}, ...["Section", "What", "The thesis", ...(sets.length > 1 ? sets : ["Here"])].map(head)),
+          ),
+          el(
+            "tbody",
+            {},
+            ...rows.map(({ section, what, thesis, ours }) =>
+              el(
+                "tr",
+                {},
+                el("td", {}, section),
+                el("th", { scope: "row" }, what),
+                el("td", {}, thesis),
+                ...ours.map((cell) => el("td", {}, cell)),
+              ),
+            ),
+          ),
+        ),
+      ),
+    ),
+  ];
 }
 
 // A table of one measure of few robots, with a row for each number of them.
 function fewRobotsTable(what, rows) {
   const head = (name) => el("th", { scope: "col" }, name);
-  return el("figure", {}, el("h3", {}, what), wide(what, el("table", { class: "numbers" },
-    el("thead", {}, el("tr", {}, ...["robots", ...Object.keys(methods)].map(head))),
-    el("tbody", {}, ...rows.map(({ robots, cells }) => el("tr", {}, el("th", { scope: "row" }, String(robots)), ...cells.map((cell) => el("td", {}, cell))))))));
+  return el(
+    "figure",
+    {},
+    el("h3", {}, what),
+    wide(
+      what,
+      el(
+        "table",
+        { class: "numbers" },
+        el("thead", {}, el("tr", {}, ...["robots", ...Object.keys(methods)].map(head))),
+        el(
+          "tbody",
+          {},
+          ...rows.map(({ robots, cells }) =>
+            el("tr", {}, el("th", { scope: "row" }, String(robots)), ...cells.map((cell) => el("td", {}, cell))),
+          ),
+        ),
+      ),
+    ),
+  );
 }
 
 function fewRobots({ few_robots: sets }) {
-  return sets.map(({ set, rows }) => el("details", { class: "few-robots" },
-    el("summary", {}, `${sets.length > 1 ? `${set}: ` : ""}3 to 12 robots, odd numbers of balanced ones included, as numbers`),
-    el("div", { class: "figures" }, ...[...new Set(rows.map(({ what }) => what))].map((what) => fewRobotsTable(what, rows.filter((row) => row.what === what))))));
+  return sets.map(({ set, rows }) =>
+    el(
+      "details",
+      { class: "few-robots" },
+      el(
+        "summary",
+        {},
+        `${sets.length > 1 ? `${set}: ` : ""}3 to 12 robots, odd numbers of balanced ones included, as numbers`,
+      ),
+      el(
+        "div",
+        { class: "figures" },
+        ...[...new Set(rows.map(({ what }) => what))].map((what) =>
+          fewRobotsTable(
+            what,
+            rows.filter((row) => row.what === what),
+          ),
+        ),
+      ),
+    ),
+  );
 }
 
 // Fills an element with the results under a caption. Returns functions that stop the charts from following its width.
 export async function showResults(into, outputs, caption) {
   const places = outputs.figures.map(({ id }) => el("div", { class: "plot", "data-figure": id }));
-  into.replaceChildren(el("p", { class: "second" }, caption), ...refused(outputs),
-    el("div", { class: "figures" }, ...outputs.figures.map((made, at) => figure(made, places[at]))), ...fewRobots(outputs), ...claims(outputs));
+  into.replaceChildren(
+    el("p", { class: "second" }, caption),
+    ...refused(outputs),
+    el("div", { class: "figures" }, ...outputs.figures.map((made, at) => figure(made, places[at]))),
+    ...fewRobots(outputs),
+    ...claims(outputs),
+  );
   const charts = await import("./charts.js");
   if (charts.missing) {
-    into.prepend(el("p", { class: "problem" }, "The charts are missing: this page was built without what draws them. Their numbers are below."));
+    into.prepend(
+      el(
+        "p",
+        { class: "problem" },
+        "The charts are missing: this page was built without what draws them. Their numbers are below.",
+      ),
+    );
     return [];
   }
   return outputs.figures.flatMap((made, at) => {

@@ -3,7 +3,7 @@
 import { methods } from "../charts/methods.js";
 import { fetchJson } from "../kit/fetched.js";
 
-const mostBytes = 64 * 1024 * 1024;  // core/include/evenlift/document.h
+const mostBytes = 64 * 1024 * 1024; // core/include/evenlift/document.h
 
 const nameOf = (file) => file.name.replace(/\.[^.]*$/, "") || file.name;
 
@@ -23,15 +23,29 @@ const cannotBeFetched = (what) => (error) => {
 // The open polygon, as one task for each method, so that the progress can be seen. Balanced robots,
 // which take longest, are the last.
 export function thisPolygon({ text }) {
-  return Object.keys(methods).map((method) => ({ set: "", name: "this-polygon", title: method, method, read: async () => text }));
+  return Object.keys(methods).map((method) => ({
+    set: "",
+    name: "this-polygon",
+    title: method,
+    method,
+    read: async () => text,
+  }));
 }
 
 // All files of assets/polygons, under the names of the gallery.
 export async function samples() {
-  const [gallery, texts] = await Promise.all([fetchJson("samples.json"), fetchJson("polygons.json")]).catch(cannotBeFetched("The samples"));
+  const [gallery, texts] = await Promise.all([fetchJson("samples.json"), fetchJson("polygons.json")]).catch(
+    cannotBeFetched("The samples"),
+  );
   const titles = new Map(gallery.map(({ name, title }) => [name, title]));
-  const titleOf = (name) => titles.get(name) ?? `${titles.get(name.replace(/-moved$/, "")) ?? name}, centre of mass moved`;
-  return Object.entries(texts).map(([name, text]) => ({ set: "polygons", name, title: titleOf(name), read: async () => text }));
+  const titleOf = (name) =>
+    titles.get(name) ?? `${titles.get(name.replace(/-moved$/, "")) ?? name}, centre of mass moved`;
+  return Object.entries(texts).map(([name, text]) => ({
+    set: "polygons",
+    name,
+    title: titleOf(name),
+    read: async () => text,
+  }));
 }
 
 // All files of assets/thesis-like.

@@ -6,12 +6,16 @@ import { Program } from "../page/program.js";
 const started = createModule().then((module) => new Program(module));
 
 const tasks = {
-  begin: (program, { minRatio, samples, weight, weightUnit, mostTeams, mostBalanced }) => program.text("experiment_begin", minRatio, samples, weight, weightUnit, mostTeams, mostBalanced),
+  begin: (program, { minRatio, samples, weight, weightUnit, mostTeams, mostBalanced }) =>
+    program.text("experiment_begin", minRatio, samples, weight, weightUnit, mostTeams, mostBalanced),
   measure: (program, { set, name, text, method }) => program.text("experiment_measure", set, name, text, method),
   refuse: (program, { set, name, problem }) => program.text("experiment_refuse", set, name, problem),
   optimum(program, { link, seconds }) {
     const lines = program.text("optimum_compare", link, seconds);
-    return { lines, pictures: lines.startsWith("problem") ? [] : [0, 1].map((best) => program.text("optimum_picture", best)) };
+    return {
+      lines,
+      pictures: lines.startsWith("problem") ? [] : [0, 1].map((best) => program.text("optimum_picture", best)),
+    };
   },
   results(program, { parts, onePolygon }) {
     for (const part of parts) if (!program.number("experiment_add", part)) throw new Error("a part cannot be read");

@@ -76,19 +76,28 @@ async function run(tasks, { settings, onePolygon, signal, progress, partly }) {
   let next = 0;
   try {
     signal.throwIfAborted();
-    await Promise.all(pool.map(async (worker) => {
-      const problem = await worker.ask("begin", settings);
-      if (problem) throw new Error(problem);
-      while (next < tasks.length) {
-        if (onePolygon && next > 0 && next === tasks.length - 1) await partly(await worker.ask("results", { parts, onePolygon }));
-        const { set, name, title, read, method = "" } = tasks[next++];
-        const text = await read().then((content) => ({ content }), (error) => ({ problem: error.message }));
-        signal.throwIfAborted();
-        parts.push(await (text.problem === undefined ? worker.ask("measure", { set, name, text: text.content, method })
-          : worker.ask("refuse", { set, name, problem: text.problem })));
-        progress(parts.length, title);
-      }
-    }));
+    await Promise.all(
+      pool.map(async (worker) => {
+        const problem = await worker.ask("begin", settings);
+        if (problem) throw new Error(problem);
+        while (next < tasks.length) {
+          if (onePolygon && next > 0 && next === tasks.length - 1)
+            await partly(await worker.ask("results", { parts, onePolygon }));
+          const { set, name, title, read, method = "" } = tasks[next++];
+          const text = await read().then(
+            (content) => ({ content }),
+            (error) => ({ problem: error.message }),
+          );
+          signal.throwIfAborted();
+          parts.push(
+            await (text.problem === undefined
+              ? worker.ask("measure", { set, name, text: text.content, method })
+              : worker.ask("refuse", { set, name, problem: text.problem })),
+          );
+          progress(parts.length, title);
+        }
+      }),
+    );
     return await pool[0].ask("results", { parts, onePolygon });
   } finally {
     stop(new Error("ended"));

@@ -4,9 +4,9 @@
 import { ensureStyles } from "./dialogs.js";
 import { button, el } from "./elements.js";
 
-const widest = 960;  // pixels: lines that are longer are hard to read
-let open;  // the card that is open; there is one at most
-const later = [];  // what waits until there is none
+const widest = 960; // pixels: lines that are longer are hard to read
+let open; // the card that is open; there is one at most
+const later = []; // what waits until there is none
 
 // Calls `act` once no card is open.
 export function whenNoCard(act) {
@@ -16,10 +16,13 @@ export function whenNoCard(act) {
 
 // A button that closes the card on which it stands, and then acts. Attributes are as for el().
 export function closingButton(name, attributes, act) {
-  return button(name, { ...attributes, onclick: () => {
-    open.close();
-    act();
-  } });
+  return button(name, {
+    ...attributes,
+    onclick: () => {
+      open.close();
+      act();
+    },
+  });
 }
 
 // Shows a card of these elements, in place of one that is open. `title` is its name for those who
@@ -31,22 +34,35 @@ export function closingButton(name, attributes, act) {
 export async function openCard(page, { name, title, body, closed, focus = false, cross = true, attributes = {} }) {
   await ensureStyles();
   open?.close();
-  const root = el("section", { id: name, class: "seat-card", role: "region", "aria-label": title, ...attributes }, ...body,
-    ...(cross ? [button("", { class: "button bare away", "aria-label": "Close", title: "Close", onclick: () => close(true) }, "close")] : []));
+  const root = el(
+    "section",
+    { id: name, class: "seat-card", role: "region", "aria-label": title, ...attributes },
+    ...body,
+    ...(cross
+      ? [
+          button(
+            "",
+            { class: "button bare away", "aria-label": "Close", title: "Close", onclick: () => close(true) },
+            "close",
+          ),
+        ]
+      : []),
+  );
   const leave = new AbortController();
   const canvas = document.getElementById("canvas");
   function close(byPerson = false) {
     if (leave.signal.aborted) return;
     leave.abort();
     open = undefined;
-    queueMicrotask(() => open || later.shift()?.());  // not if another card takes its place
+    queueMicrotask(() => open || later.shift()?.()); // not if another card takes its place
     const within = root.contains(document.activeElement);
     root.remove();
     page.program.call("page_make_room", 0);
     if (within) canvas.focus({ preventScroll: true });
     closed?.(byPerson);
   }
-  const place = () => `${page.program.text("page_card_seat")} ${page.program.number("page_zoom")} ${page.program.number("page_presenting")}`;
+  const place = () =>
+    `${page.program.text("page_card_seat")} ${page.program.number("page_zoom")} ${page.program.number("page_presenting")}`;
   let placed;
   const seat = () => {
     if (leave.signal.aborted) return;
@@ -74,12 +90,19 @@ export async function openCard(page, { name, title, body, closed, focus = false,
   const giveWay = () => {
     const [left, top, right, bottom] = page.program.text("page_open_list").trim().split(" ").map(Number);
     const card = root.getBoundingClientRect();
-    root.classList.toggle("gives-way", bottom > card.top && top < card.bottom && right > card.left && left < card.right);
+    root.classList.toggle(
+      "gives-way",
+      bottom > card.top && top < card.bottom && right > card.left && left < card.right,
+    );
   };
-  page.pictures.addEventListener("drawn", () => {
-    if (place() !== placed) seat();
-    giveWay();
-  }, { signal });
+  page.pictures.addEventListener(
+    "drawn",
+    () => {
+      if (place() !== placed) seat();
+      giveWay();
+    },
+    { signal },
+  );
   root.addEventListener("keydown", (event) => {
     if (event.key !== "Escape") return;
     event.preventDefault();

@@ -10,9 +10,11 @@ export function coreModule(load) {
     starting = undefined;
   };
   async function start() {
-    const module = await load().then(({ default: createModule }) => createModule()).catch(() => {
-      throw new Error("the server cannot be reached");
-    });
+    const module = await load()
+      .then(({ default: createModule }) => createModule())
+      .catch(() => {
+        throw new Error("the server cannot be reached");
+      });
     const program = new Program(module);
     program.onStop = forget;
     return program;

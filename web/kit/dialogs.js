@@ -7,9 +7,14 @@ const styles = new Map();
 // Resolves once a style sheet is loaded: that of all windows, or one that a single window needs.
 export function ensureStyles(name = "dialogs.css") {
   if (!styles.has(name)) {
-    styles.set(name, new Promise((done) => {
-      document.head.append(el("link", { rel: "stylesheet", href: new URL(name, import.meta.url).href, onload: done, onerror: done }));
-    }));
+    styles.set(
+      name,
+      new Promise((done) => {
+        document.head.append(
+          el("link", { rel: "stylesheet", href: new URL(name, import.meta.url).href, onload: done, onerror: done }),
+        );
+      }),
+    );
   }
   return styles.get(name);
 }
@@ -31,9 +36,17 @@ export async function openWindow({ name, title, modal = true, over = false, tool
   await windowsGone();
   if (document.getElementById(name)?.open || (!over && document.querySelector("dialog:modal"))) return undefined;
   const before = document.activeElement;
-  const close = button("", { class: "button bare", "aria-label": "Close", title: "Close (Esc)", onclick: () => root.close() }, "close");
-  const root = el("dialog", { id: name, class: "window", "aria-labelledby": `${name}-title` },
-    el("header", {}, el("h2", { id: `${name}-title` }, title), ...tools, close), ...body);
+  const close = button(
+    "",
+    { class: "button bare", "aria-label": "Close", title: "Close (Esc)", onclick: () => root.close() },
+    "close",
+  );
+  const root = el(
+    "dialog",
+    { id: name, class: "window", "aria-labelledby": `${name}-title` },
+    el("header", {}, el("h2", { id: `${name}-title` }, title), ...tools, close),
+    ...body,
+  );
   root.addEventListener("close", () => {
     closed?.();
     root.remove();
@@ -54,7 +67,8 @@ export async function openWindow({ name, title, modal = true, over = false, tool
 export function fadeFoot(scroller) {
   const shade = el("div", { class: "foot-shade", "aria-hidden": "true" });
   scroller.append(shade);
-  const tell = () => shade.classList.toggle("more", scroller.scrollHeight - scroller.scrollTop - scroller.clientHeight > 8);
+  const tell = () =>
+    shade.classList.toggle("more", scroller.scrollHeight - scroller.scrollTop - scroller.clientHeight > 8);
   scroller.addEventListener("scroll", tell, { passive: true });
   const follow = new ResizeObserver(tell);
   for (const each of [scroller, ...scroller.children]) follow.observe(each);
@@ -66,10 +80,12 @@ export function closeWindows() {
 
 // A button that closes the window in which it stands, and then opens another with `show`.
 export function buttonTo(name, page, show) {
-  return button(name, { onclick: ({ currentTarget }) => {
-    currentTarget.closest("dialog").close();
-    show(page);
-  } });
+  return button(name, {
+    onclick: ({ currentTarget }) => {
+      currentTarget.closest("dialog").close();
+      show(page);
+    },
+  });
 }
 
 // How much of the screen a window covers at the left, at the right and at the foot. A window that
@@ -96,7 +112,10 @@ function closeOutside(root) {
   let pressed = false;
   const outside = (event) => {
     const { left, right, top, bottom } = root.getBoundingClientRect();
-    return event.target === root && (event.clientX < left || event.clientX > right || event.clientY < top || event.clientY > bottom);
+    return (
+      event.target === root &&
+      (event.clientX < left || event.clientX > right || event.clientY < top || event.clientY > bottom)
+    );
   };
   root.addEventListener("pointerdown", (event) => {
     pressed = outside(event);

@@ -25,7 +25,11 @@ function fill(element, attributes, children) {
 const icons = { ...shared, ...ofWindows };
 
 export function icon(name) {
-  return svgEl("svg", { viewBox: "0 0 20 20", class: "icon", "aria-hidden": "true" }, svgEl("path", { d: icons[name] }));
+  return svgEl(
+    "svg",
+    { viewBox: "0 0 20 20", class: "icon", "aria-hidden": "true" },
+    svgEl("path", { d: icons[name] }),
+  );
 }
 
 // A button with a name, perhaps with an icon. Attributes are as for el().
@@ -36,7 +40,7 @@ export function button(name, attributes = {}, picture) {
 export function download(blob, name) {
   const url = URL.createObjectURL(blob);
   el("a", { href: url, download: name }).click();
-  setTimeout(() => URL.revokeObjectURL(url), 60000);  // the browser may ask before it saves
+  setTimeout(() => URL.revokeObjectURL(url), 60000); // the browser may ask before it saves
 }
 
 // An SVG picture as a PNG, `scale` times as large.

@@ -20,6 +20,7 @@ export async function ask(url, options) {
   } catch {
     throw new Error("the server cannot be reached");
   }
-  if (!answer.ok) throw new Error(answer.status === 404 ? "the server does not have it" : `the server answers ${answer.status}`);
+  if (!answer.ok)
+    throw new Error(answer.status === 404 ? "the server does not have it" : `the server answers ${answer.status}`);
   return answer;
 }

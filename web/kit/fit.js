@@ -5,9 +5,13 @@
 export function fitted(points, width, height, margin) {
   const low = [0, 1].map((axis) => Math.min(...points.map((p) => p[axis])));
   const high = [0, 1].map((axis) => Math.max(...points.map((p) => p[axis])));
-  const scale = Math.min((width - 2 * margin) / (high[0] - low[0] || 1), (height - 2 * margin) / (high[1] - low[1] || 1));
+  const scale = Math.min(
+    (width - 2 * margin) / (high[0] - low[0] || 1),
+    (height - 2 * margin) / (high[1] - low[1] || 1),
+  );
   const round = (value) => Math.round(value * 10) / 10;
   return ([x, y]) => [
-    round(width / 2 + (x - (low[0] + high[0]) / 2) * scale), round(height / 2 - (y - (low[1] + high[1]) / 2) * scale),
+    round(width / 2 + (x - (low[0] + high[0]) / 2) * scale),
+    round(height / 2 - (y - (low[1] + high[1]) / 2) * scale),
   ];
 }

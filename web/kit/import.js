@@ -5,7 +5,7 @@ const reader = coreModule(() => import("./import_core.js"));
 
 const lines = (text) => text.split("\n").filter(Boolean);
 
-let last;  // which text the module holds
+let last; // which text the module holds
 
 // Reads a text; `tolerance` is the distance between curves and edges, or 0 for the usual one. Returns { problem }, a
 // sentence, or { format, unit, notes, shapes }; each shape has its description in words, the tolerance that its
@@ -37,7 +37,9 @@ export async function readShapes(text, tolerance = 0) {
     text: (withSettings) => asked("import_text", i, withSettings ? 1 : 0),
   });
   return {
-    format: program.text("import_format"), unit: program.text("import_unit"), notes: lines(program.text("import_notes")),
+    format: program.text("import_format"),
+    unit: program.text("import_unit"),
+    notes: lines(program.text("import_notes")),
     shapes: Array.from({ length: program.number("import_count") }, shape),
   };
 }

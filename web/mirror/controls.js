@@ -1,6 +1,28 @@
 // Reads the list of controls that the program writes (wasm/ui/controls.cpp).
-const names = ["kind", "card", "name", "label", "value", "setting", "enabled", "on", "left", "top", "width", "height",
-  "windowLeft", "windowTop", "windowWidth", "windowHeight", "low", "high", "step", "at", "current", "exact"];
+const names = [
+  "kind",
+  "card",
+  "name",
+  "label",
+  "value",
+  "setting",
+  "enabled",
+  "on",
+  "left",
+  "top",
+  "width",
+  "height",
+  "windowLeft",
+  "windowTop",
+  "windowWidth",
+  "windowHeight",
+  "low",
+  "high",
+  "step",
+  "at",
+  "current",
+  "exact",
+];
 const texts = new Set(["kind", "card", "name", "label", "value", "exact", "setting", "current"]);
 
 // All of them, as they are listed.
@@ -15,8 +37,12 @@ function readControl(line) {
 
 // Whether all of the control is in the part of its card that is seen.
 function isSeen(c) {
-  return c.left >= c.windowLeft && c.top >= c.windowTop && c.left + c.width <= c.windowLeft + c.windowWidth
-    && c.top + c.height <= c.windowTop + c.windowHeight;
+  return (
+    c.left >= c.windowLeft &&
+    c.top >= c.windowTop &&
+    c.left + c.width <= c.windowLeft + c.windowWidth &&
+    c.top + c.height <= c.windowTop + c.windowHeight
+  );
 }
 
 // The ends of a stepper whose value can be typed: the field has keys for them.
@@ -29,9 +55,12 @@ export function readControls(text) {
   const all = listedControls(text);
   const fields = new Set(all.filter(({ kind }) => kind === "number").map(({ card, name }) => `${card}/${name}`));
   const seen = new Map();
-  return all.filter((control) => !isEndOf(fields, control)).map((control) => {
-    const name = `${control.kind}/${control.card}/${control.name}`, count = seen.get(name) ?? 0;
-    seen.set(name, count + 1);
-    return { ...control, key: `${name}/${count}`, seen: isSeen(control) };
-  });
+  return all
+    .filter((control) => !isEndOf(fields, control))
+    .map((control) => {
+      const name = `${control.kind}/${control.card}/${control.name}`,
+        count = seen.get(name) ?? 0;
+      seen.set(name, count + 1);
+      return { ...control, key: `${name}/${count}`, seen: isSeen(control) };
+    });
 }

@@ -28,7 +28,8 @@ function field(entry, actions) {
   element.inputMode = "decimal";
   element.autocomplete = "off";
   element.spellcheck = false;
-  let before = "", previewed = false;
+  let before = "",
+    previewed = false;
   const begin = () => {
     previewed = false;
     before = element.value = entry.control.exact || plainValue(entry.control.value);
@@ -40,7 +41,7 @@ function field(entry, actions) {
     if (element.value === before && !(confirmed && !entry.control.setting)) return true;
     const done = actions.type(entry.control, element.value, confirmed);
     if (done) before = element.value;
-    else if (previewed) actions.withdraw(entry.control);  // what is refused is not shown, either
+    else if (previewed) actions.withdraw(entry.control); // what is refused is not shown, either
     element.setAttribute("aria-invalid", String(!done));
     return done;
   };
@@ -49,7 +50,8 @@ function field(entry, actions) {
   // Enter. Whoever came here by keys goes on from here; others are back at the drawing. A number that is no setting is followed
   // by the next one, and where nothing was typed Enter is pressed for all of them.
   const confirm = () => {
-    const { setting } = entry.control, untouched = !previewed && element.value === before;
+    const { setting } = entry.control,
+      untouched = !previewed && element.value === before;
     if (!setting && untouched) {
       actions.press(entry.control);
       actions.next(entry.control);
@@ -84,11 +86,15 @@ function field(entry, actions) {
     }
   });
   // Over the field the wheel still moves the panel. The canvas believes that the pointer has left it.
-  element.addEventListener("wheel", (event) => {
-    const canvas = document.getElementById("canvas");
-    canvas.dispatchEvent(new MouseEvent("mousemove", event));
-    canvas.dispatchEvent(new WheelEvent("wheel", event));
-  }, { passive: true });
+  element.addEventListener(
+    "wheel",
+    (event) => {
+      const canvas = document.getElementById("canvas");
+      canvas.dispatchEvent(new MouseEvent("mousemove", event));
+      canvas.dispatchEvent(new WheelEvent("wheel", event));
+    },
+    { passive: true },
+  );
   return element;
 }
 
@@ -97,7 +103,8 @@ const text = () => document.createElement("p");
 
 const makers = { button, toggle: button, choice, slider, number: field, text };
 
-const isOfHistory = (event) => (event.ctrlKey || event.metaKey) && !event.altKey && ["z", "y"].includes(event.key.toLowerCase());
+const isOfHistory = (event) =>
+  (event.ctrlKey || event.metaKey) && !event.altKey && ["z", "y"].includes(event.key.toLowerCase());
 
 // One that has the focus keeps it: a browser takes it from what is disabled.
 function showEnabled({ element, control }) {
@@ -113,7 +120,8 @@ export function createElement(control, actions) {
   entry.element.addEventListener("focus", () => entry.control.seen || actions.reveal(entry.control));
   entry.element.addEventListener("blur", () => showEnabled(entry));
   entry.element.addEventListener("keydown", (event) => {
-    if (isOfHistory(event) && !entry.isTyped?.()) {  // what is being typed has an undo of its own
+    if (isOfHistory(event) && !entry.isTyped?.()) {
+      // what is being typed has an undo of its own
       event.preventDefault();
       event.stopPropagation();
       entry.renew = entry.begin;
@@ -122,7 +130,7 @@ export function createElement(control, actions) {
     }
     if (event.key !== "Escape") return;
     event.stopPropagation();
-    if (control.kind !== "number") actions.escape();  // a field takes back what was typed in it, and nothing else
+    if (control.kind !== "number") actions.escape(); // a field takes back what was typed in it, and nothing else
   });
   return entry;
 }
@@ -138,7 +146,8 @@ function showChoices(element, { choices, current }) {
 }
 
 export function showControl(entry, control) {
-  const { element } = entry, changed = entry.control.value !== control.value;
+  const { element } = entry,
+    changed = entry.control.value !== control.value;
   entry.control = control;
   for (const side of ["left", "top", "width", "height"]) element.style[side] = `${control[side]}px`;
   if (control.kind === "text") {

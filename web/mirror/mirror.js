@@ -8,12 +8,32 @@ import { settingValue, typedProblem, unitOf } from "./typed.js";
 // Each card of the panels (begin_card() in wasm/panels), in the order of reading, with its name for
 // those who cannot see it.
 const cards = new Map([
-  ["toolbar", "Toolbar"], ["bar", "Toolbar"], ["tool bar", "Tool"], ["panel", "Panel"], ["rail", "Panel"], ["sheet", "Panel"],
-  ["player", "Player"], ["why here", "Why here?"], ["tools", "View"], ["way back", "View"], ["notice", "Notice"],
+  ["toolbar", "Toolbar"],
+  ["bar", "Toolbar"],
+  ["tool bar", "Tool"],
+  ["panel", "Panel"],
+  ["rail", "Panel"],
+  ["sheet", "Panel"],
+  ["player", "Player"],
+  ["why here", "Why here?"],
+  ["tools", "View"],
+  ["way back", "View"],
+  ["notice", "Notice"],
 ]);
 
 // Lengths, whose fields do not always show their unit: settings, and the field of an edge that is drawn, by its name.
-const lengths = new Set(["com", "apart", "clear", "com_radius", "robot_radius", "robot_reach", "robot_depth", "robot_width", "robot_gap", "edge length"]);
+const lengths = new Set([
+  "com",
+  "apart",
+  "clear",
+  "com_radius",
+  "robot_radius",
+  "robot_reach",
+  "robot_depth",
+  "robot_width",
+  "robot_gap",
+  "edge length",
+]);
 
 // Hidden while it is empty.
 function createGroup(name) {
@@ -25,7 +45,12 @@ function createGroup(name) {
 }
 
 // Calls of the program: what is asked of a control (wasm/page/main.cpp).
-const press = 0, choose = 1, move = 2, reveal = 3, enter = 4, withdraw = 5;
+const press = 0,
+  choose = 1,
+  move = 2,
+  reveal = 3,
+  enter = 4,
+  withdraw = 5;
 
 // `field.awaited` names a field that a key asked for, or is empty. It may not be laid out yet.
 // `field.begun` is what was typed for it already.
@@ -36,7 +61,7 @@ export function createMirror(program, field, notice) {
   canvas.after(root);
   const groups = new Map([...cards].map(([card, name]) => [card, createGroup(name)]));
   root.append(...groups.values());
-  const shown = new Map();   // by key; see readControls()
+  const shown = new Map(); // by key; see readControls()
   let last = "";
 
   // Leads back to the drawing.
@@ -58,7 +83,8 @@ export function createMirror(program, field, notice) {
     // What was typed into a field. Returns whether it is in force now; if not, a notice says why.
     // A number that is no setting is handed to the control itself; `confirmed` says that Enter was pressed.
     type(control, typed, confirmed) {
-      const { setting, card, name } = control, unit = unitOfField(control);
+      const { setting, card, name } = control,
+        unit = unitOfField(control);
       const wrong = typedProblem(typed, setting, unit, lengths.has(setting || name));
       if (wrong) {
         notice(`${wrong}.`, true);
@@ -80,13 +106,17 @@ export function createMirror(program, field, notice) {
     },
     // What is being typed of a number that is no setting is shown as soon as it can be one.
     preview(control, typed) {
-      const { card, name } = control, unit = unitOfField(control), value = settingValue(typed, "", unit);
+      const { card, name } = control,
+        unit = unitOfField(control),
+        value = settingValue(typed, "", unit);
       if (value === "" || typedProblem(typed, "", unit, lengths.has(name)) || !Number.isFinite(Number(value))) return;
       if (!lengths.has(name) || Number(value) > 0) program.call("page_ask_control", move, card, name, Number(value));
     },
     // After a number that is no setting was confirmed: the first one of the card is typed next.
     next({ card }) {
-      const first = [...shown.values()].map(({ control }) => control).find((c) => c.card === card && c.kind === "number" && !c.setting);
+      const first = [...shown.values()]
+        .map(({ control }) => control)
+        .find((c) => c.card === card && c.kind === "number" && !c.setting);
       if (first) field.awaited = first.name;
       field.show();
     },
@@ -106,7 +136,8 @@ export function createMirror(program, field, notice) {
   function arrange(controls) {
     const at = new Map();
     for (const { key, card } of controls) {
-      const group = groups.get(card), element = shown.get(key).element;
+      const group = groups.get(card),
+        element = shown.get(key).element;
       const before = at.get(card);
       const next = before ? before.nextSibling : group.firstChild;
       if (next !== element) group.insertBefore(element, next);
@@ -124,7 +155,7 @@ export function createMirror(program, field, notice) {
     }
     for (const control of controls) {
       let entry = shown.get(control.key);
-      if (!entry) shown.set(control.key, entry = createElement(control, actions));
+      if (!entry) shown.set(control.key, (entry = createElement(control, actions)));
       showControl(entry, control);
     }
     arrange(controls);
@@ -133,7 +164,8 @@ export function createMirror(program, field, notice) {
 
   function focusAwaited() {
     const { awaited } = field;
-    const found = awaited && [...shown.values()].find(({ control }) => control.kind === "number" && control.name === awaited);
+    const found =
+      awaited && [...shown.values()].find(({ control }) => control.kind === "number" && control.name === awaited);
     if (!found) return;
     field.awaited = "";
     if (found.element === document.activeElement) found.begin();

@@ -3,7 +3,7 @@
 // What a control shows, ready to be typed over: "437 kg" becomes "437", and "(12.4, −3)" "12.4, -3".
 export function plainValue(shown) {
   const text = shown.replaceAll("−", "-").replaceAll("\u00A0", " ").trim();
-  if (text === "–") return "";  // nothing yet
+  if (text === "–") return ""; // nothing yet
   if (text.startsWith("(")) return text.slice(1, -1);
   return /^[-\d.]/.test(text) ? text.split(" ")[0].replace(/°$/, "") : text;
 }
@@ -13,7 +13,9 @@ const unit = "kg|t|N|lb|m|cm|mm|in";
 const one = new RegExp(`^(${number})(?:\\s*(?:(${unit})|×|°))?$`);
 const two = new RegExp(`^\\(?\\s*(${number})\\s*(?:[;,]\\s+|;|\\s+)\\s*(${number})\\s*\\)?$`);
 const twoWithComma = /^\(?\s*([-+]?[\d.eE+-]+)\s*,\s*([-+]?[\d.eE+-]+)\s*\)?$/;
-const twoWithUnits = new RegExp(`^\\(?\\s*(${number})\\s*(${unit})(?:\\s*[;,]\\s*|\\s+)(${number})\\s*(${unit})\\s*\\)?$`);
+const twoWithUnits = new RegExp(
+  `^\\(?\\s*(${number})\\s*(${unit})(?:\\s*[;,]\\s*|\\s+)(${number})\\s*(${unit})\\s*\\)?$`,
+);
 
 // In mm and in kg, each as a fraction so that nothing is rounded here. 9.80665 N is what 1 kg weighs.
 const kinds = [
@@ -35,11 +37,14 @@ function converted(typed, from, to) {
   if (from === to) return point(typed);
   const { units } = kindOf(from);
   if (!Object.hasOwn(units, to)) return undefined;
-  const [times, by] = units[from], [per, of] = units[to];
+  const [times, by] = units[from],
+    [per, of] = units[to];
   // As exact as what was typed, and nine digits at least: 200 N are 20.3943243 kg, and 20 in
   // decimals is not 20.000000000000004.
   const digits = point(typed).replace(/e.*$/i, "").replace(/\D/g, "").replace(/^0+/, "").length;
-  return String(Number((Number(point(typed)) * times * of / (by * per)).toPrecision(Math.min(12, Math.max(9, digits)))));
+  return String(
+    Number(((Number(point(typed)) * times * of) / (by * per)).toPrecision(Math.min(12, Math.max(9, digits)))),
+  );
 }
 
 const tidied = (typed) => typed.replaceAll("−", "-").replaceAll("\u00A0", " ").trim();
@@ -54,12 +59,16 @@ export function typedProblem(typed, setting, own, isLength) {
   const text = tidied(typed);
   if (setting === "no_go") return "";
   if (setting !== "com" && grouped.test(text)) {
-    const digits = text.replace(/\s*[a-z]+$/i, ""), whole = digits.replaceAll(",", ""), groups = digits.split(",").length;
-    return groups > 2 ? `“${text}” has commas between its digits: type ${whole}`
+    const digits = text.replace(/\s*[a-z]+$/i, ""),
+      whole = digits.replaceAll(",", ""),
+      groups = digits.split(",").length;
+    return groups > 2
+      ? `“${text}” has commas between its digits: type ${whole}`
       : `“${text}” may be ${whole} or ${digits.replace(",", ".")}: type it like one of these`;
   }
   const unknown = one.test(text) ? undefined : strange.exec(text)?.[1];
-  if (unknown) return `“${unknown}” is no unit that is known here: lengths are in m, cm, mm or in, and weights in kg, t, N or lb`;
+  if (unknown)
+    return `“${unknown}” is no unit that is known here: lengths are in m, cm, mm or in, and weights in kg, t, N or lb`;
   const found = one.exec(text)?.slice(2) ?? twoWithUnits.exec(text)?.filter((_, i) => i === 2 || i === 4) ?? [];
   const from = found.find((each) => each && !(own && kindOf(each) === kindOf(own)) && each !== own);
   if (!from) return "";
@@ -74,16 +83,17 @@ export function typedProblem(typed, setting, own, isLength) {
 // sentence, and so a unit that the field cannot have: without it the number would be another one.
 export function settingValue(typed, setting = "", own = "") {
   const text = tidied(typed);
-  if (setting === "no_go") {  // edges: "3,5" is no number
-    const apart = text.includes(";") ? text.replaceAll(",", ".").replaceAll(";", ",") : text;  // "3:0,25-0,5; 27"
+  if (setting === "no_go") {
+    // edges: "3,5" is no number
+    const apart = text.includes(";") ? text.replaceAll(",", ".").replaceAll(";", ",") : text; // "3:0,25-0,5; 27"
     const edges = apart.replaceAll(" ", "");
     if (/^(none)?$/i.test(edges)) return "none";
-    return /[a-z]/i.test(edges) ? text.trim() : edges;  // what is refused is quoted as it was typed
+    return /[a-z]/i.test(edges) ? text.trim() : edges; // what is refused is quoted as it was typed
   }
-  if (setting === "teams" && text.toLowerCase() === "all") return "max";  // as the button calls it
+  if (setting === "teams" && text.toLowerCase() === "all") return "max"; // as the button calls it
   if (setting === "capacity" && text.toLowerCase() === "no limit") return "none";
-  const single = setting === "com" ? null : one.exec(text);  // "10,20" are its two numbers
-  if (single) return single[2] ? converted(single[1], single[2], own) ?? text : point(single[1]);
+  const single = setting === "com" ? null : one.exec(text); // "10,20" are its two numbers
+  if (single) return single[2] ? (converted(single[1], single[2], own) ?? text) : point(single[1]);
   const pair = two.exec(text);
   if (pair) return `${point(pair[1])},${point(pair[2])}`;
   const plain = twoWithComma.exec(text);

@@ -1,6 +1,6 @@
 // Lets the browser keep the page, so that it opens without a network, and tells of a new version. Loaded after the first
 // picture, which it must not slow.
-const betweenChecks = 3600000;  // milliseconds; besides, the browser looks whenever the page is opened
+const betweenChecks = 3600000; // milliseconds; besides, the browser looks whenever the page is opened
 
 // Calls `tell` once, when a new version is there or when another tab has taken it.
 export async function keepForOffline(tell) {
@@ -16,7 +16,9 @@ export async function keepForOffline(tell) {
     if (inControl) newVersion();
     inControl = container.controller;
   });
-  const registration = await container.register(new URL("service_worker.js", import.meta.url), { updateViaCache: "none" });
+  const registration = await container.register(new URL("service_worker.js", import.meta.url), {
+    updateViaCache: "none",
+  });
   // Of the first version, which this page is, there is nothing to say.
   const look = () => registration.active && registration.waiting && newVersion();
   const follow = () => registration.installing?.addEventListener("statechange", look);
@@ -32,6 +34,6 @@ function checkNowAndThen(registration) {
   document.addEventListener("visibilitychange", () => {
     if (document.hidden || Date.now() - checked < betweenChecks) return;
     checked = Date.now();
-    registration.update().catch(() => {});  // without a network there is nothing new
+    registration.update().catch(() => {}); // without a network there is nothing new
   });
 }

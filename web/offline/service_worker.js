@@ -29,7 +29,7 @@ async function fetchChecked(name, hash) {
   const answer = await fetch(address(name), { cache: "no-cache" });
   if (!answer.ok) throw new Error(`${name}: ${answer.status}`);
   const bytes = await answer.arrayBuffer();
-  if (await hashOf(bytes) !== hash) throw new Error(`${name} is not the file that was built`);
+  if ((await hashOf(bytes)) !== hash) throw new Error(`${name} is not the file that was built`);
   const headers = new Headers(answer.headers);
   for (const header of ["content-encoding", "content-length", "transfer-encoding"]) headers.delete(header);
   return new Response(bytes, { headers });
@@ -37,10 +37,12 @@ async function fetchChecked(name, hash) {
 
 async function keepAll() {
   const cache = await open();
-  await Promise.all(Object.entries(build.files).map(async ([name, hash]) => {
-    const at = place(name, hash);
-    if (!await cache.match(at)) await cache.put(at, await fetchChecked(name, hash));
-  }));
+  await Promise.all(
+    Object.entries(build.files).map(async ([name, hash]) => {
+      const at = place(name, hash);
+      if (!(await cache.match(at))) await cache.put(at, await fetchChecked(name, hash));
+    }),
+  );
   await cache.put(list(build.id), asJson(build.files));
 }
 
@@ -118,12 +120,13 @@ async function answer({ request, clientId, resultingClientId }, name) {
   known ??= readNotes();
   const all = await known;
   const older = request.mode === "navigate" ? undefined : all.began[clientId];
-  if (older && resultingClientId) {  // a worker loads what fits the page that started it
+  if (older && resultingClientId) {
+    // a worker loads what fits the page that started it
     all.began[resultingClientId] = older;
     await write(all);
   }
   const files = await filesOf(older ?? build.id);
-  const kept = files?.[name] && await (await open()).match(place(name, files[name]));
+  const kept = files?.[name] && (await (await open()).match(place(name, files[name])));
   return kept ?? fetch(request);
 }
 
@@ -135,5 +138,11 @@ self.addEventListener("fetch", (event) => {
   if (name === undefined) return;
   const given = answer(event, name);
   event.respondWith(given);
-  if (event.request.mode === "navigate") event.waitUntil(given.then(() => Promise.allSettled([tidy(), leaveIfGone()]), () => {}));
+  if (event.request.mode === "navigate")
+    event.waitUntil(
+      given.then(
+        () => Promise.allSettled([tidy(), leaveIfGone()]),
+        () => {},
+      ),
+    );
 });

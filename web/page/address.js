@@ -10,8 +10,11 @@ export function readAddress() {
 
 // Puts the lesson and the challenge into an address, or removes them. The rest of its query stays.
 export function withLesson(url, { lesson = "", challenge = false }) {
-  const rest = url.search.slice(1).split("&").filter((part) => part && !/^(lesson|challenge)(=|$)/.test(part));
-  if (lesson) rest.push(`lesson=${lesson}`);  // its characters need no escape (lesson_source.js)
+  const rest = url.search
+    .slice(1)
+    .split("&")
+    .filter((part) => part && !/^(lesson|challenge)(=|$)/.test(part));
+  if (lesson) rest.push(`lesson=${lesson}`); // its characters need no escape (lesson_source.js)
   if (challenge) rest.push("challenge=1");
   url.search = rest.join("&");
   return url;

@@ -6,7 +6,7 @@ import { idle } from "./work.js";
 // Writes the changes for set() as text for the program, which checks them (settings.h). A value that is neither a
 // number nor a word is written as JSON, which no setting accepts.
 const lists = ["com", "overlays"];
-const texts = ["robot", "no_go"];  // what the program itself reads: "r=30,reach=5", "3,5:0.25-0.75"
+const texts = ["robot", "no_go"]; // what the program itself reads: "r=30,reach=5", "3,5:0.25-0.75"
 
 function word(value) {
   const other = typeof value === "object" || (typeof value === "string" && !/^[a-zA-Z]+$/.test(value));
@@ -28,10 +28,12 @@ function fail(setting, why) {
 
 function lines(changes) {
   if (typeof changes !== "object" || changes === null) throw new Error("set() takes an object of settings");
-  return Object.entries(changes).map(([name, value]) => {
-    if (!/^\w+$/.test(name)) fail(name, "there is no such setting");
-    return `${name}=${written(name, value)}`;
-  }).join("\n");
+  return Object.entries(changes)
+    .map(([name, value]) => {
+      if (!/^\w+$/.test(name)) fail(name, "there is no such setting");
+      return `${name}=${written(name, value)}`;
+    })
+    .join("\n");
 }
 
 function throwIf(problem) {
@@ -66,7 +68,7 @@ export function createApi() {
     resolve = yes;
     reject = no;
   });
-  ready.catch(() => {});  // without a handler the browser would report the error twice
+  ready.catch(() => {}); // without a handler the browser would report the error twice
   const running = () => program ?? fail("evenlift", "is not ready yet: await evenlift.ready");
 
   const evenlift = {

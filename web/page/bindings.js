@@ -7,8 +7,16 @@ import { underWay } from "./under_way.js";
 import { begin, end } from "./work.js";
 
 // Writings whose letters the fonts do not have, as a person calls them.
-const writings = { Han: "Chinese characters", Hiragana: "Japanese letters", Katakana: "Japanese letters", Hangul: "Korean letters",
-  Arabic: "Arabic letters", Hebrew: "Hebrew letters", Devanagari: "Devanagari letters", Thai: "Thai letters" };
+const writings = {
+  Han: "Chinese characters",
+  Hiragana: "Japanese letters",
+  Katakana: "Japanese letters",
+  Hangul: "Korean letters",
+  Arabic: "Arabic letters",
+  Hebrew: "Hebrew letters",
+  Devanagari: "Devanagari letters",
+  Thai: "Thai letters",
+};
 const writingOf = Object.entries(writings).map(([script, name]) => [new RegExp(`\\p{Script=${script}}`, "u"), name]);
 
 // A character that cannot be shown, in words.
@@ -36,7 +44,7 @@ export class Bindings {
   #search;
   #program;
   #screen;
-  #page;  // what windows are given
+  #page; // what windows are given
   #pictures = new EventTarget();
   #alarm = 0;
   #noticeEnd = 0;
@@ -66,8 +74,8 @@ export class Bindings {
       aboutLink: (url) => this.#aboutLink(url),
       windows: () => this.#windows(),
       notice: (text, problem) => this.#publisher.notice(text, problem),
-      announce: (text) => this.announce(text),  // to those who listen: nothing is shown
-      pictures: this.#pictures,  // gets an event "drawn" after each of the program's pictures
+      announce: (text) => this.announce(text), // to those who listen: nothing is shown
+      pictures: this.#pictures, // gets an event "drawn" after each of the program's pictures
       nameLesson: (name) => this.#publisher.nameLesson(name),
     };
     if (!embed) connectDropAndPaste(this.#page);
@@ -98,7 +106,7 @@ export class Bindings {
       try {
         this.#program.call("page_frame");
       } catch {
-        return;  // the program has stopped, and the page knows
+        return; // the program has stopped, and the page knows
       }
       this.#onFrame();
       this.#pictures.dispatchEvent(new Event("drawn"));
@@ -109,10 +117,13 @@ export class Bindings {
   frameAfter(seconds) {
     this.dropFrameAfter();
     begin();
-    this.#alarm = setTimeout(() => {
-      this.dropFrameAfter();
-      this.#program.call("page_wake");
-    }, seconds * 1000 + 1);
+    this.#alarm = setTimeout(
+      () => {
+        this.dropFrameAfter();
+        this.#program.call("page_wake");
+      },
+      seconds * 1000 + 1,
+    );
   }
 
   // Nothing waits for that, so it is no work that is under way. Less than 0: it stays.
@@ -140,14 +151,19 @@ export class Bindings {
 
   // The fonts with the letters of other languages and mathematics. Without them a "?" stands for each.
   fetchLetters() {
-    underWay(Promise.all(["letters-regular.otf", "letters-semibold.otf"].map(fetchBytes))
-      .then((fonts) => this.#program.call("page_letters", ...fonts))
-      .catch(() => this.#publisher.notice("Some letters cannot be shown: the server cannot be reached.", true)));
+    underWay(
+      Promise.all(["letters-regular.otf", "letters-semibold.otf"].map(fetchBytes))
+        .then((fonts) => this.#program.call("page_letters", ...fonts))
+        .catch(() => this.#publisher.notice("Some letters cannot be shown: the server cannot be reached.", true)),
+    );
   }
 
   sayAbsent(characters) {
     const names = [...new Set([...characters].map(nameOf))];
-    this.#publisher.notice(`Some characters cannot be shown on the canvas: ${names.slice(0, 5).join(", ")}${names.length > 5 ? ", …" : ""}.`, true);
+    this.#publisher.notice(
+      `Some characters cannot be shown on the canvas: ${names.slice(0, 5).join(", ")}${names.length > 5 ? ", …" : ""}.`,
+      true,
+    );
   }
 
   // --- The document --------------------------------------------------------------------------------------------------
@@ -184,8 +200,12 @@ export class Bindings {
   async copyAddress(link) {
     const url = this.#address(link);
     const done = await underWay(copy(url));
-    this.#publisher.notice(done ? `The link is copied. ${this.#aboutLink(url)}`
-      : "The browser did not let the page copy. The address bar holds the same link.", !done);
+    this.#publisher.notice(
+      done
+        ? `The link is copied. ${this.#aboutLink(url)}`
+        : "The browser did not let the page copy. The address bar holds the same link.",
+      !done,
+    );
   }
 
   openPage() {
@@ -195,7 +215,11 @@ export class Bindings {
   }
 
   openDialog(name) {
-    underWay(this.#windows().then((all) => all[name](this.#page)).catch(() => {}));
+    underWay(
+      this.#windows()
+        .then((all) => all[name](this.#page))
+        .catch(() => {}),
+    );
   }
 
   typeValue(control) {
@@ -212,7 +236,10 @@ export class Bindings {
   // What the link holds or lacks, and then how long it is.
   #aboutLink(url) {
     const ownWords = this.#program.number("page_script") && !this.#publisher.lesson();
-    const lacking = [this.#program.text("page_link_lacks"), ownWords ? "It does not hold the words of this lesson: send its file, too." : ""];
+    const lacking = [
+      this.#program.text("page_link_lacks"),
+      ownWords ? "It does not hold the words of this lesson: send its file, too." : "",
+    ];
     const holds = lacking.filter(Boolean).join(" ") || "It holds the polygon and all settings.";
     const length = `It has ${url.length.toLocaleString("en")} characters`;
     if (url.length < longLink) return `${holds} ${length}.`;

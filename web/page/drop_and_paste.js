@@ -5,7 +5,7 @@ const typesIn = "input, textarea";
 
 export function connectDropAndPaste(page) {
   const take = async (data, verb) => {
-    const given = { files: [...data.files], text: data.getData("text/plain") };  // gone once this event is over
+    const given = { files: [...data.files], text: data.getData("text/plain") }; // gone once this event is over
     const { take: open } = await page.windows();
     await open(page, given, verb);
   };
@@ -15,10 +15,16 @@ export function connectDropAndPaste(page) {
     underWay(take(event.clipboardData, "pasted"));
   });
 
-  let own = false;  // a text of this page is dragged: it is no polygon
-  addEventListener("dragstart", () => { own = true; });
-  addEventListener("dragend", () => { own = false; });
-  const opens = (event) => !own && event.dataTransfer?.types.some((type) => type === "Files" || type === "text/plain") &&
+  let own = false; // a text of this page is dragged: it is no polygon
+  addEventListener("dragstart", () => {
+    own = true;
+  });
+  addEventListener("dragend", () => {
+    own = false;
+  });
+  const opens = (event) =>
+    !own &&
+    event.dataTransfer?.types.some((type) => type === "Files" || type === "text/plain") &&
     (event.dataTransfer.types.includes("Files") || !event.target.closest?.(typesIn));
   addEventListener("dragover", (event) => {
     if (!opens(event)) return;
@@ -43,9 +49,13 @@ async function hint(page, on) {
   await ensureStyles();
   let element = document.getElementById("drop-hint");
   if (!element && wanted) {
-    element = Object.assign(document.createElement("div"), { id: "drop-hint", popover: "manual", textContent: "Drop to open" });
+    element = Object.assign(document.createElement("div"), {
+      id: "drop-hint",
+      popover: "manual",
+      textContent: "Drop to open",
+    });
     document.body.append(element);
-    element.showPopover?.();  // above a window that is open
+    element.showPopover?.(); // above a window that is open
   } else if (element && !wanted) {
     element.remove();
   }

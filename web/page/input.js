@@ -8,7 +8,7 @@ const isGuest = () => root.classList.contains("guest");
 
 function takeHold(canvas) {
   canvas.focus({ preventScroll: true });
-  root.classList.remove("guest");  // it may have had the focus in its own window
+  root.classList.remove("guest"); // it may have had the focus in its own window
 }
 
 function letGo() {
@@ -26,9 +26,9 @@ export function connectInput(program, field, { embed }) {
   connectPresses(program);
 
   canvas.addEventListener("pointerdown", (event) => {
-    if (isGuest() && event.pointerType !== "mouse") return;  // it may become a swipe
+    if (isGuest() && event.pointerType !== "mouse") return; // it may become a swipe
     root.classList.remove("by-key");
-    getSelection().removeAllRanges();  // as a press anywhere does elsewhere; else Ctrl+C would copy that text
+    getSelection().removeAllRanges(); // as a press anywhere does elsewhere; else Ctrl+C would copy that text
     // Preventing mousedown's default, as SDL does, also prevents the focus; and without capture a drag ends at the
     // window's edge.
     takeHold(canvas);
@@ -36,17 +36,21 @@ export function connectInput(program, field, { embed }) {
   });
   canvas.addEventListener("contextmenu", (event) => event.preventDefault());
 
-  addEventListener("wheel", (event) => {
-    if (event.target !== canvas) return;
-    if (isGuest()) {
-      event.stopImmediatePropagation();
-    } else if (event.ctrlKey) {
-      // Browsers report a trackpad's pinch like this; it must not zoom the page.
-      event.preventDefault();
-      event.stopImmediatePropagation();
-      program.call("page_pinch", event.clientX, event.clientY, Math.exp(-event.deltaY * 0.01));
-    }
-  }, { capture: true, passive: false });
+  addEventListener(
+    "wheel",
+    (event) => {
+      if (event.target !== canvas) return;
+      if (isGuest()) {
+        event.stopImmediatePropagation();
+      } else if (event.ctrlKey) {
+        // Browsers report a trackpad's pinch like this; it must not zoom the page.
+        event.preventDefault();
+        event.stopImmediatePropagation();
+        program.call("page_pinch", event.clientX, event.clientY, Math.exp(-event.deltaY * 0.01));
+      }
+    },
+    { capture: true, passive: false },
+  );
 }
 
 function connectGuest(canvas) {
@@ -55,27 +59,36 @@ function connectGuest(canvas) {
   // Of the window: the focus comes back to where it was, or goes to the article.
   addEventListener("focus", () => hold(document.activeElement !== document.body));
   addEventListener("blur", () => hold(false));
-  canvas.addEventListener("click", () => isGuest() && takeHold(canvas));  // of a pen, say
+  canvas.addEventListener("click", () => isGuest() && takeHold(canvas)); // of a pen, say
   connectTaps(canvas);
 }
 
 // SDL would keep every touch from the browser. So a guest's touches do not reach it, but for a tap,
 // which takes hold of the figure and then is passed on to it.
-const mostOfTap = 10;  // CSS pixels that a finger may move
+const mostOfTap = 10; // CSS pixels that a finger may move
 
 function connectTaps(canvas) {
-  let withheld = false;  // the fingers that are down came while it was a guest
-  let press;  // of a finger that may become a tap
+  let withheld = false; // the fingers that are down came while it was a guest
+  let press; // of a finger that may become a tap
   const pass = (type, touch) => {
     const touches = type === "touchstart" ? [touch] : [];
-    canvas.dispatchEvent(new TouchEvent(type, { touches, targetTouches: touches, changedTouches: [touch], bubbles: true, cancelable: true }));
+    canvas.dispatchEvent(
+      new TouchEvent(type, {
+        touches,
+        targetTouches: touches,
+        changedTouches: [touch],
+        bubbles: true,
+        cancelable: true,
+      }),
+    );
   };
   const follow = {
     touchstart({ touches, changedTouches: [touch] }) {
       press = touches.length === 1 ? touch : undefined;
     },
     touchmove({ changedTouches: [touch] }) {
-      if (press && Math.hypot(touch.clientX - press.clientX, touch.clientY - press.clientY) > mostOfTap) press = undefined;
+      if (press && Math.hypot(touch.clientX - press.clientX, touch.clientY - press.clientY) > mostOfTap)
+        press = undefined;
     },
     touchcancel() {
       press = undefined;
@@ -84,19 +97,23 @@ function connectTaps(canvas) {
       const touch = press;
       press = undefined;
       if (!touch || event.touches.length || !event.cancelable) return;
-      event.preventDefault();  // else the same would come once more, as a mouse's
+      event.preventDefault(); // else the same would come once more, as a mouse's
       takeHold(canvas);
       for (const type of ["touchstart", "touchend"]) pass(type, touch);
     },
   };
   for (const type of Object.keys(follow)) {
-    addEventListener(type, (event) => {
-      if (event.target !== canvas) return;
-      if (type === "touchstart" && event.touches.length === event.changedTouches.length) withheld = isGuest();
-      if (!withheld) return;
-      event.stopImmediatePropagation();
-      follow[type](event);
-    }, { capture: true, passive: type !== "touchend" });
+    addEventListener(
+      type,
+      (event) => {
+        if (event.target !== canvas) return;
+        if (type === "touchstart" && event.touches.length === event.changedTouches.length) withheld = isGuest();
+        if (!withheld) return;
+        event.stopImmediatePropagation();
+        follow[type](event);
+      },
+      { capture: true, passive: type !== "touchend" },
+    );
   }
 }
 
@@ -115,31 +132,38 @@ function connectKeys(program, canvas, field, { embed }) {
     field.show();
   };
   // A button of the mirror leaves all keys but those of buttons to the page.
-  const ofButton = (event) => event.target.matches?.("#mirror button") && !["Enter", " ", "Escape", "Tab"].includes(event.key);
-  const ours = (event) => !isGuest() && (event.target === canvas || event.target === document.body || ofButton(event)) && !document.querySelector("dialog:modal");
-  addEventListener("keydown", (event) => {
-    if (!ours(event)) return;
-    // SDL would keep every key from the browser, so it does not get them.
-    event.stopImmediatePropagation();
-    if (event.altKey || event.isComposing) return;
-    const command = event.ctrlKey || event.metaKey;
-    const endOfLesson = event.key === "Escape" && document.querySelector("#lesson-end .away");
-    if (endOfLesson) {
-      event.preventDefault();
-      endOfLesson.click();  // the next Escape leaves the lesson
-      return;
-    }
-    if (command && event.key.toLowerCase() === "c" && String(getSelection())) return;
-    if (program.number("page_key", event.key, command ? 1 : 0, event.shiftKey ? 1 : 0)) {
-      event.preventDefault();
-      if (field.awaited) beginField(event.key);
-    }
-    else if (event.key === "Escape") {
-      const beside = document.querySelector("dialog[open]");  // the window beside the canvas
-      if (beside) beside.close();
-      else if (embed) letGo();
-    }
-  }, { capture: true });
+  const ofButton = (event) =>
+    event.target.matches?.("#mirror button") && !["Enter", " ", "Escape", "Tab"].includes(event.key);
+  const ours = (event) =>
+    !isGuest() &&
+    (event.target === canvas || event.target === document.body || ofButton(event)) &&
+    !document.querySelector("dialog:modal");
+  addEventListener(
+    "keydown",
+    (event) => {
+      if (!ours(event)) return;
+      // SDL would keep every key from the browser, so it does not get them.
+      event.stopImmediatePropagation();
+      if (event.altKey || event.isComposing) return;
+      const command = event.ctrlKey || event.metaKey;
+      const endOfLesson = event.key === "Escape" && document.querySelector("#lesson-end .away");
+      if (endOfLesson) {
+        event.preventDefault();
+        endOfLesson.click(); // the next Escape leaves the lesson
+        return;
+      }
+      if (command && event.key.toLowerCase() === "c" && String(getSelection())) return;
+      if (program.number("page_key", event.key, command ? 1 : 0, event.shiftKey ? 1 : 0)) {
+        event.preventDefault();
+        if (field.awaited) beginField(event.key);
+      } else if (event.key === "Escape") {
+        const beside = document.querySelector("dialog[open]"); // the window beside the canvas
+        if (beside) beside.close();
+        else if (embed) letGo();
+      }
+    },
+    { capture: true },
+  );
   for (const type of ["keyup", "keypress"]) {
     addEventListener(type, (event) => ours(event) && event.stopImmediatePropagation(), { capture: true });
   }

@@ -6,7 +6,7 @@
 import { historyKey, lasting, ofThisTab, read, workKey, write } from "./storage.js";
 
 const mostSteps = 500;
-const mostBytes = 400000;  // of some 5 MB that browsers give; the work itself needs up to 4
+const mostBytes = 400000; // of some 5 MB that browsers give; the work itself needs up to 4
 const leastBytes = 1000;
 
 // The steps as lines, as many as fit.
@@ -29,13 +29,20 @@ const parts = (line) => line.split(" ");
 
 function restore(program, text) {
   const own = lines(program, Infinity).map(parts);
-  if (own.length === mostSteps || own.some(([, , , link]) => !link)) return;  // they could not all be written and read
-  const kept = text.split("\n").map(parts).filter((line) => line.length === 4);
+  if (own.length === mostSteps || own.some(([, , , link]) => !link)) return; // they could not all be written and read
+  const kept = text
+    .split("\n")
+    .map(parts)
+    .filter((line) => line.length === 4);
   const [past, future] = ["<", ">"].map((mark) => kept.filter(([first]) => first === mark));
   // A polygon that was refused is opened as an edit of the last good one, which may be kept as a step already.
   if (own.length && own.at(-1)[3] === past[0]?.[3]) past.shift();
   program.call("page_forget_steps");
-  for (const [mark, edit, method, link] of [...past.reverse(), ...own.reverse(), ...(own.length ? [] : future.reverse())]) {
+  for (const [mark, edit, method, link] of [
+    ...past.reverse(),
+    ...own.reverse(),
+    ...(own.length ? [] : future.reverse()),
+  ]) {
     program.call("page_add_step", mark === ">" ? 1 : 0, Number(edit), Number(method), link);
   }
 }

@@ -1,10 +1,14 @@
 // Recognizes lessons (docs/lessons.md): their first line that is not a comment is a setting. `com:` does not count, as
 // polygons have it, too.
 const setting = /^(title|polygon|link|teams|metric|min-ratio|weight|seed|predict)[ \t]*:/;
-const mostBytes = 65536;  // core/include/evenlift/lesson.h
+const mostBytes = 65536; // core/include/evenlift/lesson.h
 
 export function isLesson(text) {
-  const lines = text.slice(0, mostBytes).replace(/^\uFEFF/, "").split("\n").map((line) => line.trim());
+  const lines = text
+    .slice(0, mostBytes)
+    .replace(/^\uFEFF/, "")
+    .split("\n")
+    .map((line) => line.trim());
   return setting.test(lines.find((line) => line && !line.startsWith("#")) ?? "");
 }
 

@@ -14,11 +14,12 @@ const cover = document.getElementById("cover");
 const { embed, challenge } = readAddress();
 const api = createApi();
 window.evenlift = api.evenlift;
-if (embed) document.documentElement.classList.add("figure", "guest");  // input.js
+if (embed) document.documentElement.classList.add("figure", "guest"); // input.js
 
 const noWebAssembly = "This browser has no WebAssembly, or it is switched off. evenlift computes with it.";
 const noWebGl = "This browser offers no WebGL 2, or it is switched off. evenlift draws with it.";
-const whereItRuns = "A current Firefox, Chrome, Edge or Safari with graphics acceleration switched on can run the page. " +
+const whereItRuns =
+  "A current Firefox, Chrome, Edge or Safari with graphics acceleration switched on can run the page. " +
   "The link in the address bar keeps everything: it opens there as it would have here.";
 
 const cannotRun = ["The page cannot run here.", whereItRuns];
@@ -29,7 +30,10 @@ function showProblem(reason, [heading, advice] = cannotRun) {
   const problem = document.getElementById("problem");
   const strong = document.createElement("strong");
   strong.textContent = heading;
-  problem.replaceChildren(strong, ...[reason, advice].map((text) => Object.assign(document.createElement("p"), { textContent: text })));
+  problem.replaceChildren(
+    strong,
+    ...[reason, advice].map((text) => Object.assign(document.createElement("p"), { textContent: text })),
+  );
   problem.hidden = false;
   cover.classList.remove("done", "see-through");
 }
@@ -78,7 +82,7 @@ async function loadMirror(program, field, publisher) {
   return createMirror(program, field, (text, problem) => publisher.notice(text, problem));
 }
 
-let started;  // the result of beginStart()
+let started; // the result of beginStart()
 
 // The picture is there, and the person can begin: what needs a running page is loaded and connected.
 function loadTheRest(program, bindings, { begins }) {
@@ -86,7 +90,9 @@ function loadTheRest(program, bindings, { begins }) {
   if (embed) return;
   // If this cannot be loaded, undo begins here.
   underWay(import("./kept_history.js").then(({ keepHistory }) => keepHistory(program)).catch(() => {}));
-  underWay(import("./offline.js")).then(({ keepForOffline }) => keepForOffline(() => bindings.openDialog("newVersion"))).catch(() => {});
+  underWay(import("./offline.js"))
+    .then(({ keepForOffline }) => keepForOffline(() => bindings.openDialog("newVersion")))
+    .catch(() => {});
   if (begins && !location.search && !read(lasting, "evenlift.welcomed")) bindings.openDialog("firstVisit");
 }
 
@@ -94,20 +100,21 @@ function loadTheRest(program, bindings, { begins }) {
 // visits stays as it is. Returns what is to be called after each change.
 async function startStill(program, publisher, bindings) {
   // The picture would give away the answer of a challenge.
-  const still = !challenge && await import("./still.js").catch(() => undefined);
+  const still = !challenge && (await import("./still.js").catch(() => undefined));
   if (!still) throw new Error(noWebGl);
   program.onStop = (error) => {
     console.error(error);
     showProblem("Something went wrong while the picture was drawn.", hasStopped);
   };
   publisher.keepNothing();
-  publisher.holdLesson(true);  // lessons need the canvas, and the address goes on to name its own
+  publisher.holdLesson(true); // lessons need the canvas, and the address goes on to name its own
   const problem = program.text("page_start", location.hash.slice(1), "", "", embed ? 1 : 0);
   api.connect(program);
   publisher.connect(program);
   bindings.connect(program, undefined, { embed: true });
   const { draw, say } = await still.showStill(program, {
-    missing: [noWebGl, whereItRuns], save: embed ? undefined : () => bindings.openDialog("save"),
+    missing: [noWebGl, whereItRuns],
+    save: embed ? undefined : () => bindings.openDialog("save"),
   });
   if (problem) say(refusedAtStart(problem));
   followAddress(program, say, () => say(""));
@@ -151,14 +158,24 @@ async function start() {
   api.connect(program);
   // Where the link is what was open here last, no step leads from the one to the other.
   const before = started.work === started.fragment ? "" : started.work;
-  const problem = program.text("page_start", toOpen(program, started.fragment), toOpen(program, before), started.draft, embed ? 1 : 0);
+  const problem = program.text(
+    "page_start",
+    toOpen(program, started.fragment),
+    toOpen(program, before),
+    started.draft,
+    embed ? 1 : 0,
+  );
   publisher.connect(program);
   publisher.restorePreferences();
   if (kept.own || started.problem) publisher.nameInAddress();
   if (!started.fragment) publisher.resumeDrawing(started.drawing);
   bindings.connect(program, connectScreen(program), { embed });
   connectInput(program, field, { embed });
-  followAddress(program, (text) => program.call("page_notice", text, 1), () => bindings.beginLesson(true));
+  followAddress(
+    program,
+    (text) => program.call("page_notice", text, 1),
+    () => bindings.beginLesson(true),
+  );
   // If the document of the address is open, the lesson that it names goes on at the link's step.
   await bindings.beginLesson(fragment !== "" && !problem && !started.problem);
   const say = started.problem || (problem && refusedAtStart(problem, started)) || (embed ? "" : whyStartedAnew());
@@ -166,14 +183,17 @@ async function start() {
   await Promise.race([firstPicture, stopped]);
   started.succeeded?.();
   if (started.fragment && !problem) publisher.adopt(fragment);
-  underWay(loadMirror(program, field, publisher)).then((drawn) => {
-    afterPicture = drawn;
-    field.show = () => {
-      program.call("page_lay_out");
+  underWay(loadMirror(program, field, publisher)).then(
+    (drawn) => {
+      afterPicture = drawn;
+      field.show = () => {
+        program.call("page_lay_out");
+        drawn();
+      };
       drawn();
-    };
-    drawn();
-  }, (error) => console.warn("The controls cannot be reached by keys: they could not be loaded.", error));
+    },
+    (error) => console.warn("The controls cannot be reached by keys: they could not be loaded.", error),
+  );
   program.onOpening = (text) => {
     publisher.flush({ drawn: true });
     opening = text;
@@ -196,7 +216,7 @@ function startAnew(error, { opening, work }) {
 function fail(error) {
   if (started?.failed?.()) {
     console.error(error);
-    return location.reload();  // without what was being opened
+    return location.reload(); // without what was being opened
   }
   showProblem(error.message);
   api.fail(error);

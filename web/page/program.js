@@ -22,7 +22,7 @@ export class Program {
     if (this.#stopped) throw new Error("The page stopped, and starts anew");
     if (opening.includes(name)) this.onOpening(args[0]);
     return this.#guarded((module) => {
-      if (name !== "page_frame") module._page_catch_up?.();  // a frame handles them itself
+      if (name !== "page_frame") module._page_catch_up?.(); // a frame handles them itself
       const texts = [];
       const passed = args.flatMap((arg) => {
         if (arg instanceof Uint8Array) {

@@ -15,7 +15,7 @@ const addressKey = "evenlift.address";
 // last.
 const documentKeys = [workKey, draftKey, drawingKey, historyKey];
 
-const mostKept = 400000;  // vertices; no browser keeps a longer text
+const mostKept = 400000; // vertices; no browser keeps a longer text
 
 // Each sentence is an element of its own, which stays as long as the sentence does, so that only
 // new ones are read out. The list of teams or robots, which is long, is there to be read but not
@@ -25,7 +25,9 @@ function showSentences(root, sentences, aloud) {
   const before = [...root.children].filter((element) => stays.has(element.textContent) || element.remove());
   sentences.forEach((text, i) => {
     if (root.children[i]?.textContent === text) return;
-    const known = before.findIndex((element) => element.textContent === text && [...root.children].indexOf(element) > i);
+    const known = before.findIndex(
+      (element) => element.textContent === text && [...root.children].indexOf(element) > i,
+    );
     const element = known < 0 ? document.createElement("span") : before[known];
     if (known < 0) {
       element.ariaLive = !aloud || /^ (Team|Robot) \d+ at /.test(text) ? "off" : "polite";
@@ -52,11 +54,11 @@ export class Publisher {
   #speakTimer = 0;
   #lesson = "";
   #held = false;
-  #changed = false;  // since the start; before that the next visit goes on with what was changed elsewhere
-  #told = [];  // the lines of news that were there last
-  #switched = new Set();  // the overlays that were shown or hidden since the start
-  #drawn = true;  // whether what is to be written was drawn
-  #late = false;  // it is due, and waits for its picture
+  #changed = false; // since the start; before that the next visit goes on with what was changed elsewhere
+  #told = []; // the lines of news that were there last
+  #switched = new Set(); // the overlays that were shown or hidden since the start
+  #drawn = true; // whether what is to be written was drawn
+  #late = false; // it is due, and waits for its picture
 
   constructor({ embed }) {
     this.#embed = embed;
@@ -86,7 +88,13 @@ export class Publisher {
     const work = read(ofThisTab, workKey);
     const [last, before] = read(ofThisTab, addressKey).split("\n");
     const own = work !== "" && (fragment === last || (isReload() && fragment === before));
-    return { work, draft: read(ofThisTab, draftKey), drawing: read(ofThisTab, drawingKey), own, last: read(lasting, workKey) };
+    return {
+      work,
+      draft: read(ofThisTab, draftKey),
+      drawing: read(ofThisTab, drawingKey),
+      own,
+      last: read(lasting, workKey),
+    };
   }
 
   // What is open is the work of this tab from now on, whatever other tabs do. It is what
@@ -153,11 +161,14 @@ export class Publisher {
 
   #speakSoon() {
     clearTimeout(this.#speakTimer);
-    this.#speakTimer = setTimeout(() => {
-      this.#speakTimer = 0;
-      this.#speak();
-      end();
-    }, isAwaited() ? 0 : beforeSpeaking);
+    this.#speakTimer = setTimeout(
+      () => {
+        this.#speakTimer = 0;
+        this.#speak();
+        end();
+      },
+      isAwaited() ? 0 : beforeSpeaking,
+    );
   }
 
   // Keeps the preferences: the program's own `name=value` lines.
@@ -218,7 +229,8 @@ export class Publisher {
     const link = this.#program.text("page_link");
     // If the polygon is too large for a link, the address has none: an old link would be wrong.
     const challenge = readAddress().challenge && this.#program.number("page_walkthrough_is_open") === 1;
-    const url = new URL(location.href), before = url.hash.slice(1);
+    const url = new URL(location.href),
+      before = url.hash.slice(1);
     if (!this.#held) withLesson(url, { lesson: this.lesson(), challenge });
     url.hash = link;
     if (url.href !== location.href) history.replaceState(history.state, "", url);
@@ -251,12 +263,21 @@ export class Publisher {
 
   #speak({ aloud = true } = {}) {
     const sentences = this.#program.text("page_summary").split(/(?<=[.!?]) (?=[A-Z\d])/);
-    showSentences(document.getElementById("summary"), sentences.map((text, i) => (i ? ` ${text}` : text)), true);
+    showSentences(
+      document.getElementById("summary"),
+      sentences.map((text, i) => (i ? ` ${text}` : text)),
+      true,
+    );
     // Each overlay is a switch that can be asked. What is told here is that one has changed.
     const news = this.#program.text("page_news").split("\n").filter(Boolean);
     const overlay = (line) => /^(?:Shown|Hidden): (.*)/.exec(line)?.[1];
-    for (const line of news) if (aloud && overlay(line) && !this.#told.includes(line)) this.#switched.add(overlay(line));
+    for (const line of news)
+      if (aloud && overlay(line) && !this.#told.includes(line)) this.#switched.add(overlay(line));
     this.#told = news;
-    showSentences(document.getElementById("news"), news.filter((line) => !overlay(line) || this.#switched.has(overlay(line))), aloud);
+    showSentences(
+      document.getElementById("news"),
+      news.filter((line) => !overlay(line) || this.#switched.has(overlay(line))),
+      aloud,
+    );
   }
 }

@@ -7,7 +7,7 @@ const markKey = "evenlift.opening";
 const asideKey = "evenlift.aside";
 const stoppedKey = "evenlift.stopped";
 const mostAside = 5;
-const mostRestarts = 3;  // in a row, without any input in between
+const mostRestarts = 3; // in a row, without any input in between
 
 // All marks have the same length, so that a mark can be replaced even when the storage is full.
 const noMark = "-".repeat(20);
@@ -48,9 +48,16 @@ const keptAside = "It is kept: Save has it as a file.";
 async function holdStart() {
   if (!navigator.locks) return { alone: true, release() {} };
   return new Promise((ready) => {
-    navigator.locks.request("evenlift.start", { ifAvailable: true }, (lock) => new Promise((release) => {
-      ready({ alone: lock !== null, release });
-    })).catch(() => ready({ alone: true, release() {} }));
+    navigator.locks
+      .request(
+        "evenlift.start",
+        { ifAvailable: true },
+        (lock) =>
+          new Promise((release) => {
+            ready({ alone: lock !== null, release });
+          }),
+      )
+      .catch(() => ready({ alone: true, release() {} }));
   });
 }
 
@@ -65,11 +72,22 @@ export async function beginStart(kept) {
   if (hasFailed(kept.work)) {
     for (const text of [kept.work, kept.draft]) if (text) setAside(text);
     const work = kept.last === kept.work ? "" : kept.last;
-    opens = { ...opens, work, draft: "", drawing: "", problem: `The page stopped when the last polygon was opened, so it is not opened again. ${keptAside}` };
+    opens = {
+      ...opens,
+      work,
+      draft: "",
+      drawing: "",
+      problem: `The page stopped when the last polygon was opened, so it is not opened again. ${keptAside}`,
+    };
   }
-  if (hasFailed(kept.fragment)) {  // it may be the link of that work
+  if (hasFailed(kept.fragment)) {
+    // it may be the link of that work
     setAside(kept.fragment);
-    opens = { ...opens, fragment: "", problem: `The page stopped when this link was opened, so it is not opened again. ${keptAside}` };
+    opens = {
+      ...opens,
+      fragment: "",
+      problem: `The page stopped when this link was opened, so it is not opened again. ${keptAside}`,
+    };
   }
   const opened = opens.fragment || opens.work;
   const marked = opened !== "" && start.alone && write(lasting, markKey, markOf(opened));
@@ -120,8 +138,9 @@ export function prepareRestart({ opening, work }) {
   if (restarts >= mostRestarts) return false;
   // If the page stops again without any input, the reason is what is kept.
   if (restarts > 0 && work) write(lasting, markKey, markOf(work));
-  const aside = opening ? setAside(opening) ? ` ${keptAside}` : " It is too large to be kept here." : "";
-  const sentence = opening ? `The page stopped when this was opened, and has started anew with the last polygon that was shown.${aside}`
+  const aside = opening ? (setAside(opening) ? ` ${keptAside}` : " It is too large to be kept here.") : "";
+  const sentence = opening
+    ? `The page stopped when this was opened, and has started anew with the last polygon that was shown.${aside}`
     : "The page stopped, and has started anew with the last polygon that was shown.";
   return write(ofThisTab, stoppedKey, JSON.stringify({ restarts: restarts + 1, sentence }));
 }

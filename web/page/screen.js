@@ -19,7 +19,14 @@ function followSize(program, canvas) {
       const guess = css * devicePixelRatio;
       return told && Math.abs(told - guess) < 2 ? told : Math.round(guess);
     };
-    program.call("page_resize", width, height, devicePixelRatio, pixels(width, exact?.inlineSize), pixels(height, exact?.blockSize));
+    program.call(
+      "page_resize",
+      width,
+      height,
+      devicePixelRatio,
+      pixels(width, exact?.inlineSize),
+      pixels(height, exact?.blockSize),
+    );
   };
   const observer = new ResizeObserver(([entry]) => measure(entry.devicePixelContentBoxSize?.[0]));
   try {
@@ -35,21 +42,31 @@ function followSize(program, canvas) {
 
 // A media query for the present ratio changes when the window is moved to another screen.
 function followRatio(changed) {
-  matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener("change", () => {
-    changed();
-    followRatio(changed);
-  }, { once: true });
+  matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener(
+    "change",
+    () => {
+      changed();
+      followRatio(changed);
+    },
+    { once: true },
+  );
 }
 
 // Whether the page's ground, which in forced colours is the system's, is nearer to black than to white.
 function groundIsDark() {
-  const [red, green, blue] = getComputedStyle(document.body).backgroundColor.match(/[\d.]+/g).map(Number);
+  const [red, green, blue] = getComputedStyle(document.body)
+    .backgroundColor.match(/[\d.]+/g)
+    .map(Number);
   return 0.2126 * red + 0.7152 * green + 0.0722 * blue < 128;
 }
 
 function followPreferences(program) {
-  const [dark, still, coarse, forced] = ["(prefers-color-scheme: dark)", "(prefers-reduced-motion: reduce)", "(pointer: coarse)", "(forced-colors: active)"]
-    .map((query) => matchMedia(query));
+  const [dark, still, coarse, forced] = [
+    "(prefers-color-scheme: dark)",
+    "(prefers-reduced-motion: reduce)",
+    "(pointer: coarse)",
+    "(forced-colors: active)",
+  ].map((query) => matchMedia(query));
   const tell = () => {
     const now = [forced.matches ? groundIsDark() : dark.matches, still.matches, coarse.matches];
     program.call("page_preferences", ...now.map(Number));
@@ -62,10 +79,11 @@ function followContext(program, canvas) {
   const cover = document.getElementById("cover");
   const progress = document.getElementById("progress");
   canvas.addEventListener("webglcontextlost", (event) => {
-    event.preventDefault();  // else it never comes back
+    event.preventDefault(); // else it never comes back
     begin();
     program.call("page_context", 1);
-    progress.textContent = "The connection to the graphics processor was lost. The drawing comes back by itself; nothing is lost.";
+    progress.textContent =
+      "The connection to the graphics processor was lost. The drawing comes back by itself; nothing is lost.";
     cover.classList.add("see-through");
     cover.classList.remove("done");
   });

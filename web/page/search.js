@@ -5,15 +5,15 @@ import { Program } from "./program.js";
 import { search } from "./search_loop.js";
 import { begin, end } from "./work.js";
 
-const slice = 8;  // milliseconds, where there is no worker
+const slice = 8; // milliseconds, where there is no worker
 
 // `call` calls the program. Returns the search: begin() ends what was under way.
 export function createSearch(call) {
   let worker;
   let withoutWorker = typeof Worker !== "function";
-  let wanted = 0;  // the number of the search under way; 0 if there is none
+  let wanted = 0; // the number of the search under way; 0 if there is none
   let problem;
-  let starting = false;  // the worker is at the start, and listens to nobody meanwhile
+  let starting = false; // the worker is at the start, and listens to nobody meanwhile
 
   function over() {
     if (!wanted) return;
@@ -53,7 +53,9 @@ export function createSearch(call) {
 
   function startWorker() {
     const started = new Worker(new URL("search_worker.js", import.meta.url), { type: "module" });
-    started.addEventListener("message", ({ data: { number, robots, ended, failed: no } }) => (no ? failed(number) : found(number, robots, ended)));
+    started.addEventListener("message", ({ data: { number, robots, ended, failed: no } }) =>
+      no ? failed(number) : found(number, robots, ended),
+    );
     started.addEventListener("error", (event) => {
       event.preventDefault();
       withoutWorker = true;

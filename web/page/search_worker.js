@@ -3,9 +3,9 @@ import createModule from "./balanced_core.js";
 import { Program } from "./program.js";
 import { search } from "./search_loop.js";
 
-const slice = 50;  // milliseconds, after which the worker listens
+const slice = 50; // milliseconds, after which the worker listens
 const started = createModule().then((module) => new Program(module));
-let wanted = 0;  // the number of the search that is wanted; 0 if none is
+let wanted = 0; // the number of the search that is wanted; 0 if none is
 
 addEventListener("message", async ({ data: { number, problem } }) => {
   wanted = number;
@@ -13,7 +13,12 @@ addEventListener("message", async ({ data: { number, problem } }) => {
   const goesOn = () => wanted === number;
   try {
     const program = await started;
-    if (goesOn()) await search(program, problem, { slice, goesOn, found: (robots, ended) => postMessage({ number, robots, ended }) });
+    if (goesOn())
+      await search(program, problem, {
+        slice,
+        goesOn,
+        found: (robots, ended) => postMessage({ number, robots, ended }),
+      });
   } catch {
     postMessage({ number, failed: true });
   }

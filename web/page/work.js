@@ -35,11 +35,14 @@ const nextTask = () => new Promise((done) => setTimeout(done));
 
 // The browser reports changed sizes and preferences with its next picture. A hidden page gets
 // no pictures: there a task takes its place.
-const nextPicture = () => (document.hidden ? nextTask() : new Promise((done) => requestAnimationFrame(done)).then(nextTask));
+const nextPicture = () =>
+  document.hidden ? nextTask() : new Promise((done) => requestAnimationFrame(done)).then(nextTask);
 
 // Motions that end: what shows that something is loading goes on for ever.
 function motions() {
-  const ending = document.getAnimations().filter((motion) => motion.playState === "running" && Number.isFinite(motion.effect.getComputedTiming().endTime));
+  const ending = document
+    .getAnimations()
+    .filter((motion) => motion.playState === "running" && Number.isFinite(motion.effect.getComputedTiming().endTime));
   return Promise.allSettled(ending.map(({ finished }) => finished));
 }
 

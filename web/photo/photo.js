@@ -8,7 +8,7 @@ import { twoPoints } from "./two_points.js";
 
 const mostPixels = 50e6;
 
-let photo;  // { name, url, image, opacity }; where it lies is the program's to know
+let photo; // { name, url, image, opacity }; where it lies is the program's to know
 
 export function isPhoto(head, bytes) {
   const webp = head === "RIFF" && String.fromCharCode(...bytes.subarray(8, 12)) === "WEBP";
@@ -21,11 +21,16 @@ export async function layBehind(page, file) {
   const image = el("img", { id: "backdrop", alt: "", "aria-hidden": "true" });
   const there = new Promise((done, fail) => Object.assign(image, { onload: done, onerror: fail }));
   image.src = url;
-  const problem = await there.then(() => {
-    const pixels = image.naturalWidth * image.naturalHeight;
-    if (!pixels) return "It has no pixels";
-    return pixels > mostPixels ? `It has ${number(Math.ceil(pixels / 1e6))} megapixels, more than the 50 that can be shown` : "";
-  }, () => "It is damaged, or no picture that this browser can show");
+  const problem = await there.then(
+    () => {
+      const pixels = image.naturalWidth * image.naturalHeight;
+      if (!pixels) return "It has no pixels";
+      return pixels > mostPixels
+        ? `It has ${number(Math.ceil(pixels / 1e6))} megapixels, more than the 50 that can be shown`
+        : "";
+    },
+    () => "It is damaged, or no picture that this browser can show",
+  );
   if (problem) {
     URL.revokeObjectURL(url);
     return problem;
@@ -58,9 +63,13 @@ function lie({ program }) {
 
 // Puts the image where the view shows its place.
 function place(page) {
-  const { image } = photo, { program } = page, { left, bottom, unit } = lie(page);
-  const width = unit * image.naturalWidth, top = bottom + unit * image.naturalHeight;
-  const x = program.number("page_screen_x", left, top), y = program.number("page_screen_y", left, top);
+  const { image } = photo,
+    { program } = page,
+    { left, bottom, unit } = lie(page);
+  const width = unit * image.naturalWidth,
+    top = bottom + unit * image.naturalHeight;
+  const x = program.number("page_screen_x", left, top),
+    y = program.number("page_screen_y", left, top);
   const shown = program.number("page_screen_x", left + width, top) - x;
   image.style.transform = `translate(${x}px, ${y}px) scale(${shown / image.naturalWidth})`;
 }
@@ -81,7 +90,11 @@ function scaleTo(page, label, pixels, length) {
   const problem = page.program.text("page_scale_backdrop", width);
   const { unit } = JSON.parse(page.program.text("page_state"));
   if (problem) page.notice(`${label}: ${problem}.`, true);
-  else page.notice(`The picture is now ${number(tidy(width))}${unit ? ` ${unit}` : ""} wide. What is traced on it goes with it.`, false);
+  else
+    page.notice(
+      `The picture is now ${number(tidy(width))}${unit ? ` ${unit}` : ""} wide. What is traced on it goes with it.`,
+      false,
+    );
   return !problem;
 }
 
@@ -92,12 +105,15 @@ const pixelsOf = (page) => ({
     return this.toScreen([photo.image.naturalWidth / 2, photo.image.naturalHeight / 2]);
   },
   fromScreen(x, y) {
-    const { left, bottom, unit } = lie(page), [right, up] = worldAt(page.program, x, y);
+    const { left, bottom, unit } = lie(page),
+      [right, up] = worldAt(page.program, x, y);
     return [(right - left) / unit, (up - bottom) / unit];
   },
   toScreen([right, up]) {
-    const { left, bottom, unit } = lie(page), { program } = page;
-    const x = left + right * unit, y = bottom + up * unit;
+    const { left, bottom, unit } = lie(page),
+      { program } = page;
+    const x = left + right * unit,
+      y = bottom + up * unit;
     return [program.number("page_screen_x", x, y), program.number("page_screen_y", x, y)];
   },
 });
@@ -107,29 +123,49 @@ const inMetres = { m: 1, cm: 0.01, mm: 0.001, in: 0.0254 };
 // A length that somebody typed, in the unit of the polygon: another unit behind it is
 // converted. Returns { length } or { problem }.
 function typedLength(text, unit) {
-  const typed = text.trim(), [, amount, of] = typed.match(/^(.*?)\s*(m|cm|mm|in)$/) ?? [];
-  const converted = unit && of ? typedNumber(amount) * inMetres[of] / inMetres[unit] : typedNumber(typed);
+  const typed = text.trim(),
+    [, amount, of] = typed.match(/^(.*?)\s*(m|cm|mm|in)$/) ?? [];
+  const converted = unit && of ? (typedNumber(amount) * inMetres[of]) / inMetres[unit] : typedNumber(typed);
   if (!typed) return { problem: "please type a number above 0." };
-  if (!Number.isFinite(converted)) return { problem: `“${typed}” is not a number. Please type it ${unit ? `in ${unit}` : "without a unit"}, such as 2.5.` };
+  if (!Number.isFinite(converted))
+    return {
+      problem: `“${typed}” is not a number. Please type it ${unit ? `in ${unit}` : "without a unit"}, such as 2.5.`,
+    };
   return converted > 0 ? { length: converted } : { problem: `${typed} is not above 0.` };
 }
 
 // A field for a length and its button, of a class; `set` takes it over.
 function lengthField(page, label, value, set, of = "") {
   const { unit } = JSON.parse(page.program.text("page_state"));
-  const field = el("input", { class: "field", type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": label, size: "8" });
+  const field = el("input", {
+    class: "field",
+    type: "text",
+    inputmode: "decimal",
+    autocomplete: "off",
+    "aria-label": label,
+    size: "8",
+  });
   field.value = value;
   const take = () => {
     const { length, problem } = typedLength(field.value, unit);
     return problem ? page.notice(`${label}: ${problem}`, true) : set(length);
   };
   field.addEventListener("keydown", (event) => event.key === "Enter" && take());
-  return [el("label", { class: `row ${of}` }, label, field, ...(unit ? [unit] : [])), button("Set", { class: `button ${of}`, onclick: take })];
+  return [
+    el("label", { class: `row ${of}` }, label, field, ...(unit ? [unit] : [])),
+    button("Set", { class: `button ${of}`, onclick: take }),
+  ];
 }
 
 async function openControls(page) {
   const { image } = photo;
-  const opacity = el("input", { type: "range", min: "0.1", max: "1", step: "0.05", "aria-label": "Opacity of the picture" });
+  const opacity = el("input", {
+    type: "range",
+    min: "0.1",
+    max: "1",
+    step: "0.05",
+    "aria-label": "Opacity of the picture",
+  });
   opacity.value = photo.opacity;
   opacity.addEventListener("input", () => {
     photo.opacity = Number(opacity.value);
@@ -145,11 +181,20 @@ async function openControls(page) {
   const measure = async () => {
     const givenUp = new AbortController();
     page.program.call("page_measuring", 1);
-    const asking = await openCard(page, { name: "points", title: "Two points of the picture", cross: false, closed: () => givenUp.abort(), body: [
-      el("p", {}, "Press two points on the picture whose distance you know."),
-      el("div", { class: "ways" }, button("Cancel", { onclick: () => asking.close() }))] });
+    const asking = await openCard(page, {
+      name: "points",
+      title: "Two points of the picture",
+      cross: false,
+      closed: () => givenUp.abort(),
+      body: [
+        el("p", {}, "Press two points on the picture whose distance you know."),
+        el("div", { class: "ways" }, button("Cancel", { onclick: () => asking.close() })),
+      ],
+    });
     alike(asking);
-    page.announce("Press two points on the picture whose distance you know. By keys: arrows move a ring, Enter takes the point.");
+    page.announce(
+      "Press two points on the picture whose distance you know. By keys: arrows move a ring, Enter takes the point.",
+    );
     const measured = await twoPoints(page, pixelsOf(page), givenUp.signal);
     const over = () => {
       measured?.unmark();
@@ -160,26 +205,65 @@ async function openControls(page) {
       return photo && openControls(page);
     }
     const scaled = (length) => scaleTo(page, "Distance", measured.pixels, length) && openControls(page);
-    alike(await openCard(page, { name: "scale", title: "Scale of the picture", closed: over, body: [
-      el("p", {}, "How far apart are the two points?"), el("div", { class: "ways" }, ...lengthField(page, "Distance", "", scaled))] }))
-      .querySelector("input").focus({ preventScroll: true });
+    alike(
+      await openCard(page, {
+        name: "scale",
+        title: "Scale of the picture",
+        closed: over,
+        body: [
+          el("p", {}, "How far apart are the two points?"),
+          el("div", { class: "ways" }, ...lengthField(page, "Distance", "", scaled)),
+        ],
+      }),
+    )
+      .querySelector("input")
+      .focus({ preventScroll: true });
   };
   // Where there is little room, the card is small until somebody wants more of it.
-  const more = button("More …", { class: "button more", "aria-expanded": "false", onclick: () => {
-    const whole = card.root.classList.toggle("whole");
-    more.setAttribute("aria-expanded", String(whole));
-    more.textContent = whole ? "Less" : "More …";
-    card.seat();
-  } });
-  const measuring = button("Set scale", { title: "Press two points and type their distance", onclick: () => {
-    height = card.root.offsetHeight;
-    measure();
-  } });
-  const card = await openCard(page, { name: "photo", title: "Picture behind the drawing", body: [
-    el("p", {}, `“${photo.name}” lies behind the drawing. `, el("span", { class: "second" }, "It stays on this device, is in no link or file, and is gone with this page.")),
-    el("div", { class: "ways" }, opacity, measuring,
-      ...lengthField(page, "Width", tidy(lie(page).unit * image.naturalWidth), (length) => scaleTo(page, "Width", image.naturalWidth, length), "seldom"),
-      closingButton("Remove", { class: "button seldom" }, () => remove(page)), more)] });
+  const more = button("More …", {
+    class: "button more",
+    "aria-expanded": "false",
+    onclick: () => {
+      const whole = card.root.classList.toggle("whole");
+      more.setAttribute("aria-expanded", String(whole));
+      more.textContent = whole ? "Less" : "More …";
+      card.seat();
+    },
+  });
+  const measuring = button("Set scale", {
+    title: "Press two points and type their distance",
+    onclick: () => {
+      height = card.root.offsetHeight;
+      measure();
+    },
+  });
+  const card = await openCard(page, {
+    name: "photo",
+    title: "Picture behind the drawing",
+    body: [
+      el(
+        "p",
+        {},
+        `“${photo.name}” lies behind the drawing. `,
+        el("span", { class: "second" }, "It stays on this device, is in no link or file, and is gone with this page."),
+      ),
+      el(
+        "div",
+        { class: "ways" },
+        opacity,
+        measuring,
+        ...lengthField(
+          page,
+          "Width",
+          tidy(lie(page).unit * image.naturalWidth),
+          (length) => scaleTo(page, "Width", image.naturalWidth, length),
+          "seldom",
+        ),
+        closingButton("Remove", { class: "button seldom" }, () => remove(page)),
+        more,
+      ),
+    ],
+  });
 }
 
 export const hasPhoto = () => photo !== undefined;
@@ -187,8 +271,17 @@ export const hasPhoto = () => photo !== undefined;
 // In the window that opens things: the picture that is there, and the way to its controls.
 export function photoLine(page) {
   if (!photo) return [];
-  return [el("p", { class: "row second" }, `“${photo.name}” lies behind the drawing.`, button("Change …", { onclick: () => {
-    closeWindows();
-    openControls(page);
-  } }))];
+  return [
+    el(
+      "p",
+      { class: "row second" },
+      `“${photo.name}” lies behind the drawing.`,
+      button("Change …", {
+        onclick: () => {
+          closeWindows();
+          openControls(page);
+        },
+      }),
+    ),
+  ];
 }

@@ -3,7 +3,7 @@
 import { el, svgEl } from "../kit/elements.js";
 
 const keys = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
-const nearest = 8;  // on the screen: what is pressed nearer than this to the first point is that point again
+const nearest = 8; // on the screen: what is pressed nearer than this to the first point is that point again
 
 // Marks that lie over the picture: show() takes one point or two, in pixels of the picture.
 function marksOver(page, { toScreen }) {
@@ -39,9 +39,14 @@ const distance = ([x1, y1], [x2, y2]) => Math.hypot(x1 - x2, y1 - y2);
 export function twoPoints(page, frame, givenUp) {
   return new Promise((done) => {
     const marks = marksOver(page, frame);
-    const sheet = el("div", { id: "measure", role: "application", "aria-label": "Two points of the picture", tabindex: "-1" });
+    const sheet = el("div", {
+      id: "measure",
+      role: "application",
+      "aria-label": "Two points of the picture",
+      tabindex: "-1",
+    });
     const leave = new AbortController();
-    let first, ring;  // in pixels of the picture; where keys moved the ring, on the screen
+    let first, ring; // in pixels of the picture; where keys moved the ring, on the screen
     const end = (result) => {
       leave.abort();
       sheet.remove();
@@ -73,18 +78,23 @@ export function twoPoints(page, frame, givenUp) {
       if (!way && !["Enter", " "].includes(event.key)) return;
       event.preventDefault();
       if (!way) return ring && take(ring);
-      const far = event.shiftKey ? 1 : 10, [x, y] = ring ?? frame.middle();
+      const far = event.shiftKey ? 1 : 10,
+        [x, y] = ring ?? frame.middle();
       ring = [x + far * way[0], y + far * way[1]];
       aim(ring);
     });
-    addEventListener("keydown", (event) => {
-      if (event.key !== "Escape") return;
-      event.preventDefault();
-      event.stopImmediatePropagation();
-      end();
-    }, { capture: true, signal: leave.signal });
+    addEventListener(
+      "keydown",
+      (event) => {
+        if (event.key !== "Escape") return;
+        event.preventDefault();
+        event.stopImmediatePropagation();
+        end();
+      },
+      { capture: true, signal: leave.signal },
+    );
     givenUp.addEventListener("abort", () => end(), { signal: leave.signal });
     document.getElementById("canvas").after(sheet);
-    sheet.focus({ preventScroll: true });  // the canvas would take Esc for itself
+    sheet.focus({ preventScroll: true }); // the canvas would take Esc for itself
   });
 }

@@ -13,15 +13,33 @@ function described(svg) {
 export async function showStill(program, { missing, save }) {
   await Promise.all([ensureStyles(), ensureStyles("still.css")]);
   const picture = el("img", {});
-  const verdict = el("p", { class: "verdict", "aria-hidden": "true" });  // the picture's own text says the same
+  const verdict = el("p", { class: "verdict", "aria-hidden": "true" }); // the picture's own text says the same
   const told = document.getElementById("alert");
   told.className = "problem";
   const canvas = document.getElementById("canvas");
   canvas.hidden = true;
   // The focus on it lets keys scroll it.
-  canvas.after(el("article", { id: "still", tabindex: "0", "aria-label": "The picture and its verdict" }, picture, el("section", {}, el("h1", {}, "evenlift"), told, verdict,
-    el("div", { class: "missing" }, el("strong", {}, "This picture stands still."), ...missing.map((text) => el("p", {}, text))),
-    ...(save ? [button("Save", { onclick: save }, "save")] : []))));
+  canvas.after(
+    el(
+      "article",
+      { id: "still", tabindex: "0", "aria-label": "The picture and its verdict" },
+      picture,
+      el(
+        "section",
+        {},
+        el("h1", {}, "evenlift"),
+        told,
+        verdict,
+        el(
+          "div",
+          { class: "missing" },
+          el("strong", {}, "This picture stands still."),
+          ...missing.map((text) => el("p", {}, text)),
+        ),
+        ...(save ? [button("Save", { onclick: save }, "save")] : []),
+      ),
+    ),
+  );
   let shown;
   return {
     draw() {
@@ -31,7 +49,7 @@ export async function showStill(program, { missing, save }) {
       URL.revokeObjectURL(picture.src);
       picture.src = URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" }));
       picture.alt = verdict.textContent = described(svg);
-      underWay(picture.decode()).catch(() => {});  // another one may come before it is there
+      underWay(picture.decode()).catch(() => {}); // another one may come before it is there
     },
     say(text) {
       told.textContent = text;

@@ -7,7 +7,8 @@ import { show as showKeys } from "./keys.js";
 import { show as showTour } from "./tour.js";
 import { show as showWelcome } from "./welcome.js";
 
-const link = (file, text) => el("a", { href: new URL(file, import.meta.url).href, target: "_blank", rel: "noopener" }, text);
+const link = (file, text) =>
+  el("a", { href: new URL(file, import.meta.url).href, target: "_blank", rel: "noopener" }, text);
 
 // Documentation that lies beside the page (assets/docs_html.py).
 const docs = [
@@ -22,18 +23,51 @@ const docs = [
 export async function show(page) {
   const version = el("span", {});
   const licences = el("pre", { tabindex: "0" }, "Loading …");
-  const more = el("details", { ontoggle: () => more.open && fill(licences) }, el("summary", {}, "Licences of what is in it"), licences);
+  const more = el(
+    "details",
+    { ontoggle: () => more.open && fill(licences) },
+    el("summary", {}, "Licences of what is in it"),
+    licences,
+  );
   const root = await openWindow({
     name: "about",
     title: "About evenlift",
-    body: [el("div", { class: "scroll" },
-      el("p", {}, "evenlift finds where teams of robots should stand round a flat object so that they lift it together, each with nearly the same load. Robots work in pairs, one on each side of the centre of mass; pairs are chosen so that the loads are even and the lifting base is wide. It also says whether the robots' contact alone keeps the object from sliding and turning."),
-      el("p", {}, "It implements the thesis ", el("cite", {}, "A Weight-Distributing Placement Algorithm for Large Teams of Lifting Robots"), ". All of it is computed here in the browser: nothing that you draw is sent anywhere."),
-      el("h3", {}, "To read"),
-      el("ul", { class: "plain" }, ...docs.map(([file, title]) => el("li", {}, link(file, title)))),
-      el("h3", {}, "Version and licence"),
-      el("p", {}, version, "MIT licence: use it, change it and pass it on, with its notice. The source comes with the project that this page was built from; its README says how to build the page and the program for the command line."),
-      more), el("footer", {}, buttonTo("How to begin", page, showWelcome), buttonTo("Take the tour", page, showTour), buttonTo("Glossary", page, showGlossary), buttonTo("Keys", page, showKeys))],
+    body: [
+      el(
+        "div",
+        { class: "scroll" },
+        el(
+          "p",
+          {},
+          "evenlift finds where teams of robots should stand round a flat object so that they lift it together, each with nearly the same load. Robots work in pairs, one on each side of the centre of mass; pairs are chosen so that the loads are even and the lifting base is wide. It also says whether the robots' contact alone keeps the object from sliding and turning.",
+        ),
+        el(
+          "p",
+          {},
+          "It implements the thesis ",
+          el("cite", {}, "A Weight-Distributing Placement Algorithm for Large Teams of Lifting Robots"),
+          ". All of it is computed here in the browser: nothing that you draw is sent anywhere.",
+        ),
+        el("h3", {}, "To read"),
+        el("ul", { class: "plain" }, ...docs.map(([file, title]) => el("li", {}, link(file, title)))),
+        el("h3", {}, "Version and licence"),
+        el(
+          "p",
+          {},
+          version,
+          "MIT licence: use it, change it and pass it on, with its notice. The source comes with the project that this page was built from; its README says how to build the page and the program for the command line.",
+        ),
+        more,
+      ),
+      el(
+        "footer",
+        {},
+        buttonTo("How to begin", page, showWelcome),
+        buttonTo("Take the tour", page, showTour),
+        buttonTo("Glossary", page, showGlossary),
+        buttonTo("Keys", page, showKeys),
+      ),
+    ],
   });
   if (!root) return;
   const { version: number } = await fetchJson("version.json").catch(() => ({}));

@@ -5,11 +5,15 @@ import { ofThisTab, read, write } from "../page/storage.js";
 
 const namesKey = "evenlift.names";
 const mostNames = 8;
-const longestKept = 20000;  // letters of an outline whose name is kept over a reload
+const longestKept = 20000; // letters of an outline whose name is kept over a reload
 
 // Two texts of the same polygon give the same outline, however they are written.
 export function isSame(program, text, outline) {
-  const vertices = (each) => each.trimEnd().split("\n").filter((line) => !/^(com|#)/i.test(line.trim())).length;
+  const vertices = (each) =>
+    each
+      .trimEnd()
+      .split("\n")
+      .filter((line) => !/^(com|#)/i.test(line.trim())).length;
   return vertices(text) === outline.trimEnd().split("\n").length - 1 && program.text("page_outline", text) === outline;
 }
 
@@ -34,8 +38,13 @@ function names() {
 
 // A file's name without its ending, and without what was added when it was saved here.
 export function stemOf(file) {
-  return file.replace(/\.[^.]*$/, "").replace(/-(result|poses)$/, "").replace(/-\d+-robots$/, "")
-    .replace(/[\s/\\:*?"<>|\p{Cc}]+/gu, "-").replace(/^[-.]+|-+$/g, "").slice(0, 60);
+  return file
+    .replace(/\.[^.]*$/, "")
+    .replace(/-(result|poses)$/, "")
+    .replace(/-\d+-robots$/, "")
+    .replace(/[\s/\\:*?"<>|\p{Cc}]+/gu, "-")
+    .replace(/^[-.]+|-+$/g, "")
+    .slice(0, 60);
 }
 
 // The name of the file from which the open polygon came, as stemOf() gives it; "" if it did not come from one.

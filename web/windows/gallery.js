@@ -11,29 +11,54 @@ const height = 64;
 
 // The polygon of a text with its centre of mass, as the program reads them.
 function thumbnail(program, text) {
-  const all = program.text("page_outline", text).trimEnd().split("\n").map((line) => line.split(" ").map(Number));
+  const all = program
+    .text("page_outline", text)
+    .trimEnd()
+    .split("\n")
+    .map((line) => line.split(" ").map(Number));
   const [centre, ...points] = all;
   const place = fitted(all, width, height, 4);
   const [cx, cy] = place(centre);
-  return svgEl("svg", { viewBox: `0 0 ${width} ${height}`, "aria-hidden": "true" },
-    svgEl("polygon", { points: points.map(place).join(" ") }), svgEl("circle", { cx, cy, r: 3 }));
+  return svgEl(
+    "svg",
+    { viewBox: `0 0 ${width} ${height}`, "aria-hidden": "true" },
+    svgEl("polygon", { points: points.map(place).join(" ") }),
+    svgEl("circle", { cx, cy, r: 3 }),
+  );
 }
 
 export async function show(page) {
-  const filter = el("input", { type: "search", class: "field", placeholder: "Filter", "aria-label": "Filter the samples", autocomplete: "off", spellcheck: "false" });
+  const filter = el("input", {
+    type: "search",
+    class: "field",
+    placeholder: "Filter",
+    "aria-label": "Filter the samples",
+    autocomplete: "off",
+    spellcheck: "false",
+  });
   const list = el("div", { class: "scroll groups" });
   const count = el("p", { class: "for-readers", role: "status" });
   // On a phone, a keyboard that opens by itself would hide half of the gallery.
   const typing = matchMedia("(pointer: fine)").matches;
-  const footer = el("footer", {}, buttonTo("Compare methods over many polygons …", page, () => showExperiment(page, { source: "samples" })));
-  const root = await openWindow({ name: "samples", title: "Samples", tools: [filter], body: [list, count, footer], focus: typing ? filter : undefined });
+  const footer = el(
+    "footer",
+    {},
+    buttonTo("Compare methods over many polygons …", page, () => showExperiment(page, { source: "samples" })),
+  );
+  const root = await openWindow({
+    name: "samples",
+    title: "Samples",
+    tools: [filter],
+    body: [list, count, footer],
+    focus: typing ? filter : undefined,
+  });
   if (!root) return;
 
   const load = async () => {
     list.replaceChildren(el("p", { class: "second", role: "status" }, "Loading …"));
     let samples;
     try {
-      samples = await fetchJson("samples.json");  // [{group, title, text}]
+      samples = await fetchJson("samples.json"); // [{group, title, text}]
     } catch (error) {
       const line = problemLine();
       list.replaceChildren(line, button("Try again", { onclick: load }));
@@ -60,10 +85,38 @@ function fill(program, list, samples, choose) {
   }
   const outline = ownOutline(program);
   const isOpen = (text) => (isSame(program, text, outline) ? "true" : undefined);
-  list.replaceChildren(...[...groups].map(([group, members]) => el("section", {}, el("h3", {}, group),
-    el("ul", {}, ...members.map(({ title, text }) => el("li", { "data-words": `${title} ${group}`.toLowerCase() },
-      el("button", { type: "button", class: "sample", tabindex: "-1", "aria-current": isOpen(text), onclick: () => choose(text) }, thumbnail(program, text), el("span", {}, title))))))),
-    el("p", { class: "second nothing", hidden: true }, "No sample has that name."));
+  list.replaceChildren(
+    ...[...groups].map(([group, members]) =>
+      el(
+        "section",
+        {},
+        el("h3", {}, group),
+        el(
+          "ul",
+          {},
+          ...members.map(({ title, text }) =>
+            el(
+              "li",
+              { "data-words": `${title} ${group}`.toLowerCase() },
+              el(
+                "button",
+                {
+                  type: "button",
+                  class: "sample",
+                  tabindex: "-1",
+                  "aria-current": isOpen(text),
+                  onclick: () => choose(text),
+                },
+                thumbnail(program, text),
+                el("span", {}, title),
+              ),
+            ),
+          ),
+        ),
+      ),
+    ),
+    el("p", { class: "second nothing", hidden: true }, "No sample has that name."),
+  );
 }
 
 function connect(root, filter, list, count) {
@@ -75,7 +128,8 @@ function connect(root, filter, list, count) {
   };
   const narrow = () => {
     const words = filter.value.toLowerCase().split(/\s+/);
-    for (const item of list.querySelectorAll("li")) item.hidden = !words.every((word) => item.dataset.words.includes(word));
+    for (const item of list.querySelectorAll("li"))
+      item.hidden = !words.every((word) => item.dataset.words.includes(word));
     for (const section of list.querySelectorAll("section")) section.hidden = !section.querySelector("li:not([hidden])");
     const found = shown();
     list.querySelector(".nothing").hidden = found.length > 0;
@@ -101,7 +155,15 @@ function connect(root, filter, list, count) {
     const at = all.indexOf(document.activeElement);
     if (at < 0) return;
     if (event.key === "ArrowUp" && !nextRow(all, at, -1)) filter.focus();
-    else if (event.key.startsWith("Arrow")) focus({ ArrowLeft: all[at - 1], ArrowRight: all[at + 1], ArrowUp: nextRow(all, at, -1), ArrowDown: nextRow(all, at, 1) }[event.key]);
+    else if (event.key.startsWith("Arrow"))
+      focus(
+        {
+          ArrowLeft: all[at - 1],
+          ArrowRight: all[at + 1],
+          ArrowUp: nextRow(all, at, -1),
+          ArrowDown: nextRow(all, at, 1),
+        }[event.key],
+      );
     else if (event.key === "Home") focus(all[0]);
     else if (event.key === "End") focus(all.at(-1));
     else return;
@@ -113,7 +175,8 @@ function connect(root, filter, list, count) {
 // The nearest sample in the row above or below.
 function nextRow(all, at, direction) {
   const here = all[at].getBoundingClientRect();
-  const others = all.map((sample) => ({ sample, box: sample.getBoundingClientRect() }))
+  const others = all
+    .map((sample) => ({ sample, box: sample.getBoundingClientRect() }))
     .filter(({ box }) => direction * (box.top - here.top) > 1);
   const row = Math.min(...others.map(({ box }) => direction * box.top));
   const distance = ({ box }) => Math.abs(box.left - here.left);

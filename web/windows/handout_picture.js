@@ -28,10 +28,20 @@ const looks = {
   clockwise: ["clockwise", "about these points it can turn clockwise"],
   counterclockwise: ["counterclockwise", "about these points it can turn counter-clockwise"],
   mirrored: ["reflected", "the object, turned about M by half a turn"],
-  gain_part: ["gain", "what a candidate adds to H"], gain_triangle: ["gain"], gain_circle: ["gain"], range: ["gain"],
-  triangle: ["thin"], body: ["thin"], hand: ["thin"], unusable: ["radial"],
-  contact: ["contact"], stand: ["contact"], way: ["way", "where a robot goes"],
-  translation: ["way", "a way to slide"], arm: ["arrow"], sum: ["accent"],
+  gain_part: ["gain", "what a candidate adds to H"],
+  gain_triangle: ["gain"],
+  gain_circle: ["gain"],
+  range: ["gain"],
+  triangle: ["thin"],
+  body: ["thin"],
+  hand: ["thin"],
+  unusable: ["radial"],
+  contact: ["contact"],
+  stand: ["contact"],
+  way: ["way", "where a robot goes"],
+  translation: ["way", "a way to slide"],
+  arm: ["arrow"],
+  sum: ["accent"],
 };
 const lookOf = (kind) => (looks[kind] ?? ["accent"])[0];
 const arrows = ["translation", "way", "sum", "arm"];
@@ -39,7 +49,8 @@ const round = ["gain_circle", "body"];
 
 // An area, a line or a dot, whichever these points make.
 function shape(points, look) {
-  if (points.length > 2) return svgEl("polygon", { points: points.map((point) => point.join(" ")).join(" "), class: look });
+  if (points.length > 2)
+    return svgEl("polygon", { points: points.map((point) => point.join(" ")).join(" "), class: look });
   const [[x1, y1], [x2, y2] = []] = points;
   if (points.length < 2) return svgEl("circle", { cx: x1, cy: y1, r: 4, class: look });
   return svgEl("line", { x1, y1, x2, y2, class: look });
@@ -47,9 +58,13 @@ function shape(points, look) {
 
 // A line with a head at its end.
 function arrow([x1, y1], [x2, y2], look) {
-  const long = Math.hypot(x2 - x1, y2 - y1) || 1, [u, v] = [(x2 - x1) / long, (y2 - y1) / long];
+  const long = Math.hypot(x2 - x1, y2 - y1) || 1,
+    [u, v] = [(x2 - x1) / long, (y2 - y1) / long];
   const side = (to) => `${x2 - 7 * u + to * 3.5 * v} ${y2 - 7 * v - to * 3.5 * u}`;
-  return [svgEl("line", { x1, y1, x2, y2, class: look }), svgEl("polygon", { points: `${x2} ${y2} ${side(1)} ${side(-1)}`, class: `${look} head` })];
+  return [
+    svgEl("line", { x1, y1, x2, y2, class: look }),
+    svgEl("polygon", { points: `${x2} ${y2} ${side(1)} ${side(-1)}`, class: `${look} head` }),
+  ];
 }
 
 function drawnFigure({ kind, points, value }) {
@@ -62,33 +77,58 @@ function drawnFigure({ kind, points, value }) {
 
 // A disc with a number: a robot, or where one stood before.
 const numbered = ([cx, cy], number, disc, look) => [
-  svgEl("circle", { cx, cy, r: disc, class: look }), svgEl("text", { x: cx, y: cy + 3.5, class: `number ${look}-number` }, number)];
+  svgEl("circle", { cx, cy, r: disc, class: look }),
+  svgEl("text", { x: cx, y: cy + 3.5, class: `number ${look}-number` }, number),
+];
 
 // A picture of a step. Lines and regions that go on beyond the paper are cut off by it.
 export function picture({ width, height, disc, polygon, centre: [[cx, cy]] }, step) {
-  return svgEl("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": step.caption, class: "paper" },
+  return svgEl(
+    "svg",
+    { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": step.caption, class: "paper" },
     svgEl("polygon", { points: polygon.map((point) => point.join(" ")).join(" "), class: "object" }),
     ...(step.base.length > 1 ? [shape(step.base, "base")] : []),
     ...step.candidates.map((chord) => shape(chord, "candidate")),
     ...step.teams.map((ends) => shape(ends, "chord")),
     ...step.figures.filter(({ kind }) => !["robot", "left"].includes(kind)).flatMap(drawnFigure),
     svgEl("circle", { cx, cy, r: 3.5, class: "centre" }),
-    ...step.figures.filter(({ kind }) => kind === "left").flatMap(({ points: [at], number }) => numbered(at, number, disc, "left")),
+    ...step.figures
+      .filter(({ kind }) => kind === "left")
+      .flatMap(({ points: [at], number }) => numbered(at, number, disc, "left")),
     ...step.robots.flatMap(({ at, number }) => numbered(at, number, disc, "robot")),
-    ...step.words.map(({ text, at: [x, y] }) => svgEl("text", { x, y: y + 3.5, class: "words" }, text)));
+    ...step.words.map(({ text, at: [x, y] }) => svgEl("text", { x, y: y + 3.5, class: "words" }, text)),
+  );
 }
 
 // The lines and areas of all the pictures, each once, with their names.
 export function legend({ steps }) {
-  const kinds = new Set(steps.flatMap((step) => [
-    ...(step.base.length > 1 ? ["base"] : []), ...(step.candidates.length ? ["candidate"] : []), ...(step.teams.length ? ["team"] : []),
-    ...step.figures.map(({ kind }) => kind)]));
+  const kinds = new Set(
+    steps.flatMap((step) => [
+      ...(step.base.length > 1 ? ["base"] : []),
+      ...(step.candidates.length ? ["candidate"] : []),
+      ...(step.teams.length ? ["team"] : []),
+      ...step.figures.map(({ kind }) => kind),
+    ]),
+  );
   // Balanced robots are no teams of two: there such a line leads from a robot to C.
   const balanced = !steps.some((step) => step.teams.length);
-  const named = Object.entries({ ...looks, ...(balanced && { team: ["chord", "from a robot to C"] }) }).filter(([kind, [, name]]) => name && kinds.has(kind));
+  const named = Object.entries({ ...looks, ...(balanced && { team: ["chord", "from a robot to C"] }) }).filter(
+    ([kind, [, name]]) => name && kinds.has(kind),
+  );
   if (!named.length) return [];
-  const sample = (kind, look) => svgEl("svg", { viewBox: "0 0 34 12", class: "paper line-sample", "aria-hidden": "true" },
-    ...(arrows.includes(kind) ? arrow([2, 6], [32, 6], look) : [svgEl("line", { x1: 2, y1: 6, x2: 32, y2: 6, class: look })]));
-  return [el("ul", { class: "paper-legend", "aria-label": "The lines in the pictures" },
-    ...named.map(([kind, [look, name]]) => el("li", {}, sample(kind, look), name)))];
+  const sample = (kind, look) =>
+    svgEl(
+      "svg",
+      { viewBox: "0 0 34 12", class: "paper line-sample", "aria-hidden": "true" },
+      ...(arrows.includes(kind)
+        ? arrow([2, 6], [32, 6], look)
+        : [svgEl("line", { x1: 2, y1: 6, x2: 32, y2: 6, class: look })]),
+    );
+  return [
+    el(
+      "ul",
+      { class: "paper-legend", "aria-label": "The lines in the pictures" },
+      ...named.map(([kind, [look, name]]) => el("li", {}, sample(kind, look), name)),
+    ),
+  ];
 }

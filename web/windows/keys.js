@@ -8,13 +8,20 @@ const groups = ["Files and sharing", "Drawing and editing", "Teams and method", 
 const onMac = /Mac|iPhone|iPad/.test(navigator.platform);
 
 function rows(program) {
-  return program.text("page_keys").trimEnd().split("\n").map((line) => line.split("\t"))
+  return program
+    .text("page_keys")
+    .trimEnd()
+    .split("\n")
+    .map((line) => line.split("\t"))
     .map(([group, key, label]) => ({ group: groups[group], key: onMac ? key.replace("Ctrl", "Cmd") : key, label }));
 }
 
 // "Ctrl+Z" as <kbd>Ctrl</kbd>+<kbd>Z</kbd>.
 function keyed(key) {
-  return key.split(/(\+(?=.)|, | (?=.$))/).filter(Boolean).map((part) => (/^(\+|, | )$/.test(part) && key !== "+" ? part : el("kbd", {}, part)));
+  return key
+    .split(/(\+(?=.)|, | (?=.$))/)
+    .filter(Boolean)
+    .map((part) => (/^(\+|, | )$/.test(part) && key !== "+" ? part : el("kbd", {}, part)));
 }
 
 // About leads to this list, so it is not imported.
@@ -22,12 +29,39 @@ const showAbout = async (page) => (await page.windows()).about(page);
 
 export async function show(page) {
   const all = rows(page.program);
-  const filter = el("input", { type: "search", class: "field", placeholder: "Filter", "aria-label": "Filter the keys", autocomplete: "off", spellcheck: "false" });
+  const filter = el("input", {
+    type: "search",
+    class: "field",
+    placeholder: "Filter",
+    "aria-label": "Filter the keys",
+    autocomplete: "off",
+    spellcheck: "false",
+  });
   const count = el("p", { class: "for-readers", role: "status" });
   const none = el("p", { class: "second", hidden: true }, "No key does that.");
-  const sections = groups.filter((group) => all.some((row) => row.group === group)).map((group) => el("section", {}, el("h3", {}, group), el("dl", {},
-    ...all.filter((row) => row.group === group).map(({ key, label }) => el("div", { "data-words": `${label} ${key} ${group}`.toLowerCase() },
-      el("dt", {}, label), el("dd", {}, ...keyed(key)))))));
+  const sections = groups
+    .filter((group) => all.some((row) => row.group === group))
+    .map((group) =>
+      el(
+        "section",
+        {},
+        el("h3", {}, group),
+        el(
+          "dl",
+          {},
+          ...all
+            .filter((row) => row.group === group)
+            .map(({ key, label }) =>
+              el(
+                "div",
+                { "data-words": `${label} ${key} ${group}`.toLowerCase() },
+                el("dt", {}, label),
+                el("dd", {}, ...keyed(key)),
+              ),
+            ),
+        ),
+      ),
+    );
   filter.addEventListener("input", () => {
     const words = filter.value.toLowerCase().split(/\s+/);
     let found = 0;
@@ -41,13 +75,32 @@ export async function show(page) {
     none.hidden = found > 0;
     count.textContent = `${found} keys`;
   });
-  const scroll = el("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": "The list of keys" }, el("div", { class: "key-groups" }, ...sections), none,
-    el("p", { class: "second" }, "By hand: drag a vertex or the centre of mass; drag the ground to move the view; scroll or pinch to zoom; double-click an edge to add a vertex."), count);
+  const scroll = el(
+    "div",
+    { class: "scroll", tabindex: "0", role: "group", "aria-label": "The list of keys" },
+    el("div", { class: "key-groups" }, ...sections),
+    none,
+    el(
+      "p",
+      { class: "second" },
+      "By hand: drag a vertex or the centre of mass; drag the ground to move the view; scroll or pinch to zoom; double-click an edge to add a vertex.",
+    ),
+    count,
+  );
   await openWindow({
     name: "keys",
     title: "Keys",
     tools: [filter],
-    body: [scroll, el("footer", {}, buttonTo("Take the tour", page, showTour), buttonTo("Glossary", page, showGlossary), buttonTo("About", page, showAbout))],
+    body: [
+      scroll,
+      el(
+        "footer",
+        {},
+        buttonTo("Take the tour", page, showTour),
+        buttonTo("Glossary", page, showGlossary),
+        buttonTo("About", page, showAbout),
+      ),
+    ],
     focus: matchMedia("(pointer: fine)").matches ? filter : undefined,
   });
   fadeFoot(scroll);

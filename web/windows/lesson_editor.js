@@ -10,7 +10,7 @@ import { noSample, openLessonText, titleOf } from "./lesson_source.js";
 import { openLessonOf, standing, watch } from "./lesson_watch.js";
 
 const draftKey = "evenlift.lesson-draft";
-const pause = 350;  // ms after the last letter
+const pause = 350; // ms after the last letter
 
 // The steps to begin with, of any method: a template has those that the algorithm takes.
 const firstSteps = [
@@ -57,7 +57,8 @@ function choiceOfSamples(names, gallery) {
   const groups = new Map();
   const add = (group, name, title) => groups.set(group, [...(groups.get(group) ?? []), option(name, title)]);
   const titles = new Map(gallery.map(({ name, title }) => [name, title]));
-  for (const { name, title, group } of gallery.filter((sample) => names.includes(sample.name))) add(group || "To begin with", name, title);
+  for (const { name, title, group } of gallery.filter((sample) => names.includes(sample.name)))
+    add(group || "To begin with", name, title);
   for (const name of names.filter((each) => !titles.has(each))) {
     const title = titles.get(name.replace(twin, ""));
     if (title && twin.test(name)) add("With a moved centre of mass", name, `${title}, moved`);
@@ -76,7 +77,14 @@ export async function show(page) {
     name: "editor",
     title: "Write a lesson",
     modal: false,
-    body: [el("div", { class: "row" }, editor.beginWith, editor.aboutSample), editor.field, editor.problem, editor.toLine, editor.status, el("footer", {}, editor.help, editor.save)],
+    body: [
+      el("div", { class: "row" }, editor.beginWith, editor.aboutSample),
+      editor.field,
+      editor.problem,
+      editor.toLine,
+      editor.status,
+      el("footer", {}, editor.help, editor.save),
+    ],
     focus: editor.field,
     closed: () => editor.close(),
   });
@@ -85,17 +93,23 @@ export async function show(page) {
 
 class Editor {
   #page;
-  #samples;  // texts by their names
-  #due;  // the look that is to come: { timer, done }
-  #shown = {};  // what the canvas shows: { text, stop }
-  #before;  // the lesson that was open, if one was: { name, text, at }
-  #begun;  // the text with which the editor began
+  #samples; // texts by their names
+  #due; // the look that is to come: { timer, done }
+  #shown = {}; // what the canvas shows: { text, stop }
+  #before; // the lesson that was open, if one was: { name, text, at }
+  #begun; // the text with which the editor began
   #leave = new AbortController();
 
   constructor(page, samples, lessons, gallery) {
     this.#page = page;
     this.#samples = samples;
-    this.field = el("textarea", { class: "field", spellcheck: "true", "aria-label": "The lesson’s text", "aria-describedby": "editor-problem", wrap: "soft" });
+    this.field = el("textarea", {
+      class: "field",
+      spellcheck: "true",
+      "aria-label": "The lesson’s text",
+      "aria-describedby": "editor-problem",
+      wrap: "soft",
+    });
     this.field.value = read(ofThisTab, draftKey) || read(lasting, draftKey) || template(page.program);
     this.#begun = this.field.value;
     const open = openLessonOf(page.program);
@@ -105,10 +119,18 @@ class Editor {
     this.toLine = button("", { class: "button to-line", hidden: "", onclick: () => this.#goToLine() });
     this.status = el("p", { class: "second status", role: "status" });
     this.beginWith = this.#beginWith(lessons);
-    this.aboutSample = el("select", { class: "field", "aria-label": "Sample polygon", onchange: () => this.#insertSample() },
-      option("", "About a sample …"), ...choiceOfSamples(Object.keys(samples), gallery));
+    this.aboutSample = el(
+      "select",
+      { class: "field", "aria-label": "Sample polygon", onchange: () => this.#insertSample() },
+      option("", "About a sample …"),
+      ...choiceOfSamples(Object.keys(samples), gallery),
+    );
     this.save = button("Save as a file", { class: "button primary", onclick: () => this.#save() }, "save");
-    this.help = el("a", { class: "second", href: new URL("docs-lessons.html", import.meta.url).href, target: "_blank", rel: "noopener" }, "How to write a lesson");
+    this.help = el(
+      "a",
+      { class: "second", href: new URL("docs-lessons.html", import.meta.url).href, target: "_blank", rel: "noopener" },
+      "How to write a lesson",
+    );
   }
 
   // The list of texts with which one can begin.
@@ -119,24 +141,39 @@ class Editor {
       ...(open ? [{ name: "open", title: "The lesson that is open", text: () => open.text }] : []),
       ...lessons.map(({ name, title, text }) => ({ name: `lesson ${name}`, title, text: () => text })),
     ];
-    const list = el("select", { class: "field", "aria-label": "Begin with", onchange: () => {
-      const chosen = texts.find(({ name }) => name === list.value);
-      list.value = "";
-      if (chosen) this.#replace(0, this.field.value.length, chosen.text());
-    } }, option("", "Begin with …"), ...texts.map(({ name, title }) => option(name, title)));
+    const list = el(
+      "select",
+      {
+        class: "field",
+        "aria-label": "Begin with",
+        onchange: () => {
+          const chosen = texts.find(({ name }) => name === list.value);
+          list.value = "";
+          if (chosen) this.#replace(0, this.field.value.length, chosen.text());
+        },
+      },
+      option("", "Begin with …"),
+      ...texts.map(({ name, title }) => option(name, title)),
+    );
     return list;
   }
 
   connect(root) {
     const { signal } = this.#leave;
     this.field.addEventListener("input", () => this.#soon(), { signal });
-    document.addEventListener("selectionchange", () => document.activeElement === this.field && this.#soon(), { signal });
+    document.addEventListener("selectionchange", () => document.activeElement === this.field && this.#soon(), {
+      signal,
+    });
     // Tab leaves the text, as everywhere; Escape closes the window, and the draft stays.
-    root.addEventListener("keydown", (event) => {
-      if (event.key !== "Escape") return;
-      event.preventDefault();
-      root.close();
-    }, { signal });
+    root.addEventListener(
+      "keydown",
+      (event) => {
+        if (event.key !== "Escape") return;
+        event.preventDefault();
+        root.close();
+      },
+      { signal },
+    );
     this.field.setSelectionRange(0, 0);
     this.field.scrollTop = 0;
     signal.addEventListener("abort", makeRoom(this.#page.program, root));
@@ -167,9 +204,11 @@ class Editor {
     clearTimeout(this.#due?.timer);
     if (!this.#due) {
       this.#due = {};
-      underWay(new Promise((done) => {
-        this.#due.done = done;
-      }));
+      underWay(
+        new Promise((done) => {
+          this.#due.done = done;
+        }),
+      );
     }
     this.#due.timer = setTimeout(() => {
       const { done } = this.#due;
@@ -217,7 +256,8 @@ class Editor {
 
   // Selects the line that the problem is about.
   #goToLine() {
-    const lines = this.field.value.split("\n"), before = lines.slice(0, this.line - 1).join("\n").length + (this.line > 1 ? 1 : 0);
+    const lines = this.field.value.split("\n"),
+      before = lines.slice(0, this.line - 1).join("\n").length + (this.line > 1 ? 1 : 0);
     this.field.focus();
     this.field.setSelectionRange(before, before + (lines[this.line - 1] ?? "").length);
   }
@@ -250,7 +290,8 @@ class Editor {
     const name = this.aboutSample.value;
     this.aboutSample.value = "";
     if (!name) return;
-    const line = `polygon: ${name}`, text = this.field.value;
+    const line = `polygon: ${name}`,
+      text = this.field.value;
     const former = /^(polygon|link)[ \t]*:.*$/m.exec(text);
     if (former) return this.#replace(former.index, former.index + former[0].length, line);
     const title = /^title[ \t]*:.*$/m.exec(text);
@@ -269,7 +310,12 @@ class Editor {
   }
 
   #save() {
-    const name = titleOf(this.field.value).normalize("NFKD").toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "") || "lesson";
+    const name =
+      titleOf(this.field.value)
+        .normalize("NFKD")
+        .toLowerCase()
+        .replace(/[^a-z0-9]+/g, "-")
+        .replace(/^-|-$/g, "") || "lesson";
     download(new Blob([this.field.value], { type: "text/plain" }), `${name}.txt`);
   }
 }

@@ -5,8 +5,8 @@ import { ask, fetchJson } from "../kit/fetched.js";
 import { unreadable } from "../page/lesson_text.js";
 import { openLesson, watch } from "./lesson_watch.js";
 
-const mostBytes = 65536;  // core/include/evenlift/lesson.h
-const patience = 15000;  // ms
+const mostBytes = 65536; // core/include/evenlift/lesson.h
+const patience = 15000; // ms
 
 // The title in the text of a lesson; "" if it has none.
 export function titleOf(text) {
@@ -31,8 +31,11 @@ export async function openLessonText(page, text, name = "", join = false) {
 
 // The sentence about a sample that there is not, with those whose names are nearest.
 export function noSample(sample, names) {
-  const near = names.map((name) => [distance(sample.toLowerCase(), name), name]).sort(([a, x], [b, y]) => a - b || (x < y ? -1 : 1))
-    .slice(0, 3).map(([, name]) => `“${name}”`);
+  const near = names
+    .map((name) => [distance(sample.toLowerCase(), name), name])
+    .sort(([a, x], [b, y]) => a - b || (x < y ? -1 : 1))
+    .slice(0, 3)
+    .map(([, name]) => `“${name}”`);
   return `It is about the sample “${sample}”, and there is none of that name; near it are ${near.slice(0, -1).join(", ")} and ${near.at(-1)}`;
 }
 
@@ -41,7 +44,8 @@ function distance(a, b) {
   let row = Array.from({ length: b.length + 1 }, (_, i) => i);
   for (let i = 1; i <= a.length; ++i) {
     const next = [i];
-    for (let j = 1; j <= b.length; ++j) next[j] = Math.min(row[j] + 1, next[j - 1] + 1, row[j - 1] + (a[i - 1] === b[j - 1] ? 0 : 1));
+    for (let j = 1; j <= b.length; ++j)
+      next[j] = Math.min(row[j] + 1, next[j - 1] + 1, row[j - 1] + (a[i - 1] === b[j - 1] ? 0 : 1));
     row = next;
   }
   return row[b.length] - (a && (b.includes(a) || a.includes(b)) ? Math.min(a.length, b.length) : 0);
@@ -57,8 +61,11 @@ export async function openNamedLesson(page, name, join) {
     const lesson = (await fetchJson("lessons.json")).find((l) => l.name === name);
     return lesson ? openLesson(page, lesson, join) : "there is no ready-made lesson of that name";
   }
-  if (!besideThePage.test(name) || name.length > 200) return "an address can name a ready-made lesson, or a .txt file in the page's own folder or below";
-  const text = await read(await ask(new URL(name, location.href), { redirect: "error", signal: AbortSignal.timeout(patience) }));
+  if (!besideThePage.test(name) || name.length > 200)
+    return "an address can name a ready-made lesson, or a .txt file in the page's own folder or below";
+  const text = await read(
+    await ask(new URL(name, location.href), { redirect: "error", signal: AbortSignal.timeout(patience) }),
+  );
   return text === undefined ? "A lesson has at most 65,536 bytes" : openLessonText(page, text, name, join);
 }
 
@@ -67,7 +74,7 @@ async function read(answer) {
   const reader = answer.body.getReader();
   const decoder = new TextDecoder();
   let text = "";
-  for (let bytes = 0;;) {
+  for (let bytes = 0; ;) {
     const { done, value } = await reader.read();
     if (done) return text + decoder.decode();
     bytes += value.length;

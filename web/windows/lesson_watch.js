@@ -21,7 +21,7 @@ function markSeen(name) {
   write(lasting, seenKey, [...seen, name].join(" "));
 }
 
-let playing;  // { page, lesson, atEnd, answered }; lesson: { name, title, text } as far as they are known
+let playing; // { page, lesson, atEnd, answered }; lesson: { name, title, text } as far as they are known
 
 // The text of the lesson that is open; nothing if none is, or if it is the walkthrough of a polygon.
 export function openLessonOf(program) {
@@ -69,7 +69,10 @@ function look() {
   underWay(showEnd(page, lesson, now, playing));
 }
 
-const paragraphs = (text, attributes = {}) => unbroken(text).split("\n").map((words) => el("p", attributes, words));
+const paragraphs = (text, attributes = {}) =>
+  unbroken(text)
+    .split("\n")
+    .map((words) => el("p", attributes, words));
 
 // The question at the lesson's end, and the button that shows its answer. Once shown, it is there
 // whenever the end comes again.
@@ -77,7 +80,11 @@ function questionOf(program, of) {
   const answer = el("div", { role: "status" });
   const told = (attributes) => paragraphs(program.text("page_lesson_answer"), { class: "second", ...attributes });
   const show = () => answer.replaceChildren(...told());
-  const byKeys = el("p", { class: "second by-keys" }, `To try it here: T and Shift+T change the number of ${JSON.parse(program.text("page_state")).metric === "balanced" ? "robots" : "teams"}, and C can be dragged.`);
+  const byKeys = el(
+    "p",
+    { class: "second by-keys" },
+    `To try it here: T and Shift+T change the number of ${JSON.parse(program.text("page_state")).metric === "balanced" ? "robots" : "teams"}, and C can be dragged.`,
+  );
   const words = [...paragraphs(program.text("page_lesson_question"), { class: "question" }), byKeys, answer];
   if (of.answered) {
     show();
@@ -85,28 +92,34 @@ function questionOf(program, of) {
   }
   // Beside the buttons the answer's room is kept, so that the drawing stays where it is when the answer comes.
   answer.replaceChildren(el("div", { class: "waits", "aria-hidden": "true" }, ...told()));
-  const shown = button("Answer", { class: "button unfolded", onclick: () => {
-    of.answered = true;
-    show();
-    answer.parentElement.classList.add("answered");
-    const next = shown.nextElementSibling;
-    const byKey = shown.matches(":focus-visible");
-    shown.remove();
-    if (byKey) next.focus();
-    of.card.seat();
-  } });
+  const shown = button("Answer", {
+    class: "button unfolded",
+    onclick: () => {
+      of.answered = true;
+      show();
+      answer.parentElement.classList.add("answered");
+      const next = shown.nextElementSibling;
+      const byKey = shown.matches(":focus-visible");
+      shown.remove();
+      if (byKey) next.focus();
+      of.card.seat();
+    },
+  });
   return { words, button: shown };
 }
 
 // On a small screen the card begins as a row of buttons, so that the shape that the question is
 // about keeps its room; this one unfolds it.
 function foldButton(of) {
-  const fold = button("Question", { "aria-expanded": "false", onclick: () => {
-    const folded = of.card.root.classList.toggle("folded");
-    fold.setAttribute("aria-expanded", String(!folded));
-    fold.textContent = folded ? "Question" : "Fold";
-    of.card.seat();
-  } });
+  const fold = button("Question", {
+    "aria-expanded": "false",
+    onclick: () => {
+      const folded = of.card.root.classList.toggle("folded");
+      fold.setAttribute("aria-expanded", String(!folded));
+      fold.textContent = folded ? "Question" : "Fold";
+      of.card.seat();
+    },
+  });
   return fold;
 }
 
@@ -122,8 +135,12 @@ async function showEnd(page, lesson, { guesses, right, told, passed }, of) {
   const index = all.findIndex(({ name }) => name === lesson.name);
   const next = index >= 0 ? all[index + 1] : undefined;
   const score = guesses ? `${right} of ${guesses} ${guesses === 1 ? "guess was" : "guesses were"} right.` : "";
-  const unguessed = score && passed ? ` ${passed === 1 ? "One question was" : `${passed} questions were`} passed over.` : "";
-  const untold = score && told ? ` ${told === 1 ? "One more choice was" : `${told} more choices were`} shown without a question: at most three of a kind are asked.` : "";
+  const unguessed =
+    score && passed ? ` ${passed === 1 ? "One question was" : `${passed} questions were`} passed over.` : "";
+  const untold =
+    score && told
+      ? ` ${told === 1 ? "One more choice was" : `${told} more choices were`} shown without a question: at most three of a kind are asked.`
+      : "";
   const asked = page.program.text("page_lesson_question");
   if (!score && index < 0 && !asked) return;
   if (playing !== of || !of.atEnd || document.querySelector("dialog[open]:not(#editor)")) return;
@@ -137,10 +154,22 @@ async function showEnd(page, lesson, { guesses, right, told, passed }, of) {
     title: "The end of the lesson",
     attributes: toFold ? { class: "seat-card folded" } : {},
     body: [
-      el("div", { class: of.answered ? "said answered" : "said" }, el("p", { role: "status" }, `${ended} `, score ? el("b", {}, score) : "", unguessed, untold, rest), ...(question?.words ?? [])),
-      el("div", { class: "ways" }, toFold, question?.button ?? "",
+      el(
+        "div",
+        { class: of.answered ? "said answered" : "said" },
+        el("p", { role: "status" }, `${ended} `, score ? el("b", {}, score) : "", unguessed, untold, rest),
+        ...(question?.words ?? []),
+      ),
+      el(
+        "div",
+        { class: "ways" },
+        toFold,
+        question?.button ?? "",
         next ? toNext(next, () => openLesson(page, next)) : "",
-        closingButton("All lessons", { class: "button seldom" }, () => page.windows().then((windows) => windows.lessons(page)))),
+        closingButton("All lessons", { class: "button seldom" }, () =>
+          page.windows().then((windows) => windows.lessons(page)),
+        ),
+      ),
     ],
   });
 }

@@ -12,11 +12,23 @@ import { underWay } from "../page/under_way.js";
 export async function show(page) {
   const problem = problemLine();
   const list = el("section");
-  const scroll = el("div", { class: "scroll" }, ofThisPolygon(page, () => root.close()), list);
-  const file = el("input", { type: "file", id: "lesson-file", class: "for-readers", tabindex: "-1", "aria-hidden": "true", accept: ".txt,text/plain" });
+  const scroll = el(
+    "div",
+    { class: "scroll" },
+    ofThisPolygon(page, () => root.close()),
+    list,
+  );
+  const file = el("input", {
+    type: "file",
+    id: "lesson-file",
+    class: "for-readers",
+    tabindex: "-1",
+    "aria-hidden": "true",
+    accept: ".txt,text/plain",
+  });
   file.addEventListener("change", async () => {
     const [chosen] = file.files;
-    file.value = "";  // the same file may be chosen again
+    file.value = ""; // the same file may be chosen again
     if (!chosen) return;
     const why = await underWay(openFile(page, chosen));
     if (why) problem.say(`“${chosen.name}” cannot be opened: ${lowered(why)}`);
@@ -25,12 +37,22 @@ export async function show(page) {
   const root = await openWindow({
     name: "lessons",
     title: "Lessons",
-    body: [scroll, problem,
-      el("footer", {}, file, buttonTo("Glossary", page, showGlossary), buttonTo("Handout …", page, showHandout), buttonTo("Write a lesson …", page, showEditor),
-        button("Open a lesson file …", { onclick: () => file.click() }, "file"))],
+    body: [
+      scroll,
+      problem,
+      el(
+        "footer",
+        {},
+        file,
+        buttonTo("Glossary", page, showGlossary),
+        buttonTo("Handout …", page, showHandout),
+        buttonTo("Write a lesson …", page, showEditor),
+        button("Open a lesson file …", { onclick: () => file.click() }, "file"),
+      ),
+    ],
   });
   if (!root) return;
-  [scroll, root].forEach(fadeFoot);  // on a small screen all of the window scrolls
+  [scroll, root].forEach(fadeFoot); // on a small screen all of the window scrolls
   const choose = (lesson) => {
     const why = openLesson(page, lesson);
     if (why) problem.say(`This lesson cannot be opened: ${lowered(why)}`);
@@ -51,7 +73,12 @@ async function openFile(page, file) {
 }
 
 function choice(name, about, onclick, { mark, ...attributes } = {}) {
-  return el("button", { type: "button", class: "choice", onclick, ...attributes }, el("span", {}, el("b", {}, name), " ", el("small", {}, about)), ...(mark ? [mark] : []));
+  return el(
+    "button",
+    { type: "button", class: "choice", onclick, ...attributes },
+    el("span", {}, el("b", {}, name), " ", el("small", {}, about)),
+    ...(mark ? [mark] : []),
+  );
 }
 
 function ofThisPolygon(page, close) {
@@ -62,16 +89,27 @@ function ofThisPolygon(page, close) {
     close();
   };
   const refused = Boolean(page.program.text("page_refusal"));
-  return el("section", {}, el("h3", {}, "This polygon"),
+  return el(
+    "section",
+    {},
+    el("h3", {}, "This polygon"),
     refused ? el("p", { class: "second" }, "This polygon is refused. Correct it first.") : "",
-    el("div", { class: "choices lessons" },
+    el(
+      "div",
+      { class: "choices lessons" },
       choice("Step by step", "All that the algorithm does with it", begin(0), { disabled: refused }),
-      choice("As a challenge", "Predict each choice before you see it", begin(1), { disabled: refused })));
+      choice("As a challenge", "Predict each choice before you see it", begin(1), { disabled: refused }),
+    ),
+  );
 }
 
 // About how long a lesson takes: to read its words, and to look at each step and its caption.
 function minutes({ text, stops }) {
-  const words = text.split("\n").filter((line) => !/^(#|\[|[a-z-]+:)/.test(line)).join(" ").split(/\s+/).length;
+  const words = text
+    .split("\n")
+    .filter((line) => !/^(#|\[|[a-z-]+:)/.test(line))
+    .join(" ")
+    .split(/\s+/).length;
   return Math.max(1, Math.round(words / 150 + stops * 0.25));
 }
 
@@ -93,10 +131,34 @@ async function load(page, list, choose) {
   const unseen = ({ name }, i) => !seen.has(name) && i > last;
   const later = lessons.findIndex(unseen);
   const next = later >= 0 ? later : lessons.findIndex(({ name }) => !seen.has(name));
-  const about = (lesson, i) => [`about ${minutes(lesson)} min`, lesson.name === open ? "open now" : seen.has(lesson.name) ? "seen" : seen.size > 0 && i === next ? "next" : ""].filter(Boolean).join(" · ");
+  const about = (lesson, i) =>
+    [
+      `about ${minutes(lesson)} min`,
+      lesson.name === open ? "open now" : seen.has(lesson.name) ? "seen" : seen.size > 0 && i === next ? "next" : "",
+    ]
+      .filter(Boolean)
+      .join(" · ");
   const total = lessons.reduce((sum, lesson) => sum + minutes(lesson), 0);
   list.replaceChildren(
-    el("h3", {}, `In order, about ${total} minutes in all${seen.size ? `; ${lessons.filter(({ name }) => seen.has(name)).length} of ${lessons.length} seen` : ""}`),
-    el("ol", { class: "choices lessons" }, ...lessons.map((lesson, i) => el("li", {}, choice(`${i + 1}. ${lesson.title}`, about(lesson, i), () => choose(lesson),
-      { "data-name": lesson.name, "aria-current": lesson.name === open ? "true" : undefined, mark: seen.has(lesson.name) ? icon("check") : undefined })))));
+    el(
+      "h3",
+      {},
+      `In order, about ${total} minutes in all${seen.size ? `; ${lessons.filter(({ name }) => seen.has(name)).length} of ${lessons.length} seen` : ""}`,
+    ),
+    el(
+      "ol",
+      { class: "choices lessons" },
+      ...lessons.map((lesson, i) =>
+        el(
+          "li",
+          {},
+          choice(`${i + 1}. ${lesson.title}`, about(lesson, i), () => choose(lesson), {
+            "data-name": lesson.name,
+            "aria-current": lesson.name === open ? "true" : undefined,
+            mark: seen.has(lesson.name) ? icon("check") : undefined,
+          }),
+        ),
+      ),
+    ),
+  );
 }

@@ -9,8 +9,9 @@ import { isPhoto, layBehind, photoLine } from "../photo/photo.js";
 import { lengthInWords, sentences, showShapes } from "./shapes.js";
 import { underWay } from "../page/under_way.js";
 
-const mostBytes = 64 * 1024 * 1024;  // core/include/evenlift/document.h
-const tooLong = (bytes) => bytes > mostBytes && `It has ${number(Math.ceil(bytes / 1048576))} MiB, more than the 64 that evenlift reads`;
+const mostBytes = 64 * 1024 * 1024; // core/include/evenlift/document.h
+const tooLong = (bytes) =>
+  bytes > mostBytes && `It has ${number(Math.ceil(bytes / 1048576))} MiB, more than the 64 that evenlift reads`;
 
 const undo = "Undo brings back the previous polygon.";
 
@@ -63,7 +64,10 @@ function openShape(page, source, shape, found, said = []) {
   nameOpened(page.program, name);
   const within = lengthInWords(shape.tolerance, found);
   curved = shape.tolerance ? { ...source, tolerance: shape.tolerance, within } : undefined;
-  const more = [...said, ...(shape.tolerance ? [`curves were flattened to within ${within}, which “Open” can change`] : [])];
+  const more = [
+    ...said,
+    ...(shape.tolerance ? [`curves were flattened to within ${within}, which “Open” can change`] : []),
+  ];
   done(page, `${what} is opened. ${sentences(more)} ${undo}`.replace("  ", " "));
 }
 
@@ -100,24 +104,50 @@ function refuse(page, sentence) {
   else page.notice(`${sentence.replace(/\.$/, "")}.`, true);
 }
 
-const formats = "lines (x,y), columns of a table (CSV), SVG, DXF, GeoJSON, WKT, a result (JSON), a share link, or a lesson; a photo or scan (PNG, JPEG, WebP) is laid behind the drawing to be traced";
-const endings = ".png,.jpg,.jpeg,.webp,.txt,.csv,.tsv,.svg,.dxf,.json,.geojson,.wkt,text/plain,text/csv,text/tab-separated-values,image/svg+xml,image/vnd.dxf,application/json,application/geo+json";
+const formats =
+  "lines (x,y), columns of a table (CSV), SVG, DXF, GeoJSON, WKT, a result (JSON), a share link, or a lesson; a photo or scan (PNG, JPEG, WebP) is laid behind the drawing to be traced";
+const endings =
+  ".png,.jpg,.jpeg,.webp,.txt,.csv,.tsv,.svg,.dxf,.json,.geojson,.wkt,text/plain,text/csv,text/tab-separated-values,image/svg+xml,image/vnd.dxf,application/json,application/geo+json";
 
 // The window. With `edited` it shows the present polygon as text, and applying it keeps the settings.
 export async function show(page, { edited } = {}) {
   const problem = problemLine({ id: "open-problem" });
-  const text = el("textarea", { class: "field", rows: "9", spellcheck: "false", autocapitalize: "off", "aria-label": edited ? "The polygon as text" : "Polygon or link",
-    "aria-describedby": "open-problem", placeholder: "(0,0)\n(160,0)\n(160,90)\n(0,60)" });
+  const text = el("textarea", {
+    class: "field",
+    rows: "9",
+    spellcheck: "false",
+    autocapitalize: "off",
+    "aria-label": edited ? "The polygon as text" : "Polygon or link",
+    "aria-describedby": "open-problem",
+    placeholder: "(0,0)\n(160,0)\n(160,90)\n(0,60)",
+  });
   text.value = edited ?? "";
   const refused = (why) => {
     problem.say(why);
     if (why) text.focus();
   };
-  const apply = async () => refused(await underWay(openText(page, text.value, "The text", edited === undefined ? {} : { how: "page_open_sample", name: openedName(page.program) })));
-  const file = el("input", { type: "file", id: "open-file", class: "for-readers", tabindex: "-1", "aria-hidden": "true", accept: endings });
+  const apply = async () =>
+    refused(
+      await underWay(
+        openText(
+          page,
+          text.value,
+          "The text",
+          edited === undefined ? {} : { how: "page_open_sample", name: openedName(page.program) },
+        ),
+      ),
+    );
+  const file = el("input", {
+    type: "file",
+    id: "open-file",
+    class: "for-readers",
+    tabindex: "-1",
+    "aria-hidden": "true",
+    accept: endings,
+  });
   file.addEventListener("change", async () => {
     const [chosen] = file.files;
-    file.value = "";  // the same file may be chosen again
+    file.value = ""; // the same file may be chosen again
     if (!chosen) return;
     const why = await underWay(openFile(page, chosen));
     refused(why && `“${chosen.name}” cannot be opened: ${lowered(why)}`);
@@ -129,12 +159,36 @@ export async function show(page, { edited } = {}) {
   });
   const choose = button("Choose a file …", { onclick: () => file.click() }, "file");
   const bring = matchMedia("(hover: none)").matches ? "Choose a file below" : "Drop a file anywhere on the page";
-  const help = el("p", { class: "second" }, edited === undefined ? `${bring}, or paste here: ${formats}.` : "Settings stay as they are. An optional first line CoM:(x,y) is the centre of mass.");
+  const help = el(
+    "p",
+    { class: "second" },
+    edited === undefined
+      ? `${bring}, or paste here: ${formats}.`
+      : "Settings stay as they are. An optional first line CoM:(x,y) is the centre of mass.",
+  );
   await openWindow({
     name: "open",
     title: edited === undefined ? "Open a polygon" : "Edit as text",
-    body: [el("div", { class: "scroll" }, help, text, problem, ...(edited === undefined ? [...againCurved(page), ...photoLine(page)] : [])), el("footer", {}, ...(edited === undefined ? [choose, file] : []),
-      button(edited === undefined ? "Open" : "Apply", { class: "button primary", title: "Ctrl+Enter", onclick: apply }))],
+    body: [
+      el(
+        "div",
+        { class: "scroll" },
+        help,
+        text,
+        problem,
+        ...(edited === undefined ? [...againCurved(page), ...photoLine(page)] : []),
+      ),
+      el(
+        "footer",
+        {},
+        ...(edited === undefined ? [choose, file] : []),
+        button(edited === undefined ? "Open" : "Apply", {
+          class: "button primary",
+          title: "Ctrl+Enter",
+          onclick: apply,
+        }),
+      ),
+    ],
     focus: matchMedia("(pointer: fine)").matches ? text : choose,
   });
 }
@@ -149,5 +203,12 @@ function againCurved(page) {
     closeWindows();
     await chooseShape(page, source, found, tolerance);
   };
-  return [el("p", { class: "row second again" }, `The curves of ${what} were flattened to within ${within}.`, button("Change …", { onclick: () => underWay(change()) }))];
+  return [
+    el(
+      "p",
+      { class: "row second again" },
+      `The curves of ${what} were flattened to within ${within}.`,
+      button("Change …", { onclick: () => underWay(change()) }),
+    ),
+  ];
 }

@@ -21,14 +21,23 @@ function readLines(text) {
 
 function table(rows) {
   const cells = (kind, texts) => el("tr", {}, ...texts.map((text) => el(kind, {}, text)));
-  return el("table", { class: "numbers" }, el("thead", {}, cells("th", ["Choice", "Covers", "Each carries", "Holds", "Candidates"])),
-    el("tbody", {}, ...rows.map((row) => cells("td", row))));
+  return el(
+    "table",
+    { class: "numbers" },
+    el("thead", {}, cells("th", ["Choice", "Covers", "Each carries", "Holds", "Candidates"])),
+    el("tbody", {}, ...rows.map((row) => cells("td", row))),
+  );
 }
 
 function picture(svg, name, urls) {
   const url = URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" }));
   urls.push(url);
-  return el("figure", {}, el("img", { src: url, alt: `${name}: the teams and their lifting base` }), el("figcaption", {}, name));
+  return el(
+    "figure",
+    {},
+    el("img", { src: url, alt: `${name}: the teams and their lifting base` }),
+    el("figcaption", {}, name),
+  );
 }
 
 export async function show(page) {
@@ -37,11 +46,21 @@ export async function show(page) {
   const stop = new AbortController();
   const urls = [];
   const problem = problemLine();
-  const found = el("div", { class: "optimum" }, el("p", { class: "second", role: "status" }, `The best choice is being looked for, for ${seconds} seconds at most …`));
+  const found = el(
+    "div",
+    { class: "optimum" },
+    el(
+      "p",
+      { class: "second", role: "status" },
+      `The best choice is being looked for, for ${seconds} seconds at most …`,
+    ),
+  );
   const root = await openWindow({
     name: "optimum",
     title: "Compared with the optimum",
-    body: [el("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": "The comparison" }, problem, found)],
+    body: [
+      el("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": "The comparison" }, problem, found),
+    ],
     closed: () => {
       stop.abort(new DOMException("closed", "AbortError"));
       urls.forEach((url) => URL.revokeObjectURL(url));
@@ -52,8 +71,11 @@ export async function show(page) {
     if (!link) throw new Error(`there is no link of this polygon: ${program.text("page_link_problem")}`);
     const { lines, pictures } = await askWorker("optimum", { link, seconds }, stop.signal);
     const { rows, said } = readLines(lines);
-    found.replaceChildren(el("div", { class: "pair" }, ...pictures.map((svg, i) => picture(svg, rows[i][0], urls))), table(rows),
-      el("div", { role: "status" }, ...said.map((sentence) => el("p", {}, sentence))));
+    found.replaceChildren(
+      el("div", { class: "pair" }, ...pictures.map((svg, i) => picture(svg, rows[i][0], urls))),
+      table(rows),
+      el("div", { role: "status" }, ...said.map((sentence) => el("p", {}, sentence))),
+    );
   } catch (error) {
     if (stop.signal.aborted) return;
     found.replaceChildren();

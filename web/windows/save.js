@@ -10,31 +10,62 @@ function csv({ teams }) {
   const least = 1e-13 * Math.max(0, ...teams.flatMap(({ ends }) => ends.flat().map(Math.abs)));
   const exact = (value) => String(Math.abs(value) < least ? 0 : value);
   const sum = (numbers) => numbers.reduce((all, each) => all + each, 0);
-  const rows = teams.flatMap(({ ends, ratio, loads }, team) => ends.map(([x, y], end) =>
-    [ends.length * team + end + 1, team + 1, `r${end + 1}`, x, y, loads[end], loads[end] / sum(loads), ratio].map(exact)));
-  return [["robot", "team", "end", "x", "y", "load", "share_of_team", "load_ratio"], ...rows].map((row) => `${row.join(",")}\n`).join("");
+  const rows = teams.flatMap(({ ends, ratio, loads }, team) =>
+    ends.map(([x, y], end) =>
+      [ends.length * team + end + 1, team + 1, `r${end + 1}`, x, y, loads[end], loads[end] / sum(loads), ratio].map(
+        exact,
+      ),
+    ),
+  );
+  return [["robot", "team", "end", "x", "y", "load", "share_of_team", "load_ratio"], ...rows]
+    .map((row) => `${row.join(",")}\n`)
+    .join("");
 }
 
 // The files that can be saved: their names, their purpose, and how they are made.
 const files = [
-  ["Polygon", [
-    ["Text", "As in the thesis", ".txt", "text/plain", (p) => p.text("page_text")],
-    ["WKT", "The outline alone", ".wkt", "text/plain", (p) => p.text("page_wkt")],
-    ["GeoJSON", "With centre of mass", ".geojson", "application/geo+json", (p) => p.text("page_geojson")],
-  ]],
-  ["Picture", [
-    ["SVG", "Sharp; opens again", ".svg", "image/svg+xml", (p) => p.text("page_svg")],
-    ["PNG", "Twice the pixels", ".png", "image/png", (p) => rasterise(p.text("page_svg"), 2)],
-  ]],
-  ["Result", [
-    ["JSON", "Everything; opens again", "-result.json", "application/json", (p) => p.text("page_state")],
-    ["CSV", "A row per robot", ".csv", "text/csv", (p) => csv(JSON.parse(p.text("page_state")))],
-  ]],
-  ["Robot poses", [
-    ["Poses as CSV", "Where each stands and faces", "-poses.csv", "text/csv", (p) => p.text("page_poses", ".csv")],
-    ["Poses as JSON", "The same for programs", "-poses.json", "application/json", (p) => p.text("page_poses", ".json")],
-    ["Poses for ROS 2", "A PoseArray in YAML", "-poses.yaml", "application/yaml", (p) => p.text("page_poses", ".yaml")],
-  ]],
+  [
+    "Polygon",
+    [
+      ["Text", "As in the thesis", ".txt", "text/plain", (p) => p.text("page_text")],
+      ["WKT", "The outline alone", ".wkt", "text/plain", (p) => p.text("page_wkt")],
+      ["GeoJSON", "With centre of mass", ".geojson", "application/geo+json", (p) => p.text("page_geojson")],
+    ],
+  ],
+  [
+    "Picture",
+    [
+      ["SVG", "Sharp; opens again", ".svg", "image/svg+xml", (p) => p.text("page_svg")],
+      ["PNG", "Twice the pixels", ".png", "image/png", (p) => rasterise(p.text("page_svg"), 2)],
+    ],
+  ],
+  [
+    "Result",
+    [
+      ["JSON", "Everything; opens again", "-result.json", "application/json", (p) => p.text("page_state")],
+      ["CSV", "A row per robot", ".csv", "text/csv", (p) => csv(JSON.parse(p.text("page_state")))],
+    ],
+  ],
+  [
+    "Robot poses",
+    [
+      ["Poses as CSV", "Where each stands and faces", "-poses.csv", "text/csv", (p) => p.text("page_poses", ".csv")],
+      [
+        "Poses as JSON",
+        "The same for programs",
+        "-poses.json",
+        "application/json",
+        (p) => p.text("page_poses", ".json"),
+      ],
+      [
+        "Poses for ROS 2",
+        "A PoseArray in YAML",
+        "-poses.yaml",
+        "application/yaml",
+        (p) => p.text("page_poses", ".yaml"),
+      ],
+    ],
+  ],
 ];
 
 export async function show(page) {
@@ -45,7 +76,17 @@ export async function show(page) {
   const root = await openWindow({
     name: "save",
     title: "Share and save",
-    body: [el("div", { class: "scroll" }, ...share(page, address, problem), ...challengeLink(page, challenge, problem), problem, ...files.map((group) => choices(page, group, problem)), ...aside())],
+    body: [
+      el(
+        "div",
+        { class: "scroll" },
+        ...share(page, address, problem),
+        ...challengeLink(page, challenge, problem),
+        problem,
+        ...files.map((group) => choices(page, group, problem)),
+        ...aside(),
+      ),
+    ],
   });
   if (!root) return;
   root.querySelector(".primary, .choice").focus();
@@ -56,20 +97,53 @@ export async function show(page) {
 function aside() {
   const texts = textsAside();
   if (!texts.length) return [];
-  const section = el("section", {}, el("h3", {}, "Set aside"), el("p", { class: "second" }, "The page stopped when this was opened, the newest first."),
-    el("div", { class: "choices" }, ...texts.map((text, i) => el("button", { type: "button", class: "choice", onclick: () => download(new Blob([text], { type: "text/plain" }), `evenlift-aside-${i + 1}.txt`) },
-      el("span", {}, el("b", {}, `Text ${i + 1}`), " ", el("small", {}, `${text.length.toLocaleString("en")} characters`)))),
-    button("Forget", { onclick: () => {
-      forgetAside();
-      section.remove();
-    } })));
+  const section = el(
+    "section",
+    {},
+    el("h3", {}, "Set aside"),
+    el("p", { class: "second" }, "The page stopped when this was opened, the newest first."),
+    el(
+      "div",
+      { class: "choices" },
+      ...texts.map((text, i) =>
+        el(
+          "button",
+          {
+            type: "button",
+            class: "choice",
+            onclick: () => download(new Blob([text], { type: "text/plain" }), `evenlift-aside-${i + 1}.txt`),
+          },
+          el(
+            "span",
+            {},
+            el("b", {}, `Text ${i + 1}`),
+            " ",
+            el("small", {}, `${text.length.toLocaleString("en")} characters`),
+          ),
+        ),
+      ),
+      button("Forget", {
+        onclick: () => {
+          forgetAside();
+          section.remove();
+        },
+      }),
+    ),
+  );
   return [section];
 }
 
 function share(page, address, problem) {
   if (!address) return [];
   const said = el("p", { class: "second", role: "status" }, page.aboutLink(address));
-  const field = el("input", { id: "link", class: "field", readonly: true, value: address, "aria-label": "Link", onfocus: () => field.select() });
+  const field = el("input", {
+    id: "link",
+    class: "field",
+    readonly: true,
+    value: address,
+    "aria-label": "Link",
+    onfocus: () => field.select(),
+  });
   const copy = button("Copy", { class: "button primary" }, "copy");
   copy.addEventListener("click", async () => {
     const done = await page.copy(address);
@@ -87,25 +161,52 @@ function share(page, address, problem) {
 
 function challengeLink(page, address, problem) {
   if (!address) return [];
-  const said = el("p", { class: "second", role: "status" }, "Opens the lesson of this polygon, and asks for a guess before it shows a choice.");
-  const copy = button("Challenge link", { onclick: async () => {
-    if (await page.copy(address)) said.textContent = "The challenge link is copied.";
-    else problem.say("The browser did not let the page copy. The challenge is the link with ?challenge=1 before its #");
-  } }, "copy");
+  const said = el(
+    "p",
+    { class: "second", role: "status" },
+    "Opens the lesson of this polygon, and asks for a guess before it shows a choice.",
+  );
+  const copy = button(
+    "Challenge link",
+    {
+      onclick: async () => {
+        if (await page.copy(address)) said.textContent = "The challenge link is copied.";
+        else
+          problem.say(
+            "The browser did not let the page copy. The challenge is the link with ?challenge=1 before its #",
+          );
+      },
+    },
+    "copy",
+  );
   return [el("div", { class: "row challenge" }, said, copy)];
 }
 
 function choices(page, [group, members], problem) {
-  return el("section", {}, el("h3", {}, group), el("div", { class: "choices" }, ...members.map(([name, about, file, type, make]) => {
-    const save = async () => {
-      try {
-        const [content, called] = await Promise.all([make(page.program), documentName(page.program)]);
-        download(new Blob([content], { type }), called + file);
-        problem.say("");
-      } catch (error) {
-        problem.say(`The file cannot be made: ${error.message}`);
-      }
-    };
-    return el("button", { type: "button", class: "choice", onclick: save }, icon("save"), el("span", {}, el("b", {}, name), " ", el("small", {}, about)));
-  })));
+  return el(
+    "section",
+    {},
+    el("h3", {}, group),
+    el(
+      "div",
+      { class: "choices" },
+      ...members.map(([name, about, file, type, make]) => {
+        const save = async () => {
+          try {
+            const [content, called] = await Promise.all([make(page.program), documentName(page.program)]);
+            download(new Blob([content], { type }), called + file);
+            problem.say("");
+          } catch (error) {
+            problem.say(`The file cannot be made: ${error.message}`);
+          }
+        };
+        return el(
+          "button",
+          { type: "button", class: "choice", onclick: save },
+          icon("save"),
+          el("span", {}, el("b", {}, name), " ", el("small", {}, about)),
+        );
+      }),
+    ),
+  );
 }

@@ -7,16 +7,23 @@ import { underWay } from "../page/under_way.js";
 
 const width = 96;
 const height = 64;
-const atOnce = 100;  // shapes that are shown before one asks for more
+const atOnce = 100; // shapes that are shown before one asks for more
 
 function picture(points) {
   const placed = points.map(fitted(points, width, height, 4)).join(" ");
-  return svgEl("svg", { viewBox: `0 0 ${width} ${height}`, "aria-hidden": "true" }, svgEl("polygon", { points: placed }));
+  return svgEl(
+    "svg",
+    { viewBox: `0 0 ${width} ${height}`, "aria-hidden": "true" },
+    svgEl("polygon", { points: placed }),
+  );
 }
 
 // Of these shapes the one with the largest box: holes and letters are smaller than the object.
 function largest(shapes) {
-  const size = (points) => [0, 1].map((axis) => points.map((point) => point[axis])).map((all) => all.reduce((a, b) => Math.max(a, b)) - all.reduce((a, b) => Math.min(a, b)));
+  const size = (points) =>
+    [0, 1]
+      .map((axis) => points.map((point) => point[axis]))
+      .map((all) => all.reduce((a, b) => Math.max(a, b)) - all.reduce((a, b) => Math.min(a, b)));
   const areas = shapes.map((shape) => size(shape.outline()).reduce((a, b) => a * b));
   return areas.indexOf(areas.reduce((a, b) => Math.max(a, b)));
 }
@@ -25,7 +32,11 @@ function largest(shapes) {
 function inWords({ name, description }) {
   const parts = description.slice(name ? name.length + 4 : 0).split(", ");
   const size = parts.splice(-2).join(", ").replace(" x ", " × ");
-  return [...(name ? [el("b", {}, name, " ")] : []), el("span", {}, parts.join(", "), " "), el("span", { class: "second" }, size)];
+  return [
+    ...(name ? [el("b", {}, name, " ")] : []),
+    el("span", {}, parts.join(", "), " "),
+    el("span", { class: "second" }, size),
+  ];
 }
 
 export const sentences = (texts) => texts.map((text) => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`).join(" ");
@@ -36,7 +47,7 @@ export const lengthUnit = ({ unit }) => unit || "units of the drawing";
 const ones = { inches: "inch", feet: "foot", "units of the drawing": "unit of the drawing" };
 export function lengthInWords(length, found) {
   const many = lengthUnit(found);
-  return `${length} ${Number(length) === 1 ? ones[many] ?? many.replace(/s$/, "") : many}`;
+  return `${length} ${Number(length) === 1 ? (ones[many] ?? many.replace(/s$/, "")) : many}`;
 }
 
 // Shows what `found` (of readShapes) has of the text. `choose` opens a shape, and returns why it was refused, or nothing.
@@ -45,13 +56,29 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
   const notes = el("p", { class: "second" });
   const list = el("ul", { class: "shapes" });
   const more = button("", { onclick: () => show(list.childElementCount + atOnce) });
-  const curves = el("input", { class: "field", type: "text", inputmode: "decimal", size: "8", autocomplete: "off", "aria-describedby": "shapes-curves" });
+  const curves = el("input", {
+    class: "field",
+    type: "text",
+    inputmode: "decimal",
+    size: "8",
+    autocomplete: "off",
+    "aria-describedby": "shapes-curves",
+  });
   const told = el("p", { class: "for-readers", role: "status" });
   const said = el("span", { class: "second", id: "shapes-curves" });
-  const form = el("form", { class: "row curves", onsubmit: (event) => {
-    event.preventDefault();
-    underWay(readAgain());
-  } }, el("label", {}, "Keep edges within ", curves), said, el("button", { type: "submit", class: "button" }, "Flatten"));
+  const form = el(
+    "form",
+    {
+      class: "row curves",
+      onsubmit: (event) => {
+        event.preventDefault();
+        underWay(readAgain());
+      },
+    },
+    el("label", {}, "Keep edges within ", curves),
+    said,
+    el("button", { type: "submit", class: "button" }, "Flatten"),
+  );
 
   const open = (shape) => {
     const refused = choose(shape, found);
@@ -60,8 +87,26 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
   };
   function show(count) {
     const shown = found.shapes.slice(list.childElementCount, count);
-    list.append(...shown.map((shape, i) => el("li", {}, el("button", { type: "button", class: "sample", tabindex: "-1", "data-index": list.childElementCount + i, onclick: () => open(shape) },
-      picture(shape.outline()), ...inWords(shape)))));
+    list.append(
+      ...shown.map((shape, i) =>
+        el(
+          "li",
+          {},
+          el(
+            "button",
+            {
+              type: "button",
+              class: "sample",
+              tabindex: "-1",
+              "data-index": list.childElementCount + i,
+              onclick: () => open(shape),
+            },
+            picture(shape.outline()),
+            ...inWords(shape),
+          ),
+        ),
+      ),
+    );
     const left = found.shapes.length - list.childElementCount;
     more.hidden = left === 0;
     more.textContent = `Show ${number(Math.min(left, atOnce))} more of ${number(left)}`;
@@ -83,7 +128,9 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
   async function readAgain() {
     const wanted = curves.value.trim() ? typedNumber(curves.value) : undefined;
     if (wanted !== undefined && !(wanted > 0)) {
-      problem.say(`How far the edges may be from the curves is a number above 0, in ${lengthUnit(found)}, and not “${curves.value.trim()}”`);
+      problem.say(
+        `How far the edges may be from the curves is a number above 0, in ${lengthUnit(found)}, and not “${curves.value.trim()}”`,
+      );
       return curves.focus();
     }
     const again = await readShapes(text, wanted ?? 0);
@@ -100,8 +147,25 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
   const root = await openWindow({
     name: "shapes",
     title: several ? "Which shape?" : "Flatten curves",
-    body: [el("div", { class: "scroll" }, el("p", {}, several ? `${what} has ${number(found.shapes.length)} shapes. Choose the one to open.` : `${what} has curves, and a polygon has straight edges.`),
-      notes, list, more, told), problem, el("footer", {}, form)],
+    body: [
+      el(
+        "div",
+        { class: "scroll" },
+        el(
+          "p",
+          {},
+          several
+            ? `${what} has ${number(found.shapes.length)} shapes. Choose the one to open.`
+            : `${what} has curves, and a polygon has straight edges.`,
+        ),
+        notes,
+        list,
+        more,
+        told,
+      ),
+      problem,
+      el("footer", {}, form),
+    ],
     focus: likely(),
   });
 }
@@ -117,7 +181,14 @@ function connectKeys(list) {
     const at = all.indexOf(document.activeElement);
     const top = (shape) => Math.round(shape.getBoundingClientRect().top);
     const across = all.filter((shape) => top(shape) === top(all[0])).length;
-    const step = { ArrowLeft: -1, ArrowRight: 1, ArrowUp: -across, ArrowDown: across, Home: -at, End: all.length - 1 - at }[event.key];
+    const step = {
+      ArrowLeft: -1,
+      ArrowRight: 1,
+      ArrowUp: -across,
+      ArrowDown: across,
+      Home: -at,
+      End: all.length - 1 - at,
+    }[event.key];
     if (at < 0 || step === undefined) return;
     event.preventDefault();
     all[at + step]?.focus();

@@ -7,11 +7,11 @@ import { show as openText } from "./open.js";
 import { underWay } from "../page/under_way.js";
 
 const name = "table";
-const most = 500;  // rows on a page
+const most = 500; // rows on a page
 
 export async function show(page) {
   const open = document.getElementById(name);
-  if (open?.open) return open.close();  // the same key opens and closes the table
+  if (open?.open) return open.close(); // the same key opens and closes the table
   const table = new Table(page);
   const root = await openWindow({
     name,
@@ -26,20 +26,35 @@ export async function show(page) {
 
 class Table {
   #page;
-  #rows = [];  // the rows of the page that is shown
-  #from = 0;  // the first vertex of that page
+  #rows = []; // the rows of the page that is shown
+  #from = 0; // the first vertex of that page
   #selected = -1;
   #leave = new AbortController();
-  #due;  // the timer of the next update
+  #due; // the timer of the next update
 
   constructor(page) {
     this.#page = page;
     this.refusal = problemLine({ class: "refusal", role: "status" });
     this.problem = problemLine();
     this.body = el("tbody");
-    this.scroll = el("div", { class: "scroll" }, el("table", {}, el("thead", {},
-      el("tr", {}, ...["Vertex", "x", "y"].map((head) => el("th", { scope: "col" }, head)), el("td", {}))), this.body));
-    this.whole = button("Edit as text", { class: "button bare", onclick: () => openText(page, { edited: this.#text() }) });
+    this.scroll = el(
+      "div",
+      { class: "scroll" },
+      el(
+        "table",
+        {},
+        el(
+          "thead",
+          {},
+          el("tr", {}, ...["Vertex", "x", "y"].map((head) => el("th", { scope: "col" }, head)), el("td", {})),
+        ),
+        this.body,
+      ),
+    );
+    this.whole = button("Edit as text", {
+      class: "button bare",
+      onclick: () => openText(page, { edited: this.#text() }),
+    });
     this.centre = this.#centreRow();
     this.pager = this.#pagerRow();
   }
@@ -51,7 +66,8 @@ class Table {
     signal.addEventListener("abort", makeRoom(this.#page.program, root));
     // The selection and the vertex under the pointer are known only after the canvas was drawn.
     const canvas = document.getElementById("canvas");
-    for (const type of ["pointermove", "pointerup", "pointerleave", "keyup"]) canvas.addEventListener(type, soon, { signal });
+    for (const type of ["pointermove", "pointerup", "pointerleave", "keyup"])
+      canvas.addEventListener(type, soon, { signal });
     root.addEventListener("keydown", (event) => this.#key(event, root));
     root.addEventListener("change", (event) => this.#commit(event.target));
     root.addEventListener("focusin", ({ target }) => {
@@ -84,21 +100,36 @@ class Table {
   }
 
   #text() {
-    const lines = (text) => text.trim().split("\n").map((line) => `(${line.replace(" ", ",")})\n`);
+    const lines = (text) =>
+      text
+        .trim()
+        .split("\n")
+        .map((line) => `(${line.replace(" ", ",")})\n`);
     const count = this.#program.number("page_vertex_count");
-    const centre = this.#program.number("page_centre_is_given") ? `CoM:${lines(this.#program.text("page_centre"))[0]}` : "";
+    const centre = this.#program.number("page_centre_is_given")
+      ? `CoM:${lines(this.#program.text("page_centre"))[0]}`
+      : "";
     return centre + lines(this.#program.text("page_vertices", 0, count)).join("");
   }
 
   // --- Rows --------------------------------------------------------------------------------------
 
   #inputs(what) {
-    return ["x", "y"].map((axis) => el("input", { class: "field", inputmode: "decimal", autocomplete: "off", spellcheck: "false", "aria-label": `${what}, ${axis}` }));
+    return ["x", "y"].map((axis) =>
+      el("input", {
+        class: "field",
+        inputmode: "decimal",
+        autocomplete: "off",
+        spellcheck: "false",
+        "aria-label": `${what}, ${axis}`,
+      }),
+    );
   }
 
   #row(vertex) {
     const inputs = this.#inputs(`Vertex ${vertex + 1}`);
-    const act = (label, picture, run) => button("", { class: "button bare", "aria-label": `${label} ${vertex + 1}`, title: label, onclick: run }, picture);
+    const act = (label, picture, run) =>
+      button("", { class: "button bare", "aria-label": `${label} ${vertex + 1}`, title: label, onclick: run }, picture);
     const insert = act("Insert a vertex after", "plus", () => {
       this.#program.call("page_insert_vertex", vertex);
       this.#refresh();
@@ -109,17 +140,36 @@ class Table {
       this.#refresh();
       this.#go(Math.min(vertex, this.#program.number("page_vertex_count") - 1), 3);
     });
-    const row = el("tr", {}, el("th", { scope: "row" }, String(vertex + 1)), ...inputs.map((input) => el("td", {}, input)), el("td", { class: "acts" }, insert, remove));
+    const row = el(
+      "tr",
+      {},
+      el("th", { scope: "row" }, String(vertex + 1)),
+      ...inputs.map((input) => el("td", {}, input)),
+      el("td", { class: "acts" }, insert, remove),
+    );
     return { row, inputs, remove, vertex };
   }
 
   #centreRow() {
     const inputs = this.#inputs("Centre of mass");
-    const release = button("Back to centroid", { onclick: () => {
-      this.#program.call("page_release_centre");
-      inputs[0].focus();
-    } });
-    return { row: el("div", { class: "row centre", role: "group", "aria-label": "Centre of mass" }, el("span", { class: "name" }, "Centre of mass"), release, ...inputs), inputs, release, vertex: -1 };
+    const release = button("Back to centroid", {
+      onclick: () => {
+        this.#program.call("page_release_centre");
+        inputs[0].focus();
+      },
+    });
+    return {
+      row: el(
+        "div",
+        { class: "row centre", role: "group", "aria-label": "Centre of mass" },
+        el("span", { class: "name" }, "Centre of mass"),
+        release,
+        ...inputs,
+      ),
+      inputs,
+      release,
+      vertex: -1,
+    };
   }
 
   #pagerRow() {
@@ -139,10 +189,12 @@ class Table {
   }
 
   #soon() {
-    this.#due ??= underWay(new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))).then(() => {
-      this.#due = undefined;
-      if (!this.#leave.signal.aborted) this.#refresh();
-    }));
+    this.#due ??= underWay(
+      new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))).then(() => {
+        this.#due = undefined;
+        if (!this.#leave.signal.aborted) this.#refresh();
+      }),
+    );
   }
 
   // Updates everything that differs.
@@ -157,16 +209,23 @@ class Table {
     const shown = Math.min(most, count - this.#from);
     if (this.#rows.length !== shown || this.#rows[0]?.vertex !== this.#from) {
       const kept = this.#rows.filter(({ vertex }) => vertex >= this.#from && vertex < this.#from + shown);
-      this.#rows = Array.from({ length: shown }, (_, i) => (kept[0]?.vertex === this.#from && kept[i]) || this.#row(this.#from + i));
+      this.#rows = Array.from(
+        { length: shown },
+        (_, i) => (kept[0]?.vertex === this.#from && kept[i]) || this.#row(this.#from + i),
+      );
       this.body.replaceChildren(...this.#rows.map(({ row }) => row));
     }
     const hovered = program.number("page_hovered_vertex");
-    program.text("page_vertices", this.#from, shown).trimEnd().split("\n").forEach((line, i) => {
-      const { row, inputs, remove, vertex } = this.#rows[i];
-      write(inputs, line);
-      row.className = vertex === selected ? "selected" : vertex === hovered ? "hovered" : "";
-      remove.disabled = count <= 3;
-    });
+    program
+      .text("page_vertices", this.#from, shown)
+      .trimEnd()
+      .split("\n")
+      .forEach((line, i) => {
+        const { row, inputs, remove, vertex } = this.#rows[i];
+        write(inputs, line);
+        row.className = vertex === selected ? "selected" : vertex === hovered ? "hovered" : "";
+        remove.disabled = count <= 3;
+      });
     write(this.centre.inputs, program.text("page_centre").trimEnd());
     this.centre.release.disabled = !program.number("page_centre_is_given");
     this.refusal.say(program.text("page_refusal"));
@@ -174,7 +233,8 @@ class Table {
     this.back.disabled = this.#from === 0;
     this.next.disabled = this.#from + shown >= count;
     this.range.textContent = `${this.#from + 1}–${this.#from + shown} of ${count}`;
-    if (moved && selected >= 0 && document.activeElement === document.getElementById("canvas")) this.#rows[selected - this.#from].row.scrollIntoView({ block: "nearest" });
+    if (moved && selected >= 0 && document.activeElement === document.getElementById("canvas"))
+      this.#rows[selected - this.#from].row.scrollIntoView({ block: "nearest" });
   }
 
   // --- Keys and edits ----------------------------------------------------------------------------
@@ -191,9 +251,11 @@ class Table {
     const { inputs } = vertex < 0 ? this.centre : this.#rows[vertex - this.#from];
     const axis = inputs.indexOf(input);
     if (input.value === input.dataset.is || input.value === input.dataset.shown) return this.#accept(input);
-    const unit = this.#program.text("page_length_unit"), own = unit === "none" ? "" : unit;
-    const problem = typedProblem(input.value, "", own, true)
-      || this.#program.text("page_set_coordinate", vertex, axis, settingValue(input.value, "", own));
+    const unit = this.#program.text("page_length_unit"),
+      own = unit === "none" ? "" : unit;
+    const problem =
+      typedProblem(input.value, "", own, true) ||
+      this.#program.text("page_set_coordinate", vertex, axis, settingValue(input.value, "", own));
     if (problem) {
       input.setAttribute("aria-invalid", "true");
       const name = input.getAttribute("aria-label");
@@ -201,13 +263,17 @@ class Table {
       return;
     }
     this.#accept(input);
-    input.dataset.is = "";  // so that it is written again as the program writes it
+    input.dataset.is = ""; // so that it is written again as the program writes it
     this.#refresh();
   }
 
   #accept(input) {
     input.removeAttribute("aria-invalid");
-    if (!this.body.querySelector("[aria-invalid]") && !this.centre.inputs.some((other) => other.hasAttribute("aria-invalid"))) this.problem.say("");
+    if (
+      !this.body.querySelector("[aria-invalid]") &&
+      !this.centre.inputs.some((other) => other.hasAttribute("aria-invalid"))
+    )
+      this.problem.say("");
   }
 
   #key(event, root) {
@@ -221,13 +287,14 @@ class Table {
         root.close();
       }
     } else if ((event.ctrlKey || event.metaKey) && /^[zy]$/i.test(key)) {
-      if (typed) return;  // the field's own undo
+      if (typed) return; // the field's own undo
       this.#program.number("page_key", key, 1, event.shiftKey ? 1 : 0);
     } else if (/^(Enter|ArrowUp|ArrowDown)$/.test(key) && input.matches("input")) {
       const up = key === "ArrowUp" || event.shiftKey;
       if (typed) this.#commit(input);
       const vertex = this.#vertexOf(input);
-      if (vertex >= 0 && !input.hasAttribute("aria-invalid")) this.#focus(vertex - this.#from + (up ? -1 : 1), this.#rows[vertex - this.#from].inputs.indexOf(input));
+      if (vertex >= 0 && !input.hasAttribute("aria-invalid"))
+        this.#focus(vertex - this.#from + (up ? -1 : 1), this.#rows[vertex - this.#from].inputs.indexOf(input));
     } else {
       return;
     }

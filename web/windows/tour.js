@@ -23,7 +23,10 @@ function ringed(here, { points, controls, menu }) {
 
 // Texts of other stops, unseen behind the one that is shown: so the card is as high at each of
 // them, and neither its buttons nor the drawing move.
-const unseen = (all, here) => all.map(({ title, words }) => el("div", { class: "unseen", "aria-hidden": "true" }, el("h2", {}, title), " ", el("p", {}, words(here))));
+const unseen = (all, here) =>
+  all.map(({ title, words }) =>
+    el("div", { class: "unseen", "aria-hidden": "true" }, el("h2", {}, title), " ", el("p", {}, words(here))),
+  );
 
 export async function show(page) {
   if (document.getElementById("tour")) return;
@@ -79,14 +82,18 @@ export async function show(page) {
   });
   document.body.append(rings);
   page.pictures.addEventListener("drawn", place, { signal });
-  addEventListener("keydown", (event) => {
-    const inside = card.root.contains(event.target);
-    if (event.key === "Escape" && !document.querySelector("dialog:modal")) card.close();
-    else if (inside && event.key === "ArrowRight") go(1);
-    else if (inside && event.key === "ArrowLeft") go(-1);
-    else return;
-    event.preventDefault();
-    event.stopImmediatePropagation();
-  }, { capture: true, signal });
+  addEventListener(
+    "keydown",
+    (event) => {
+      const inside = card.root.contains(event.target);
+      if (event.key === "Escape" && !document.querySelector("dialog:modal")) card.close();
+      else if (inside && event.key === "ArrowRight") go(1);
+      else if (inside && event.key === "ArrowLeft") go(-1);
+      else return;
+      event.preventDefault();
+      event.stopImmediatePropagation();
+    },
+    { capture: true, signal },
+  );
   go(0);
 }

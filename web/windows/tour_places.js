@@ -24,10 +24,13 @@ function corners(program) {
 function hull(points) {
   const sorted = [...points].sort(([a, b], [c, d]) => a - c || b - d);
   const turnsLeft = ([ax, ay], [bx, by], [cx, cy]) => (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) > 0;
-  const half = (all) => all.reduce((chain, point) => {
-    while (chain.length > 1 && !turnsLeft(chain.at(-2), chain.at(-1), point)) chain.pop();
-    return [...chain, point];
-  }, []).slice(0, -1);
+  const half = (all) =>
+    all
+      .reduce((chain, point) => {
+        while (chain.length > 1 && !turnsLeft(chain.at(-2), chain.at(-1), point)) chain.pop();
+        return [...chain, point];
+      }, [])
+      .slice(0, -1);
   return [...half(sorted), ...half(sorted.reverse())];
 }
 
@@ -49,10 +52,19 @@ function clearance(c, robots, ring) {
     const out = label.apart + Math.abs(u) * label.wide + Math.abs(v) * label.high;
     return { disc: [x, y], number: [x + u * out, y + v * out] };
   });
-  return (at) => Math.min(away(at, c) - aboutCentre, ...marks.flatMap(({ disc, number }) => [
-    away(at, disc) - ring,
-    Math.hypot(Math.max(Math.abs(at[0] - number[0]) - label.wide, 0), Math.max(Math.abs(at[1] - number[1]) - label.high, 0)),
-  ])) - aboutVertex - 3;
+  return (at) =>
+    Math.min(
+      away(at, c) - aboutCentre,
+      ...marks.flatMap(({ disc, number }) => [
+        away(at, disc) - ring,
+        Math.hypot(
+          Math.max(Math.abs(at[0] - number[0]) - label.wide, 0),
+          Math.max(Math.abs(at[1] - number[1]) - label.high, 0),
+        ),
+      ]),
+    ) -
+    aboutVertex -
+    3;
 }
 
 // How much the outline bends at a vertex: 0 if it goes straight on, 2 if it goes back.
@@ -64,8 +76,14 @@ function sharpness([ax, ay], [bx, by], [cx, cy]) {
 // The controls of the canvas with these names: their cards, their places and the parts of the cards
 // that are seen, each as [x, y, width, height].
 function controls(program, names) {
-  return listedControls(program.text("page_controls")).filter(({ name }) => names.includes(name))
-    .map((c) => ({ card: c.card, name: c.name, place: [c.left, c.top, c.width, c.height], seen: [c.windowLeft, c.windowTop, c.windowWidth, c.windowHeight] }));
+  return listedControls(program.text("page_controls"))
+    .filter(({ name }) => names.includes(name))
+    .map((c) => ({
+      card: c.card,
+      name: c.name,
+      place: [c.left, c.top, c.width, c.height],
+      seen: [c.windowLeft, c.windowTop, c.windowWidth, c.windowHeight],
+    }));
 }
 
 const isSeen = ({ place: [x, y, width, height], seen: [left, top, wide, high] }) =>
@@ -73,7 +91,7 @@ const isSeen = ({ place: [x, y, width, height], seen: [left, top, wide, high] })
 
 // Scrolls the panel until the controls of a stop are seen.
 export function reveal({ program }, { controls: names = [] }) {
-  const scrollTo = 3;  // ControlRequest::reveal of wasm/ui/controls.h
+  const scrollTo = 3; // ControlRequest::reveal of wasm/ui/controls.h
   for (const control of controls(program, names)) {
     if (!isSeen(control)) program.call("page_ask_control", scrollTo, control.card, control.name, 0);
   }
@@ -103,7 +121,9 @@ export function look({ program }) {
       const around = hull(robots);
       const sides = around.map((at, i) => between([at, around[(i + 1) % around.length]], ring + 4)).filter(Boolean);
       if (sides.length || !around.length) return sides;
-      const [low, high] = [Math.min, Math.max].map((choose) => [0, 1].map((axis) => choose(...around.map((at) => at[axis]))));
+      const [low, high] = [Math.min, Math.max].map((choose) =>
+        [0, 1].map((axis) => choose(...around.map((at) => at[axis]))),
+      );
       return [{ box: [low[0] - ring, low[1] - ring, high[0] - low[0] + 2 * ring, high[1] - low[1] + 2 * ring] }];
     },
     // The sharpest of the vertices that are clear of robots, their numbers and C; nothing if there is none.
@@ -111,8 +131,16 @@ export function look({ program }) {
       const c = screen(state.centre_of_mass);
       const clear = clearance(c, robots, ring);
       const all = corners(program).map(screen);
-      const known = all.map((at, i) => ({ at, clear: clear(at), sharp: sharpness(all.at(i - 1), at, all[(i + 1) % all.length]) }))
-        .filter(({ at: [x, y], clear: room }) => room >= 0 && x > aboutVertex && y > aboutVertex && x < innerWidth - aboutVertex && y < innerHeight - aboutVertex);
+      const known = all
+        .map((at, i) => ({ at, clear: clear(at), sharp: sharpness(all.at(i - 1), at, all[(i + 1) % all.length]) }))
+        .filter(
+          ({ at: [x, y], clear: room }) =>
+            room >= 0 &&
+            x > aboutVertex &&
+            y > aboutVertex &&
+            x < innerWidth - aboutVertex &&
+            y < innerHeight - aboutVertex,
+        );
       const best = known.sort((a, b) => b.sharp - a.sharp)[0];
       return best ? [{ circle: [...best.at, aboutVertex] }] : [];
     },
@@ -122,11 +150,18 @@ export function look({ program }) {
     },
     // Those of these controls that are seen, as one.
     controls(...names) {
-      const boxes = controls(program, names).map(({ place: [x, y, width, height], seen: [left, top, wide, high] }) => [
-        Math.max(x - 4, left), Math.max(y - 4, top), Math.min(x + width + 4, left + wide), Math.min(y + height + 4, top + high)])
+      const boxes = controls(program, names)
+        .map(({ place: [x, y, width, height], seen: [left, top, wide, high] }) => [
+          Math.max(x - 4, left),
+          Math.max(y - 4, top),
+          Math.min(x + width + 4, left + wide),
+          Math.min(y + height + 4, top + high),
+        ])
         .filter(([left, top, right, bottom]) => right - left > 12 && bottom - top > 12);
       if (!boxes.length) return [];
-      const [left, top, right, bottom] = [Math.min, Math.min, Math.max, Math.max].map((choose, i) => choose(...boxes.map((box) => box[i])));
+      const [left, top, right, bottom] = [Math.min, Math.min, Math.max, Math.max].map((choose, i) =>
+        choose(...boxes.map((box) => box[i])),
+      );
       return [{ box: [left, top, right - left, bottom - top] }];
     },
   };

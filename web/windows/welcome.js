@@ -5,7 +5,7 @@ import { lasting, write } from "../page/storage.js";
 import { show as showSamples } from "./gallery.js";
 import { show as showTour } from "./tour.js";
 
-const welcomedKey = "evenlift.welcomed";  // page.js asks for it
+const welcomedKey = "evenlift.welcomed"; // page.js asks for it
 
 // At the first visit it does not take the focus; the key and the window About bring it back with the focus.
 export async function show(page, { first = false } = {}) {
@@ -20,12 +20,19 @@ export async function show(page, { first = false } = {}) {
     name: "welcome",
     title: "How to begin",
     body: [
-      el("p", {}, "Where should robots stand so that all of them carry nearly the same weight? ",
-        el("span", { class: "second" }, "In pairs, at the two ends of a line through the centre of mass.")),
-      el("div", { class: "ways" },
+      el(
+        "p",
+        {},
+        "Where should robots stand so that all of them carry nearly the same weight? ",
+        el("span", { class: "second" }, "In pairs, at the two ends of a line through the centre of mass."),
+      ),
+      el(
+        "div",
+        { class: "ways" },
         closingButton("Draw your own", { class: "button primary" }, draw),
         closingButton("Choose a sample", {}, () => showSamples(page)),
-        closingButton("Take the tour", { title: "It takes two minutes" }, () => showTour(page))),
+        closingButton("Take the tour", { title: "It takes two minutes" }, () => showTour(page)),
+      ),
     ],
     focus: !first,
     closed: () => {
@@ -33,11 +40,14 @@ export async function show(page, { first = false } = {}) {
       write(lasting, welcomedKey, "1");
     },
   });
-  if (first) page.announce("How to begin: draw your own shape, choose a sample, or take the tour. Shift+W leads there.");
+  if (first)
+    page.announce("How to begin: draw your own shape, choose a sample, or take the tour. Shift+W leads there.");
   // Whoever has begun needs it no more. The program tells of a change in the midst of it, so this waits for its end.
   const done = () => queueMicrotask(() => card.close());
   document.addEventListener("evenlift-change", done, { signal: leave.signal });
-  page.pictures.addEventListener("drawn", () => page.program.number("page_is_drawing") && done(), { signal: leave.signal });
+  page.pictures.addEventListener("drawn", () => page.program.number("page_is_drawing") && done(), {
+    signal: leave.signal,
+  });
 }
 
 export const welcome = (page) => show(page);
