@@ -1,20 +1,20 @@
 #include "actions/key_list.h"
 
-#include "actions/actions.h"
+#include <algorithm>
+
 #include "actions/when.h"
 
 namespace evenlift::view {
-std::string key_list(bool embed) {
-  std::string text;
-  for (const Group group :
-       {Group::files, Group::editing, Group::teams, Group::view, Group::lesson, Group::help}) {
-    if (embed && group < Group::view) continue;
-    for (const Action& a : actions()) {
-      if (*a.shown && a.group == group && !(embed && a.enabled == when::editing))
-        text += std::to_string(static_cast<int>(group)) + '\t' + a.shown + '\t' + a.label + '\n';
-    }
+
+std::vector<const Action*> key_list(bool embed) {
+  std::vector<const Action*> list;
+  for (const Action& a : actions()) {
+    const bool left_out = embed && (a.group < Group::view || a.enabled == when::editing);
+    if (*a.shown && !left_out) list.push_back(&a);
   }
-  return text;
+  std::stable_sort(list.begin(), list.end(),
+                   [](const Action* a, const Action* b) { return a->group < b->group; });
+  return list;
 }
 
 }  // namespace evenlift::view

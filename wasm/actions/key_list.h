@@ -1,12 +1,13 @@
 // The list of keys for people, from the table of actions.
 #pragma once
 
-#include <string>
+#include <vector>
+
+#include "actions/actions.h"
 
 namespace evenlift::view {
 
-// A line for each action that has a key of its own: its group from 0, its key, and what it does, with
-// tabs between them. Groups follow each other. With `embed` only what works in an <iframe>.
-std::string key_list(bool embed);
+// The actions that have a key of their own, group after group. With `embed` only what works in an <iframe>.
+std::vector<const Action*> key_list(bool embed);
 
 }  // namespace evenlift::view

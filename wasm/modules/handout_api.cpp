@@ -14,7 +14,7 @@
 #include "evenlift/lesson.h"
 #include "evenlift/link.h"
 #include "evenlift/main_steps.h"
-#include "evenlift/numbers.h"
+#include "evenlift/output/json_text.h"
 #include "evenlift/output/trace_words.h"
 #include "evenlift/placement.h"
 #include "evenlift/trace.h"
@@ -46,36 +46,35 @@ std::vector<Stop> stops_of(const Trace& trace, const Result<Lesson>& lesson) {
   return stops;
 }
 
-// A teacher's words as part of a line.
-std::string in_a_line(std::string words) {
-  std::replace(words.begin(), words.end(), '\n', '\v');
-  std::replace(words.begin(), words.end(), '\t', ' ');
-  return words;
+std::string problem(const InputError& error) {
+  return json::object({{"problem", json::text(error.message)}});
 }
 
-std::string in_text(const Points& points) {
-  std::string text;
-  for (const Vec2& p : points)
-    text += (text.empty() ? "" : " ") + shortest(p.x()) + ' ' + shortest(p.y());
-  return text;
+std::string in_json(const Points& points) {
+  std::vector<std::string> all;
+  for (const Vec2& p : points) all.push_back(json::pair(p));
+  return json::array(all);
 }
 
 Points ends_of(const Chord& chord) { return {chord.r1.position, chord.r2.position}; }
 
-// What is known at this step: the background of its picture.
-void append_known(const Paper& paper, const Trace& trace, const StepDetail& detail,
-                  std::string& text) {
+// What is known at a step: the background of its picture.
+struct Known {
+  Points base;
+  std::vector<std::string> candidates, teams;  // chords
+};
+Known known_at(const Paper& paper, const Trace& trace, const StepDetail& detail) {
   const Placement& placement = trace.placement;
   const Progress known = progress_at(trace, detail.number);
-  text += "base\t" + in_text(paper(lifting_base(trace, known))) + '\n';
-  std::size_t shown = 0;
-  for (std::size_t c = 0; c < placement.candidates.size() && shown < most_candidates; ++c) {
+  Known all{lifting_base(trace, known), {}, {}};
+  for (std::size_t c = 0;
+       c < placement.candidates.size() && all.candidates.size() < most_candidates; ++c) {
     if (!known.merged && trace.first_source_of_candidate[c] >= known.sources) continue;
-    text += "candidate\t" + in_text(paper(ends_of(placement.candidates[c].chord))) + '\n';
-    ++shown;
+    all.candidates.push_back(in_json(paper(ends_of(placement.candidates[c].chord))));
   }
   for (std::uint32_t t = 0; t < known.teams && !trace.balanced(); ++t)
-    text += "team\t" + in_text(paper(ends_of(chord_of(teams_at(trace, known)[t])))) + '\n';
+    all.teams.push_back(in_json(paper(ends_of(chord_of(teams_at(trace, known)[t])))));
+  return all;
 }
 
 // What the step is about.
@@ -88,41 +87,57 @@ std::vector<Figure> figures_on_paper(const Trace& trace, const StepDetail& detai
   return shown;
 }
 
-std::string step_text(const Paper& paper, const Trace& trace, const Stop& stop) {
+std::string figure_json(const Paper& paper, const Figure& figure) {
+  return json::object({{"kind", json::text(name(figure.kind))},
+                       {"number", figure.item ? std::to_string(*figure.item + 1) : "null"},
+                       {"value", json::number(paper.length(figure.value))},
+                       {"points", in_json(paper(figure.points))}});
+}
+
+std::string step_json(const Paper& paper, const Trace& trace, const Stop& stop) {
   const StepDetail detail = look_at(trace, stop.step);
-  std::string text = "step\t" + std::to_string(stop.step) + '\t' +
-                     std::string(title(detail.step.chapter)) + '\t' + caption(trace, detail) +
-                     '\t' + formula(trace, detail) + '\t' + in_a_line(stop.words) + '\n';
-  append_known(paper, trace, detail, text);
+  const Known known = known_at(paper, trace, detail);
   const std::vector<Figure> shown = figures_on_paper(trace, detail);
-  for (const Figure& figure : shown)
-    text += "figure\t" + std::string(name(figure.kind)) + '\t' +
-            (figure.item ? std::to_string(*figure.item + 1) : std::string()) + '\t' +
-            shortest(paper.length(figure.value)) + '\t' + in_text(paper(figure.points)) + '\n';
+  std::vector<std::string> about, robots, words;
+  for (const Figure& figure : shown) about.push_back(figure_json(paper, figure));
   for (const PaperRobot& robot : robots_on_paper(paper, trace, detail))
-    text += "robot\t" + std::to_string(robot.number) + '\t' + in_text(Points{robot.middle}) + '\n';
-  for (const PaperWords& words : words_on_paper(paper, trace, detail, shown))
-    text += "words\t" + words.text + '\t' + in_text(Points{words.middle}) + '\n';
-  return text;
+    robots.push_back(
+        json::object({{"number", std::to_string(robot.number)}, {"at", json::pair(robot.middle)}}));
+  for (const PaperWords& each : words_on_paper(paper, trace, detail, shown))
+    words.push_back(
+        json::object({{"text", json::text(each.text)}, {"at", json::pair(each.middle)}}));
+  return json::object({{"chapter", json::text(title(detail.step.chapter))},
+                       {"caption", json::text(caption(trace, detail))},
+                       {"formula", json::text(formula(trace, detail))},
+                       {"in_words", json::text(stop.words)},
+                       {"base", in_json(paper(known.base))},
+                       {"candidates", json::array(known.candidates)},
+                       {"teams", json::array(known.teams)},
+                       {"figures", json::array(about)},
+                       {"robots", json::array(robots)},
+                       {"words", json::array(words)}});
 }
 
 std::string handout(std::string_view link, std::string_view lesson_text) {
   const Result<Document> document = decode_link(link);
-  if (!document) return "problem\t" + document.error().message + '\n';
+  if (!document) return problem(document.error());
   const Result<Placement> placement = place(*document);
-  if (!placement) return "problem\t" + placement.error().message + '\n';
+  if (!placement) return problem(placement.error());
   const Result<Trace> trace = make_trace(*placement, HistoryLength::whole, document->shown.units);
-  if (!trace) return "problem\t" + trace.error().message + '\n';
+  if (!trace) return problem(trace.error());
   const Paper paper(placement->vertices());
-  std::string text = "paper\t" + shortest(Paper::width) + '\t' + shortest(Paper::height) + '\t' +
-                     shortest(Paper::disc) + "\npolygon\t" + in_text(paper(placement->vertices())) +
-                     "\ncentre\t" + in_text(Points{paper(trace->centre)}) + '\n';
   const Result<Lesson> lesson = parse_lesson(lesson_text);
-  for (const Stop& stop : stops_of(*trace, lesson)) text += step_text(paper, *trace, stop);
-  if (lesson && !lesson->question.empty())
-    text += "question\t" + in_a_line(lesson->question) + "\nanswer\t" + in_a_line(lesson->answer) +
-            '\n';
-  return text;
+  std::vector<std::string> steps;
+  for (const Stop& stop : stops_of(*trace, lesson)) steps.push_back(step_json(paper, *trace, stop));
+  const bool asks = lesson && !lesson->question.empty();
+  return json::object({{"width", json::number(Paper::width)},
+                       {"height", json::number(Paper::height)},
+                       {"disc", json::number(Paper::disc)},
+                       {"polygon", in_json(paper(placement->vertices()))},
+                       {"centre", json::pair(paper(trace->centre))},
+                       {"steps", json::array(steps)},
+                       {"question", json::text(asks ? lesson->question : "")},
+                       {"answer", json::text(asks ? lesson->answer : "")}});
 }
 
 }  // namespace
@@ -130,17 +145,16 @@ std::string handout(std::string_view link, std::string_view lesson_text) {
 
 extern "C" {
 
-// The steps of a lesson, whose text this is, for a link's document; without a lesson its main ones.
-// A line for each thing, with tabs between its parts; places have spaces between them, and are those on the paper:
-//   paper WIDTH HEIGHT DISC                       once; DISC is the radius of a robot
-//   polygon, centre                               once
-//   step NUMBER CHAPTER CAPTION FORMULA WORDS     begins a step; what follows is its picture:
-//   base, candidate, team CHORD                   what is known by then
-//   figure KIND NUMBER VALUE POINTS               what the step is about; a radius is VALUE long on the paper
-//   robot NUMBER MIDDLE                           the robots that are known by then
-//   words TEXT MIDDLE                             what is written into the picture
-//   question WORDS, answer WORDS                  at the end of a lesson that has them
-//   problem SENTENCE                              instead of all of it
+// The steps of a lesson, whose text this is, for a link's document; without a lesson its main ones. Places are those on the
+// paper:
+//   width, height, disc     of a picture; the radius of a robot
+//   polygon, centre
+//   steps                   chapter, caption, formula, in_words (the teacher's), and the picture:
+//     base, candidates, teams   what is known by then
+//     figures                   what the step is about: kind, number, points; a radius is `value` long
+//     robots, words             those known by then; what is written into the picture: text, at
+//   question, answer        of a lesson that has them
+//   problem                 a sentence, instead of all of it
 EMSCRIPTEN_KEEPALIVE const char* handout_steps(const char* link, const char* lesson) {
   return evenlift::hand_over(evenlift::handout(link, lesson));
 }

@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "evenlift/formats.h"
 #include "evenlift/import.h"
 #include "evenlift/link.h"
-#include "evenlift/numbers.h"
+#include "evenlift/output/json_text.h"
 #include "evenlift/output/words.h"
 #include "page/hand_over.h"
 
@@ -54,17 +55,17 @@ EMSCRIPTEN_KEEPALIVE const char* import_read(const char* text, double tolerance)
 EMSCRIPTEN_KEEPALIVE const char* import_format() { return hand_over(imported().format); }
 EMSCRIPTEN_KEEPALIVE const char* import_unit() { return hand_over(imported().unit); }
 
-// The notes, one on each line.
+// The notes, as an array.
 EMSCRIPTEN_KEEPALIVE const char* import_notes() {
-  std::string lines;
-  for (const std::string& note : imported().notes) lines += note + "\n";
-  return hand_over(lines);
+  std::vector<std::string> notes;
+  for (const std::string& note : imported().notes) notes.push_back(json::text(note));
+  return hand_over(json::array(notes));
 }
 
 EMSCRIPTEN_KEEPALIVE int import_count() { return static_cast<int>(imported().shapes.size()); }
 
 // Of the shape with this index, from 0: its name, all in words, the distance between its edges and its
-// curves (0 without curves), and its outline as lines `x y`, thinned out for a small picture.
+// curves (0 without curves), and its outline as [[x, y], …], thinned out for a small picture.
 EMSCRIPTEN_KEEPALIVE const char* import_name(int index) { return hand_over(shape(index).name); }
 EMSCRIPTEN_KEEPALIVE const char* import_describe(int index) {
   return hand_over(describe(shape(index)));
@@ -75,10 +76,10 @@ EMSCRIPTEN_KEEPALIVE double import_tolerance(int index) {
 EMSCRIPTEN_KEEPALIVE const char* import_outline(int index) {
   const Points& vertices = shape(index).document.vertices;
   const std::size_t step = (vertices.size() + most_points - 1) / most_points;
-  std::string lines;
+  std::vector<std::string> points;
   for (std::size_t i = 0; i < vertices.size(); i += std::max<std::size_t>(step, 1))
-    lines += shortest(vertices[i].x()) + ' ' + shortest(vertices[i].y()) + '\n';
-  return hand_over(lines);
+    points.push_back(json::pair(vertices[i]));
+  return hand_over(json::array(points));
 }
 
 // What the program opens: a link if the text brought settings or a unit of lengths, which are wanted

@@ -7,10 +7,12 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "evenlift/link.h"
 #include "evenlift/numbers.h"
 #include "evenlift/optimum.h"
+#include "evenlift/output/json_text.h"
 #include "evenlift/output/svg.h"
 #include "evenlift/output/words.h"
 #include "evenlift/placed_robots.h"
@@ -34,8 +36,8 @@ std::optional<Compared>& last() {
   return compared;
 }
 
-std::string line(const std::string& what, const std::string& text) {
-  return what + '\t' + text + '\n';
+std::string problem(const std::string& text) {
+  return json::object({{"problem", json::text(text)}});
 }
 
 // As many teams by a method that chooses among candidates, where it finds them.
@@ -66,9 +68,9 @@ std::string row(const std::string& name, const ShownPlacement& of) {
   for (const std::uint32_t i : placement.team_candidates)
     teams += (teams.empty() ? "" : ", ") + std::to_string(i + 1);
   const LoadSummary& loads = *placement.loads;
-  return line("row", name + '\t' + percentage(placement.coverage, 2) + '\t' +
-                         load_in_words(loads.min, loads.max, loads.max, of.shown.units) + '\t' +
-                         form_closure_in_words(placement.closure) + '\t' + teams);
+  return json::array({json::text(name), json::text(percentage(placement.coverage, 2)),
+                      json::text(load_in_words(loads.min, loads.max, loads.max, of.shown.units)),
+                      json::text(form_closure_in_words(placement.closure)), json::text(teams)});
 }
 
 std::string how_sure(const Compared& compared) {
@@ -98,19 +100,20 @@ std::string gap(const Compared& compared) {
          points_ahead(compared.optimum.coverage, compared.greedy.coverage) + " behind it.";
 }
 
-std::string in_lines(const Compared& compared, Method asked) {
+std::string as_json(const Compared& compared, Method asked) {
   const Placement& greedy = compared.greedy;
   const bool proved = compared.optimum.proved;
   const Shown& shown = compared.shown;
-  std::string text =
-      row("Greedy, by " + std::string(name(greedy.settings.method)), {greedy, shown}) +
-      row(proved ? "The optimum" : "The best that was found", {compared.best, shown}) +
-      line("said", gap(compared)) + line("said", how_sure(compared));
+  const std::string method(name(greedy.settings.method));
+  std::vector<std::string> said = {json::text(gap(compared)), json::text(how_sure(compared))};
   if (asked != greedy.settings.method)
-    text += line("said", "The method " + std::string(name(asked)) +
-                             " does not choose among candidates, so as many teams are chosen by " +
-                             std::string(name(greedy.settings.method)) + " here.");
-  return text;
+    said.push_back(json::text("The method " + std::string(name(asked)) +
+                              " does not choose among candidates, so as many teams are chosen by " +
+                              method + " here."));
+  return json::object({{"rows", json::array({row("Greedy, by " + method, {greedy, shown}),
+                                             row(proved ? "The optimum" : "The best that was found",
+                                                 {compared.best, shown})})},
+                       {"said", json::array(said)}});
 }
 
 }  // namespace
@@ -118,21 +121,20 @@ std::string in_lines(const Compared& compared, Method asked) {
 
 extern "C" {
 
-// Compares the teams of a link with the best choice of as many, for so many seconds at most. Returns lines
-// with tabs: `row` with a name, the coverage, the loads, whether the robots hold the object, and the candidates
-// taken; `said` with a sentence; or only `problem` with why there is nothing to compare.
+// Compares the teams of a link with the best choice of as many, for so many seconds at most. Returns
+// {"rows", "said"}: rows of a name, the coverage, the loads, whether the robots hold the object, and the candidates
+// taken; and sentences; or {"problem"} with why there is nothing to compare.
 EMSCRIPTEN_KEEPALIVE const char* optimum_compare(const char* link, double seconds) {
   using namespace evenlift;
   last().reset();
   const Result<Document> document = decode_link(link);
-  if (!document) return hand_over(line("problem", document.error().message));
+  if (!document) return hand_over(problem(document.error().message));
   const Result<Placement> greedy = place(with_teams(*document));
-  if (!greedy) return hand_over(line("problem", sentence(greedy.error())));
+  if (!greedy) return hand_over(problem(sentence(greedy.error())));
   if (greedy->teams.empty())
-    return hand_over(
-        line("problem", "no chord through the centre of mass has the minimum load ratio"));
+    return hand_over(problem("no chord through the centre of mass has the minimum load ratio"));
   last() = compare(*greedy, document->shown, seconds);
-  return hand_over(in_lines(*last(), document->settings.method));
+  return hand_over(as_json(*last(), document->settings.method));
 }
 
 // The picture of the greedy choice, or of the best one, as SVG; call only after optimum_compare() had rows.

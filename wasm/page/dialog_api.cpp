@@ -10,12 +10,14 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "actions/key_list.h"
 #include "app/app.h"
 #include "evenlift/formats.h"
 #include "evenlift/link.h"
 #include "evenlift/numbers.h"
+#include "evenlift/output/json_text.h"
 #include "evenlift/output/words.h"
 #include "evenlift/polygon.h"
 #include "evenlift/stands.h"
@@ -59,8 +61,10 @@ std::optional<double> coordinate(std::string_view text, std::string& problem) {
   return std::nullopt;
 }
 
-void append_point(std::string& text, const Vec2& p) {
-  text += shortest(p.x()) + ' ' + shortest(p.y()) + '\n';
+std::string points_json(const Points& points, std::size_t from, std::size_t to) {
+  std::vector<std::string> all;
+  for (std::size_t i = from; i < to; ++i) all.push_back(json::pair(points[i]));
+  return json::array(all);
 }
 
 // As page_outline() gives it.
@@ -68,10 +72,10 @@ std::string outline_of(const Result<Document>& document) {
   if (!document) return {};
   const Result<Polygon> polygon = Polygon::create(document->vertices);
   if (!polygon) return {};
-  std::string lines;
-  append_point(lines, document->centre_of_mass.value_or(polygon->centroid()));
-  for (const Vec2& vertex : document->vertices) append_point(lines, vertex);
-  return lines;
+  const Points& vertices = document->vertices;
+  return json::object(
+      {{"centre", json::pair(document->centre_of_mass.value_or(polygon->centroid()))},
+       {"vertices", points_json(vertices, 0, vertices.size())}});
 }
 
 int index_of(const std::optional<std::size_t>& vertex) {
@@ -82,6 +86,7 @@ int index_of(const std::optional<std::size_t>& vertex) {
 }  // namespace evenlift::view
 
 using namespace evenlift::view;
+namespace json = evenlift::json;
 using evenlift::Document;
 using evenlift::read_polygon;
 using evenlift::Result;
@@ -96,8 +101,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_sample(const char* text) {
   return hand_over(open_with_these_settings(text));
 }
 
-// The outline of a polygon's text for a small picture: a line `x y` for the centre of mass, then
-// one for each vertex. Nothing if the text cannot be read.
+// The outline of a polygon's text for a small picture: {"centre": [x, y], "vertices": [[x, y], …]}. Nothing if the text
+// cannot be read.
 EMSCRIPTEN_KEEPALIVE const char* page_outline(const char* text) {
   return hand_over(outline_of(read_polygon(text)));
 }
@@ -127,24 +132,20 @@ EMSCRIPTEN_KEEPALIVE int page_vertex_count() {
   return static_cast<int>(app().state.work.document().vertices.size());
 }
 
-// A line `x y` for each of the vertices from `first` on.
+// The vertices from `first` on: [[x, y], …].
 EMSCRIPTEN_KEEPALIVE const char* page_vertices(int first, int count) {
   const evenlift::Points& vertices = app().state.work.document().vertices;
   const std::size_t from = std::min(static_cast<std::size_t>(std::max(first, 0)), vertices.size());
   const std::size_t to =
       std::min(from + static_cast<std::size_t>(std::max(count, 0)), vertices.size());
-  std::string lines;
-  for (std::size_t i = from; i < to; ++i) append_point(lines, vertices[i]);
-  return hand_over(std::move(lines));
+  return hand_over(points_json(vertices, from, to));
 }
 
-// The centre of mass `x y`: the one that was given, or the last centroid; and whether it was given.
+// The centre of mass [x, y]: the one that was given, or the last centroid; and whether it was given.
 EMSCRIPTEN_KEEPALIVE const char* page_centre() {
   const AppState& state = app().state;
-  std::string line;
-  append_point(line, state.work.document().centre_of_mass.value_or(
-                         state.derived().placement->centre_of_mass));
-  return hand_over(std::move(line));
+  return hand_over(json::pair(
+      state.work.document().centre_of_mass.value_or(state.derived().placement->centre_of_mass)));
 }
 EMSCRIPTEN_KEEPALIVE int page_centre_is_given() {
   return app().state.work.document().centre_of_mass ? 1 : 0;
@@ -246,9 +247,14 @@ EMSCRIPTEN_KEEPALIVE const char* page_link_problem() {
 
 // --- Keys
 
-// key_list().
+// The actions that have a key of their own: [{"group", "key", "label"}, …].
 EMSCRIPTEN_KEEPALIVE const char* page_keys() {
-  return hand_over(key_list(app().state.session.screen.embed));
+  std::vector<std::string> keys;
+  for (const Action* action : key_list(app().state.session.screen.embed))
+    keys.push_back(json::object({{"group", std::to_string(static_cast<int>(action->group))},
+                                 {"key", json::text(action->shown)},
+                                 {"label", json::text(action->label)}}));
+  return hand_over(json::array(keys));
 }
 
 }  // extern "C"

@@ -6,10 +6,12 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/app.h"
 #include "app/open_lesson.h"
 #include "evenlift/lesson.h"
+#include "evenlift/output/json_text.h"
 #include "evenlift/output/words.h"
 #include "page/hand_over.h"
 #include "page/page_api.h"
@@ -18,6 +20,7 @@
 #include "walkthrough/timeline.h"
 
 using namespace evenlift::view;
+namespace json = evenlift::json;
 
 extern "C" {
 
@@ -38,17 +41,17 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_lesson(const char* text, const char* 
   return hand_over({});
 }
 
-// A "1" for each step of this lesson that the algorithm takes on the open polygon, and a "0" for each other. Nothing if it
+// For each step of this lesson whether the algorithm takes it on the open polygon. Nothing if it
 // cannot be traced, or if the lesson cannot be read.
 EMSCRIPTEN_KEEPALIVE const char* page_steps_that_exist(const char* text) {
   const evenlift::Result<evenlift::Lesson> lesson = evenlift::parse_lesson(text);
   const evenlift::Result<evenlift::Trace> trace =
       compute_trace(*app().state.derived().placement, {});
-  std::string found;
-  if (!lesson || !trace) return hand_over(std::move(found));
+  if (!lesson || !trace) return hand_over({});
+  std::vector<std::string> found;
   for (const evenlift::LessonStep& step : lesson->steps)
-    found += evenlift::find_step(*trace, step.address) ? '1' : '0';
-  return hand_over(std::move(found));
+    found.push_back(json::boolean(evenlift::find_step(*trace, step.address).has_value()));
+  return hand_over(json::array(found));
 }
 
 // Goes to a stop of the lesson that is open, from 0.
@@ -90,21 +93,21 @@ EMSCRIPTEN_KEEPALIVE int page_script() {
   return !state.view.walkthrough.script ? 0 : script_is_true(state) ? 2 : 1;
 }
 
-// What is played: the position from 0, the number of stops, the guesses and how many of them were right,
-// the number of the step, how many choices were shown without a question since three of their kind had been asked, and how many
-// questions nobody guessed, with spaces between them. Nothing if no walkthrough is open.
+// What is played: {"at", "count", "guesses", "right", "step", "told", "passed"}: the position from 0, the number of stops, the
+// guesses and how many of them were right, the number of the step, how many choices were shown without a question since three of
+// their kind had been asked, and how many questions nobody guessed. Nothing if no walkthrough is open.
 EMSCRIPTEN_KEEPALIVE const char* page_lesson() {
   const AppState& state = app().state;
   if (!walkthrough_is_open(state)) return hand_over({});
   const Timeline now = timeline(state);
   const Guesses& guesses = state.view.walkthrough.guesses;
-  std::string text;
-  for (const std::size_t number :
-       {std::size_t{now.at}, std::size_t{now.count}, guesses.steps.size(),
-        std::size_t{guesses.right}, std::size_t{state.view.walkthrough.at}, guesses.told.size(),
-        guesses.passed_over()})
-    text += std::to_string(number) + ' ';
-  return hand_over(std::move(text));
+  return hand_over(json::object({{"at", std::to_string(now.at)},
+                                 {"count", std::to_string(now.count)},
+                                 {"guesses", std::to_string(guesses.steps.size())},
+                                 {"right", std::to_string(guesses.right)},
+                                 {"step", std::to_string(state.view.walkthrough.at)},
+                                 {"told", std::to_string(guesses.told.size())},
+                                 {"passed", std::to_string(guesses.passed_over())}}));
 }
 
 // The question at the end of the lesson that is open, and its answer, in paragraphs with "\n" between them. Nothing without one.

@@ -313,9 +313,9 @@ EMSCRIPTEN_KEEPALIVE void page_lay_out() {
   lay_out_panels();
 }
 
-// All controls of the panels, as controls_text() writes them.
+// All controls of the panels, as JSON.
 EMSCRIPTEN_KEEPALIVE const char* page_controls() {
-  return hand_over(controls_text(app().state.session.screen.zoom));
+  return hand_over(controls_json(app().state.session.screen.zoom));
 }
 
 // Takes over the larger fonts (letters.h), each as its bytes and their number.
@@ -326,21 +326,15 @@ EMSCRIPTEN_KEEPALIVE void page_letters(const unsigned char* regular, int regular
   browser::request_frame();
 }
 
-// The place of a control of the panels, as `left top width height`; nothing if no control of that
+// The place of a control of the panels, as JSON; nothing if no control of that
 // name is shown. In CSS pixels.
 EMSCRIPTEN_KEEPALIVE const char* page_control(const char* name) {
   lay_out_panels();
   const std::vector<Control>& all = controls();
   const auto found = std::find_if(all.begin(), all.end(),
                                   [&](const Control& control) { return control.name == name; });
-  std::string place;
-  if (found != all.end()) {
-    const Rect& at = found->place;
-    const double zoom = app().state.session.screen.zoom;
-    for (const double value : {at.left, at.top, at.width(), at.height()})
-      place += evenlift::shortest(value * zoom) + " ";
-  }
-  return hand_over(place);
+  return hand_over(found == all.end() ? std::string()
+                                      : place_json(found->place, app().state.session.screen.zoom));
 }
 
 // Does with a control what a pointer would: 0 presses it, 1 chooses the choice number `value`, 2 moves it to `value`, 3

@@ -4,6 +4,7 @@
 #include <emscripten/emscripten.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -19,8 +20,8 @@
 #include "edits/try_edit.h"
 #include "evenlift/formats.h"
 #include "evenlift/link.h"
-#include "evenlift/numbers.h"
 #include "evenlift/output/json.h"
+#include "evenlift/output/json_text.h"
 #include "evenlift/output/poses.h"
 #include "evenlift/output/svg.h"
 #include "evenlift/output/words.h"
@@ -53,12 +54,12 @@ std::optional<Method> method_of(int number) {
   return all_methods[number - 1];
 }
 
-// A place on the screen as `left top right bottom`.
+// A place on the screen in whole CSS pixels, as JSON.
 std::string in_css_pixels(const Rect& place) {
-  std::string text;
-  for (const double value : {place.left, place.top, place.right, place.bottom})
-    text += std::to_string(static_cast<int>(value * app().state.session.screen.zoom)) + ' ';
-  return text;
+  const double zoom = app().state.session.screen.zoom;
+  const auto whole = [&](double value) { return std::trunc(value * zoom); };
+  return place_json({whole(place.left), whole(place.top), whole(place.right), whole(place.bottom)},
+                    1);
 }
 
 }  // namespace
@@ -97,6 +98,7 @@ using evenlift::FailurePlan;
 using evenlift::Method;
 using evenlift::Result;
 using evenlift::Shown;
+namespace json = evenlift::json;
 
 extern "C" {
 
@@ -117,7 +119,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_start(const char* fragment, const char* wo
 EMSCRIPTEN_KEEPALIVE const char* page_state() {
   const AppState& state = app().state;
   std::optional<CapacityInJson> capacity;
-  const Shown& shown = shown(state);
+  const Shown& shown = state.work.document().shown;
   std::optional<FailurePlan> spare =
       state.derived().plan_due ? std::nullopt : state.derived().spare;
   if (shown.capacity && !spare && state.derived().placement->settings.method != Method::balanced)
@@ -249,15 +251,17 @@ EMSCRIPTEN_KEEPALIVE void page_keep(const char* lines) {
   carry_out({KeepMotion{read_kept(lines).motion}});
 }
 
-// The step that so many undos, or redos, lead to, to be kept: `EDIT METHOD LINK`, where the
+// The step that so many undos, or redos, lead to, to be kept: {"edit", "method", "link"}, where the
 // method 0 is none, and a document that is too large has no link. Nothing if there is no such step.
 EMSCRIPTEN_KEEPALIVE const char* page_kept_step(int redo, int index) {
   const std::optional<History::Kept> kept =
       app().state.work.history.kept(redo != 0, static_cast<std::size_t>(std::max(index, 0)));
   if (!kept) return hand_over({});
   const std::optional<evenlift::Method>& method = kept->beside.second_method;
-  return hand_over(std::to_string(static_cast<int>(kept->edit)) + ' ' +
-                   std::to_string(method ? static_cast<int>(*method) + 1 : 0) + ' ' + kept->link);
+  return hand_over(
+      json::object({{"edit", std::to_string(static_cast<int>(kept->edit))},
+                    {"method", std::to_string(method ? static_cast<int>(*method) + 1 : 0)},
+                    {"link", json::text(kept->link)}}));
 }
 
 // The method that the document is compared with, counted from 1, or 0; to be kept. And back, which is no step of undo.
@@ -307,13 +311,13 @@ EMSCRIPTEN_KEEPALIVE void page_backdrop(double left, double bottom, double width
     carry_out({TakePictureAway{}});
 }
 
-// Where it lies now: `LEFT BOTTOM WIDTH`, or nothing.
+// Where it lies now: {"left", "bottom", "width"}, or nothing.
 EMSCRIPTEN_KEEPALIVE const char* page_backdrop_place() {
   const std::optional<Backdrop>& picture = app().state.work.backdrop;
   if (!picture) return hand_over({});
-  return hand_over(evenlift::shortest(picture->low.x()) + ' ' +
-                   evenlift::shortest(picture->low.y()) + ' ' +
-                   evenlift::shortest(picture->width()));
+  return hand_over(json::object({{"left", json::number(picture->low.x())},
+                                 {"bottom", json::number(picture->low.y())},
+                                 {"width", json::number(picture->width())}}));
 }
 
 // Makes it so wide. Returns why it cannot be, or nothing.

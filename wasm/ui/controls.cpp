@@ -3,10 +3,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
-#include "evenlift/numbers.h"
+#include "evenlift/output/json_text.h"
 
 namespace evenlift::view {
 namespace {
@@ -41,14 +42,33 @@ std::optional<Request> taken_request(const Control& control) {
   return request;
 }
 
-void append_field(std::string& text, std::string_view field) {
-  text += '\t';
-  for (const char c : field) text += c == '\t' || c == '\n' ? ' ' : c;
+// What has no bound has none in JSON either.
+std::string number_json(double value) {
+  return std::isfinite(value) ? json::number(value) : "null";
 }
 
-void append_rectangle(std::string& text, const Rect& r, double zoom) {
-  for (const double value : {r.left, r.top, r.width(), r.height()})
-    append_field(text, shortest(value * zoom));
+std::string control_json(const Control& c, double zoom) {
+  constexpr std::string_view kinds[] = {"button", "toggle", "number", "slider", "choice", "text"};
+  static_assert(std::size(kinds) == static_cast<std::size_t>(ControlKind::end_of_kinds));
+  std::vector<std::string> choices;
+  for (const std::string& choice : c.choices) choices.push_back(json::text(choice));
+  return json::object({{"kind", json::text(kinds[static_cast<std::size_t>(c.kind)])},
+                       {"card", json::text(c.card)},
+                       {"name", json::text(c.name)},
+                       {"label", json::text(c.label)},
+                       {"value", json::text(c.value)},
+                       {"exact", json::text(c.exact)},
+                       {"setting", json::text(c.setting)},
+                       {"enabled", json::boolean(c.enabled)},
+                       {"on", json::boolean(c.on)},
+                       {"place", place_json(c.place, zoom)},
+                       {"window", place_json(c.window, zoom)},
+                       {"low", number_json(c.low)},
+                       {"high", number_json(c.high)},
+                       {"step", number_json(c.step)},
+                       {"at", number_json(c.at)},
+                       {"choices", json::array(choices)},
+                       {"current", c.current ? std::to_string(*c.current) : "null"}});
 }
 
 }  // namespace
@@ -110,25 +130,17 @@ void cover_controls(const Rect& place) {
 
 const std::vector<Control>& controls() { return listed.of_pass; }
 
-std::string controls_text(double zoom) {
-  constexpr std::string_view kinds[] = {"button", "toggle", "number", "slider", "choice", "text"};
-  static_assert(std::size(kinds) == static_cast<std::size_t>(ControlKind::end_of_kinds));
-  std::string text;
-  for (const Control& c : listed.of_pass) {
-    text += kinds[static_cast<std::size_t>(c.kind)];
-    for (const std::string* field : {&c.card, &c.name, &c.label, &c.value, &c.setting})
-      append_field(text, *field);
-    append_field(text, c.enabled ? "1" : "0");
-    append_field(text, c.on ? "1" : "0");
-    append_rectangle(text, c.place, zoom);
-    append_rectangle(text, c.window, zoom);
-    for (const double value : {c.low, c.high, c.step, c.at}) append_field(text, shortest(value));
-    append_field(text, c.current ? std::to_string(*c.current) : std::string());
-    append_field(text, c.exact);
-    for (const std::string& choice : c.choices) append_field(text, choice);
-    text += '\n';
-  }
-  return text;
+std::string place_json(const Rect& place, double zoom) {
+  return json::object({{"left", json::number(place.left * zoom)},
+                       {"top", json::number(place.top * zoom)},
+                       {"width", json::number(place.width() * zoom)},
+                       {"height", json::number(place.height() * zoom)}});
+}
+
+std::string controls_json(double zoom) {
+  std::vector<std::string> all;
+  for (const Control& control : listed.of_pass) all.push_back(control_json(control, zoom));
+  return json::array(all);
 }
 
 void ask_control(ControlRequest what, std::string card, std::string name, double value) {

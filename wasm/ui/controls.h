@@ -71,9 +71,9 @@ void cover_controls(const Rect& place);
 // The controls of the last pass, in the order in which they were laid out.
 const std::vector<Control>& controls();
 
-// All of them as text: a line for each, its fields parted by tabs. web/mirror/mirror.js reads it. Their
-// places are multiplied by `zoom`: into pixels of the canvas.
-std::string controls_text(double zoom);
+// All of them as JSON, which web/mirror reads; and a place. Places are multiplied by `zoom`: into pixels of the canvas.
+std::string controls_json(double zoom);
+std::string place_json(const Rect& place, double zoom);
 
 // Asks something of the control with this name on this card, to be done in the next pass: to press it; to choose one of its
 // choices or to move it, by `value`; to scroll its card until it is seen; to move it and press it: a number that is typed

@@ -11,15 +11,12 @@ const tasks = {
   measure: (program, { set, name, text, method }) => program.text("experiment_measure", set, name, text, method),
   refuse: (program, { set, name, problem }) => program.text("experiment_refuse", set, name, problem),
   optimum(program, { link, seconds }) {
-    const lines = program.text("optimum_compare", link, seconds);
-    return {
-      lines,
-      pictures: lines.startsWith("problem") ? [] : [0, 1].map((best) => program.text("optimum_picture", best)),
-    };
+    const found = program.json("optimum_compare", link, seconds);
+    return { found, pictures: found.problem ? [] : [0, 1].map((best) => program.text("optimum_picture", best)) };
   },
   results(program, { parts, onePolygon }) {
     for (const part of parts) if (!program.number("experiment_add", part)) throw new Error("a part cannot be read");
-    return JSON.parse(program.text("experiment_results", onePolygon ? 1 : 0));
+    return program.json("experiment_results", onePolygon ? 1 : 0);
   },
 };
 

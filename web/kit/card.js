@@ -62,17 +62,18 @@ export async function openCard(page, { name, title, body, closed, focus = false,
     closed?.(byPerson);
   }
   const place = () =>
-    `${page.program.text("page_card_seat")} ${page.program.number("page_zoom")} ${page.program.number("page_presenting")}`;
+    `[${page.program.text("page_card_seat")},${page.program.number("page_zoom")},${page.program.number("page_presenting")}]`;
   let placed;
   const seat = () => {
     if (leave.signal.aborted) return;
     placed = place();
-    const [left, top, right, bottom, zoom, presenting] = placed.trim().split(/ +/).map(Number);
-    const width = Math.min((right - left) / zoom, widest);
+    const [at, zoom, presenting] = JSON.parse(placed);
+    const bottom = at.top + at.height;
+    const width = Math.min(at.width / zoom, widest);
     root.style.scale = zoom;
-    root.style.left = `${(left + right - width * zoom) / 2}px`;
+    root.style.left = `${at.left + (at.width - width * zoom) / 2}px`;
     root.style.width = `${width}px`;
-    root.style.maxHeight = `${(bottom - top) / zoom}px`;
+    root.style.maxHeight = `${at.height / zoom}px`;
     root.classList.toggle("in-a-row", width >= 600);
     root.classList.toggle("before-a-room", presenting === 1);
     const height = root.offsetHeight * zoom;
@@ -88,12 +89,15 @@ export async function openCard(page, { name, title, body, closed, focus = false,
   signal.addEventListener("abort", () => follow.disconnect());
   // A list of the panels is drawn on the canvas, below this card, and yet has to be seen.
   const giveWay = () => {
-    const [left, top, right, bottom] = page.program.text("page_open_list").trim().split(" ").map(Number);
+    const list = page.program.json("page_open_list");
     const card = root.getBoundingClientRect();
-    root.classList.toggle(
-      "gives-way",
-      bottom > card.top && top < card.bottom && right > card.left && left < card.right,
-    );
+    const covers =
+      list &&
+      list.top + list.height > card.top &&
+      list.top < card.bottom &&
+      list.left + list.width > card.left &&
+      list.left < card.right;
+    root.classList.toggle("gives-way", Boolean(covers));
   };
   page.pictures.addEventListener(
     "drawn",

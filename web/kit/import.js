@@ -3,8 +3,6 @@ import { coreModule } from "./core_module.js";
 
 const reader = coreModule(() => import("./import_core.js"));
 
-const lines = (text) => text.split("\n").filter(Boolean);
-
 let last; // which text the module holds
 
 // Reads a text; `tolerance` is the distance between curves and edges, or 0 for the usual one. Returns { problem }, a
@@ -33,13 +31,13 @@ export async function readShapes(text, tolerance = 0) {
     name: program.text("import_name", i),
     description: program.text("import_describe", i),
     tolerance: program.number("import_tolerance", i),
-    outline: () => lines(asked("import_outline", i)).map((line) => line.split(" ").map(Number)),
+    outline: () => JSON.parse(asked("import_outline", i)),
     text: (withSettings) => asked("import_text", i, withSettings ? 1 : 0),
   });
   return {
     format: program.text("import_format"),
     unit: program.text("import_unit"),
-    notes: lines(program.text("import_notes")),
+    notes: program.json("import_notes"),
     shapes: Array.from({ length: program.number("import_count") }, shape),
   };
 }

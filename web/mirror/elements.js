@@ -149,7 +149,7 @@ export function showControl(entry, control) {
   const { element } = entry,
     changed = entry.control.value !== control.value;
   entry.control = control;
-  for (const side of ["left", "top", "width", "height"]) element.style[side] = `${control[side]}px`;
+  for (const side of ["left", "top", "width", "height"]) element.style[side] = `${control.place[side]}px`;
   if (control.kind === "text") {
     const words = `${control.label}: ${control.value}`;
     if (element.textContent !== words) element.textContent = words;
@@ -158,7 +158,7 @@ export function showControl(entry, control) {
   setAttribute(element, "aria-label", control.label);
   showEnabled(entry);
   element.classList.toggle("unseen", !control.seen);
-  if (control.kind === "toggle") setAttribute(element, "aria-pressed", String(control.on === 1));
+  if (control.kind === "toggle") setAttribute(element, "aria-pressed", String(control.on));
   if (control.kind === "choice") showChoices(element, control);
   if (control.kind === "slider") {
     Object.assign(element, { min: control.low, max: control.high, step: control.step });

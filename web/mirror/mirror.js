@@ -2,7 +2,7 @@
 // and invisible until it has the focus. So keyboards and screen readers reach every control, and a
 // number is typed in a field of the browser's own.
 import { createElement, showControl } from "./elements.js";
-import { readControls } from "./controls.js";
+import { withKeys } from "./controls.js";
 import { settingValue, typedProblem, unitOf } from "./typed.js";
 
 // Each card of the panels (begin_card() in wasm/panels), in the order of reading, with its name for
@@ -61,7 +61,7 @@ export function createMirror(program, field, notice) {
   canvas.after(root);
   const groups = new Map([...cards].map(([card, name]) => [card, createGroup(name)]));
   root.append(...groups.values());
-  const shown = new Map(); // by key; see readControls()
+  const shown = new Map(); // by key; see withKeys()
   let last = "";
 
   // Leads back to the drawing.
@@ -181,7 +181,7 @@ export function createMirror(program, field, notice) {
     const text = program.text("page_controls");
     if (text !== last) {
       last = text;
-      update(readControls(text));
+      update(withKeys(JSON.parse(text)));
     }
     focusAwaited();
   };

@@ -54,11 +54,7 @@ function point(x, y) {
 }
 
 // The place of a control; null if no control of that name is shown.
-function place(text) {
-  if (!text) return null;
-  const [x, y, width, height] = text.trim().split(" ").map(Number);
-  return { x, y, width, height };
-}
+const place = (control) => control && { x: control.left, y: control.top, width: control.width, height: control.height };
 
 export function createApi() {
   let program;
@@ -73,7 +69,7 @@ export function createApi() {
 
   const evenlift = {
     ready,
-    state: () => JSON.parse(running().text("page_state")),
+    state: () => running().json("page_state"),
     load(text) {
       if (typeof text !== "string") throw new Error("load() takes a text: a link or a polygon");
       if (isLesson(text)) return loadLesson(running(), text);
@@ -93,7 +89,7 @@ export function createApi() {
     view: Object.freeze({
       to_screen: (x, y) => point(running().number("page_screen_x", x, y), program.number("page_screen_y", x, y)),
       to_world: (px, py) => point(running().number("page_world_x", px, py), program.number("page_world_y", px, py)),
-      control: (name) => place(running().text("page_control", String(name))),
+      control: (name) => place(running().json("page_control", String(name))),
     }),
   };
   return {

@@ -1,4 +1,4 @@
-// Undo survives a reload: the newest steps are kept in the browser, as a line for each
+// Undo survives a reload: the newest steps are kept in the browser, as a line `EDIT METHOD LINK` for each
 // (wasm/page/page_api.cpp), `<` before those to be undone, `>` before those to be redone, the
 // nearest first; and before them `=`, the method that the document is compared with, and its link.
 // They are kept beside the work to which they belong (publisher.js). Loaded after the first
@@ -15,11 +15,13 @@ function lines(program, most) {
   let left = most;
   for (const redo of [0, 1]) {
     for (let i = 0; all.length < mostSteps; ++i) {
-      const step = program.text("page_kept_step", redo, i);
-      left -= step.length + 3;
+      const step = program.json("page_kept_step", redo, i);
+      if (!step) break;
+      const line = `${"<>"[redo]} ${step.edit} ${step.method} ${step.link}`;
+      left -= line.length + 1;
       // Beyond a polygon that is too large for a link nothing is kept.
-      if (!step || left < 0 || (step.endsWith(" ") && most < Infinity)) break;
-      all.push(`${"<>"[redo]} ${step}`);
+      if (left < 0 || (!step.link && most < Infinity)) break;
+      all.push(line);
     }
   }
   return all;

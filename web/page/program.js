@@ -1,4 +1,4 @@
-// Calls into the program: texts, bytes and numbers in, texts and numbers out.
+// Calls into the program: texts, bytes and numbers in, texts, JSON and numbers out.
 
 // The functions that open a text.
 const opening = ["page_load", "page_open_link", "page_open_sample", "page_open_lesson"];
@@ -52,6 +52,12 @@ export class Program {
 
   text(name, ...args) {
     return this.#module.UTF8ToString(this.call(name, ...args));
+  }
+
+  // Nothing of a text that is empty.
+  json(name, ...args) {
+    const text = this.text(name, ...args);
+    return text ? JSON.parse(text) : null;
   }
 
   get stopped() {

@@ -57,7 +57,7 @@ const tidy = (value) => Number(value.toPrecision(6));
 
 // Where the picture lies in the polygon's coordinates: its lower left corner, and the size of a pixel.
 function lie({ program }) {
-  const [left, bottom, width] = program.text("page_backdrop_place").split(" ").map(Number);
+  const { left, bottom, width } = program.json("page_backdrop_place");
   return { left, bottom, unit: width / photo.image.naturalWidth };
 }
 

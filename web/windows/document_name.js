@@ -14,7 +14,8 @@ export function isSame(program, text, outline) {
       .trimEnd()
       .split("\n")
       .filter((line) => !/^(com|#)/i.test(line.trim())).length;
-  return vertices(text) === outline.trimEnd().split("\n").length - 1 && program.text("page_outline", text) === outline;
+  const count = outline ? JSON.parse(outline).vertices.length : 0;
+  return vertices(text) === count && program.text("page_outline", text) === outline;
 }
 
 export const ownOutline = (program) => program.text("page_outline", program.text("page_text"));

@@ -11,18 +11,13 @@ const height = 64;
 
 // The polygon of a text with its centre of mass, as the program reads them.
 function thumbnail(program, text) {
-  const all = program
-    .text("page_outline", text)
-    .trimEnd()
-    .split("\n")
-    .map((line) => line.split(" ").map(Number));
-  const [centre, ...points] = all;
-  const place = fitted(all, width, height, 4);
+  const { centre, vertices } = program.json("page_outline", text);
+  const place = fitted([centre, ...vertices], width, height, 4);
   const [cx, cy] = place(centre);
   return svgEl(
     "svg",
     { viewBox: `0 0 ${width} ${height}`, "aria-hidden": "true" },
-    svgEl("polygon", { points: points.map(place).join(" ") }),
+    svgEl("polygon", { points: vertices.map(place).join(" ") }),
     svgEl("circle", { cx, cy, r: 3 }),
   );
 }

@@ -9,51 +9,8 @@ import { openLessonOf } from "./lesson_watch.js";
 
 const handoutModule = coreModule(() => import("./handout_core.js"));
 
-// "x y x y …" as points.
-function points(text) {
-  const numbers = text ? text.split(" ").map(Number) : [];
-  return Array.from({ length: numbers.length / 2 }, (_, i) => numbers.slice(2 * i, 2 * i + 2));
-}
-
 // The paragraphs of a teacher's words.
-const paragraphs = (words) => (words ? unbroken(words).split("\v") : []);
-
-function readStep([, chapter, caption, formula, words]) {
-  return {
-    chapter,
-    caption: unbroken(caption),
-    formula,
-    inWords: paragraphs(words),
-    base: [],
-    candidates: [],
-    teams: [],
-    figures: [],
-    robots: [],
-    words: [],
-  };
-}
-
-// The lines of handout_steps() as { width, height, disc, polygon, centre, steps, question, answer }.
-function readHandout(text) {
-  const handout = { steps: [] };
-  for (const line of text.trimEnd().split("\n")) {
-    const [what, ...parts] = line.split("\t");
-    const step = handout.steps.at(-1);
-    if (what === "problem") throw new Error(parts[0]);
-    if (what === "paper") [handout.width, handout.height, handout.disc] = parts.map(Number);
-    else if (what === "polygon" || what === "centre") handout[what] = points(parts[0]);
-    else if (what === "question" || what === "answer") handout[what] = paragraphs(parts[0]);
-    else if (what === "step") handout.steps.push(readStep(parts));
-    else if (what === "base") step.base = points(parts[0]);
-    else if (what === "candidate") step.candidates.push(points(parts[0]));
-    else if (what === "team") step.teams.push(points(parts[0]));
-    else if (what === "figure")
-      step.figures.push({ kind: parts[0], number: parts[1], value: Number(parts[2]), points: points(parts[3]) });
-    else if (what === "robot") step.robots.push({ number: parts[0], at: points(parts[1])[0] });
-    else if (what === "words") step.words.push({ text: parts[0], at: points(parts[1])[0] });
-  }
-  return handout;
-}
+const paragraphs = (words) => (words ? unbroken(words).split("\n") : []);
 
 // "5. Candidates (2 of 4)": each step has a title of its own, though a chapter may have several.
 function titleOfStep({ steps }, step) {
@@ -71,8 +28,8 @@ function figureOf(handout, step) {
       "figcaption",
       {},
       el("b", {}, titleOfStep(handout, step)),
-      ...step.inWords.map((words) => el("p", {}, words)),
-      el("p", { class: step.inWords.length ? "own" : "" }, step.caption),
+      ...paragraphs(step.in_words).map((words) => el("p", {}, words)),
+      el("p", { class: step.in_words ? "own" : "" }, unbroken(step.caption)),
       step.formula ? el("p", { class: "formula" }, step.formula) : "",
     ),
   );
@@ -86,11 +43,11 @@ function questionOf({ question, answer }) {
       "section",
       { class: "paper-question" },
       el("h3", {}, "A question"),
-      ...question.map((words) => el("p", {}, words)),
+      ...paragraphs(question).map((words) => el("p", {}, words)),
       el(
         "div",
         { class: "upside-down", role: "group", "aria-label": "The answer" },
-        ...answer.map((words) => el("p", {}, words)),
+        ...paragraphs(answer).map((words) => el("p", {}, words)),
       ),
     ),
   ];
@@ -130,7 +87,8 @@ export async function show(page) {
   if (!root) return;
   try {
     if (!link) throw new Error(`there is no link of this polygon: ${program.text("page_link_problem")}`);
-    const handout = readHandout((await handoutModule()).text("handout_steps", link, lesson?.text ?? ""));
+    const handout = (await handoutModule()).json("handout_steps", link, lesson?.text ?? "");
+    if (handout.problem) throw new Error(handout.problem);
     const figures = handout.steps.map((step) => figureOf(handout, step));
     pages.replaceChildren(
       el("h2", { class: "paper-title" }, title),

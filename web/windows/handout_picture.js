@@ -82,7 +82,7 @@ const numbered = ([cx, cy], number, disc, look) => [
 ];
 
 // A picture of a step. Lines and regions that go on beyond the paper are cut off by it.
-export function picture({ width, height, disc, polygon, centre: [[cx, cy]] }, step) {
+export function picture({ width, height, disc, polygon, centre: [cx, cy] }, step) {
   return svgEl(
     "svg",
     { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": step.caption, class: "paper" },

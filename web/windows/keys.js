@@ -9,11 +9,8 @@ const onMac = /Mac|iPhone|iPad/.test(navigator.platform);
 
 function rows(program) {
   return program
-    .text("page_keys")
-    .trimEnd()
-    .split("\n")
-    .map((line) => line.split("\t"))
-    .map(([group, key, label]) => ({ group: groups[group], key: onMac ? key.replace("Ctrl", "Cmd") : key, label }));
+    .json("page_keys")
+    .map(({ group, key, label }) => ({ group: groups[group], key: onMac ? key.replace("Ctrl", "Cmd") : key, label }));
 }
 
 // "Ctrl+Z" as <kbd>Ctrl</kbd>+<kbd>Z</kbd>.

@@ -37,8 +37,8 @@ title: My lesson
   const about = (steps) => `${begin}${own ? `link: ${link}` : "polygon: trapezium"}\n\n${inText(steps)}`;
   // The sample is taken by area, which has no others than these.
   const ofSample = new Set(["centre", "vertex 1", "candidates", "team 1", "end"]);
-  const there = own ? program.text("page_steps_that_exist", about(firstSteps)) : "";
-  return `${about(firstSteps.filter(([address], i) => (there ? there[i] === "1" : ofSample.has(address))))}
+  const there = own ? program.json("page_steps_that_exist", about(firstSteps)) : null;
+  return `${about(firstSteps.filter(([address], i) => (there ? there[i] : ofSample.has(address))))}
 # On the card at the end. The answer is shown when it is asked for.
 [question]
 What could they find out by themselves?

@@ -28,11 +28,8 @@ export function openLessonOf(program) {
   return playing?.lesson.text && program.number("page_script") === 2 ? playing.lesson : undefined;
 }
 
-// How a walkthrough stands; undefined if none is open.
-export function standing(program) {
-  const [at, count, guesses, right, step, told, passed] = program.text("page_lesson").trim().split(" ").map(Number);
-  return count ? { at, count, guesses, right, step, told, passed } : undefined;
-}
+// How a walkthrough stands (wasm/page/lesson_api.cpp); null if none is open.
+export const standing = (program) => program.json("page_lesson");
 
 // Opens a lesson, with the text of the polygon that it names, if it names one; with `join` for the
 // document that is open. Returns why it was refused, or nothing.

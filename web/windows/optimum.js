@@ -8,17 +8,6 @@ import { el } from "../kit/elements.js";
 // closes the window.
 const seconds = 20;
 
-function readLines(text) {
-  const found = { rows: [], said: [] };
-  for (const line of text.trimEnd().split("\n")) {
-    const [what, ...parts] = line.split("\t");
-    if (what === "problem") throw new Error(parts[0]);
-    if (what === "row") found.rows.push(parts);
-    else found.said.push(parts[0]);
-  }
-  return found;
-}
-
 function table(rows) {
   const cells = (kind, texts) => el("tr", {}, ...texts.map((text) => el(kind, {}, text)));
   return el(
@@ -69,8 +58,9 @@ export async function show(page) {
   if (!root) return;
   try {
     if (!link) throw new Error(`there is no link of this polygon: ${program.text("page_link_problem")}`);
-    const { lines, pictures } = await askWorker("optimum", { link, seconds }, stop.signal);
-    const { rows, said } = readLines(lines);
+    const { found: compared, pictures } = await askWorker("optimum", { link, seconds }, stop.signal);
+    if (compared.problem) throw new Error(compared.problem);
+    const { rows, said } = compared;
     found.replaceChildren(
       el("div", { class: "pair" }, ...pictures.map((svg, i) => picture(svg, rows[i][0], urls))),
       table(rows),

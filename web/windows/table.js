@@ -100,16 +100,10 @@ class Table {
   }
 
   #text() {
-    const lines = (text) =>
-      text
-        .trim()
-        .split("\n")
-        .map((line) => `(${line.replace(" ", ",")})\n`);
+    const line = ([x, y]) => `(${x},${y})\n`;
     const count = this.#program.number("page_vertex_count");
-    const centre = this.#program.number("page_centre_is_given")
-      ? `CoM:${lines(this.#program.text("page_centre"))[0]}`
-      : "";
-    return centre + lines(this.#program.text("page_vertices", 0, count)).join("");
+    const centre = this.#program.number("page_centre_is_given") ? `CoM:${line(this.#program.json("page_centre"))}` : "";
+    return centre + this.#program.json("page_vertices", 0, count).map(line).join("");
   }
 
   // --- Rows --------------------------------------------------------------------------------------
@@ -216,17 +210,13 @@ class Table {
       this.body.replaceChildren(...this.#rows.map(({ row }) => row));
     }
     const hovered = program.number("page_hovered_vertex");
-    program
-      .text("page_vertices", this.#from, shown)
-      .trimEnd()
-      .split("\n")
-      .forEach((line, i) => {
-        const { row, inputs, remove, vertex } = this.#rows[i];
-        write(inputs, line);
-        row.className = vertex === selected ? "selected" : vertex === hovered ? "hovered" : "";
-        remove.disabled = count <= 3;
-      });
-    write(this.centre.inputs, program.text("page_centre").trimEnd());
+    program.json("page_vertices", this.#from, shown).forEach((point, i) => {
+      const { row, inputs, remove, vertex } = this.#rows[i];
+      write(inputs, point);
+      row.className = vertex === selected ? "selected" : vertex === hovered ? "hovered" : "";
+      remove.disabled = count <= 3;
+    });
+    write(this.centre.inputs, program.json("page_centre"));
     this.centre.release.disabled = !program.number("page_centre_is_given");
     this.refusal.say(program.text("page_refusal"));
     this.pager.hidden = count <= most;
@@ -320,9 +310,9 @@ class Table {
 const digits = 9;
 const rounded = (value) => (value.length > digits + 2 ? String(Number(Number(value).toPrecision(digits - 1))) : value);
 
-// Writes `x y` into two fields, except into one in which somebody is typing.
-function write(inputs, line) {
-  line.split(" ").forEach((value, axis) => {
+// Writes a point into two fields, except into one in which somebody is typing.
+function write(inputs, point) {
+  point.map(String).forEach((value, axis) => {
     const input = inputs[axis];
     if (input.dataset.is === value) return;
     const untouched = !input.dataset.is || input.value === input.dataset.is || input.value === input.dataset.shown;

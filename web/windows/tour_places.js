@@ -1,7 +1,5 @@
 // Where things are on the screen that the tour points at. Places are in CSS pixels.
-import { listedControls } from "../mirror/controls.js";
-
-const numbers = (text) => text.trim().split(" ").map(Number);
+import { isSeen } from "../mirror/controls.js";
 
 // Sizes of what is drawn, in CSS pixels, as wasm/marks has them. A ring about a robot stands
 // between its mark and the number beside it.
@@ -15,9 +13,9 @@ const away = ([x, y], [u, v]) => Math.hypot(x - u, y - v);
 
 // Some of the vertices, if there are very many.
 function corners(program) {
-  const all = program.text("page_vertices", 0, program.number("page_vertex_count")).trimEnd().split("\n");
+  const all = program.json("page_vertices", 0, program.number("page_vertex_count"));
   const every = Math.ceil(all.length / 200);
-  return all.filter((_, i) => i % every === 0).map(numbers);
+  return all.filter((_, i) => i % every === 0);
 }
 
 // The convex hull of points, counter-clockwise where y goes up.
@@ -73,21 +71,8 @@ function sharpness([ax, ay], [bx, by], [cx, cy]) {
   return 1 - ((bx - ax) * (cx - bx) + (by - ay) * (cy - by)) / (lengths || 1);
 }
 
-// The controls of the canvas with these names: their cards, their places and the parts of the cards
-// that are seen, each as [x, y, width, height].
-function controls(program, names) {
-  return listedControls(program.text("page_controls"))
-    .filter(({ name }) => names.includes(name))
-    .map((c) => ({
-      card: c.card,
-      name: c.name,
-      place: [c.left, c.top, c.width, c.height],
-      seen: [c.windowLeft, c.windowTop, c.windowWidth, c.windowHeight],
-    }));
-}
-
-const isSeen = ({ place: [x, y, width, height], seen: [left, top, wide, high] }) =>
-  x >= left && y >= top && x + width <= left + wide && y + height <= top + high;
+// The controls of the canvas with these names.
+const controls = (program, names) => program.json("page_controls").filter(({ name }) => names.includes(name));
 
 // Scrolls the panel until the controls of a stop are seen.
 export function reveal({ program }, { controls: names = [] }) {
@@ -151,11 +136,11 @@ export function look({ program }) {
     // Those of these controls that are seen, as one.
     controls(...names) {
       const boxes = controls(program, names)
-        .map(({ place: [x, y, width, height], seen: [left, top, wide, high] }) => [
-          Math.max(x - 4, left),
-          Math.max(y - 4, top),
-          Math.min(x + width + 4, left + wide),
-          Math.min(y + height + 4, top + high),
+        .map(({ place, window }) => [
+          Math.max(place.left - 4, window.left),
+          Math.max(place.top - 4, window.top),
+          Math.min(place.left + place.width + 4, window.left + window.width),
+          Math.min(place.top + place.height + 4, window.top + window.height),
         ])
         .filter(([left, top, right, bottom]) => right - left > 12 && bottom - top > 12);
       if (!boxes.length) return [];

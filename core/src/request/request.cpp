@@ -7,11 +7,11 @@
 #include "evenlift/experiment/outputs.h"
 #include "evenlift/link.h"
 #include "evenlift/output/json.h"
+#include "evenlift/output/json_text.h"
 #include "evenlift/output/svg.h"
 #include "evenlift/output/words.h"
 #include "evenlift/placement.h"
 #include "evenlift/settings.h"
-#include "output/json/json_text.h"
 #include "request/read_request.h"
 
 namespace evenlift {

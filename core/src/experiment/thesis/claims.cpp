@@ -1,10 +1,10 @@
 #include "evenlift/experiment/claims.h"
 
 #include "evenlift/experiment/figures.h"
+#include "evenlift/output/json_text.h"
 #include "evenlift/output/words.h"
 #include "experiment/thesis/claims_sections.h"
 #include "experiment/thesis/markdown.h"
-#include "output/json/json_text.h"
 
 namespace evenlift::experiment {
 namespace claims {

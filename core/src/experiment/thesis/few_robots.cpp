@@ -1,8 +1,8 @@
 #include "evenlift/experiment/few_robots.h"
 
+#include "evenlift/output/json_text.h"
 #include "evenlift/output/words.h"
 #include "experiment/thesis/markdown.h"
-#include "output/json/json_text.h"
 
 namespace evenlift::experiment {
 namespace {

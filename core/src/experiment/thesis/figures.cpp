@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "evenlift/experiment/algorithm_average.h"
+#include "evenlift/output/json_text.h"
 #include "experiment/thesis/sentences.h"
-#include "output/json/json_text.h"
 
 namespace evenlift::experiment {
 namespace {

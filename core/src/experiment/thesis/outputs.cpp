@@ -1,6 +1,6 @@
 #include "evenlift/experiment/outputs.h"
 
-#include "output/json/json_text.h"
+#include "evenlift/output/json_text.h"
 
 namespace evenlift::experiment {
 

@@ -1,4 +1,4 @@
-#include "output/json/json_text.h"
+#include "evenlift/output/json_text.h"
 
 #include "evenlift/numbers.h"
 

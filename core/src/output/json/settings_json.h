@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "evenlift/output/json_text.h"
 #include "evenlift/settings.h"
-#include "output/json/json_text.h"
 
 namespace evenlift::json {
 

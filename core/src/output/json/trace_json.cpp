@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "evenlift/output/json_text.h"
 #include "evenlift/output/trace_words.h"
-#include "output/json/json_text.h"
 
 namespace evenlift {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "evenlift/numbers.h"
+#include "evenlift/output/json_text.h"
 #include "evenlift/placed_robots.h"
-#include "output/json/json_text.h"
 
 namespace evenlift {
 namespace {
