@@ -1,4 +1,5 @@
-// The functions of evenlift.h. Nothing of C++ passes them: no exception, and no memory that C cannot give back.
+// The functions of evenlift.h. Nothing of C++ passes them: no exception, and no memory that C
+// cannot give back.
 #include <cstdlib>
 #include <cstring>
 #include <new>

@@ -15,9 +15,10 @@ struct RunOutcome {
   std::vector<Failure> refused;  // what could not be read, by the polygons' names
 };
 
-// Measures the shard's part of all the files, every n-th: first what is largest, in `jobs` threads (in
-// WebAssembly one after another). What the folder holds already of the same polygon and settings is
-// not measured again. Ends with the shard's list. Throws Failure if the folder cannot be written.
+// Measures the shard's part of all the files, every n-th: first what is largest, in `jobs` threads
+// (in WebAssembly one after another). What the folder holds already of the same polygon and
+// settings is not measured again. Ends with the shard's list. Throws Failure if the folder cannot
+// be written.
 RunOutcome run_experiment(const std::vector<PolygonFile>& all, const experiment::Shard& shard,
                           const experiment::ExperimentSettings& settings, unsigned jobs,
                           const ExperimentFolder& folder);

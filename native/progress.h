@@ -28,8 +28,8 @@ class Progress {
 };
 
 // From half a second on says on standard error what takes so long, and for how long, if that is a
-// terminal. A search has no total that it is sure to reach, so there is no share. A thread of its own
-// draws: what is computed need not know of it, and is the same without.
+// terminal. A search has no total that it is sure to reach, so there is no share. A thread of its
+// own draws: what is computed need not know of it, and is the same without.
 class Waiting {
  public:
   explicit Waiting(std::string what);

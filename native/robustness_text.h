@@ -20,8 +20,8 @@ struct RobustnessOptions {
   void declare(CommandLine& line);
 };
 
-// The values of these options, and what the document says of doubt. Throws Failure naming the option
-// where they are none.
+// The values of these options, and what the document says of doubt. Throws Failure naming the
+// option where they are none.
 struct RobustnessAsked {
   RobustnessAsked(const RobustnessOptions& options, const Shown& shown);
 

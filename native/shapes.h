@@ -17,9 +17,9 @@ struct ShapeOptions {
   void declare(CommandLine& line);
 };
 
-// Reads the text and takes the shape that is meant, or the only one. What was left out or decided is
-// said on standard error, a line each. Throws Failure; if no shape is named and there are several, it
-// lists them.
+// Reads the text and takes the shape that is meant, or the only one. What was left out or decided
+// is said on standard error, a line each. Throws Failure; if no shape is named and there are
+// several, it lists them.
 Document choose_shape(const std::string& text, const std::string& source,
                       const ShapeOptions& options);
 

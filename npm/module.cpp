@@ -16,7 +16,8 @@ EMSCRIPTEN_KEEPALIVE void* evenlift_room(std::size_t bytes) { return std::malloc
 
 EMSCRIPTEN_KEEPALIVE void evenlift_free(void* room) { std::free(room); }
 
-// The answer to a request of so many bytes, ended by a zero byte, for evenlift_free(); 0 if there is no room for it.
+// The answer to a request of so many bytes, ended by a zero byte, for evenlift_free(); 0 if there
+// is no room for it.
 EMSCRIPTEN_KEEPALIVE char* evenlift_answer(const char* request, std::size_t bytes) {
   const std::string answer = evenlift::answer(std::string_view(request, bytes));
   auto* copy = static_cast<char*>(std::malloc(answer.size() + 1));

@@ -32,9 +32,9 @@ double imbalance(const Object& object, const std::vector<Point>& robots);
 // The part of the object in the robots' convex hull.
 double coverage(const Object& object, const std::vector<Point>& robots);
 
-// The least distance of the origin from a facet of the contacts' wrenches, negative if it is outside;
-// nothing if they have no volume. It is the margin if it is not negative. Contacts nearer than `clear` to a
-// corner do not count.
+// The least distance of the origin from a facet of the contacts' wrenches, negative if it is
+// outside; nothing if they have no volume. It is the margin if it is not negative. Contacts nearer
+// than `clear` to a corner do not count.
 std::optional<double> margin(const Object& object, const std::vector<Point>& robots,
                              double clear = 0);
 

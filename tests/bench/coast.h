@@ -7,8 +7,8 @@
 
 namespace evenlift::bench {
 
-// A coast of 20,480 vertices: each side of a pentagon is bent in its middle, by up to a sixth of its
-// length, and so on.
+// A coast of 20,480 vertices: each side of a pentagon is bent in its middle, by up to a sixth of
+// its length, and so on.
 inline Document coast() {
   Rng rng(seed);
   Document document;

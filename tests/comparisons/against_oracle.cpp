@@ -179,8 +179,9 @@ class Comparison {
   oracle::ClosestCall verdicts(Differences& d, const oracle::CandidateList& list,
                                const std::vector<std::size_t>& teams, double rounded) const {
     const oracle::Judgement exact = oracle::judge(case_.problem, list, teams);
-    // Of several corners of H in a row, each within tau L of the line of its neighbours, one or the other
-    // may be left out. In an object that is nearly as thin as that, this shows in the coverage.
+    // Of several corners of H in a row, each within tau L of the line of its neighbours, one or the
+    // other may be left out. In an object that is nearly as thin as that, this shows in the
+    // coverage.
     const double area = core_.polygon.area(), square = size_ * size_;
     hull(d, exact.hull, 2e-9);
     d.near("coverage", core_.coverage, exact.coverage,
@@ -223,8 +224,8 @@ class Comparison {
              double rounded) const {
     d.same("loads", core_.loads.has_value(), exact.has_value());
     if (!core_.loads || !exact) return;
-    // The core takes shares from its arms, which are more precise than the ends of a chord that is hardly longer than their
-    // rounding.
+    // The core takes shares from its arms, which are more precise than the ends of a chord that is
+    // hardly longer than their rounding.
     double shortest = size_;
     for (const evenlift::Team& team : core_.teams)
       shortest = std::min(shortest, length(ends(chord_of(team))));
@@ -337,8 +338,8 @@ Finding compare_vertex_chords(const Case& c) {
   std::ostringstream s;
   if (chords->size() != exact.size())
     s << "vertex-chords: core " << chords->size() << ", oracle " << exact.size() << "\n";
-  // Each of the oracle's has one of the core's for its own: the nearest, since those that one of them may be are not always those
-  // that another may be.
+  // Each of the oracle's has one of the core's for its own: the nearest, since those that one of
+  // them may be are not always those that another may be.
   std::vector<bool> used(chords->size(), false);
   int missing = 0;
   for (const auto& want : exact) {

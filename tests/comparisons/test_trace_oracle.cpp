@@ -96,8 +96,8 @@ void check_pair(const Trace& trace, std::uint32_t index, int& certain) {
     return;
   }
   REQUIRE(detail.meeting);
-  // The bisecting chord is in the sections if and only if 1 lies between g0 and g1: exactly. Otherwise only an even chord between
-  // two vertices, at a section end, counts as one.
+  // The bisecting chord is in the sections if and only if 1 lies between g0 and g1: exactly.
+  // Otherwise only an even chord between two vertices, at a section end, counts as one.
   const bool in_sections = (g0 - 1) * (g1 - 1) <= 0;
   if (detail.outcome == Outcome::bisecting) {
     const double ratio = detail.chosen.ratio;

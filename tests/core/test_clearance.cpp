@@ -81,7 +81,8 @@ TEST_CASE("a flattened curve has no corners: only a turn of more than 15 degrees
 TEST_CASE("the clearance is the greatest distance from corners with which the rest still holds",
           "[closure][clearance]") {
   const Polygon p = polygon(square);
-  // Without the pairs that are 0.25 from corners nothing stops it from sliding along the two other sides.
+  // Without the pairs that are 0.25 from corners nothing stops it from sliding along the two other
+  // sides.
   const Closure pairs = of_pairs(p, 0.25, 0.75);
   REQUIRE(pairs.form_closure);
   CHECK(pairs.clearance.distance == 0.25);
@@ -140,7 +141,8 @@ TEST_CASE("a hold by a hair is form closure, but none that reaches its goal",
 
 namespace {
 
-// Moves a robot along the outline, over the ends of its edge; one that comes to a notch stays in front of it.
+// Moves a robot along the outline, over the ends of its edge; one that comes to a notch stays in
+// front of it.
 LiftingPoint moved_along(const Polygon& p, LiftingPoint robot, double way) {
   const double inside = 1e-7 * p.diameter();
   while (true) {
@@ -159,8 +161,8 @@ LiftingPoint moved_along(const Polygon& p, LiftingPoint robot, double way) {
   }
 }
 
-// Robots that are all off by less than the tolerance, in some way. A robot that is nearer to a convex vertex
-// than that may go round it, and one in a notch stays there.
+// Robots that are all off by less than the tolerance, in some way. A robot that is nearer to a
+// convex vertex than that may go round it, and one in a notch stays there.
 std::vector<LiftingPoint> disturbed(const Placement& placement, std::mt19937_64& rng, bool worst) {
   // Less by what closure itself is decided within.
   const double tolerance = (1 - 1e-3) * placement.closure.clearance.tolerance -

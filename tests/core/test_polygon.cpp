@@ -174,7 +174,8 @@ TEST_CASE("whatever of the thinnest polygons can be placed has finite results", 
 
 TEST_CASE("points that all lie within a distance of one line have a hull without area",
           "[polygon][hull]") {
-  // They are within 1 of the line y = 0, and one of them is 2 away from the line through the others.
+  // They are within 1 of the line y = 0, and one of them is 2 away from the line through the
+  // others.
   const Points points{{0, 1}, {5, -1}, {10, 1}};
   CHECK(convex_hull(points, 1) == Points{{0, 1}, {10, 1}});
   CHECK(convex_hull(points, 0.99).size() == 3);

@@ -58,7 +58,8 @@ inline std::string name_of(ErrorCode code) {
   return "another error";
 }
 
-// A sentence that people can read: one line of printable text without a full stop at its end, and not a paragraph.
+// A sentence that people can read: one line of printable text without a full stop at its end, and
+// not a paragraph.
 inline bool is_one_sentence(const std::string& message) {
   for (const char c : message) {
     if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') return false;

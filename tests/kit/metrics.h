@@ -1,4 +1,5 @@
-// The methods that choose among candidates by a metric: what is promised of one is tested of each, also of one to come.
+// The methods that choose among candidates by a metric: what is promised of one is tested of each,
+// also of one to come.
 #pragma once
 
 #include <algorithm>

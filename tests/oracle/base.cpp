@@ -134,7 +134,8 @@ std::optional<Loads> loads(const Problem& problem, const std::vector<const Exact
   const Real each = Real(problem.weight) / static_cast<int>(teams.size());
   Real least = -1, most = 0, sum = 0, share = 0;
   for (const ExactChord* team : teams) {
-    // By the arms: between opposite vertices C is near the chord, and the arms need not make up its length.
+    // By the arms: between opposite vertices C is near the chord, and the arms need not make up its
+    // length.
     const Real arm0 = length(team->real_ends[0]), arm1 = length(team->real_ends[1]);
     const Real fraction = arm1 / (arm0 + arm1), other = 1 - fraction;  // of the first end
     result.of_teams.push_back(

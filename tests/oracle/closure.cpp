@@ -13,8 +13,8 @@ struct Contact {
   ExactVec
       edge;  // along the edge, counter-clockwise about P: the inward normal is to its left, exactly
   RealVec normal;  // inward, of unit length
-  // The distances from the nearest corner of its side, and from the nearest convex vertex at which its side
-  // ends; none without one.
+  // The distances from the nearest corner of its side, and from the nearest convex vertex at which
+  // its side ends; none without one.
   std::optional<Real> to_corner, to_end;
 };
 

@@ -135,8 +135,8 @@ struct Closure {
   bool form_closure = false;
   bool second_order = false;
   std::optional<double> margin;  // absent without contacts
-  // How exactly robots must stand, in units of length; both 0 without form closure. The clearance is
-  // infinite if the hold needs no contact beside a corner.
+  // How exactly robots must stand, in units of length; both 0 without form closure. The clearance
+  // is infinite if the hold needs no contact beside a corner.
   double clearance = 0, tolerance = 0;
   bool clearance_is_unsure = false;  // rounding may decide it
   ClosestCall closest_call;

@@ -31,7 +31,8 @@ Document to_hold(Document document, std::uint32_t teams, Positions positions) {
   return document;
 }
 
-// The keys of a choice by the functions that every placement is described with, not by the search's.
+// The keys of a choice by the functions that every placement is described with, not by the
+// search's.
 HoldKeys keys_by_definition(const Placement& placement, const std::vector<std::uint32_t>& taken,
                             const FirmHold& firm) {
   std::vector<LiftingPoint> points;

@@ -94,7 +94,8 @@ void check_range(const PairRange& range, const ExactSection& section, double min
     const bool at_end = x == 0 || x == 1;
     CHECK((at_end || reaches(section, x, min_ratio) || reaches(section, x, 1 / min_ratio)));
   }
-  // Beyond an end that is none of the section's the chord is too uneven; within the range it is not.
+  // Beyond an end that is none of the section's the chord is too uneven; within the range it is
+  // not.
   const auto ratio_at = [&](double x) {
     const double q = number(section.q[0] + (section.q[1] - section.q[0]) * Exact(x));
     return std::min(q, 1 / q);

@@ -16,11 +16,12 @@ struct RobotSet {
   double diameter = 0;  // L: of the robots and C, which here stand for the object
 };
 
-// The set of that number, with 1 to `most` robots; the kinds take turns. The same on every platform.
+// The set of that number, with 1 to `most` robots; the kinds take turns. The same on every
+// platform.
 RobotSet make_set(std::uint64_t number, std::size_t most);
 
-// Up to `most` robots with small whole coordinates, and C at the origin: so whatever is on one line is
-// so exactly.
+// Up to `most` robots with small whole coordinates, and C at the origin: so whatever is on one line
+// is so exactly.
 RobotSet make_grid(std::uint64_t number, std::size_t most);
 
 // Teams of two across C, of lengths as they come; a robot and its partner are rounded apart.

@@ -216,8 +216,8 @@ TEST_CASE("a spring that would have to pull lets go", "[robustness][models]") {
 
 TEST_CASE("loads change in proportion until a spring that is free takes hold",
           "[robustness][models]") {
-  // The third robot begins to bear something when C is 0.45 farther to the right. The second one lets
-  // go when C is 0.5 farther to the left.
+  // The third robot begins to bear something when C is 0.45 farther to the right. The second one
+  // lets go when C is 0.5 farther to the left.
   const auto result = springs(by_hand({{-1, 0}, {1, 0}, {20, 0}}, {-0.5, 0}));
   REQUIRE(result);
   CHECK(result->loads[2] == 0);

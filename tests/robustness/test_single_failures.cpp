@@ -1,4 +1,5 @@
-// What is left of the lift if one robot fails: against the same numbers of a lift that never had it.
+// What is left of the lift if one robot fails: against the same numbers of a lift that never had
+// it.
 #include <algorithm>
 
 #include "evenlift/closure.h"

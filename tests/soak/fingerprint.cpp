@@ -100,8 +100,8 @@ Settings settings_from(Rng& rng) {
   return settings;
 }
 
-// Of one document in four, where the method allows it, robots have a size, and sometimes there is an
-// edge that they must not touch.
+// Of one document in four, where the method allows it, robots have a size, and sometimes there is
+// an edge that they must not touch.
 void give_size(Rng& rng, Document& document) {
   const bool has_size = rng.below(4) == 0;
   const double size = rng.uniform() / 20, parts[] = {0, 0.5, 1};

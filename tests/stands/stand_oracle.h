@@ -1,6 +1,6 @@
-// Whether a robot can stand at a place, by the four conditions and nothing else: every edge is looked at,
-// and what lies within the object is decided by counting crossings. And whether two robots get into
-// each other's way, by bodies, arms and hands.
+// Whether a robot can stand at a place, by the four conditions and nothing else: every edge is
+// looked at, and what lies within the object is decided by counting crossings. And whether two
+// robots get into each other's way, by bodies, arms and hands.
 #pragma once
 
 #include <algorithm>
@@ -69,8 +69,8 @@ class StandOracle {
   }
 
  private:
-  // How far the hand is from what is marked of another edge within the strip beneath its own, w/10 deep; 0 where that
-  // depends on the strip's bounds.
+  // How far the hand is from what is marked of another edge within the strip beneath its own, w/10
+  // deep; 0 where that depends on the strip's bounds.
   double room_beside(const EdgePart& no, const Vec2& c, const Vec2& along, const Vec2& out) const {
     const Vec2 p = polygon_.edge_start(no.edge), way = polygon_.edge_end(no.edge) - p;
     const auto room = [&](double slack) {

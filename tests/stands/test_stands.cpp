@@ -181,7 +181,8 @@ TEST_CASE("a hand may be wider than the sides of a flattened curve, which has no
       CHECK(stretches(stands, edge)[0].to > side - 1e-8);
     }
   }
-  // The sagitta of a chord as long as the hand, here 0.134, is at most a tenth of it if the hand fits.
+  // The sagitta of a chord as long as the hand, here 0.134, is at most a tenth of it if the hand
+  // fits.
   CHECK(Stands(circle, sized(0, 0, 0.2, 1), {}).why_not(0, side / 2) == WhyUnusable::hand);
   CHECK(Stands(circle, sized(0, 0, 1.97, 0.6), {}).why_not(0, side / 2) == WhyUnusable::hand);
   // A hexagon turns by 60 degrees.

@@ -319,7 +319,8 @@ TEST_CASE("SVG: an inch is as long in every unit", "[import][svg]") {
 }
 
 TEST_CASE("SVG: an arc's flags choose among four", "[import][svg]") {
-  // From (0, 5) to (5, 0) with the radius 5: around (0, 0) or (5, 5), the short way or the long way.
+  // From (0, 5) to (5, 0) with the radius 5: around (0, 0) or (5, 5), the short way or the long
+  // way.
   const auto check = [](const char* flags, const Vec2& centre, const Vec2& low, const Vec2& high) {
     INFO(flags);
     const Import import = read(path("M0 5A5 5 0 " + std::string(flags) + " 5 0z"), {1e-6});
@@ -740,7 +741,8 @@ TEST_CASE("a result with balanced robots opens again with what was asked", "[imp
   document.settings.goal.reset();
   document.settings.apart.reset();
   CHECK(read(document_json(document)).shapes.at(0).document.settings == document.settings);
-  // Who takes another method afterwards has what a link would give: the teams that were asked for, and their usual goal.
+  // Who takes another method afterwards has what a link would give: the teams that were asked for,
+  // and their usual goal.
   for (const std::optional<std::uint32_t>& teams :
        {std::optional<std::uint32_t>(3), std::optional<std::uint32_t>(7),
         std::optional<std::uint32_t>()}) {

@@ -380,7 +380,8 @@ TEST_CASE("balanced robots take a few characters more", "[link][length]") {
   CHECK(encode(document).size() <= length + 14);
 }
 
-// A link of version 2 for no polygon, with these records after an empty version 1, whatever they are.
+// A link of version 2 for no polygon, with these records after an empty version 1, whatever they
+// are.
 static std::string link_with(const std::vector<std::pair<unsigned, std::string>>& records,
                              bool ends) {
   Encoder coder;

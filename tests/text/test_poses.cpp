@@ -1,4 +1,5 @@
-// Robots as poses: tables, JSON and messages of ROS 2. tests/consumers/check_poses.py reads them with other people's readers.
+// Robots as poses: tables, JSON and messages of ROS 2. tests/consumers/check_poses.py reads them
+// with other people's readers.
 #include "evenlift/output/poses.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// Requests and answers in JSON. tests/consumers/check_c.py compares them with what the program prints.
+// Requests and answers in JSON. tests/consumers/check_c.py compares them with what the program
+// prints.
 #include "evenlift/request.h"
 
 #include <nlohmann/json.hpp>

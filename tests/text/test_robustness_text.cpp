@@ -133,7 +133,8 @@ TEST_CASE(
     CHECK(plainly(loads_in_words({placement, document.shown}, LoadModel::plan, ranges)) ==
           robots + " carry " + fixed(least, 1) + "–" + fixed(greatest, 1) +
               " kg each, with C known within 3 cm (100 kg in all).");
-    // Other models' loads have sentences of their own; the plan's are those for C where it is thought to be.
+    // Other models' loads have sentences of their own; the plan's are those for C where it is
+    // thought to be.
     CHECK(loads_in_words(placement, LoadModel::springs, ranges) ==
           loads_in_words(placement, LoadModel::springs));
   }

@@ -1,5 +1,6 @@
 // The places that name settings and that no compiler reads. What one of them lacks is said in a
-// sentence, and so is a name that does not belong there. CONTRIBUTING.md, "Add a setting", lists them.
+// sentence, and so is a name that does not belong there. CONTRIBUTING.md, "Add a setting", lists
+// them.
 #include <map>
 #include <regex>
 #include <set>

@@ -1,4 +1,5 @@
-// Robots that fail, loads by another model and a doubt about the centre of mass, as the page shows them.
+// Robots that fail, loads by another model and a doubt about the centre of mass, as the page shows
+// them.
 #include <algorithm>
 #include <cmath>
 #include <string>

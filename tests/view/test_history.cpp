@@ -218,7 +218,8 @@ TEST_CASE("the drawing makes room for what the page lays over it", "[view][layou
     CHECK(seat.width() > 200);
     state.session.screen.foot = 100;
     CHECK(layout(state).free.bottom == before.free.bottom - 100);
-    // Above a card the margins around the polygon shrink with the room that is left, but half of it is the polygon's.
+    // Above a card the margins around the polygon shrink with the room that is left, but half of it
+    // is the polygon's.
     const Rect room = layout(state).room, free = layout(state).free;
     CHECK(room.bottom <= free.bottom - std::min(48.0, free.height() / 4));
     CHECK(room.bottom - room.top >= free.height() / 2);

@@ -82,7 +82,8 @@ TEST_CASE("every panel draws for every sample on every kind of screen, and then 
         page.frame();
         CHECK_FALSE(settle(page.app));  // nothing asks for another frame
         CHECK(page.app.commands.empty());
-        // The picture and each card have lists of their own, and none is empty. A phone on its side has no card of tools.
+        // The picture and each card have lists of their own, and none is empty. A phone on its side
+        // has no card of tools.
         const ImDrawData& drawn = *ImGui::GetDrawData();
         CHECK(drawn.CmdListsCount >= (embed ? 2 : 3));
         for (int list = 0; list < drawn.CmdListsCount; ++list)
@@ -1113,7 +1114,8 @@ TEST_CASE("rows of pixels fill what triangles fill, and the heat map's bands ali
     const Camera camera = fit(polygon, {20, 20, 780, 580});
     const double whole = area_of(polygon) * camera.scale * camera.scale;
     CHECK(filled(fill_rows(polygon, camera, window, 0.5)) == Approx(whole).epsilon(0.003));
-    // Half of it beside the window: what is seen is filled, and no more; the other half is the rest.
+    // Half of it beside the window: what is seen is filled, and no more; the other half is the
+    // rest.
     const Camera aside = pan(camera, {-400, 0});
     const RowFill half = fill_rows(polygon, aside, window, 0.5);
     const RowFill rest = fill_rows(polygon, pan(camera, {400, 0}), window, 0.5);

@@ -507,7 +507,8 @@ TEST_CASE("closing a lesson brings back what was open before it, with its settin
   close("b");
   REQUIRE_FALSE(open_lesson(state, on_a_square, square));
   close("Escape");
-  // With all steps around it, and after its words were left, it is the lesson's object all the same.
+  // With all steps around it, and after its words were left, it is the lesson's object all the
+  // same.
   REQUIRE_FALSE(open_lesson(state, on_a_square, square));
   page.press({"u"});
   close("b");

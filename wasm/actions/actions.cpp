@@ -167,7 +167,8 @@ void take_all_teams(const AppState& s, Commands& out) {
   out.push_back(SetSettings{changed});
 }
 
-// Opens the panel if it is closed, and then the field of a value (see the panels' names of their controls).
+// Opens the panel if it is closed, and then the field of a value (see the panels' names of their
+// controls).
 constexpr char typed_ratio[] = "min ratio", typed_weight[] = "weight", typed_seed[] = "seed",
                typed_centre[] = "com", typed_capacity[] = "capacity", typed_doubt[] = "com radius",
                typed_radius[] = "robot radius";
@@ -177,7 +178,8 @@ void type_value(const AppState& s, Commands& out) {
   if (s.view.sheet == Sheet::closed) out.push_back(SetSheet{Sheet::half});
   out.push_back(TypeValue{control});
 }
-// The fields of the next edge are in the bar of the tool, or else on the closed sheet. The page begins with the key that was pressed.
+// The fields of the next edge are in the bar of the tool, or else on the closed sheet. The page
+// begins with the key that was pressed.
 void type_edge(const AppState& s, Commands& out) {
   if (s.view.sheet != Sheet::closed) out.push_back(SetSheet{Sheet::closed});
   out.push_back(TypeValue{"edge length"});

@@ -25,7 +25,8 @@ enum class ActionId : std::uint8_t {
 };
 // clang-format on
 
-// Under which heading the list of keys has an action, in the order of the window (web/windows/keys.js).
+// Under which heading the list of keys has an action, in the order of the window
+// (web/windows/keys.js).
 enum class Group : std::uint8_t { files, editing, teams, view, lesson, help };
 
 // A key as KeyboardEvent.key names it; `command` is Ctrl, or Cmd on a Mac.

@@ -7,7 +7,8 @@
 
 namespace evenlift::view {
 
-// The actions that have a key of their own, group after group. With `embed` only what works in an <iframe>.
+// The actions that have a key of their own, group after group. With `embed` only what works in an
+// <iframe>.
 std::vector<const Action*> key_list(bool embed);
 
 }  // namespace evenlift::view

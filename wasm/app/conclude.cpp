@@ -25,7 +25,8 @@ std::string refusal_in_words(const AppState& state) {
   return refusal ? sentence(*refusal) : std::string();
 }
 
-// That something is refused no more goes without words, and takes those of the refusal back before others come.
+// That something is refused no more goes without words, and takes those of the refusal back before
+// others come.
 void tell_of_refusal(AppState& state, const std::string& before) {
   const std::string now = refusal_in_words(state);
   if (now == before) return;

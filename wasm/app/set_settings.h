@@ -20,8 +20,8 @@ struct Changeable {
            // that stays
 };
 
-// Makes the changes of `lines`, each a line `name=value` as settings.h reads it. The first line that cannot be read is the error. What only place() can judge is
-// not checked here. O(bytes).
+// Makes the changes of `lines`, each a line `name=value` as settings.h reads it. The first line
+// that cannot be read is the error. What only place() can judge is not checked here. O(bytes).
 Result<Changeable> with_settings(Changeable given, std::string_view lines);
 
 // The preferences that the browser keeps besides the document, as `name=value` lines; and back.

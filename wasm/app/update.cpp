@@ -286,7 +286,8 @@ struct Applier {
   void operator()(const AddStep& c) const {
     state.work.history.add(c.redo, c.step);
     if (c.redo || !is_other_object(c.step.edit)) return;
-    // The last step that opened something says whether a lesson did, and from where on undo leaves it.
+    // The last step that opened something says whether a lesson did, and from where on undo leaves
+    // it.
     Walkthrough& walk = state.view.walkthrough;
     walk.of_lesson = walk.trace && (walk.script || c.step.edit == Edit::lesson_opened);
     if (walk.script) walk.script->depth = state.work.history.depth();

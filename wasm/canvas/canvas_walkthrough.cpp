@@ -53,7 +53,8 @@ void draw_candidates(const Painter& painter, const CanvasView& view) {
   }
 }
 
-// Writes a text on a chord, at the first place along it where it covers none of the texts written `before`, if there is one.
+// Writes a text on a chord, at the first place along it where it covers none of the texts written
+// `before`, if there is one.
 void draw_value(const Painter& painter, const CanvasView& view, const Figure& figure,
                 const std::string& text, std::vector<Rect>& before) {
   constexpr SharesOfLine off_middle = {0.75, 0.25, 0.87, 0.13, 0.63, 0.37};

@@ -42,7 +42,8 @@ void draw_outline(const Brush& brush, const Figure& figure) {
   brush.painter.outline(figure.points, brush.colour, brush.width);
 }
 
-// An area in the same colour as its outline, if it has one, but as light as it takes to see what is below.
+// An area in the same colour as its outline, if it has one, but as light as it takes to see what is
+// below.
 template <int percent>
 void draw_light_area(const Brush& brush, const Figure& figure) {
   draw_area(brush.painter, figure.points, brush.colour.at(percent / 100.0f), brush.colour,

@@ -110,7 +110,8 @@ void Derivation::take_found() {
   (first ? robots_ : second_) |= taken == Taken::other_robots;
 }
 
-// Traces the placement while a step is shown; during a drag of a search for balanced robots only the start.
+// Traces the placement while a step is shown; during a drag of a search for balanced robots only
+// the start.
 void Derivation::trace() {
   facts_.untraced.clear();
   if (!now_.shown.step) return facts_.trace.reset();

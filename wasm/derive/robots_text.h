@@ -1,6 +1,6 @@
-// Robots as text, from the page to the search for balanced robots and back, bit for bit: for each an
-// edge and two coordinates, with spaces between all of them. And how many it takes if any one may fail:
-// their number and what one bears at most, or only how many were tried.
+// Robots as text, from the page to the search for balanced robots and back, bit for bit: for each
+// an edge and two coordinates, with spaces between all of them. And how many it takes if any one
+// may fail: their number and what one bears at most, or only how many were tried.
 #pragma once
 
 #include <optional>

@@ -30,7 +30,8 @@ std::string line(Setting setting, const Document& document) {
   return text.empty() ? text : std::string(name(setting)) + '=' + text + '\n';
 }
 
-// What robots and their loads depend on, for the object that is placed; the goal is the one in force.
+// What robots and their loads depend on, for the object that is placed; the goal is the one in
+// force.
 std::string settings_text(const Derived& facts, Settings settings) {
   settings.goal = goal_of(settings);
   const Document document{{}, facts.placed.centre_of_mass, std::move(settings)};

@@ -42,7 +42,8 @@ const MovedTeam* find_team(const Moved& moved, std::size_t team) {
   return nullptr;
 }
 
-// Notes that the robot that is held cannot go there; of one that is moved by keys a notice says so. O(n).
+// Notes that the robot that is held cannot go there; of one that is moved by keys a notice says so.
+// O(n).
 void refuse_by_hand(AppState& state, std::size_t robot, const Vec2& to) {
   if (state.view.held.kind == Pick::Kind::robot)
     state.view.closed_to = nearest_on_outline(state.derived().placement->vertices(), to);
@@ -50,10 +51,11 @@ void refuse_by_hand(AppState& state, std::size_t robot, const Vec2& to) {
     show(state, {Notice::Kind::info, closed_in_words(*state.derived().placement, robot)});
 }
 
-// Where the robots come to if one of the first picture is moved: a balanced one to the point of the outline
-// that is nearest to `to`, and its two neighbours so that all still bear the same; one of a team along its
-// range towards `to`. Nothing if they stay; where others cannot follow it, the state notes where the
-// robot is wanted that is held, and a notice tells it of one that is moved by keys. O(n log n).
+// Where the robots come to if one of the first picture is moved: a balanced one to the point of the
+// outline that is nearest to `to`, and its two neighbours so that all still bear the same; one of a
+// team along its range towards `to`. Nothing if they stay; where others cannot follow it, the state
+// notes where the robot is wanted that is held, and a notice tells it of one that is moved by keys.
+// O(n log n).
 std::optional<Moved> moved_by_hand(AppState& state, std::size_t robot, const Vec2& to) {
   state.view.closed_to.reset();
   if (state.derived().refusal || !state.derived().placement ||

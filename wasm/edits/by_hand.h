@@ -7,9 +7,10 @@
 
 namespace evenlift::view {
 
-// Moves a robot of the first picture: a balanced one to the point of the outline that is nearest to `to`, and its two
-// neighbours so that all still bear the same; one of a team along its range towards `to`. Where others cannot follow it,
-// the state notes where the robot is wanted that is held, and a notice tells it of one that is moved by keys. O(n log n).
+// Moves a robot of the first picture: a balanced one to the point of the outline that is nearest to
+// `to`, and its two neighbours so that all still bear the same; one of a team along its range
+// towards `to`. Where others cannot follow it, the state notes where the robot is wanted that is
+// held, and a notice tells it of one that is moved by keys. O(n log n).
 void move_robot(AppState& state, std::size_t robot, const Vec2& to);
 
 // Back to where they were found: one step of undo, unless no robot was moved.

@@ -13,7 +13,8 @@ namespace evenlift::view {
 // Takes another tool, and forgets what was drawn.
 void take_tool(AppState& state, Tool tool);
 
-// After a change of the placed vertices: what was typed of the next edge, and whether the shape can be closed, is forgotten.
+// After a change of the placed vertices: what was typed of the next edge, and whether the shape can
+// be closed, is forgotten.
 void renew_drawing(AppState& state);
 
 void add_point(AppState& state, const Vec2& at);
@@ -25,7 +26,8 @@ void set_draw_cursor(AppState& state, const SetDrawCursor& cursor);
 // Takes over what was typed of the next edge, and moves the cursor there.
 void type_edge(AppState& state, const TypeEdge& typed);
 
-// Forgets what was typed of the next edge: it ends again where the pointer is, or else is not begun.
+// Forgets what was typed of the next edge: it ends again where the pointer is, or else is not
+// begun.
 void withdraw_edge(AppState& state);
 
 // Opens the polygon that was drawn, with the present settings.

@@ -42,7 +42,8 @@ void zoom_view(AppState& state, const Vec2& about, double factor) {
 }
 
 void frame_view(AppState& state) {
-  // A polygon that is being drawn must not move under the hand; a picture may until its first vertex is traced.
+  // A polygon that is being drawn must not move under the hand; a picture may until its first
+  // vertex is traced.
   const bool drawn =
       state.view.tool == Tool::draw && !(state.work.backdrop && state.view.drawing.points.empty());
   if (!state.view.camera_follows || state.work.edit_open || drawn) return;

@@ -49,8 +49,8 @@ void step_back(AppState& state, History::Recalled recalled, const char* what) {
     walk.aside.reset();
     walk.of_lesson = false;
   } else {
-    // Neither the step of the walkthrough nor the overlays are undone, unless that leaves a lesson: then the
-    // former ones come back.
+    // Neither the step of the walkthrough nor the overlays are undone, unless that leaves a lesson:
+    // then the former ones come back.
     former = seen_as(former, shown(state));
   }
   // A lesson would show teams elsewhere.
@@ -65,7 +65,8 @@ std::optional<History::Recalled> before_lesson(AppState& state) {
   return state.work.history.leave_lesson(state.work.document(), beside(state.work));
 }
 
-// Says that what was open before the lesson is back. Who edited something in the lesson reads how that comes back.
+// Says that what was open before the lesson is back. Who edited something in the lesson reads how
+// that comes back.
 void tell_of_return(AppState& state, bool edited) {
   const std::string back = "What was open before the lesson is back.";
   if (edited)

@@ -7,7 +7,8 @@ namespace evenlift::view {
 
 void draw_centre(const Painter& painter, const CanvasView& view);
 
-// How far the centre of mass may be off before the object tips; and, as a ring with a grip, within which distance it is known.
+// How far the centre of mass may be off before the object tips; and, as a ring with a grip, within
+// which distance it is known.
 void draw_halo(const Painter& painter, const CanvasView& view);
 
 }  // namespace evenlift::view

@@ -30,7 +30,8 @@ void keep_clear(const Segment& arrow, Occupied& occupied) {
     occupied.disc(arrow.from + share * (arrow.to - arrow.from), 6);
 }
 
-// From the middle of the window to the nearest point of a convex region, in pixels; nothing if a part of it is seen there.
+// From the middle of the window to the nearest point of a convex region, in pixels; nothing if a
+// part of it is seen there.
 std::optional<Vec2> way_out_of_sight(const CanvasView& view, const Rect& window,
                                      const Points& region) {
   Points seen;
@@ -45,7 +46,8 @@ std::optional<Vec2> way_out_of_sight(const CanvasView& view, const Rect& window,
   return clip(std::move(seen), box).empty() ? std::optional(way) : std::nullopt;
 }
 
-// What of the window the tools of the view do not cover either: they stand at the foot, on a phone at the right.
+// What of the window the tools of the view do not cover either: they stand at the foot, on a phone
+// at the right.
 Rect without_tools(const CanvasView& view) {
   Rect window = view.uncovered();
   const Rect& tools = view.layout.tools;
@@ -56,7 +58,8 @@ Rect without_tools(const CanvasView& view) {
   return window;
 }
 
-// An arrow at the edge of the window that points to a region beyond it; nothing where there is no such region, or no room.
+// An arrow at the edge of the window that points to a region beyond it; nothing where there is no
+// such region, or no room.
 std::optional<Segment> arrow_to_region(const CanvasView& view, const Rect& window,
                                        const Points& region) {
   constexpr double from_edge = 22, arrow = 44;

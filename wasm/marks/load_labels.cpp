@@ -48,7 +48,8 @@ double body_radius(const CanvasView& view) {
   return view.placement->stands->robot().radius * view.camera.scale;
 }
 
-// The chord of the team or candidate that is pointed at. Balanced robots have none, and one that fails leaves its partner alone.
+// The chord of the team or candidate that is pointed at. Balanced robots have none, and one that
+// fails leaves its partner alone.
 std::optional<Chord> pointed_chord(const CanvasView& view) {
   const Pick at = marked_part(view.state);
   const Placement& placement = *view.placement;

@@ -12,7 +12,8 @@ namespace evenlift::view {
 
 void draw_coverage(const Painter& painter, const CanvasView& view);
 
-// What labels keep clear of: robots, the centre of mass, vertices that can be dragged, the coverage, and lines.
+// What labels keep clear of: robots, the centre of mass, vertices that can be dragged, the
+// coverage, and lines.
 Occupied occupied_by_marks(const CanvasView& view, double reach);
 
 // What is written beside a robot.
@@ -22,8 +23,8 @@ struct LoadLabel {
   bool over;  // more than it can carry
 };
 
-// What the robots bear, beside them; nothing at one that fails, nor where nobody bears anything. The boxes are entered as taken.
-// O(robots).
+// What the robots bear, beside them; nothing at one that fails, nor where nobody bears anything.
+// The boxes are entered as taken. O(robots).
 std::vector<LoadLabel> load_labels(const CanvasView& view, const RobotSize& size,
                                    const Outlook& outlook, Occupied& occupied);
 

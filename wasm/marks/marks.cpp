@@ -169,7 +169,8 @@ std::size_t further_in_captions(const CanvasView& view, float room) {
   return further;
 }
 
-// The method's name and result over its picture, while two methods are compared: two lines, or on a narrow screen one.
+// The method's name and result over its picture, while two methods are compared: two lines, or on a
+// narrow screen one.
 void draw_caption(const Painter& painter, const CanvasView& view) {
   if (!view.placement) return;
   const bool wide = view.layout.wide;
@@ -197,7 +198,8 @@ void draw_caption(const Painter& painter, const CanvasView& view) {
   draw_text(painter.list(), Face::label, result_at, view.theme.second_text, result);
 }
 
-// While edges are marked: their numbers, for those who type them. An edge that is short has no room for one.
+// While edges are marked: their numbers, for those who type them. An edge that is short has no room
+// for one.
 void draw_numbers_to_type(const Painter& painter, const CanvasView& view) {
   constexpr double least = 44, reach = 14;  // pixels: of an edge, and of a robot's mark
   const Points& vertices = view.state.work.document().vertices;

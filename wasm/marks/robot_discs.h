@@ -25,8 +25,9 @@ std::size_t pairs_of(const std::vector<Team>& teams);
 // The number of robots in the first of the teams.
 std::size_t robots_of(const std::vector<Team>& all, std::size_t teams);
 
-// The size of each robot: one that stands near to another is smaller, and has no number where that would touch the other. O(m^2) for m robots, of which
-// only up to most_labelled pairs are looked at.
+// The size of each robot: one that stands near to another is smaller, and has no number where that
+// would touch the other. O(m^2) for m robots, of which only up to most_labelled pairs are looked
+// at.
 std::vector<RobotSize> robot_sizes(const CanvasView& view, const std::vector<Team>& all,
                                    std::size_t teams);
 

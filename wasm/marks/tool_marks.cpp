@@ -15,7 +15,8 @@
 namespace evenlift::view {
 namespace {
 
-// The chain with the edge under way. While the pointer is in the fields of the bar, the edge that they tell of stays.
+// The chain with the edge under way. While the pointer is in the fields of the bar, the edge that
+// they tell of stays.
 Points chain_with_cursor(const AppState& state, bool closing) {
   const Drawing& drawing = state.view.drawing;
   const std::optional<Vec2>& end =

@@ -17,8 +17,8 @@ struct NumberedEdge {
   Vec2 a, b;
   std::size_t edge;
 };
-// The numbers of edges, on them, as messages and settings count edges: from 1. They cover neither each other nor, as far as there
-// is room on their edges, what is in the boxes `before`, in pixels.
+// The numbers of edges, on them, as messages and settings count edges: from 1. They cover neither
+// each other nor, as far as there is room on their edges, what is in the boxes `before`, in pixels.
 void draw_edge_numbers(const Painter& painter, const Theme& theme, Colour colour,
                        const std::vector<NumberedEdge>& edges, std::vector<Rect> before = {});
 

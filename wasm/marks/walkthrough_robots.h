@@ -8,7 +8,8 @@
 
 namespace evenlift::view {
 
-// What is written beside the robots once all loads are known. Names keep clear of it (canvas_walkthrough.cpp).
+// What is written beside the robots once all loads are known. Names keep clear of it
+// (canvas_walkthrough.cpp).
 std::vector<LoadLabel> loads_of_walkthrough(const CanvasView& view);
 
 // The robots placed up to the current step.

@@ -1,5 +1,6 @@
-// The search for balanced robots, as a WebAssembly module of its own that web/page/search_loop.js runs
-// in a worker, or between pictures where there is none. It uses the core and nothing of the view.
+// The search for balanced robots, as a WebAssembly module of its own that web/page/search_loop.js
+// runs in a worker, or between pictures where there is none. It uses the core and nothing of the
+// view.
 #include <emscripten/emscripten.h>
 
 #include <algorithm>
@@ -86,16 +87,17 @@ bool has_ended(const Task& task) { return task.started && (!task.search || task.
 extern "C" {
 
 // Begins the search for a polygon in the thesis's format, with settings as lines `name=value`, from
-// these robots (derive/robots_text.h), or from its start if there are none; with a capacity among them the
-// count of those that it takes if any one may fail. Returns 0 if one of the texts is wrong.
+// these robots (derive/robots_text.h), or from its start if there are none; with a capacity among
+// them the count of those that it takes if any one may fail. Returns 0 if one of the texts is
+// wrong.
 EMSCRIPTEN_KEEPALIVE int balanced_begin(const char* polygon, const char* settings,
                                         const char* robots) {
   evenlift::task() = evenlift::read_task(polygon, settings, robots);
   return evenlift::task() ? 1 : 0;
 }
 
-// Goes on for so many milliseconds, or until the search ends; the start may take longer, and a count is
-// made at one go. Returns whether it has ended.
+// Goes on for so many milliseconds, or until the search ends; the start may take longer, and a
+// count is made at one go. Returns whether it has ended.
 EMSCRIPTEN_KEEPALIVE int balanced_go_on(double milliseconds) {
   if (!evenlift::task()) return 1;
   evenlift::Task& task = *evenlift::task();

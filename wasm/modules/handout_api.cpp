@@ -1,5 +1,5 @@
-// Steps of the algorithm as plain data for a printed page (web/windows/handout.js), as a WebAssembly module of its own that is
-// loaded when it is first asked for.
+// Steps of the algorithm as plain data for a printed page (web/windows/handout.js), as a
+// WebAssembly module of its own that is loaded when it is first asked for.
 #include <emscripten/emscripten.h>
 
 #include <algorithm>
@@ -30,7 +30,8 @@ namespace {
 // More than this nobody prints, and nobody sees.
 constexpr std::size_t most_candidates = 400, most_figures = 400;
 
-// The steps of a lesson, with the teacher's words. Those that this trace does not have are left out.
+// The steps of a lesson, with the teacher's words. Those that this trace does not have are left
+// out.
 struct Stop {
   std::uint32_t step;
   std::string words;
@@ -145,8 +146,8 @@ std::string handout(std::string_view link, std::string_view lesson_text) {
 
 extern "C" {
 
-// The steps of a lesson, whose text this is, for a link's document; without a lesson its main ones. Places are those on the
-// paper:
+// The steps of a lesson, whose text this is, for a link's document; without a lesson its main ones.
+// Places are those on the paper:
 //   width, height, disc     of a picture; the radius of a robot
 //   polygon, centre
 //   steps                   chapter, caption, formula, in_words (the teacher's), and the picture:

@@ -110,7 +110,8 @@ class Words {
     add(std::move(name), around(middle, 1), away);
   }
 
-  // Of the chords that a step compares. An end of the sections that is chosen is among the figures twice.
+  // Of the chords that a step compares. An end of the sections that is chosen is among the figures
+  // twice.
   void add_ratios(const std::vector<Figure>& figures) {
     std::vector<const Figure*> chords;
     for (const Figure& figure : figures) {

@@ -43,9 +43,9 @@ struct PaperWords {
   std::string text;
 };
 
-// What is written into the picture of a step: C, the parts that the step speaks of, load ratios of the chords that it
-// compares, and what robots bear once that is known. Words that find no room are left out.
-// O(words (n + words + lines)).
+// What is written into the picture of a step: C, the parts that the step speaks of, load ratios of
+// the chords that it compares, and what robots bear once that is known. Words that find no room are
+// left out. O(words (n + words + lines)).
 std::vector<PaperWords> words_on_paper(const Paper& paper, const Trace& trace,
                                        const StepDetail& detail,
                                        const std::vector<Figure>& figures);

@@ -64,8 +64,8 @@ EMSCRIPTEN_KEEPALIVE const char* import_notes() {
 
 EMSCRIPTEN_KEEPALIVE int import_count() { return static_cast<int>(imported().shapes.size()); }
 
-// Of the shape with this index, from 0: its name, all in words, the distance between its edges and its
-// curves (0 without curves), and its outline as [[x, y], …], thinned out for a small picture.
+// Of the shape with this index, from 0: its name, all in words, the distance between its edges and
+// its curves (0 without curves), and its outline as [[x, y], …], thinned out for a small picture.
 EMSCRIPTEN_KEEPALIVE const char* import_name(int index) { return hand_over(shape(index).name); }
 EMSCRIPTEN_KEEPALIVE const char* import_describe(int index) {
   return hand_over(describe(shape(index)));
@@ -82,8 +82,8 @@ EMSCRIPTEN_KEEPALIVE const char* import_outline(int index) {
   return hand_over(json::array(points));
 }
 
-// What the program opens: a link if the text brought settings or a unit of lengths, which are wanted
-// and fit into one; else the polygon in the thesis's format.
+// What the program opens: a link if the text brought settings or a unit of lengths, which are
+// wanted and fit into one; else the polygon in the thesis's format.
 EMSCRIPTEN_KEEPALIVE const char* import_text(int index, int with_settings) {
   const Document& document = shape(index).document;
   const bool has_unit = document.shown.units.length != LengthUnit::none;

@@ -1,5 +1,5 @@
-// How far the greedy choice of teams is from the best one, for the window that web/windows/optimum.js shows.
-// It is part of the module of the experiment, which runs in a worker.
+// How far the greedy choice of teams is from the best one, for the window that
+// web/windows/optimum.js shows. It is part of the module of the experiment, which runs in a worker.
 #include <emscripten/emscripten.h>
 
 #include <algorithm>
@@ -121,9 +121,10 @@ std::string as_json(const Compared& compared, Method asked) {
 
 extern "C" {
 
-// Compares the teams of a link with the best choice of as many, for so many seconds at most. Returns
-// {"rows", "said"}: rows of a name, the coverage, the loads, whether the robots hold the object, and the candidates
-// taken; and sentences; or {"problem"} with why there is nothing to compare.
+// Compares the teams of a link with the best choice of as many, for so many seconds at most.
+// Returns {"rows", "said"}: rows of a name, the coverage, the loads, whether the robots hold the
+// object, and the candidates taken; and sentences; or {"problem"} with why there is nothing to
+// compare.
 EMSCRIPTEN_KEEPALIVE const char* optimum_compare(const char* link, double seconds) {
   using namespace evenlift;
   last().reset();
@@ -137,7 +138,8 @@ EMSCRIPTEN_KEEPALIVE const char* optimum_compare(const char* link, double second
   return hand_over(as_json(*last(), document->settings.method));
 }
 
-// The picture of the greedy choice, or of the best one, as SVG; call only after optimum_compare() had rows.
+// The picture of the greedy choice, or of the best one, as SVG; call only after optimum_compare()
+// had rows.
 EMSCRIPTEN_KEEPALIVE const char* optimum_picture(int best) {
   using namespace evenlift;
   const std::optional<Compared>& compared = last();

@@ -1,4 +1,5 @@
-// QR codes (web/windows/qr.js), as a WebAssembly module of its own that is loaded when it is first asked for.
+// QR codes (web/windows/qr.js), as a WebAssembly module of its own that is loaded when it is first
+// asked for.
 #include <emscripten/emscripten.h>
 #include <qrcodegen.h>
 

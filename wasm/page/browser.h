@@ -1,4 +1,5 @@
-// Carries out what the view asks of the browser, by web/page/bindings.js. Only page speaks to the browser.
+// Carries out what the view asks of the browser, by web/page/bindings.js. Only page speaks to the
+// browser.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,6 @@
-// What the page's own windows (web/windows) ask of the program: samples, coordinates, files. Edits are commands, so each is one step of undo. A function that may refuse returns a
-// sentence that says why, or an empty text.
+// What the page's own windows (web/windows) ask of the program: samples, coordinates, files. Edits
+// are commands, so each is one step of undo. A function that may refuse returns a sentence that
+// says why, or an empty text.
 #include <emscripten/emscripten.h>
 
 #include <algorithm>
@@ -101,14 +102,14 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_sample(const char* text) {
   return hand_over(open_with_these_settings(text));
 }
 
-// The outline of a polygon's text for a small picture: {"centre": [x, y], "vertices": [[x, y], …]}. Nothing if the text
-// cannot be read.
+// The outline of a polygon's text for a small picture: {"centre": [x, y], "vertices": [[x, y], …]}.
+// Nothing if the text cannot be read.
 EMSCRIPTEN_KEEPALIVE const char* page_outline(const char* text) {
   return hand_over(outline_of(read_polygon(text)));
 }
 
-// The outline that the open polygon had when it was opened or drawn, before all edits since; nothing if it was too large for a
-// link then.
+// The outline that the open polygon had when it was opened or drawn, before all edits since;
+// nothing if it was too large for a link then.
 EMSCRIPTEN_KEEPALIVE const char* page_origin() {
   AppState& state = app().state;
   std::optional<std::string> before;
@@ -141,7 +142,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_vertices(int first, int count) {
   return hand_over(points_json(vertices, from, to));
 }
 
-// The centre of mass [x, y]: the one that was given, or the last centroid; and whether it was given.
+// The centre of mass [x, y]: the one that was given, or the last centroid; and whether it was
+// given.
 EMSCRIPTEN_KEEPALIVE const char* page_centre() {
   const AppState& state = app().state;
   return hand_over(json::pair(

@@ -31,7 +31,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_lesson_polygon(const char* text) {
   return hand_over(lesson ? lesson->polygon : std::string());
 }
 
-// Opens a lesson (LessonStart: 0 anew, 1 join, 2 preview). Returns why it cannot be opened, or nothing.
+// Opens a lesson (LessonStart: 0 anew, 1 join, 2 preview). Returns why it cannot be opened, or
+// nothing.
 EMSCRIPTEN_KEEPALIVE const char* page_open_lesson(const char* text, const char* polygon,
                                                   int start) {
   const std::optional<evenlift::InputError> problem =
@@ -93,9 +94,10 @@ EMSCRIPTEN_KEEPALIVE int page_script() {
   return !state.view.walkthrough.script ? 0 : script_is_true(state) ? 2 : 1;
 }
 
-// What is played: {"at", "count", "guesses", "right", "step", "told", "passed"}: the position from 0, the number of stops, the
-// guesses and how many of them were right, the number of the step, how many choices were shown without a question since three of
-// their kind had been asked, and how many questions nobody guessed. Nothing if no walkthrough is open.
+// What is played: {"at", "count", "guesses", "right", "step", "told", "passed"}: the position from
+// 0, the number of stops, the guesses and how many of them were right, the number of the step, how
+// many choices were shown without a question since three of their kind had been asked, and how many
+// questions nobody guessed. Nothing if no walkthrough is open.
 EMSCRIPTEN_KEEPALIVE const char* page_lesson() {
   const AppState& state = app().state;
   if (!walkthrough_is_open(state)) return hand_over({});
@@ -110,7 +112,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_lesson() {
                                  {"passed", std::to_string(guesses.passed_over())}}));
 }
 
-// The question at the end of the lesson that is open, and its answer, in paragraphs with "\n" between them. Nothing without one.
+// The question at the end of the lesson that is open, and its answer, in paragraphs with "\n"
+// between them. Nothing without one.
 EMSCRIPTEN_KEEPALIVE const char* page_lesson_question() {
   const std::optional<Script>& script = app().state.view.walkthrough.script;
   return hand_over(script ? script->lesson.question : std::string());

@@ -87,8 +87,8 @@ void load_fonts_for(double ratio) {
   page.fonts_for_ratio = ratio;
 }
 
-// Characters that a text needs and the fonts lack: fetches larger fonts, once; or rasterises more of them before the next
-// picture, and says which characters no font has.
+// Characters that a text needs and the fonts lack: fetches larger fonts, once; or rasterises more
+// of them before the next picture, and says which characters no font has.
 void find_letters() {
   if (!letters_are_due()) return;
   if (letters_are_here()) {
@@ -307,7 +307,8 @@ static void lay_out_panels() {
   while (page.passes_due > 0);
 }
 
-// Does what was asked of controls and lays all of them out, so that page_controls() has them before the next picture.
+// Does what was asked of controls and lays all of them out, so that page_controls() has them before
+// the next picture.
 EMSCRIPTEN_KEEPALIVE void page_lay_out() {
   panels_change();
   lay_out_panels();
@@ -337,8 +338,9 @@ EMSCRIPTEN_KEEPALIVE const char* page_control(const char* name) {
                                       : place_json(found->place, app().state.session.screen.zoom));
 }
 
-// Does with a control what a pointer would: 0 presses it, 1 chooses the choice number `value`, 2 moves it to `value`, 3
-// scrolls its card until it is seen, 4 moves it to `value` and confirms that, and 5 takes back what was typed in it.
+// Does with a control what a pointer would: 0 presses it, 1 chooses the choice number `value`, 2
+// moves it to `value`, 3 scrolls its card until it is seen, 4 moves it to `value` and confirms
+// that, and 5 takes back what was typed in it.
 EMSCRIPTEN_KEEPALIVE void page_ask_control(int what, const char* card, const char* name,
                                            double value) {
   if (what < 0 || what > static_cast<int>(ControlRequest::withdraw)) return;

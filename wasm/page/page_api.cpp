@@ -169,7 +169,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_set(const char* changes) {
 EMSCRIPTEN_KEEPALIVE const char* page_link() {
   return hand_over(link_or_nothing(last_good(app().state)));
 }
-// A link without the step of a lesson, so that a challenge begins at its beginning; any other text as it is.
+// A link without the step of a lesson, so that a challenge begins at its beginning; any other text
+// as it is.
 EMSCRIPTEN_KEEPALIVE const char* page_without_step(const char* text) {
   Result<Document> document = evenlift::decode_link(text);
   if (!document || !document->shown.step) return hand_over(text);
@@ -264,7 +265,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_kept_step(int redo, int index) {
                     {"link", json::text(kept->link)}}));
 }
 
-// The method that the document is compared with, counted from 1, or 0; to be kept. And back, which is no step of undo.
+// The method that the document is compared with, counted from 1, or 0; to be kept. And back, which
+// is no step of undo.
 EMSCRIPTEN_KEEPALIVE int page_compared() {
   const std::optional<evenlift::Method>& method = app().state.work.second_method;
   return method ? static_cast<int>(*method) + 1 : 0;
@@ -279,7 +281,8 @@ EMSCRIPTEN_KEEPALIVE void page_add_step(int redo, int edit, int method, const ch
   carry_out({AddStep{redo != 0, {static_cast<Edit>(edit), {method_of(method), {}}, link}}});
 }
 
-// How much of the canvas a window of the page covers at its left, at its right and at its foot, in CSS pixels.
+// How much of the canvas a window of the page covers at its left, at its right and at its foot, in
+// CSS pixels.
 EMSCRIPTEN_KEEPALIVE void page_cover(double left, double right, double foot) {
   carry_out({CoverScreen{left, right, foot}});
 }

@@ -9,14 +9,15 @@ namespace evenlift::view {
 // The one page.
 App& app();
 
-// Carries out the commands since, and what they ask of the browser. Returns whether there were any; then another
-// frame is due.
+// Carries out the commands since, and what they ask of the browser. Returns whether there were any;
+// then another frame is due.
 bool settle();
 
 // Carries out these commands at once, as if a button had asked for them.
 void carry_out(Commands commands);
 
-// Does what follows after a function that changed the state in place of a command, since it may refuse to.
+// Does what follows after a function that changed the state in place of a command, since it may
+// refuse to.
 void carried_out();
 
 }  // namespace evenlift::view

@@ -18,8 +18,8 @@ class SdlInput {
 
   // Passes the pointer's next events to Dear ImGui in the order in which they came, up to the next
   // press, release or turn of the wheel, as it would lose a second one in the same pass. A press
-  // waits until the panels are `laid_out`. Dear ImGui's pixels are `zoom` CSS pixels large. Call before
-  // ImGui::NewFrame().
+  // waits until the panels are `laid_out`. Dear ImGui's pixels are `zoom` CSS pixels large. Call
+  // before ImGui::NewFrame().
   void feed(bool laid_out, double zoom);
 
   // Two fingers on a trackpad, which browsers report as a wheel.

@@ -10,8 +10,8 @@ using namespace evenlift::view;
 
 extern "C" {
 
-// Takes over the robots that the search of this number found, and whether they are its last ones; or how
-// many were counted.
+// Takes over the robots that the search of this number found, and whether they are its last ones;
+// or how many were counted.
 EMSCRIPTEN_KEEPALIVE void page_take_robots(double number, const char* robots, int ended) {
   carry_out({TakeRobots{static_cast<std::uint64_t>(number), robots, ended != 0}});
 }

@@ -196,7 +196,8 @@ void WebglRenderer::draw(ImDrawData& frame, const Colour& ground) {
   const ImVec4 clear = ground.vec();
   glViewport(0, 0, width, height);
   glDisable(GL_SCISSOR_TEST);
-  // What is seen through a ground that is not opaque comes with its colours multiplied by their opacity.
+  // What is seen through a ground that is not opaque comes with its colours multiplied by their
+  // opacity.
   glClearColor(clear.x * clear.w, clear.y * clear.w, clear.z * clear.w, clear.w);
   glClear(GL_COLOR_BUFFER_BIT);
   glEnable(GL_SCISSOR_TEST);

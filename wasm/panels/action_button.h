@@ -1,5 +1,5 @@
-// What an action (actions.h) is pressed by, if it can be pressed now: a button with its icon, and its name and key on hovering; or a
-// row of an open list.
+// What an action (actions.h) is pressed by, if it can be pressed now: a button with its icon, and
+// its name and key on hovering; or a row of an open list.
 #pragma once
 
 #include "actions/actions.h"

@@ -161,7 +161,8 @@ void draw_edge_fields(const Ui& ui, float length_width, float angle_width) {
                                   angle_width);
   if (length.moved) ui.push(TypeEdge{length.moved, {}, length.pressed});
   if (angle.moved) ui.push(TypeEdge{{}, angle.moved, angle.pressed});
-  // Enter where nothing was typed: it places the edge whose other number was typed, or else does what it does on the drawing.
+  // Enter where nothing was typed: it places the edge whose other number was typed, or else does
+  // what it does on the drawing.
   const bool entered = (length.pressed && !length.moved) || (angle.pressed && !angle.moved);
   if (entered && (drawing.length || drawing.degrees))
     ui.push(TypeEdge{{}, {}, true});
@@ -177,7 +178,8 @@ bool vertex_is_on_sheet(const AppState& state) {
 
 namespace {
 
-// Below the toolbar of a low screen the vertex's buttons would cover robots: there they stand on the foot of the panel.
+// Below the toolbar of a low screen the vertex's buttons would cover robots: there they stand on
+// the foot of the panel.
 bool vertex_is_over_panel(const AppState& state) {
   const Layout places = layout(state);
   return state.view.tool == Tool::parts && state.view.selected && places.wide && places.low &&

@@ -29,7 +29,8 @@ double stepped(double value, int by) {
 
 namespace {
 
-// Who is overloaded and how many robots are needed: always as high as it can be, so that nothing below moves.
+// Who is overloaded and how many robots are needed: always as high as it can be, so that nothing
+// below moves.
 void draw_need(const Ui& ui) {
   const CapacityPlan* plan = ui.state.derived().plan ? &*ui.state.derived().plan : nullptr;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -40,7 +41,8 @@ void draw_need(const Ui& ui) {
   Settings changed = now;
   if (plan && now.method == Method::balanced) changed.robots = plan->team_size;
   if (plan && now.method != Method::balanced) changed.teams = plan->teams;
-  // Fewer would do for the loads, but may tip or slide; and how many are needed while one fails is not known.
+  // Fewer would do for the loads, but may tip or slide; and how many are needed while one fails is
+  // not known.
   const bool can_take =
       plan && plan->possible && !(changed == now) && !failing(ui.state) && is_overloaded(ui.state);
   const std::string label =

@@ -14,8 +14,8 @@ namespace {
 
 constexpr float caption_height = 16, least_height = 42, widest_place = 48;
 
-// A disc if the others carry the object, a triangle if they do not do so well, a cross if it falls. Where there is room for a
-// line only, the worse it is the longer the line.
+// A disc if the others carry the object, a triangle if they do not do so well, a cross if it falls.
+// Where there is room for a line only, the worse it is the longer the line.
 void draw_sign(const Theme& theme, ImDrawList& list, ImVec2 at, float reach, Mood mood) {
   const bool good = mood == Mood::good, falls = mood == Mood::falls;
   const ImU32 colour = (good ? theme.hull_outline : falls ? theme.red : theme.amber).packed();

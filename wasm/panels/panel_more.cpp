@@ -1,5 +1,6 @@
-// Settings that are seldom needed, behind a row that opens them: where teams may stand and what they are for, which loads are
-// shown, how well the centre of mass is known, units, and how balanced robots keep apart and what they survive.
+// Settings that are seldom needed, behind a row that opens them: where teams may stand and what
+// they are for, which loads are shown, how well the centre of mass is known, units, and how
+// balanced robots keep apart and what they survive.
 #include <algorithm>
 #include <string>
 

@@ -49,7 +49,8 @@ const char* label_of(Method method, const Overlay& overlay) {
   return shows_lines(method, overlay) ? "Lines" : overlay.label;
 }
 
-// Whether it is shown, but there is nothing of it here: an object that is held has no points to turn about.
+// Whether it is shown, but there is nothing of it here: an object that is held has no points to
+// turn about.
 bool is_empty(const Placement& placement, const Overlay& overlay) {
   const Closure& closure = placement.closure;
   return (overlay.shown == &Overlays::clockwise && !closure.clockwise.exists) ||

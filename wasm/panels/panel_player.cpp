@@ -141,7 +141,8 @@ void draw_leave(const Ui& ui, float size) {
 
 }  // namespace
 
-// One row, where room is precious: the timeline between the buttons that are pressed most, and a menu for the others.
+// One row, where room is precious: the timeline between the buttons that are pressed most, and a
+// menu for the others.
 void draw_player_row(const Ui& ui) {
   const float width = ImGui::GetContentRegionAvail().x;
   const bool leaves = ui.state.session.screen.embed || ui.state.view.presenting || !ui.layout.wide;

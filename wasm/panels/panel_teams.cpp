@@ -95,7 +95,8 @@ void draw_number(const Ui& ui, const Columns& c, float y, const std::string& num
             number);
 }
 
-// What a row says, for those who cannot see it: "Team 2: loads 15.2 and 18.1 kg, length 320, ratio 0.84".
+// What a row says, for those who cannot see it: "Team 2: loads 15.2 and 18.1 kg, length 320, ratio
+// 0.84".
 std::string team_row_in_words(const Ui& ui, std::size_t index) {
   const Team& team = ui.state.derived().placement->teams[index];
   const double span = team.robots[0].arm + team.robots[1].arm;

@@ -36,7 +36,8 @@ Sign sign_of(const Theme& theme, Mood mood) {
   return {Icon::draw, theme.accent};
 }
 
-// The headline and what else is said, in the first of these sizes, from large to small, in which the room holds both.
+// The headline and what else is said, in the first of these sizes, from large to small, in which
+// the room holds both.
 struct Sizes {
   Face headline, rest;
 };
@@ -45,7 +46,8 @@ constexpr Sizes sizes[] = {{Face::verdict, Face::text},
                            {Face::strong, Face::text},
                            {Face::strong, Face::label}};
 
-// As high whatever the result is: three lines of each beside the drawing, in a sheet two and three; the headline alone.
+// As high whatever the result is: three lines of each beside the drawing, in a sheet two and three;
+// the headline alone.
 constexpr float after_sign = 32, below_headline = 4;
 constexpr float beside_drawing = 152, in_sheet = 124, headline_alone = 64;
 
@@ -53,12 +55,14 @@ void draw_sign(const Ui& ui, Mood mood, ImVec2 middle) {
   const Sign sign = sign_of(ui.theme, mood);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddCircleFilled(middle, 11, sign.disc.packed(), 32);
-  // A tick says that all is as asked for. While a robot fails that is not the question: there the sign is that of the row below.
+  // A tick says that all is as asked for. While a robot fails that is not the question: there the
+  // sign is that of the row below.
   if (!failing(ui.state) || mood != Mood::good)
     draw_icon(list, sign.icon, middle, 15, ui.theme.panel);
 }
 
-// Where no chord is even enough: a way to the best that there is, in the room that the verdict leaves.
+// Where no chord is even enough: a way to the best that there is, in the room that the verdict
+// leaves.
 void draw_lower_ratio(const Ui& ui, double best) {
   const ImVec2 below = ImGui::GetCursorScreenPos();
   const std::string label = "Lower the ratio to " + fixed(best, 2);

@@ -159,8 +159,9 @@ void draw_walkthrough_step(const Ui& ui) {
   ImGui::PopStyleVar();
 }
 
-// The same in a box of constant height, in which what is longer scrolls: in a closed sheet, an <iframe>, or before a room. A
-// question takes the place of the words, and its buttons stand below the box unless that would leave less than two lines.
+// The same in a box of constant height, in which what is longer scrolls: in a closed sheet, an
+// <iframe>, or before a room. A question takes the place of the words, and its buttons stand below
+// the box unless that would leave less than two lines.
 void draw_walkthrough_briefly(const Ui& ui, float height) {
   const Walkthrough& walk = ui.state.view.walkthrough;
   constexpr float little = 120;

@@ -18,7 +18,8 @@ bool compares(const AppState& s) {
   return s.derived().second.has_value() && s.work.second_method.has_value();
 }
 
-// Top to bottom. What is set stands above what results, so that no control moves when a result changes.
+// Top to bottom. What is set stands above what results, so that no control moves when a result
+// changes.
 constexpr Panel side_panel[] = {
     {"verdict", draw_verdict, false},   {"settings", draw_settings, false},
     {"overlays", draw_overlays, false}, {"comparison", draw_comparison, true, compares},
@@ -89,7 +90,8 @@ void begin_at_head(const Ui& ui) {
   if (in_last_frame("shows", shown, shown) != shown) ImGui::SetScrollY(0);
 }
 
-// The verdict stays in sight while what is below it scrolls, so that whoever changes a setting sees what follows.
+// The verdict stays in sight while what is below it scrolls, so that whoever changes a setting sees
+// what follows.
 void draw_verdict_and_rest(const Ui& ui) {
   draw_verdict(ui);
   rule(ui);
@@ -134,7 +136,8 @@ void draw_rail(const Ui& ui) {
 
 constexpr float handle_height = 24;
 
-// The sheet so many steps further open than now; without a half it is closed or open as far as it goes.
+// The sheet so many steps further open than now; without a half it is closed or open as far as it
+// goes.
 Sheet opened_further(const AppState& state, int by) {
   auto wanted = static_cast<Sheet>(std::clamp(static_cast<int>(state.view.sheet) + by, 0, 2));
   if (wanted == Sheet::half && !has_half_sheet(state))
@@ -176,7 +179,8 @@ void draw_step_and_row(const Ui& ui) {
   draw_player_row(ui);
 }
 
-// What is selected, or the next edge while one draws, stands where the teams are otherwise: over the drawing it would cover that.
+// What is selected, or the next edge while one draws, stands where the teams are otherwise: over
+// the drawing it would cover that.
 void draw_row_below_verdict(const Ui& ui) {
   if (vertex_is_on_sheet(ui.state)) return draw_vertex_buttons(ui);
   if (ui.state.view.tool != Tool::draw || ui.state.view.drawing.points.empty())
@@ -186,7 +190,8 @@ void draw_row_below_verdict(const Ui& ui) {
   draw_edge_fields(ui, width, width);
 }
 
-// Where there is little height, as above a keyboard: the row stands at the foot, and the failures can be had by pulling the sheet up.
+// Where there is little height, as above a keyboard: the row stands at the foot, and the failures
+// can be had by pulling the sheet up.
 void draw_low_sheet(const Ui& ui) {
   draw_verdict_words(ui);
   ImGui::SetCursorPosY(ImGui::GetWindowHeight() - ImGui::GetStyle().WindowPadding.y - ui.control());
@@ -240,7 +245,8 @@ void draw_sheet(const Ui& ui) {
   end_card(ui);
 }
 
-// The player at the foot of the drawing; in an <iframe> and before a room it also says what the step shows.
+// The player at the foot of the drawing; in an <iframe> and before a room it also says what the
+// step shows.
 void draw_floating_player(const Ui& ui) {
   const bool tells = ui.state.session.screen.embed || ui.state.view.presenting;
   begin_card(ui, "player", ui.layout.player,

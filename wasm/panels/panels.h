@@ -55,8 +55,8 @@ bool snaps_in_menu(const Ui& ui);
 void draw_snap_choices(const Ui& ui);
 // The next edge's length and angle, to be typed; while at least one vertex is drawn.
 void draw_edge_fields(const Ui& ui, float length_width, float angle_width);
-// What can be done with the selected vertex; and whether these buttons stand on the closed sheet of a narrow screen, not in a
-// bar over the drawing.
+// What can be done with the selected vertex; and whether these buttons stand on the closed sheet of
+// a narrow screen, not in a bar over the drawing.
 void draw_vertex_buttons(const Ui& ui);
 bool vertex_is_on_sheet(const AppState& state);
 void draw_view_tools(const Ui& ui);

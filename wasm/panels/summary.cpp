@@ -83,7 +83,8 @@ std::string balanced_in_words(const Placement& placement) {
   return text;
 }
 
-// What each of the others bears while a robot fails; of many nothing, since nobody could listen to it.
+// What each of the others bears while a robot fails; of many nothing, since nobody could listen to
+// it.
 std::string loads_while_failing(const Failure& failure, const Units& units) {
   constexpr std::size_t most = 24;
   const std::vector<LoadRange>& loads = failure.outlook.loads;

@@ -22,10 +22,12 @@ Verdict verdict(const AppState& state);
 // What the verdict presumes of the robots; empty where it says nothing of them.
 std::string presumed_in_words(const AppState& state);
 
-// What happens if a robot fails: it falls, or it is not quite well because it can tip or a robot is overloaded.
+// What happens if a robot fails: it falls, or it is not quite well because it can tip or a robot is
+// overloaded.
 Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest);
 
-// The same in words, of the robot with this number, from 0: what happens if it fails, if that is known.
+// The same in words, of the robot with this number, from 0: what happens if it fails, if that is
+// known.
 std::string failure_words(const AppState& state, std::size_t robot);
 
 // Whether a robot carries more than its capacity, by the loads that are shown.
@@ -38,22 +40,23 @@ std::string overload_in_brief(const AppState& state);
 // empty.
 std::string need_in_words(const AppState& state);
 
-// What the loads that are shown presume, if they are not the plan's, and what a doubt about the centre of mass changes, each a
-// sentence or two; empty for the plan without doubt.
+// What the loads that are shown presume, if they are not the plan's, and what a doubt about the
+// centre of mass changes, each a sentence or two; empty for the plan without doubt.
 std::string model_words(const AppState& state);
 std::string doubt_words(const AppState& state);
 
 // The label of weights, such as "kg".
 std::string weight_unit(const AppState& state);
 
-// What is on the screen but not in the link, in whole sentences; empty if the link holds everything.
+// What is on the screen but not in the link, in whole sentences; empty if the link holds
+// everything.
 std::string link_lacks_in_words(const AppState& state);
 
 // Verdict, teams and their loads, each a sentence: the text of the page's live region. O(teams).
 std::string summary(const AppState& state);
 
-// What is selected, in hand and shown, each a sentence on a line of its own: besides the summary, for those who cannot see the
-// canvas. O(1).
+// What is selected, in hand and shown, each a sentence on a line of its own: besides the summary,
+// for those who cannot see the canvas. O(1).
 std::string news(const AppState& state);
 
 }  // namespace evenlift::view

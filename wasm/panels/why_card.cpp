@@ -22,8 +22,9 @@ Vec2 spot_of(const Ui& ui, const Explanation& explanation) {
                    ui.layout.second.top - ui.layout.first.top);
 }
 
-// Beside the spot, away from the centre of mass if there is room; on a narrow screen over the sheet, below the spot; on a phone
-// on its side over the panel, since beside the spot it would cover the object.
+// Beside the spot, away from the centre of mass if there is room; on a narrow screen over the
+// sheet, below the spot; on a phone on its side over the panel, since beside the spot it would
+// cover the object.
 struct CardPlace {
   Rect rect;
   bool at_bottom;      // the card stands on the bottom of the rectangle

@@ -1,6 +1,6 @@
 // Where numbers are written in the drawing: a load beside its robot, the coverage inside the
-// lifting base. This runs in every frame of a drag, so it looks at cells of pixels; pictures in files take the time to measure
-// (evenlift/output/label_places.h).
+// lifting base. This runs in every frame of a drag, so it looks at cells of pixels; pictures in
+// files take the time to measure (evenlift/output/label_places.h).
 #pragma once
 
 #include <cstddef>
@@ -21,8 +21,8 @@ struct LabelRequest {
   double reach = 0;  // of what stands there, if it is larger than a robot's mark
 };
 
-// What is already on the canvas, in cells of a few pixels: asking for the room of a box costs no more with a thousand lines
-// than with one. Boxes must not be covered; lines are better not.
+// What is already on the canvas, in cells of a few pixels: asking for the room of a box costs no
+// more with a thousand lines than with one. Boxes must not be covered; lines are better not.
 class Occupied {
  public:
   explicit Occupied(const Rect& window);
@@ -43,8 +43,9 @@ class Occupied {
   std::vector<std::uint8_t> boxes_, lines_;
 };
 
-// A box in pixels for each request, or nothing where there is no room: beside its robot, clear of boxes, and of lines as
-// far as that is possible; a box that would cover lines in more than `most_crossed` cells is left out. `reach` is the radius of a robot's mark. The boxes are entered
+// A box in pixels for each request, or nothing where there is no room: beside its robot, clear of
+// boxes, and of lines as far as that is possible; a box that would cover lines in more than
+// `most_crossed` cells is left out. `reach` is the radius of a robot's mark. The boxes are entered
 // as taken. O(n) for n requests, besides their size.
 std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& requests,
                                               Occupied& occupied, double reach, int most_crossed);

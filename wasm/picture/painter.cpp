@@ -139,7 +139,8 @@ void Painter::outline(const Points& polygon, Colour colour, float width, bool cl
   for (const Vec2& p : polygon) screen.push_back(camera_.to_screen(p));
   const ImU32 packed = colour.at(strength_).packed();
   const std::size_t n = screen.size();
-  // Dear ImGui thins two lines out towards a sharp corner, so there the line is parted, and its ends get a round joint.
+  // Dear ImGui thins two lines out towards a sharp corner, so there the line is parted, and its
+  // ends get a round joint.
   const auto is_sharp = [&](std::size_t i) {
     if (!closed && (i == 0 || i + 1 == n)) return false;
     const Vec2 in = screen[i] - screen[(i + n - 1) % n], out = screen[(i + 1) % n] - screen[i];

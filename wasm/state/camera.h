@@ -22,8 +22,8 @@ struct Rect {
   }
 };
 
-// The part of the segment from a to b in a rectangle, its edge included, as shares of the way from a; nothing if there is
-// none. O(1).
+// The part of the segment from a to b in a rectangle, its edge included, as shares of the way from
+// a; nothing if there is none. O(1).
 struct PartOfSegment {
   double from = 0, to = 1;
 };

@@ -51,15 +51,16 @@ struct EndEdit {};
 struct Undo {};
 struct Redo {};
 
-// Moves a balanced robot along the outline, and its neighbours follow; or a team along its range, with
-// the robot. It is always live.
+// Moves a balanced robot along the outline, and its neighbours follow; or a team along its range,
+// with the robot. It is always live.
 struct MoveRobot {
   std::size_t robot;  // its number, team after team
   Vec2 to;            // the robot goes to the nearest point of the outline
 };
 struct ResetRobots {};  // back to where they were found
 
-// What the search of this number found (Given::Found); it is told without `robots` that it cannot go on.
+// What the search of this number found (Given::Found); it is told without `robots` that it cannot
+// go on.
 struct TakeRobots {
   std::uint64_t number;
   std::optional<std::string> robots;
@@ -98,7 +99,8 @@ struct SetDrawCursor {
   std::optional<Vec2> pointer;  // in pixels, if the pointer moved it
   bool by_keys = false;
 };
-// The next edge's length and its angle in degrees, as typed; what is not given stays. Places its end if asked for.
+// The next edge's length and its angle in degrees, as typed; what is not given stays. Places its
+// end if asked for.
 struct TypeEdge {
   std::optional<double> length, degrees;
   bool place = false;
@@ -142,7 +144,8 @@ struct Measure {
 struct HoverFigure {
   std::optional<std::size_t> figure;
 };
-// Opens the card that says why a robot stands where it does, or a candidate was not taken; with nothing, closes it.
+// Opens the card that says why a robot stands where it does, or a candidate was not taken; with
+// nothing, closes it.
 struct Explain {
   std::optional<Pick> of;
 };
@@ -231,7 +234,8 @@ struct ShowNotice {
 };
 struct EndNotice {};  // unless it says that something went wrong
 
-// What the page around the view tells of itself, or kept of the last visit. Nothing of it is a step of undo.
+// What the page around the view tells of itself, or kept of the last visit. Nothing of it is a step
+// of undo.
 struct SetCanvas {
   double css_width, css_height, css_ratio;
 };

@@ -37,8 +37,8 @@ struct Failure {
   Outlook outlook;                   // the loads and the robustness of the others
 };
 
-// The search that betters the balanced robots on the screen, and goes on beside the page; and after it the
-// count of those that it takes if any one may fail.
+// The search that betters the balanced robots on the screen, and goes on beside the page; and after
+// it the count of those that it takes if any one may fail.
 struct Search {
   std::uint64_t number = 0;  // of the last one; what an earlier one finds is dropped
   bool due = false;          // the robots on the screen are the start of one
@@ -84,18 +84,19 @@ struct Derived {
   Basis basis;
 };
 
-// What commands bring along for derive(), which empties it: a check has computed it already, or it comes
-// from beside the page.
+// What commands bring along for derive(), which empties it: a check has computed it already, or it
+// comes from beside the page.
 struct Given {
   std::optional<Placement> placement;  // of the document
   std::optional<Trace> trace;          // of that placement
-  // If the placement differs only by robots that were moved by hand: the number of one that is held, and
-  // its number now.
+  // If the placement differs only by robots that were moved by hand: the number of one that is
+  // held, and its number now.
   struct Moved {
     std::size_t robot, now;
   };
   std::optional<Moved> moved;
-  // What the search of this number found: robots, or how many were counted; nothing if it cannot go on.
+  // What the search of this number found: robots, or how many were counted; nothing if it cannot go
+  // on.
   struct Found {
     std::uint64_t number;
     std::optional<std::string> robots;

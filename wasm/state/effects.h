@@ -1,5 +1,5 @@
-// What the view asks of the browser, as values: commands and what follows from them say it, and page
-// carries it out afterwards, in this order (page/effects.cpp).
+// What the view asks of the browser, as values: commands and what follows from them say it, and
+// page carries it out afterwards, in this order (page/effects.cpp).
 #pragma once
 
 #include <cstdint>
@@ -46,7 +46,8 @@ enum class Cursor : std::uint8_t {
 // few times a second.
 struct DocumentChanged {};
 
-// What is selected, in hand or compared changed, and with it only the text for those who cannot see the canvas.
+// What is selected, in hand or compared changed, and with it only the text for those who cannot see
+// the canvas.
 struct SummaryChanged {};
 
 // The preferences changed, which the browser keeps besides the document (page_kept()).
@@ -72,8 +73,8 @@ struct FocusField {
   std::string control;
 };
 
-// Shows the page in full screen, or in its window again. When the reader leaves full screen, the page says so with
-// page_end_presenting().
+// Shows the page in full screen, or in its window again. When the reader leaves full screen, the
+// page says so with page_end_presenting().
 struct ShowFullScreen {
   bool on;
 };
@@ -82,9 +83,9 @@ struct ShowFullScreen {
 struct ShowPage {};
 
 // Goes on with the search of this number for balanced robots, beside the page, and ends what was
-// under way. The problem is a polygon in the thesis's format, settings as lines
-// `name=value`, and the robots at the start (robots_text.h). page_take_robots() gets what is found. With a
-// capacity among the settings it is only counted how many robots it takes if any one may fail.
+// under way. The problem is a polygon in the thesis's format, settings as lines `name=value`, and
+// the robots at the start (robots_text.h). page_take_robots() gets what is found. With a capacity
+// among the settings it is only counted how many robots it takes if any one may fail.
 struct BeginSearch {
   std::uint64_t number;
   std::string polygon, settings, robots;

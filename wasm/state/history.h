@@ -15,8 +15,8 @@
 
 namespace evenlift::view {
 
-// What an edit did. The browser keeps these numbers, so a new one goes to the end. A setting that has
-// none here has that of its record in links (SettingRow), counted from `edit_of_records` on.
+// What an edit did. The browser keeps these numbers, so a new one goes to the end. A setting that
+// has none here has that of its record in links (SettingRow), counted from `edit_of_records` on.
 enum class Edit : std::uint32_t {
   opened,
   drawn,
@@ -53,14 +53,15 @@ std::string in_words(Edit edit);
 // The edit that changes a setting. O(settings).
 Edit edit_of(const SettingRow& row);
 
-// What is shown, with the overlays and the step of another: these are no edit, and undo leaves them.
-// O(1).
+// What is shown, with the overlays and the step of another: these are no edit, and undo leaves
+// them. O(1).
 Shown seen_as(Shown shown, const Shown& other);
 
 // Whether another object took the place of the one that was open. O(1).
 bool is_other_object(Edit edit);
 
-// A picture that lies behind the drawing, to be traced. The page draws it; the view knows where it lies.
+// A picture that lies behind the drawing, to be traced. The page draws it; the view knows where it
+// lies.
 struct Backdrop {
   Vec2 low, high;             // its corners, in polygon coordinates
   std::uint32_t picture = 0;  // which one it is, counted from the start
@@ -100,17 +101,17 @@ class History {
   Recalled undo(const Document& now, const Beside& beside = {});
   Recalled redo(const Document& now, const Beside& beside = {});
 
-  // Leaves the lesson whose object is open: what was open before it; nothing if no lesson was opened. If nothing
-  // was edited since, the history is as if the lesson had not been opened. Otherwise leaving it is one more
-  // step, which undo takes back.
+  // Leaves the lesson whose object is open: what was open before it; nothing if no lesson was
+  // opened. If nothing was edited since, the history is as if the lesson had not been opened.
+  // Otherwise leaving it is one more step, which undo takes back.
   std::optional<Recalled> leave_lesson(const Document& now, const Beside& beside = {});
 
-  // The index, as for kept(), of the step that opened the lesson whose object was open before the newest `later` steps;
-  // nothing if that was no lesson's. O(steps).
+  // The index, as for kept(), of the step that opened the lesson whose object was open before the
+  // newest `later` steps; nothing if that was no lesson's. O(steps).
   std::optional<std::size_t> lesson_opened(std::size_t later = 0) const;
 
-  // A step to be kept outside: the one that so many undos (redos) lead to, from 0; nothing if
-  // there is none. A document that is too large for a link has none. The first time O(n), then O(bytes).
+  // A step to be kept outside: the one that so many undos (redos) lead to, from 0; nothing if there
+  // is none. A document that is too large for a link has none. The first time O(n), then O(bytes).
   struct Kept {
     Edit edit = Edit::settings;
     Beside beside;
@@ -118,8 +119,8 @@ class History {
   };
   std::optional<Kept> kept(bool redo, std::size_t index);
 
-  // Adds such a step as the newest one to be undone (redone). Does nothing with a link that cannot be
-  // read. O(n).
+  // Adds such a step as the newest one to be undone (redone). Does nothing with a link that cannot
+  // be read. O(n).
   void add(bool redo, const Kept& kept);
   void clear();
 

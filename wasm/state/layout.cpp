@@ -14,9 +14,11 @@ constexpr double least_height_for_tools = 480, least_height_beside_sheet = 640;
 constexpr double least_room = 165;
 constexpr double knob = 36;           // above or below the frame of the whole, to turn it
 constexpr double caption_above = 34;  // of one of two pictures above each other
-// A sheet with its handle and the row of the player, or the headline of the verdict and one row (panels.cpp).
+// A sheet with its handle and the row of the player, or the headline of the verdict and one row
+// (panels.cpp).
 constexpr double brief_row = 88, brief_verdict = 152;
-// Before a room: with less height, a card has no place below the words; and what of the height the words keep.
+// Before a room: with less height, a card has no place below the words; and what of the height the
+// words keep.
 constexpr double least_height_for_both = 480, share_of_words = 0.45;
 
 // A bar with one row of controls.
@@ -34,8 +36,8 @@ Rect room_in(const Rect& free, double beside, double above, double below) {
           free.bottom - std::min(below, most)};
 }
 
-// A window at the left takes its width from the drawing, one at the right what it covers beyond the panel, and one at the foot
-// its height.
+// A window at the left takes its width from the drawing, one at the right what it covers beyond the
+// panel, and one at the foot its height.
 void make_room_for_window(Layout& l, const Screen& screen) {
   constexpr double least = 135;  // of the width, which stays the drawing's
   const double most = std::max(0.0, l.free.width() - least);
@@ -81,8 +83,8 @@ void seat_player(Layout& l, double right, double height) {
   l.free.bottom -= height + l.margin;
 }
 
-// One card at the foot: what the step says and one row of buttons, or else what the result is. Its height is the same at
-// every step.
+// One card at the foot: what the step says and one row of buttons, or else what the result is. Its
+// height is the same at every step.
 Layout embedded(const AppState& state) {
   const Screen& screen = state.session.screen;
   Layout l;
@@ -198,7 +200,8 @@ Layout narrow(const AppState& state) {
   if (state.view.sheet == Sheet::half) height = most;
   if (state.view.sheet == Sheet::full) height = screen.height - bar_height(l) - 3 * l.margin;
   l.panel = {0, screen.height - height, screen.width, screen.height};
-  // A sheet that is pulled up to the top ends above a card of the page, which stands at the foot of the screen then.
+  // A sheet that is pulled up to the top ends above a card of the page, which stands at the foot of
+  // the screen then.
   if (state.view.sheet == Sheet::full && screen.card > 0)
     l.panel.bottom -= std::min(screen.card + 2 * l.margin, height / 2);
   l.toolbar = {l.margin, l.margin, screen.width - l.margin, l.margin + bar_height(l)};
@@ -210,7 +213,8 @@ Layout narrow(const AppState& state) {
   const double tools_height = 3 * 44 + 2 * 2 + 4;
   l.tools = {screen.width - l.margin - 48, l.panel.top - l.margin - tools_height,
              screen.width - l.margin, l.panel.top - l.margin};
-  // Beside a sheet that is pulled up, or over one of two pictures, they would cover robots; a window would cover them.
+  // Beside a sheet that is pulled up, or over one of two pictures, they would cover robots; a
+  // window would cover them.
   l.low = screen.height < least_height_beside_sheet;
   if (l.low || state.view.sheet != Sheet::closed || state.work.second_method ||
       screen.window_foot > 0)
@@ -263,8 +267,8 @@ Rect inset(const Rect& r, double by) {
   return {r.left + by, r.top + by, r.right - by, r.bottom - by};
 }
 
-// Where it covers neither a bar nor what is being drawn nor, before a room, the words; above a card of the page. On a sheet
-// that is pulled up to the top, at its foot: the verdict is at its head.
+// Where it covers neither a bar nor what is being drawn nor, before a room, the words; above a card
+// of the page. On a sheet that is pulled up to the top, at its foot: the verdict is at its head.
 Rect seat_of_notice(const AppState& state, const Layout& l) {
   constexpr double gap = 8, least_height = 100, widest = 560;
   if (!l.wide && state.view.sheet == Sheet::full && !state.view.presenting &&
@@ -278,8 +282,8 @@ Rect seat_of_notice(const AppState& state, const Layout& l) {
   return {middle - half, head, middle + half, std::max(foot, head + least_height)};
 }
 
-// A notice of several lines would cover robots at the foot of the lower picture: the polygon makes room for it. Where that is
-// not enough, the notice goes down over the closed sheet.
+// A notice of several lines would cover robots at the foot of the lower picture: the polygon makes
+// room for it. Where that is not enough, the notice goes down over the closed sheet.
 void make_room_for_notice(const AppState& state, Layout& l) {
   if (state.session.notice.text.empty()) return;
   constexpr double robot = 16;
@@ -313,14 +317,16 @@ Layout layout(const AppState& state) {
 
 namespace {
 
-// How far robots with a size stand out beyond the object. Where they are larger than it, they may be cut off.
+// How far robots with a size stand out beyond the object. Where they are larger than it, they may
+// be cut off.
 double stands_out(const Settings& settings, double size) {
   const RobotSize& robot = settings.robot;
   if (!takes_sizes(settings.method) || !(robot.radius > 0)) return 0;
   return std::min(2 * robot.radius + robot.reach, size);
 }
 
-// For a picture that is traced: below the bar of the drawing tool, which has a second row on a narrow screen (drawing_bar.cpp).
+// For a picture that is traced: below the bar of the drawing tool, which has a second row on a
+// narrow screen (drawing_bar.cpp).
 Rect room_for_backdrop(const Layout& l) {
   const double rows = l.wide || l.low ? 1 : 2, bar = 8 + rows * (l.control + 8) + 8;
   Rect room = l.room;

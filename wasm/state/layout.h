@@ -32,15 +32,16 @@ struct Layout {
 
 Layout layout(const AppState& state);
 
-// Whether the sheet of a narrow screen can stand half open: on a low screen it is as high as that when it is closed.
+// Whether the sheet of a narrow screen can stand half open: on a low screen it is as high as that
+// when it is closed.
 bool has_half_sheet(const AppState& state);
 
-// What the view shows when it fits: the polygon, and its centre of mass if that lies outside; or, while one draws over a photo,
-// all of that. O(vertices).
+// What the view shows when it fits: the polygon, and its centre of mass if that lies outside; or,
+// while one draws over a photo, all of that. O(vertices).
 Camera fitting_camera(const AppState& state);
 
-// Where a card of the page may stand, at the foot of this place and not above it: it covers no control. It does not depend on
-// whether there is a card.
+// Where a card of the page may stand, at the foot of this place and not above it: it covers no
+// control. It does not depend on whether there is a card.
 Rect card_seat(const AppState& state);
 
 }  // namespace evenlift::view

@@ -23,9 +23,9 @@ inline bool takes_sizes(Method method) {
   return method == Method::balanced || selects_candidates(method);
 }
 
-// The settings with another method. Settings that the new method does not support are reset: "max" to
-// `teams`, the goal, the robots' size, and what they must not touch. A goal of balanced robots is reset for
-// teams, too.
+// The settings with another method. Settings that the new method does not support are reset: "max"
+// to `teams`, the goal, the robots' size, and what they must not touch. A goal of balanced robots
+// is reset for teams, too.
 inline Settings with_method(Settings settings, Method method, std::uint32_t teams) {
   const bool balanced = method == Method::balanced;
   if (!settings.teams && !selects_candidates(method) && !balanced) settings.teams = teams;
@@ -39,8 +39,8 @@ inline Settings with_method(Settings settings, Method method, std::uint32_t team
   return settings;
 }
 
-// What a method has no use for is set aside, and is there again with the next method that has. Balanced robots have a goal of
-// their own.
+// What a method has no use for is set aside, and is there again with the next method that has.
+// Balanced robots have a goal of their own.
 struct WithMethod {
   Settings settings;
   SetAside aside;

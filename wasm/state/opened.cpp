@@ -24,8 +24,8 @@ Result<Placement> placed(const Document& document, const Polygon* known) {
   return place(document, Effort::start);
 }
 
-// t teams are exchanged among K candidates in 0.1 to 5 microseconds times t^3 K, and 1.6 times as long in
-// the browser (docs/performance.md).
+// t teams are exchanged among K candidates in 0.1 to 5 microseconds times t^3 K, and 1.6 times as
+// long in the browser (docs/performance.md).
 double exchange_cost(const Placement& placement) {
   const auto teams = static_cast<double>(placement.teams.size());
   return teams * teams * teams * static_cast<double>(placement.candidates.size());

@@ -32,16 +32,16 @@ Result<Opened> read_document(std::string_view text);
 // Like read_document(), but does not place it.
 Result<Document> parse_document(std::string_view text);
 
-// How soon a placement is wanted. Teams that are to hold are exchanged among all candidates, which can
-// take seconds among very many of them. Where that would hold up the page, the teams stay as the metric
-// selects them, and `search_ended` of the placement is false: during a drag where it takes more than
-// about a twentieth of a second, and at rest where it takes more than some seconds.
+// How soon a placement is wanted. Teams that are to hold are exchanged among all candidates, which
+// can take seconds among very many of them. Where that would hold up the page, the teams stay as
+// the metric selects them, and `search_ended` of the placement is false: during a drag where it
+// takes more than about a twentieth of a second, and at rest where it takes more than some seconds.
 enum class Haste : std::uint8_t { at_rest, drag };
 
 // The view computes placements and traces only through these two functions. They count, so that a
 // test can check that an action computes one placement, and none if it changes only the picture.
-// With a placement of the same vertices their check is spared. Balanced robots are those of the start:
-// a search goes on from there (search.h), unless their whole search is traced.
+// With a placement of the same vertices their check is spared. Balanced robots are those of the
+// start: a search goes on from there (search.h), unless their whole search is traced.
 Result<Placement> compute_placement(const Document& document,
                                     const std::optional<Placement>& before = std::nullopt,
                                     Haste haste = Haste::at_rest);

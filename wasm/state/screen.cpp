@@ -7,7 +7,8 @@
 namespace evenlift::view {
 namespace {
 
-// Before a room the screen counts as one of about this size, whose letters are read from the last row.
+// Before a room the screen counts as one of about this size, whose letters are read from the last
+// row.
 constexpr double room_width = 880, room_height = 500;
 
 void measure_screen(AppState& state) {

@@ -13,7 +13,8 @@ namespace evenlift::view {
 struct Screen {
   // Of the canvas, as the browser tells: in CSS pixels, and device pixels per CSS pixel.
   double css_width = 1280, css_height = 800, css_ratio = 1;
-  // Before a room everything is enlarged: everything else here and in the view is in pixels that are `zoom` CSS pixels large.
+  // Before a room everything is enlarged: everything else here and in the view is in pixels that
+  // are `zoom` CSS pixels large.
   double zoom = 1;
   double width = 1280, height = 800;
   double ratio = 1;  // device pixels per pixel
@@ -24,7 +25,8 @@ struct Screen {
   bool touch = false;   // the last pointer was a finger, which hovers over nothing
   double foot = 0;      // covered by a card of the page at the foot of the drawing, in pixels
   double card = 0;      // the height of that card
-  // What a window of the page covers: at the left, at the right, or from below as wide as the screen.
+  // What a window of the page covers: at the left, at the right, or from below as wide as the
+  // screen.
   double window_left = 0, window_right = 0, window_foot = 0;
   Rect area() const { return {0, 0, width, height}; }
 };

@@ -1,6 +1,6 @@
-// Everything that the view knows, in four parts. The canvas and the panels read it. Commands change the
-// work, the view and the session (app/update.h); what is derived follows from those, and only derive()
-// writes it. It does not depend on Dear ImGui.
+// Everything that the view knows, in four parts. The canvas and the panels read it. Commands change
+// the work, the view and the session (app/update.h); what is derived follows from those, and only
+// derive() writes it. It does not depend on Dear ImGui.
 #pragma once
 
 #include <string>
@@ -34,16 +34,16 @@ inline bool in_lesson(const AppState& state) {
   return walkthrough_is_open(state) && state.view.walkthrough.of_lesson;
 }
 
-// The robot that fails in the picture; null if none does. A lesson and a shape that is being drawn or
-// refused show none. O(1).
+// The robot that fails in the picture; null if none does. A lesson and a shape that is being drawn
+// or refused show none. O(1).
 inline const Failure* failing(const AppState& state) {
   const bool shown = state.derived().failure && !state.derived().refusal &&
                      state.view.tool != Tool::draw && !walkthrough_is_open(state);
   return shown ? &*state.derived().failure : nullptr;
 }
 
-// The placement in one of the two pictures, with a robot that fails, and what its robots bear; there must
-// be one. O(1).
+// The placement in one of the two pictures, with a robot that fails, and what its robots bear;
+// there must be one. O(1).
 inline const Placement& shown_placement(const AppState& state, bool second = false) {
   if (second) return *state.derived().second;
   return failing(state) ? failing(state)->placement : *state.derived().placement;

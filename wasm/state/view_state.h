@@ -1,4 +1,5 @@
-// What somebody looks at, and with which tool in hand: it is neither saved with the document nor undone.
+// What somebody looks at, and with which tool in hand: it is neither saved with the document nor
+// undone.
 #pragma once
 
 #include <cstddef>
@@ -47,8 +48,8 @@ struct Snap {
   bool operator==(const Snap&) const = default;
 };
 
-// What somebody asked for: by its number another time is told from the same. It ends with the next other
-// robots.
+// What somebody asked for: by its number another time is told from the same. It ends with the next
+// other robots.
 template <class What>
 struct Wanted {
   std::optional<What> of;

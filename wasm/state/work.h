@@ -10,7 +10,8 @@
 
 namespace evenlift::view {
 
-// What the robots' size, the edges that must not be touched and the goal were before a method that has no use for them.
+// What the robots' size, the edges that must not be touched and the goal were before a method that
+// has no use for them.
 struct SetAside {
   std::optional<RobotSize> robot;
   std::optional<std::vector<EdgePart>> no_go;

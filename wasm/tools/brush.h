@@ -10,16 +10,16 @@ namespace evenlift::view {
 
 inline constexpr double brush_reach = 12, finger_reach = 22;  // pixels
 
-// The edge whose boundary is nearest to a place on the screen, and where on it, from 0 to 1; nothing if
-// none is within the brush's reach. O(n).
+// The edge whose boundary is nearest to a place on the screen, and where on it, from 0 to 1;
+// nothing if none is within the brush's reach. O(n).
 struct BrushedPlace {
   std::uint32_t edge;
   double at;
 };
 std::optional<BrushedPlace> brushed_place(const AppState& state, const Vec2& screen, bool finger);
 
-// The settings after the brush went from one place on the screen to another: what comes within its reach
-// is marked, or erased. O(n), and O(parts) for each edge that it meets.
+// The settings after the brush went from one place on the screen to another: what comes within its
+// reach is marked, or erased. O(n), and O(parts) for each edge that it meets.
 Settings brushed(const AppState& state, const Vec2& from, const Vec2& to, bool finger);
 
 // The settings after a click: the whole edge is marked, or nothing of it any more.

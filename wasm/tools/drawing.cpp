@@ -40,8 +40,9 @@ void pull(double& value, double first, double second, double reach) {
   if (std::abs(value - nearer) <= reach) value = nearer;
 }
 
-// How many units of rounding a length of 1 has: a million, divided by the least power of ten that is at least
-// the size. It takes no logarithm of the library, so that a typed edge has the same bits everywhere.
+// How many units of rounding a length of 1 has: a million, divided by the least power of ten that
+// is at least the size. It takes no logarithm of the library, so that a typed edge has the same
+// bits everywhere.
 double units_of_rounding(double size) {
   double above = 1, below = 1;
   while (above < size) above *= 10;

@@ -32,11 +32,12 @@ Edge edge_between(const Vec2& from, const Vec2& to);
 std::string edge_in_words(const AppState& state, const Vec2& from, const Vec2& to);
 std::string length_in_words(const AppState& state, double length);
 
-// The end of the next edge towards `wanted`, with the length and the angle that were typed. At least one vertex is placed.
-// It is rounded to a millionth of the edge. O(1).
+// The end of the next edge towards `wanted`, with the length and the angle that were typed. At
+// least one vertex is placed. It is rounded to a millionth of the edge. O(1).
 Vec2 typed_end(const Drawing& drawing, const Vec2& wanted);
 
-// The centroid of the area that a chain encloses when it is closed; nothing if that is no area. O(n).
+// The centroid of the area that a chain encloses when it is closed; nothing if that is no area.
+// O(n).
 std::optional<Vec2> centroid_of(const Points& chain);
 
 // Where the next vertex goes when the pointer is at `world`: snapped as asked for. O(1).

@@ -16,7 +16,8 @@ enum class FrameGrip : std::uint8_t { low_left, low_right, high_left, high_right
 inline constexpr FrameGrip corner_grips[] = {FrameGrip::low_left, FrameGrip::low_right,
                                              FrameGrip::high_left, FrameGrip::high_right};
 
-// Where a grip is drawn, in pixels. The knob is above the frame; where it has no room there, below; or else inside. O(1).
+// Where a grip is drawn, in pixels. The knob is above the frame; where it has no room there, below;
+// or else inside. O(1).
 Vec2 grip_place(const AppState& state, const Rect& frame, FrameGrip grip);
 
 // What was done to the polygon since it was taken hold of. O(n).

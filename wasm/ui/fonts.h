@@ -1,4 +1,5 @@
-// The page's two fonts: assets/fonts, made part of the program by cmake/Embed.cmake; or larger ones that the page fetched.
+// The page's two fonts: assets/fonts, made part of the program by cmake/Embed.cmake; or larger ones
+// that the page fetched.
 #pragma once
 
 #include <vector>

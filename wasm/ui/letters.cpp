@@ -9,7 +9,8 @@
 namespace evenlift::view {
 namespace {
 
-// At least the characters of assets/fonts/subset.py that the page itself writes; characters that a font lacks take no room.
+// At least the characters of assets/fonts/subset.py that the page itself writes; characters that a
+// font lacks take no room.
 constexpr ImWchar always[] = {0x20, 0xFF, 0x2009, 0x203A, 0x2212, 0x2265};
 
 // Characters are rasterised by blocks of so many, as a text seldom needs one alone.
@@ -28,7 +29,8 @@ struct Decoded {
   std::size_t bytes;
 };
 
-// The character at the beginning of a text in UTF-8 that is not empty; what is no UTF-8 counts byte by byte.
+// The character at the beginning of a text in UTF-8 that is not empty; what is no UTF-8 counts byte
+// by byte.
 Decoded decode(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned first = byte(0);

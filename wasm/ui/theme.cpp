@@ -82,7 +82,8 @@ constexpr Theme dark = {
     .shadow = {0x000000, 0.35f},
 };
 
-// The size of letters as people name it, in pixels. Dear ImGui counts a font's whole line, which is higher than that.
+// The size of letters as people name it, in pixels. Dear ImGui counts a font's whole line, which is
+// higher than that.
 struct FaceSpec {
   bool semibold;
   float letters;

@@ -41,8 +41,8 @@ const Theme& theme(const AppState& state);
 // none does.
 Colour heat_colour(const Theme& theme, double share);
 
-// Letters in pixels: tiny 11, label 13, text 15, verdict and large 20; all but label, text and large are semibold. The last
-// is no face: it counts them.
+// Letters in pixels: tiny 11, label 13, text 15, verdict and large 20; all but label, text and
+// large are semibold. The last is no face: it counts them.
 enum class Face { tiny, label, strong_label, text, strong, verdict, large, end_of_faces };
 
 // Rasterises the faces for a device-pixel ratio; call before a frame, and upload the font texture

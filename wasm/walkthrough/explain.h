@@ -8,7 +8,8 @@
 
 namespace evenlift::view {
 
-// About a robot, a chord or a candidate of one of the two pictures. Costs as much as make_trace() and look_at_scores().
+// About a robot, a chord or a candidate of one of the two pictures. Costs as much as make_trace()
+// and look_at_scores().
 Explanation explain(const AppState& state, const Pick& pick);
 
 // The same as sentences, for those who cannot see the card.

@@ -5,8 +5,9 @@
 
 namespace evenlift::view {
 
-// Goes `by` of the steps that are shown forward: main steps, all steps, or stops of the script. With predictions on, a step
-// forward that shows a choice asks for it first (walkthrough/questions.h).
+// Goes `by` of the steps that are shown forward: main steps, all steps, or stops of the script.
+// With predictions on, a step forward that shows a choice asks for it first
+// (walkthrough/questions.h).
 void move_steps(AppState& state, int by);
 void move_chapters(AppState& state, int by);
 

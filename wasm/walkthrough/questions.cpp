@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::size_t most_offered = 6;  // choices of a question
 
-// Whether there is nothing to guess: one candidate only, or two ends that are as even as each other, or that look like one.
+// Whether there is nothing to guess: one candidate only, or two ends that are as even as each
+// other, or that look like one.
 bool is_trivial(const Trace& trace, const Ask& asked) {
   if (asked.question.kind != QuestionKind::nearer_end) return asked.choices.size() < 2;
   constexpr double apart = 1.0 / 80;  // of the object's size
@@ -26,8 +27,8 @@ bool is_trivial(const Trace& trace, const Ask& asked) {
          ratio_in_words(pair.ends[0].ratio) == ratio_in_words(pair.ends[1].ratio);
 }
 
-// The answer and some others, as far apart in their order as possible: of very many choices nobody could tell one from
-// the next in the drawing.
+// The answer and some others, as far apart in their order as possible: of very many choices nobody
+// could tell one from the next in the drawing.
 std::vector<std::uint32_t> some_of(const std::vector<std::uint32_t>& choices,
                                    std::uint32_t answer) {
   const std::size_t n = choices.size();

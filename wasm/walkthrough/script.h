@@ -18,7 +18,8 @@ void find_stops(Walkthrough& walk);
 // Finds the stop for a step that was not reached from stop to stop.
 void settle_position(Walkthrough& walk);
 
-// Whether a script is open, and the polygon and its centre of mass are still those that it was written for.
+// Whether a script is open, and the polygon and its centre of mass are still those that it was
+// written for.
 bool script_is_true(const AppState& state);
 
 // The teacher's words for this step; empty if there are none, or while a question is asked.

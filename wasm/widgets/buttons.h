@@ -1,4 +1,5 @@
-// Buttons; true when pressed. `id` is unique within its window. A disabled one is drawn faintly and does nothing.
+// Buttons; true when pressed. `id` is unique within its window. A disabled one is drawn faintly and
+// does nothing.
 #pragma once
 
 #include <string>
@@ -16,8 +17,8 @@ bool text_button(const Ui& ui, const char* id, Icon icon, const char* label, con
 
 float text_button_width(const char* label);  // with an icon before it
 
-// A button with its own background; a strong one stands out as the next thing to do. `spoken` is its name for those who cannot
-// see what stands beside it, if that is another one.
+// A button with its own background; a strong one stands out as the next thing to do. `spoken` is
+// its name for those who cannot see what stands beside it, if that is another one.
 bool flat_button(const Ui& ui, const char* id, const char* label, float width, bool enabled = true,
                  bool strong = false, const char* spoken = nullptr);
 

@@ -21,19 +21,22 @@ void end_card(const Ui& ui);
 // Lets a finger scroll the window that is being filled, as it does everywhere else.
 void scroll_by_finger(const Ui& ui);
 
-// Call this after laying out an item that follows the pointer: while it is held, a finger scrolls nothing.
+// Call this after laying out an item that follows the pointer: while it is held, a finger scrolls
+// nothing.
 void take_way_of_finger();
 
-// A box of constant height, in which what is longer scrolls. End with end_scrolling_box(). The scroll bar lies in the padding
-// of the card, so that the text breaks into the same lines with it and without it.
+// A box of constant height, in which what is longer scrolls. End with end_scrolling_box(). The
+// scroll bar lies in the padding of the card, so that the text breaks into the same lines with it
+// and without it.
 void begin_scrolling_box(const Ui& ui, const char* id, float height);
 void end_scrolling_box(const Ui& ui);
 
 // What was given here in the last frame, by the window and the id; `at_first` in the first one.
 int in_last_frame(const char* id, int now, int at_first);
 
-// Call after a section that a button opens, whose head is at `head` (ImGui::GetCursorPosY() before it): once it was opened, the
-// card scrolls until all of it is seen, or as much as there is room for.
+// Call after a section that a button opens, whose head is at `head` (ImGui::GetCursorPosY() before
+// it): once it was opened, the card scrolls until all of it is seen, or as much as there is room
+// for.
 void show_opened(const Ui& ui, const char* id, bool open, float head);
 
 // Whether the pointer moved so far since it was pressed that it is no press.

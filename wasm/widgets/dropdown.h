@@ -10,8 +10,8 @@
 
 namespace evenlift::view {
 
-// The list for a popup opened with ImGui::OpenPopup(id): below `anchor_low` .. `anchor_high`, or above where there is more
-// room. If it is open returns true; then add rows and call end_choices().
+// The list for a popup opened with ImGui::OpenPopup(id): below `anchor_low` .. `anchor_high`, or
+// above where there is more room. If it is open returns true; then add rows and call end_choices().
 bool begin_choices(const Ui& ui, const char* id, ImVec2 anchor_low, ImVec2 anchor_high,
                    float least_width);
 // One choice, with a word about it; true when chosen.
@@ -19,7 +19,8 @@ bool choice(const Ui& ui, const std::string& label, const char* about, bool curr
             Icon icon = Icon::none, bool enabled = true);
 void end_choices(const Ui& ui);
 
-// A setting that is one of several: its button, `width` wide, and the list that a press opens. Returns which was chosen.
+// A setting that is one of several: its button, `width` wide, and the list that a press opens.
+// Returns which was chosen.
 struct Choice {
   const char* label;
   const char* about = nullptr;

@@ -86,7 +86,8 @@ void rule(const Ui& ui) {
 
 namespace {
 
-// A tip covers neither what it is about nor its neighbours: it stands beside the panel, and below or above a bar.
+// A tip covers neither what it is about nor its neighbours: it stands beside the panel, and below
+// or above a bar.
 void place_tip(const Ui& ui, const char* text) {
   constexpr float away = 14;
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax(),

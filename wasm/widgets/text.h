@@ -10,8 +10,8 @@
 
 namespace evenlift::view {
 
-// A label at the left of its control, which says more about itself under the pointer. Leaves the cursor where the control begins,
-// and returns the width that is left for it.
+// A label at the left of its control, which says more about itself under the pointer. Leaves the
+// cursor where the control begins, and returns the width that is left for it.
 float labelled(const Ui& ui, const char* label, const char* about);
 
 void rule(const Ui& ui);
@@ -28,7 +28,8 @@ void draw_lines(ImDrawList& list, Face face, ImVec2 at, Colour colour,
                 const std::vector<std::string_view>& lines);
 float height_of(Face face, const std::vector<std::string_view>& lines);
 
-// The same text in a block of constant height: at most `lines` of them, the last one cut off with "…" if there are more.
+// The same text in a block of constant height: at most `lines` of them, the last one cut off with
+// "…" if there are more.
 void text_block_of(Face face, Colour colour, const std::string& text, float width,
                    std::size_t lines);
 

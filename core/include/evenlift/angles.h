@@ -1,7 +1,7 @@
 // Sine, cosine and arctangent, computed with + - x / and square roots only. So they give the same
 // bits on every platform, unlike the functions of the C library. Errors are below 4 units in the
-// last place of 1. Of all that is decided about a placement only distributed selection needs angles;
-// the rest is algebra. They serve generators and drawings besides, and headings and labels.
+// last place of 1. Of all that is decided about a placement only distributed selection needs
+// angles; the rest is algebra. They serve generators and drawings besides, and headings and labels.
 #pragma once
 
 namespace evenlift {

@@ -22,8 +22,8 @@
 //    tau Lambda.
 // Where all tie, the set found first stays.
 //
-// Robots that hold a constant force give no righting moment: coverage and H presume robots that push
-// back, being stiff or controlled by height.
+// Robots that hold a constant force give no righting moment: coverage and H presume robots that
+// push back, being stiff or controlled by height.
 #pragma once
 
 #include <array>
@@ -42,10 +42,10 @@ namespace balanced {
 class Rules;
 }
 
-// The object, C and the settings robots, goal, min_margin, apart, survive, robot and no_go, with all
-// that is computed of them once. Where robots have a size, or edges must not be touched, the stands are
-// spread over what can be used, and in every set that is looked at all robots can stand. It is immutable,
-// and copies share it.
+// The object, C and the settings robots, goal, min_margin, apart, survive, robot and no_go, with
+// all that is computed of them once. Where robots have a size, or edges must not be touched, the
+// stands are spread over what can be used, and in every set that is looked at all robots can stand.
+// It is immutable, and copies share it.
 class BalancedProblem {
  public:
   // The settings must be in their ranges. O(n log n), besides the cost of Stands (stands.h).
@@ -87,16 +87,16 @@ struct BalancedSearch {
 };
 inline constexpr std::uint32_t most_rounds = 8;
 
-// The search on an outline with more than 1,000 vertices ends after so much work, which is counted and not
-// timed, so that every platform ends with the same robots: for each completion 1, and 1 more for every 100
-// even candidates about C.
+// The search on an outline with more than 1,000 vertices ends after so much work, which is counted
+// and not timed, so that every platform ends with the same robots: for each completion 1, and 1
+// more for every 100 even candidates about C.
 inline constexpr std::uint64_t most_work = 150'000;
 
-// The start: S_i is the better one of S_(i-2) with two more and S_(i-3) with three more, for
-// i = 2 .. m from the empty S_0; for m = 4, and where S_4 would not exist, also a stand with three
-// more. Nothing if there is no set of m robots. For s stands, from 64 to 128 as a rule, at most
-// (s + 1) m completions, and s^2 more where a stand takes three more. A completion is the search for the
-// even candidates about one point: O(n) at worst, and much less as a rule.
+// The start: S_i is the better one of S_(i-2) with two more and S_(i-3) with three more, for i = 2
+// .. m from the empty S_0; for m = 4, and where S_4 would not exist, also a stand with three more.
+// Nothing if there is no set of m robots. For s stands, from 64 to 128 as a rule, at most (s + 1) m
+// completions, and s^2 more where a stand takes three more. A completion is the search for the even
+// candidates about one point: O(n) at worst, and much less as a rule.
 std::optional<BalancedSearch> start_balanced(const BalancedProblem& problem);
 
 // Whether the start surely takes less than some tenths of a second, so that a program that shows it
@@ -111,15 +111,17 @@ struct BalancedExchange {
   std::array<LiftingPoint, 3> from, to;
 };
 
-// A search begins once more, at most once, where that leads farther: points that are to hold and do not, from a
-// start in which S_4 is also the best stand with three more, as for m = 4; and robots with a size, of which few
-// sets find a place, from the best sets on usable intervals (docs/algorithm.md).
+// A search begins once more, at most once, where that leads farther: points that are to hold and do
+// not, from a start in which S_4 is also the best stand with three more, as for m = 4; and robots
+// with a size, of which few sets find a place, from the best sets on usable intervals
+// (docs/algorithm.md).
 //
-// What a search does next. It goes through the triples i < j < k of robots; with more than 12 robots
-// only those of which two are neighbours along the outline, with more than 24 three in a row. The best
-// of the present set and of all sets of the other robots with three more, in this order, becomes the
-// present one, and the robots are numbered anew. A round that changes nothing is the last: then no
-// exchange makes the set better. A triple costs as many completions as there are stands.
+// What a search does next. It goes through the triples i < j < k of robots; with more than 12
+// robots only those of which two are neighbours along the outline, with more than 24 three in a
+// row. The best of the present set and of all sets of the other robots with three more, in this
+// order, becomes the present one, and the robots are numbered anew. A round that changes nothing is
+// the last: then no exchange makes the set better. A triple costs as many completions as there are
+// stands.
 struct BalancedStep {
   BalancedSearch search;                     // afterwards
   std::optional<BalancedExchange> exchange;  // what was exchanged, if anything was
@@ -129,11 +131,11 @@ BalancedStep try_next_triple(const BalancedProblem& problem, BalancedSearch sear
 // The search at its end: try_next_triple() until it is finished.
 BalancedSearch finish_search(const BalancedProblem& problem, BalancedSearch search);
 
-// The robots, at least three, when somebody moves one of them along the outline: its two neighbours in
-// the list follow, so that C stays the centroid. Of the even candidates that allow it theirs are the
-// ends that are nearest to them, by the sum of the squares of the ways. Nothing if there is none: the
-// robot cannot go there. Where robots have a size `to` is its contact, and it cannot go where it would
-// not fit or collide. O(n) at worst, as a completion.
+// The robots, at least three, when somebody moves one of them along the outline: its two neighbours
+// in the list follow, so that C stays the centroid. Of the even candidates that allow it theirs are
+// the ends that are nearest to them, by the sum of the squares of the ways. Nothing if there is
+// none: the robot cannot go there. Where robots have a size `to` is its contact, and it cannot go
+// where it would not fit or collide. O(n) at worst, as a completion.
 std::optional<std::vector<LiftingPoint>> move_robot(const BalancedProblem& problem,
                                                     std::vector<LiftingPoint> robots,
                                                     std::size_t moved, const LiftingPoint& to);

@@ -15,8 +15,8 @@ namespace evenlift {
 // The keys of balanced.h, in their order.
 enum class BalancedKey : std::uint8_t { near_pairs, steady, level, coverage, spread, places };
 
-// The first key in which two sets of equally many robots differ; nothing if they tie in all. The cost
-// is that of balanced_keys() at most, for each set.
+// The first key in which two sets of equally many robots differ; nothing if they tie in all. The
+// cost is that of balanced_keys() at most, for each set.
 std::optional<BalancedKey> decided_by(const BalancedProblem& problem,
                                       const std::vector<LiftingPoint>& a,
                                       const std::vector<LiftingPoint>& b);
@@ -59,9 +59,9 @@ BalancedHistory balanced_history(const BalancedProblem& problem, HistoryLength l
 // the start: by the completions of three rounds. O(n) at worst.
 bool is_quick_to_finish(const BalancedProblem& problem);
 
-// What completes robots by two more: the point that must be the middle between the two, and the even
-// candidates about it, in candidate order; none if the point is not strictly inside the convex hull
-// of P. O(n) at worst, and much less as a rule.
+// What completes robots by two more: the point that must be the middle between the two, and the
+// even candidates about it, in candidate order; none if the point is not strictly inside the convex
+// hull of P. O(n) at worst, and much less as a rule.
 struct Completions {
   Vec2 middle = Vec2::Zero();
   std::vector<Chord> chords;

@@ -65,14 +65,14 @@ struct PairRange {
   double q(double x) const { return (1 - x) * q0 + x * q1; }
 };
 
-// The range of an edge-pair: the places at which the load ratio is at least `min_ratio`, or the whole
-// section if the edges are parallel and their ratio is at least the minimum, within tolerance.
-// Nothing if there is no such place. O(1).
+// The range of an edge-pair: the places at which the load ratio is at least `min_ratio`, or the
+// whole section if the edges are parallel and their ratio is at least the minimum, within
+// tolerance. Nothing if there is no such place. O(1).
 std::optional<PairRange> range_of(const Polygon& polygon, const Vec2& centre, const EdgePair& pair,
                                   double min_ratio);
 
-// The same of a chord with one end on each of two edges, such as that of a candidate. Nothing also if
-// the edges do not face each other. O(1).
+// The same of a chord with one end on each of two edges, such as that of a candidate. Nothing also
+// if the edges do not face each other. O(1).
 std::optional<PairRange> range_of(const Polygon& polygon, const Vec2& centre, const Chord& chord,
                                   double min_ratio);
 
@@ -84,18 +84,20 @@ Chord chord_at(const Vec2& centre, const PairRange& range, double x);
 // of the two edges is called a. O(1).
 double place_at(const PairRange& range, double s);
 
-// The place of the range at which C sees the end on edge a in a direction, or the one nearest to it. O(1).
+// The place of the range at which C sees the end on edge a in a direction, or the one nearest to
+// it. O(1).
 double place_towards(const PairRange& range, const Vec2& direction);
 
-// The two range candidates of a pair are at place_at(range, s) for these s, or at the nearest place at which
-// both robots are at least `clear` from the corners (Polygon::is_corner) of their edges, if the range has
-// one. At the very ends of the range robots would often stand on corners, where their contacts do not count.
+// The two range candidates of a pair are at place_at(range, s) for these s, or at the nearest place
+// at which both robots are at least `clear` from the corners (Polygon::is_corner) of their edges,
+// if the range has one. At the very ends of the range robots would often stand on corners, where
+// their contacts do not count.
 inline constexpr double range_places[] = {1.0 / 16, 15.0 / 16};
 
 // All candidates in candidate order; `min_ratio` in [0, 1]. It is an error if there are more than
-// max_edge_pairs edge-pairs and opposite vertices, or a third of that with positions anywhere in the
-// range. For K of them O(n log n + K) if few candidates lie on one line through C, and
-// O(n log n + K log K) at worst.
+// max_edge_pairs edge-pairs and opposite vertices, or a third of that with positions anywhere in
+// the range. For K of them O(n log n + K) if few candidates lie on one line through C, and O(n log
+// n + K log K) at worst.
 Result<std::vector<Candidate>> find_candidates(const Polygon& polygon, const Vec2& centre,
                                                double min_ratio,
                                                Positions positions = Positions::best,
@@ -119,26 +121,28 @@ Result<TracedCandidates> trace_candidates(const Polygon& polygon, const Vec2& ce
                                           double clear = 0);
 
 // The candidates of robots with a size: the chords on which a team's two robots can stand, and lift
-// beneath the object. Of each two edges that face each other, moved inward by the hand's depth, the one
-// with the best load ratio, and those at which both edges' stretches end (docs/stands.md); with positions
-// anywhere in the range also one at each of range_places in the longest of the standing_ranges(). Each is
-// wholly usable, its robots do not collide, and its ends are lifting points. Of several candidates of a
-// source `of_source` is the best one. A source whose edges do not face each other on the outline itself is
-// no_index. The cost is that of find_candidates(), and O(stretches of a times those of b) for each pair.
+// beneath the object. Of each two edges that face each other, moved inward by the hand's depth, the
+// one with the best load ratio, and those at which both edges' stretches end (docs/stands.md); with
+// positions anywhere in the range also one at each of range_places in the longest of the
+// standing_ranges(). Each is wholly usable, its robots do not collide, and its ends are lifting
+// points. Of several candidates of a source `of_source` is the best one. A source whose edges do
+// not face each other on the outline itself is no_index. The cost is that of find_candidates(), and
+// O(stretches of a times those of b) for each pair.
 class Stands;
 Result<TracedCandidates> standing_candidates(const Polygon& polygon, const Vec2& centre,
                                              double min_ratio, const Stands& stands,
                                              Positions positions = Positions::best,
                                              double clear = 0);
 
-// What robots with a size leave of the range of two edges, or of these moved inward: the parts in which
-// both robots can stand, each from its first place, 0, to its last, 1; in order along edge a. Their places
-// are lifting points. Whether the two robots collide is not asked. O(stretches of a times those of b).
+// What robots with a size leave of the range of two edges, or of these moved inward: the parts in
+// which both robots can stand, each from its first place, 0, to its last, 1; in order along edge a.
+// Their places are lifting points. Whether the two robots collide is not asked. O(stretches of a
+// times those of b).
 std::vector<PairRange> standing_ranges(const Polygon& polygon, const Vec2& centre, std::uint32_t a,
                                        std::uint32_t b, double min_ratio, const Stands& stands);
 
-// The number of the longest of at least one ranges of two edges, by the ways on both edges; of those that
-// agree within `near` the first. O(their number).
+// The number of the longest of at least one ranges of two edges, by the ways on both edges; of
+// those that agree within `near` the first. O(their number).
 std::size_t longest_range(const std::vector<PairRange>& ranges, double near);
 
 }  // namespace evenlift

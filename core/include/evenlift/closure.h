@@ -8,10 +8,10 @@
 // 1992). Second-order immobility follows E. Rimon and J. W. Burdick (Mobility of bodies in contact,
 // 1998).
 //
-// A hold that needs a robot a hair beside a corner is none that anybody can build: at the corner itself
-// its contact is gone. So each contact has its distance from the nearest corner, the hold has a clearance
-// and a tolerance, and what is to hold relies only on contacts that are far enough from corners
-// (algorithm.md, Clearance and tolerance).
+// A hold that needs a robot a hair beside a corner is none that anybody can build: at the corner
+// itself its contact is gone. So each contact has its distance from the nearest corner, the hold
+// has a clearance and a tolerance, and what is to hold relies only on contacts that are far enough
+// from corners (algorithm.md, Clearance and tolerance).
 #pragma once
 
 #include <cstdint>
@@ -29,12 +29,13 @@ struct Contact {
   Vec2 position = Vec2::Zero();
   std::uint32_t edge = 0;
   std::uint32_t point = 0;  // index of the lifting point it belongs to
-  // The distance from the nearest corner (Polygon::is_corner) at which its edge ends, where edges that
-  // straight vertices join are one edge. Infinite without such a corner, and in a reflex vertex, whose
-  // notch keeps the robot where it is.
+  // The distance from the nearest corner (Polygon::is_corner) at which its edge ends, where edges
+  // that straight vertices join are one edge. Infinite without such a corner, and in a reflex
+  // vertex, whose notch keeps the robot where it is.
   double to_corner = std::numeric_limits<double>::infinity();
-  // The distance from the nearest convex vertex at which its straight side ends, however little it turns
-  // there: a robot that passes it touches another side. Infinite without one, and in a reflex vertex.
+  // The distance from the nearest convex vertex at which its straight side ends, however little it
+  // turns there: a robot that passes it touches another side. Infinite without one, and in a reflex
+  // vertex.
   double to_end = std::numeric_limits<double>::infinity();
 };
 
@@ -46,7 +47,8 @@ Vec2 inward_normal(const Vec2& from, const Vec2& to, bool counter_clockwise);
 // The contacts of lifting points. A robot has one contact inside an edge, two at a reflex vertex,
 // one at a straight vertex. At a convex vertex its push has no definite direction, so it is not
 // counted: the free regions are then rather too large, the safe side. It is at a vertex if it is
-// within tau L of it. O((m + n) log n) for m points, if few vertices lie within tau L of one another.
+// within tau L of it. O((m + n) log n) for m points, if few vertices lie within tau L of one
+// another.
 std::vector<Contact> contacts(const Polygon& polygon, const std::vector<LiftingPoint>& points);
 
 // The contacts that are not nearer than `clear` to a corner, within tau L. O(contacts).
@@ -62,28 +64,28 @@ struct FreeRegion {
                           // counter-clockwise; no, one or two points if it has no area there
 };
 
-// The regions of free rotation centres that contacts leave. O(n + m log m) for m contacts on e edges,
-// and O(e^2) to clip a region at worst, or if it has no area.
+// The regions of free rotation centres that contacts leave. O(n + m log m) for m contacts on e
+// edges, and O(e^2) to clip a region at worst, or if it has no area.
 struct FreeRegions {
   FreeRegion clockwise, counterclockwise;
 };
 FreeRegions free_regions(const Polygon& polygon, const Vec2& centre,
                          const std::vector<Contact>& contacts);
 
-// How exactly robots must stand so that they hold, in units of length. Let m(k) be the margin of the
-// contacts that are at least k from corners, and s(k) that of the contacts that are at least k from the
-// ends of their straight sides.
+// How exactly robots must stand so that they hold, in units of length. Let m(k) be the margin of
+// the contacts that are at least k from corners, and s(k) that of the contacts that are at least k
+// from the ends of their straight sides.
 struct Clearance {
-  // The supremum of the k with m(k) > 0: infinite if the hold needs no contact beside a corner, and 0
-  // without form closure.
+  // The supremum of the k with m(k) > 0: infinite if the hold needs no contact beside a corner, and
+  // 0 without form closure.
   double distance = 0;
-  // The lifting point whose contact is at that distance; without it and all that are nearer to corners the
-  // object is not held. None if the distance is 0 or infinite.
+  // The lifting point whose contact is at that distance; without it and all that are nearer to
+  // corners the object is not held. None if the distance is 0 or infinite.
   std::optional<std::uint32_t> point;
-  // The supremum of min(k, R s(k)) over all k. If each robot is off by less than that along its side, all
-  // at once in any way, and those in reflex vertices stay there, it is still form closure: no contact that
-  // counts leaves its side, and a wrench moves by at most the way divided by R, so that the ball shrinks by
-  // no more. 0 without form closure.
+  // The supremum of min(k, R s(k)) over all k. If each robot is off by less than that along its
+  // side, all at once in any way, and those in reflex vertices stay there, it is still form
+  // closure: no contact that counts leaves its side, and a wrench moves by at most the way divided
+  // by R, so that the ball shrinks by no more. 0 without form closure.
   double tolerance = 0;
 };
 
@@ -94,10 +96,10 @@ Clearance analyse_clearance(const Polygon& polygon, const Vec2& centre,
 struct Closure {
   bool form_closure = false;  // no motion is free to first order
   // Ferrari and Canny's quality: the radius of the largest ball about the origin in the convex hull
-  // of the contacts' wrenches (n, (p - C) x n / R), n being the inward unit normal; if the origin is
-  // outside, minus its distance from the hull. Above 0 in form closure; none without contacts. The hull
-  // means one limit for the sum of all contact forces (the L1 form). The margin depends on C and R,
-  // so it compares placements of one object, not objects.
+  // of the contacts' wrenches (n, (p - C) x n / R), n being the inward unit normal; if the origin
+  // is outside, minus its distance from the hull. Above 0 in form closure; none without contacts.
+  // The hull means one limit for the sum of all contact forces (the L1 form). The margin depends on
+  // C and R, so it compares placements of one object, not objects.
   std::optional<double> margin;
   bool second_order = false;  // immobile to second order, though motions are free to first order
   bool translation_free = true;
@@ -125,8 +127,8 @@ struct FirmHold {
 // That of the settings, whose usual `clear` is a part of R. O(n).
 FirmHold firm_hold(const Polygon& polygon, const Vec2& centre, const Settings& settings);
 
-// Whether a hold of this clearance relies on nothing that is nearer than `clear` to a corner, within
-// tau L. O(1).
+// Whether a hold of this clearance relies on nothing that is nearer than `clear` to a corner,
+// within tau L. O(1).
 bool is_clear(const Polygon& polygon, const Clearance& clearance, double clear);
 
 // The same as analyse_closure(...).form_closure, but cheaper. Adding points cannot undo it.
@@ -144,9 +146,9 @@ bool no_region_has_area(const Polygon& polygon, const Vec2& centre,
 
 // Analyses the grasp of robots at `points`. Whether a region is empty and whether a translation is
 // free is decided exactly, from the edges' directions and the rounded points. Of the contacts on
-// parallel edges only the first and the last count. O(n log n + m log m) for m contacts on edges of e
-// directions, at worst O(e^2) for the regions, and for margin, clearance and tolerance O(log m) searches
-// of wrench_margin().
+// parallel edges only the first and the last count. O(n log n + m log m) for m contacts on edges of
+// e directions, at worst O(e^2) for the regions, and for margin, clearance and tolerance O(log m)
+// searches of wrench_margin().
 Closure analyse_closure(const Polygon& polygon, const Vec2& centre,
                         const std::vector<LiftingPoint>& points);
 

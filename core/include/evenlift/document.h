@@ -1,5 +1,5 @@
-// The content of a file or a link: a polygon, perhaps its centre of mass, the settings, and what is shown. A
-// Document is raw input: nothing has been checked except that its numbers are finite.
+// The content of a file or a link: a polygon, perhaps its centre of mass, the settings, and what is
+// shown. A Document is raw input: nothing has been checked except that its numbers are finite.
 #pragma once
 
 #include <cstddef>
@@ -72,8 +72,8 @@ inline constexpr Goal all_goals[] = {Goal::cover, Goal::hold};
 std::string_view name(Goal goal);
 std::optional<Goal> goal_from_name(std::string_view text);
 
-// Where a team may stand on two edges that face each other: at the one best place, or anywhere in the
-// range in which its chord is even enough (candidates.h).
+// Where a team may stand on two edges that face each other: at the one best place, or anywhere in
+// the range in which its chord is even enough (candidates.h).
 enum class Positions : std::uint8_t { best, range };
 inline constexpr Positions all_positions[] = {Positions::best, Positions::range};
 std::string_view name(Positions positions);
@@ -159,7 +159,8 @@ struct Settings {
   bool operator==(const Settings&) const = default;
 };
 
-// What is shown of a placement and asked about it. None of it changes a placement, so no placement keeps it.
+// What is shown of a placement and asked about it. None of it changes a placement, so no placement
+// keeps it.
 struct Shown {
   Overlays overlays;
   std::optional<std::uint32_t> step;  // of the lesson, if it is open
@@ -172,8 +173,8 @@ struct Shown {
 };
 
 // The goal of a placement: the one given, or else the usual one. That is to hold for four or more
-// balanced robots, and to cover for all others: with two or three, holding would cost too much of the
-// base. O(1).
+// balanced robots, and to cover for all others: with two or three, holding would cost too much of
+// the base. O(1).
 Goal goal_of(const Settings& settings);
 
 // Whether teams of two are exchanged until they hold (exchange.h). O(1).
@@ -186,8 +187,8 @@ struct EdgePoint {
   bool operator==(const EdgePoint&) const = default;
 };
 
-// A team of two that somebody moved along its range: its chord goes from a point of one edge through C to
-// another edge.
+// A team of two that somebody moved along its range: its chord goes from a point of one edge
+// through C to another edge.
 struct MovedTeam {
   std::uint32_t team = 0;  // from 0
   EdgePoint end;
@@ -195,9 +196,9 @@ struct MovedTeam {
   bool operator==(const MovedTeam&) const = default;
 };
 
-// Robots that somebody moved by hand from where the method puts them. Of balanced robots all are listed,
-// by the points that they touch; of teams of two those that were moved, in ascending order. At most one
-// of the two lists has entries. moved.h says where they may stand.
+// Robots that somebody moved by hand from where the method puts them. Of balanced robots all are
+// listed, by the points that they touch; of teams of two those that were moved, in ascending order.
+// At most one of the two lists has entries. moved.h says where they may stand.
 struct Moved {
   std::vector<EdgePoint> robots;  // at most most_robots
   std::vector<MovedTeam> teams;   // at most most_moved_teams

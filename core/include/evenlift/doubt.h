@@ -12,8 +12,8 @@ namespace evenlift {
 
 // The distance by which C can be off before the object tips: the least distance of C from the line
 // of an edge of H, in units of length. 0 if that is within tolerance (tau L), if H has no area, as
-// with a single team of two, or if C is outside. `hull` must come from convex_hull, and `diameter` is
-// L of the object. O(h).
+// with a single team of two, or if C is outside. `hull` must come from convex_hull, and `diameter`
+// is L of the object. O(h).
 double tipping_distance(const Points& hull, const Vec2& centre, double diameter);
 
 struct LoadRange {

@@ -19,8 +19,8 @@ Points convex_hull(Points points, double flat = 0);
 // O(m), besides what convex_hull needs where corners are left out.
 Points widen_hull(const Points& hull, const Vec2& p, const Vec2& q, double flat = 0);
 
-// The greatest distance between two corners of a hull, which must come from convex_hull with `flat` 0
-// and have an area; by rotating calipers (M. I. Shamos, Computational geometry, 1978). O(h).
+// The greatest distance between two corners of a hull, which must come from convex_hull with `flat`
+// 0 and have an area; by rotating calipers (M. I. Shamos, Computational geometry, 1978). O(h).
 double diameter(const Points& hull);
 
 // The signed area of a ring by the shoelace formula, relative to its first point: positive if it is

@@ -61,11 +61,11 @@ struct Import {
 //   links      a share link by itself
 //   results    the JSON of `evenlift place --json`, of the page and of `link decode`, with all
 //              settings. A centre of mass that equals the centroid in every bit is the centroid
-// Vertices that repeat the one before are dropped from drawings, and so is a last vertex that repeats
-// the first: exactly, or in drawings within 1/100000 of the shape's larger side. Nothing else is
-// checked; Polygon::create does that. Text and numbers alone decide the result, on every platform.
-// Bounded by max_text_bytes, max_shapes, and max_vertices for all shapes together. O(bytes + points),
-// and O(n log n) for chains.
+// Vertices that repeat the one before are dropped from drawings, and so is a last vertex that
+// repeats the first: exactly, or in drawings within 1/100000 of the shape's larger side. Nothing
+// else is checked; Polygon::create does that. Text and numbers alone decide the result, on every
+// platform. Bounded by max_text_bytes, max_shapes, and max_vertices for all shapes together.
+// O(bytes + points), and O(n log n) for chains.
 Result<Import> read_shapes(std::string_view text, const ImportOptions& options = {});
 
 // A shape in words: its name, its kind, its vertices and its size, as in `"base plate", rectangle,

@@ -20,17 +20,18 @@
 //   None: each bears the same.
 //
 // First the settings, one to a line. `title` and one of `polygon` (the name of a sample) and `link`
-// (a share link) must be there; the settings that are options of `evenlift place` (settings.h) override what
-// the link carries, and so do `overlays`; `predict: yes` makes the learner guess. The steps follow in the
-// order in which the lesson shows them, each with its address in brackets and its words. Addresses count
-// from 1, as captions do:
+// (a share link) must be there; the settings that are options of `evenlift place` (settings.h)
+// override what the link carries, and so do `overlays`; `predict: yes` makes the learner guess. The
+// steps follow in the order in which the lesson shows them, each with its address in brackets and
+// its words. Addresses count from 1, as captions do:
 //   KIND or KIND N   a step's kind as `evenlift trace --json` names it, and its number: "team 2"
 //   vertex N         the ray from that vertex
 //   pair N           what becomes of that pair of edges
 //   edges A B        the same by the edges' numbers
 //   step N           its number in the whole trace, which changes with the polygon
 //   end              the last step
-// A question to think about may stand at the end, and then its answer, which is shown when it is asked for.
+// A question to think about may stand at the end, and then its answer, which is shown when it is
+// asked for.
 #pragma once
 
 #include <cstddef>
@@ -113,16 +114,16 @@ Result<Lesson> parse_lesson(std::string_view text);
 // else `sample`, which the caller has read by the lesson's `polygon`. The errors are decode_link's.
 Result<Document> lesson_document(const Lesson& lesson, const Document& sample);
 
-// An error of that document, or of what follows from it: where it is about a setting that the lesson gives
-// itself, at that line. O(settings).
+// An error of that document, or of what follows from it: where it is about a setting that the
+// lesson gives itself, at that line. O(settings).
 InputError at_line(InputError error, const Lesson& lesson);
 
 // The number of the step in the trace; nothing if the trace has no such step. O(K) for edges and
 // vertices, otherwise O(1).
 std::optional<std::uint32_t> find_step(const Trace& trace, const StepAddress& address);
 
-// An error at the line of the first step that the trace does not have, which says what there is instead;
-// nothing if it has them all. As find_step for each step.
+// An error at the line of the first step that the trace does not have, which says what there is
+// instead; nothing if it has them all. As find_step for each step.
 std::optional<InputError> check_lesson(const Lesson& lesson, const Trace& trace);
 
 }  // namespace evenlift

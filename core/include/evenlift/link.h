@@ -20,10 +20,10 @@ namespace evenlift {
 Result<std::string> encode_link(const Document& document);
 
 // The document of a link. The text is the link, with or without a `#` before it, or a whole address
-// that ends with one; white space around it is ignored, and so is an `&` with all that follows, which
-// others append to addresses. Every byte string gives a document or an error. The error's place is the
-// link, and the character at fault if there is one, counted from 1. Every version ever written can be
-// read. Bounded by max_link_bytes and max_link_vertices. O(bytes).
+// that ends with one; white space around it is ignored, and so is an `&` with all that follows,
+// which others append to addresses. Every byte string gives a document or an error. The error's
+// place is the link, and the character at fault if there is one, counted from 1. Every version ever
+// written can be read. Bounded by max_link_bytes and max_link_vertices. O(bytes).
 Result<Document> decode_link(std::string_view text);
 
 // Whether a text looks like a share link rather than a polygon or a path: perhaps an address and a

@@ -47,28 +47,30 @@ struct Placement {
 // their end.
 enum class Effort : std::uint8_t { whole, start };
 
-// Checks that settings are in their ranges (settings.h) and go together: "max" needs a method
-// that chooses among candidates, the goal to hold such a method or balanced robots, and these are
-// enough for the failures that they are to survive; robots with a size, and edges that must not be
-// touched, need a method that looks for places. The error's place names the setting. O(parts of no_go).
+// Checks that settings are in their ranges (settings.h) and go together: "max" needs a method that
+// chooses among candidates, the goal to hold such a method or balanced robots, and these are enough
+// for the failures that they are to survive; robots with a size, and edges that must not be
+// touched, need a method that looks for places. The error's place names the setting. O(parts of
+// no_go).
 std::optional<InputError> check_settings(const Settings& settings, const Shown& shown = {});
 
-// The points of the boundary that the robots of all teams touch, in their row. Hands that go beneath
-// the object lift farther inside; otherwise these are the lifting points. O(robots).
+// The points of the boundary that the robots of all teams touch, in their row. Hands that go
+// beneath the object lift farther inside; otherwise these are the lifting points. O(robots).
 std::vector<LiftingPoint> contact_points(const Placement& placement);
 
 // What a firm hold is by its settings (closure.h). O(n).
 FirmHold firm_hold(const Placement& placement);
 
-// Whether the robots hold the object without relying on a contact that is nearer to a corner than the
-// setting `clear`: in form closure with that clearance (closure.h). O(n).
+// Whether the robots hold the object without relying on a contact that is nearer to a corner than
+// the setting `clear`: in form closure with that clearance (closure.h). O(n).
 bool hold_clearly(const Placement& placement);
 
 // Checks the document and computes everything that is reported about it. The same document gives
 // the same bits on every platform. The errors are those of check_settings(), Polygon::create(),
-// check_centre_of_mass(), make_stands(), find_candidates() and check_exchanges(). O(n log n + K log K) for
-// K edge-pairs, besides the cost of the stands (stands.h), the selection (selection.h), the exchanges
-// (exchange.h) or the search for balanced robots (balanced.h), and O(n h) for the coverage.
+// check_centre_of_mass(), make_stands(), find_candidates() and check_exchanges(). O(n log n + K log
+// K) for K edge-pairs, besides the cost of the stands (stands.h), the selection (selection.h), the
+// exchanges (exchange.h) or the search for balanced robots (balanced.h), and O(n h) for the
+// coverage.
 Result<Placement> place(const Document& document, Effort effort = Effort::whole);
 
 // The same for a polygon that is checked already: who moves its centre of mass or changes settings
@@ -77,8 +79,8 @@ Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_ma
                         const Settings& settings, Effort effort = Effort::whole,
                         const Moved& moved = {});
 
-// The candidates alone among which place() would choose: those of the document's positions, robots and
-// edges that must not be touched, whatever its method. O(n log n + K log K) for K edge-pairs.
+// The candidates alone among which place() would choose: those of the document's positions, robots
+// and edges that must not be touched, whatever its method. O(n log n + K log K) for K edge-pairs.
 Result<std::vector<Candidate>> candidates_of(const Document& document);
 
 // The placement with other balanced robots, which a search found or somebody placed. Their centroid
@@ -86,8 +88,8 @@ Result<std::vector<Candidate>> candidates_of(const Document& document);
 Placement with_robots(Placement placement, const std::vector<LiftingPoint>& robots,
                       bool search_ended);
 
-// A placement and what is shown of it, for those who put it into words, pictures and files; by itself it
-// is shown as usual. It refers to both, so it goes from caller to callee only.
+// A placement and what is shown of it, for those who put it into words, pictures and files; by
+// itself it is shown as usual. It refers to both, so it goes from caller to callee only.
 struct ShownPlacement {
   ShownPlacement(const Placement& of) : placement(of), shown(usual) {}
   ShownPlacement(const Placement& of, const Shown& how) : placement(of), shown(how) {}

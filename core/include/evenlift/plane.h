@@ -1,5 +1,5 @@
-// Geometry in plain doubles: for drawing, pointing and writing beside things, and for distances that
-// are compared within the tolerance. On which side of a line a point is, predicates.h decides.
+// Geometry in plain doubles: for drawing, pointing and writing beside things, and for distances
+// that are compared within the tolerance. On which side of a line a point is, predicates.h decides.
 #pragma once
 
 #include <algorithm>
@@ -35,10 +35,10 @@ inline double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& p) {
   return length(p - nearest_on_segment(a, b, p));
 }
 
-// The part of a closed polygon where `depth`, a linear function of the plane, is at least 0: one step of
-// Sutherland and Hodgman's clipping (Reentrant polygon clipping, 1974). If the polygon is not convex,
-// parts of the result may be connected by overlapping edges along the line. `kept` receives the part,
-// and keeps its memory from call to call. O(n).
+// The part of a closed polygon where `depth`, a linear function of the plane, is at least 0: one
+// step of Sutherland and Hodgman's clipping (Reentrant polygon clipping, 1974). If the polygon is
+// not convex, parts of the result may be connected by overlapping edges along the line. `kept`
+// receives the part, and keeps its memory from call to call. O(n).
 template <class Depth>
 void clip(const Points& polygon, Depth depth, Points& kept) {
   kept.clear();

@@ -47,8 +47,8 @@ class Polygon {
   // straight if the sine of its turn is at most tau; otherwise the decision is exact. O(1).
   Turn turn(std::size_t i) const;
 
-  // Whether vertex i is a corner: convex, with a turn of more than 15 degrees, within tau. The vertices
-  // of a flattened curve are none. O(1).
+  // Whether vertex i is a corner: convex, with a turn of more than 15 degrees, within tau. The
+  // vertices of a flattened curve are none. O(1).
   bool is_corner(std::size_t i) const;
 
   // The corners of the convex hull, counter-clockwise from the lowest of the leftmost, without

@@ -11,8 +11,8 @@
 
 namespace evenlift {
 
-// Which candidate the first team takes: the longest even one, or, where the minimum load ratio alone
-// says what is even enough, the longest of all.
+// Which candidate the first team takes: the longest even one, or, where the minimum load ratio
+// alone says what is even enough, the longest of all.
 enum class FirstTeam : std::uint8_t { even, longest };
 
 // The rule for the first team with these positions. O(1).

@@ -1,6 +1,6 @@
-// Settings: the one table of what each is called, what it may be, what it means, and where it can be
-// given. The program's options, JSON both ways, share links, lessons, scripts, undo and the page's
-// panels are made from its rows, so a new setting needs a member (document.h), a row
+// Settings: the one table of what each is called, what it may be, what it means, and where it can
+// be given. The program's options, JSON both ways, share links, lessons, scripts, undo and the
+// page's panels are made from its rows, so a new setting needs a member (document.h), a row
 // (core/src/document/settings.cpp) and, if people type it in the page, a row of a panel.
 #pragma once
 
@@ -113,8 +113,8 @@ struct SettingRow {
 std::span<const SettingRow> all_settings();
 const SettingRow& row_of(Setting setting);
 
-// Whether JSON and links hold the setting with these others: what only balanced robots and firm holds have is
-// left out where there are none. O(1).
+// Whether JSON and links hold the setting with these others: what only balanced robots and firm
+// holds have is left out where there are none. O(1).
 bool is_kept(const SettingRow& row, const Settings& settings);
 
 // The setting's name; and the setting of a name, or nothing for an unknown name. O(1).
@@ -133,12 +133,12 @@ std::string requirement(Setting setting);
 InputError setting_error(Setting setting);
 InputError setting_error(Setting setting, std::string why);
 
-// Sets a setting of the document from text, such as "0.8", "max" or "3,5:0.25-0.75"; requirement() says
-// what each may be. Numbers have the syntax of read_number(), whole numbers that of read_whole(): no
-// spaces and no hexadecimal. Only the comma of com may have spaces and tabs around it. Any other text,
-// and any value out of range, is an error and changes nothing; of no_go the error quotes the first part
-// that is wrong if it is short. A setting that changes where robots stand puts robots back that were
-// moved by hand. O(bytes).
+// Sets a setting of the document from text, such as "0.8", "max" or "3,5:0.25-0.75"; requirement()
+// says what each may be. Numbers have the syntax of read_number(), whole numbers that of
+// read_whole(): no spaces and no hexadecimal. Only the comma of com may have spaces and tabs around
+// it. Any other text, and any value out of range, is an error and changes nothing; of no_go the
+// error quotes the first part that is wrong if it is short. A setting that changes where robots
+// stand puts robots back that were moved by hand. O(bytes).
 std::optional<InputError> read_setting(Setting setting, std::string_view text, Document& document);
 
 // The setting's text as read_setting() takes it; empty for one that is not set and has no word for
@@ -158,15 +158,17 @@ std::span<const NamedOverlay> all_overlays();
 
 // Robots that were moved by hand, as text: each balanced robot as EDGE:PART, each team as
 // TEAM@EDGE:PART/EDGE, with numbers from 1 and parts from 0 to 1, and commas between them, such as
-// "3:0.25,5:0.5,9:1" or "2@3:0.25/9"; an empty text if there are none. read_moved() gives nothing for
-// any other text. O(bytes).
+// "3:0.25,5:0.5,9:1" or "2@3:0.25/9"; an empty text if there are none. read_moved() gives nothing
+// for any other text. O(bytes).
 std::string moved_text(const Moved& moved);
 std::optional<Moved> read_moved(std::string_view text);
 
-// Whether the numbers of moved robots are within their bounds, and teams in ascending order. O(robots).
+// Whether the numbers of moved robots are within their bounds, and teams in ascending order.
+// O(robots).
 bool is_moved(const Moved& moved);
 
-// The number of the robot that fails, from 1, from text: a whole number, or "none", which is 0. O(bytes).
+// The number of the robot that fails, from 1, from text: a whole number, or "none", which is 0.
+// O(bytes).
 std::optional<std::uint64_t> read_failed(std::string_view text);
 
 // Checks that each setting by itself is in its range. The error's place names the setting. Whether

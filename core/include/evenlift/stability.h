@@ -1,4 +1,5 @@
-// The lifting base H, its coverage, and the force that tips (algorithm.md, Terms and Stability; thesis 5.4).
+// The lifting base H, its coverage, and the force that tips (algorithm.md, Terms and Stability;
+// thesis 5.4).
 #pragma once
 
 #include <limits>

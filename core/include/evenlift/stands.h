@@ -1,7 +1,7 @@
-// Where robots with a size can stand (docs/stands.md): a round body of radius r outside the object, an
-// arm that reaches to the contact c on an edge, and a hand that goes beneath the object by its depth d.
-// With n the outward normal of the edge, the middle of the body is s = c + (r + reach) n, the hand is the
-// rectangle of its width from c to c - d n, and the lifting point is p = c - d n.
+// Where robots with a size can stand (docs/stands.md): a round body of radius r outside the object,
+// an arm that reaches to the contact c on an edge, and a hand that goes beneath the object by its
+// depth d. With n the outward normal of the edge, the middle of the body is s = c + (r + reach) n,
+// the hand is the rectangle of its width from c to c - d n, and the lifting point is p = c - d n.
 #pragma once
 
 #include <cstddef>
@@ -61,13 +61,14 @@ struct EdgeFrame {
 //   4. no part of the hand's width, from t - w / 2 to t + w / 2, is in a part of the edge that must
 //      not be touched.
 // A robot of which only the gap is above 0 may stand at a vertex, unless an edge there must not be
-// touched at it. Any other robot stands at no vertex: the stretches end 2 tau L before it, where a contact
-// is one inside the edge.
+// touched at it. Any other robot stands at no vertex: the stretches end 2 tau L before it, where a
+// contact is one inside the edge.
 class Stands {
  public:
-  // The size and the parts must be in their ranges, and the edges must exist. For each edge the others
-  // near it are found in a tree of boxes. O(n log n + k log k) for k pairs of edges so near to each other
-  // that one may be in the way of a robot at the other, if the outline does not wind much.
+  // The size and the parts must be in their ranges, and the edges must exist. For each edge the
+  // others near it are found in a tree of boxes. O(n log n + k log k) for k pairs of edges so near
+  // to each other that one may be in the way of a robot at the other, if the outline does not wind
+  // much.
   Stands(const Polygon& polygon, const RobotSize& robot, const std::vector<EdgePart>& no_go);
 
   const RobotSize& robot() const { return robot_; }
@@ -76,7 +77,8 @@ class Stands {
   // Whether robots can stand anywhere at all.
   bool any() const { return !usable_.empty(); }
 
-  // Where an edge can be used: disjoint closed stretches in ascending order, none shorter than tau L.
+  // Where an edge can be used: disjoint closed stretches in ascending order, none shorter than tau
+  // L.
   struct Stretches {
     const Stretch* first;
     const Stretch* last;
@@ -87,15 +89,15 @@ class Stands {
   Stretches usable(std::uint32_t edge) const {
     return {usable_.data() + begins_[edge], usable_.data() + begins_[edge + std::size_t{1}]};
   }
-  // What cannot be used, edge after edge, in ascending order. If there are several reasons, it is the
-  // first of them in the order of WhyUnusable. The bits of 2 tau L at vertices are not listed.
+  // What cannot be used, edge after edge, in ascending order. If there are several reasons, it is
+  // the first of them in the order of WhyUnusable. The bits of 2 tau L at vertices are not listed.
   const std::vector<UnusablePart>& unusable() const { return unusable_; }
   // Why nobody can stand at t along an edge; nothing where somebody can, to tau L. O(log n) and the
   // edge's stretches.
   std::optional<WhyUnusable> why_not(std::uint32_t edge, double t) const;
 
-  // The contact of a lifting point, and the middle of the body of a robot that lifts there. At a vertex,
-  // where only points can stand, both are the lifting point itself. O(1).
+  // The contact of a lifting point, and the middle of the body of a robot that lifts there. At a
+  // vertex, where only points can stand, both are the lifting point itself. O(1).
   Vec2 contact(const LiftingPoint& point) const;
   Vec2 stand(const LiftingPoint& point) const;
   // The lifting point of a contact on an edge. O(1).
@@ -132,13 +134,14 @@ std::vector<LiftingPoint> contact_points(const Stands* stands, std::vector<Lifti
 // Whether robots are points that may stand anywhere. Then nothing is asked of Stands. O(1).
 bool stands_anywhere(const Settings& settings);
 
-// The stands that the settings ask for; nothing if robots are points that may stand anywhere. It is an
-// error if an edge of no_go does not exist, or if nobody could stand anywhere. The cost is that of
-// Stands.
+// The stands that the settings ask for; nothing if robots are points that may stand anywhere. It is
+// an error if an edge of no_go does not exist, or if nobody could stand anywhere. The cost is that
+// of Stands.
 Result<std::shared_ptr<const Stands>> make_stands(const Polygon& polygon, const Settings& settings);
 
-// The parts that must not be touched, when somebody marks or edits the outline by hand. Results are in
-// order and without overlaps; `at` is a place on an edge as a part of its length. O(parts log parts).
+// The parts that must not be touched, when somebody marks or edits the outline by hand. Results are
+// in order and without overlaps; `at` is a place on an edge as a part of its length. O(parts log
+// parts).
 
 // With one part more, and without what lies in a part.
 std::vector<EdgePart> with_part(std::vector<EdgePart> no_go, const EdgePart& part);
@@ -147,8 +150,8 @@ std::vector<EdgePart> without_part(std::vector<EdgePart> no_go, const EdgePart& 
 // Whether a place is marked. O(parts).
 bool is_marked(const std::vector<EdgePart>& no_go, std::uint32_t edge, double at);
 
-// The marks after a vertex was put on an edge; and after one of n > 3 vertices was removed, whose two
-// edges become one with the marks of both.
+// The marks after a vertex was put on an edge; and after one of n > 3 vertices was removed, whose
+// two edges become one with the marks of both.
 std::vector<EdgePart> after_split(const std::vector<EdgePart>& no_go, std::uint32_t edge,
                                   double at);
 std::vector<EdgePart> after_removal(const std::vector<EdgePart>& no_go, const Points& vertices,

@@ -1,6 +1,5 @@
-// The one tolerance of algorithm.md, the comparisons within it, and when sets of robots tie. All other
-// decisions are exact.
-// All functions are O(1).
+// The one tolerance of algorithm.md, the comparisons within it, and when sets of robots tie. All
+// other decisions are exact. All functions are O(1).
 #pragma once
 
 #include "evenlift/vec.h"
@@ -19,15 +18,15 @@ bool ratios_tie(double a, double b);
 bool lengths_tie(double a, double b);
 
 // A score ties with the best if it is at most this much lower: tau times the best, but at least
-// `floor`, since differences of sums cancel. The floor is score_floor times L^2. For the metric distance
-// it is score_floor times L, and as many times more as the shortest edge of H is shorter than short_edge
-// times L.
+// `floor`, since differences of sums cancel. The floor is score_floor times L^2. For the metric
+// distance it is score_floor times L, and as many times more as the shortest edge of H is shorter
+// than short_edge times L.
 double score_slack(double best, double floor);
 inline constexpr double score_floor = 1e-12;
 inline constexpr double short_edge = 1e-3;
 
-// When sets of robots are compared, coverages tie that differ by at most this much, and sums of squared
-// distances from C that differ by at most this part of the larger one.
+// When sets of robots are compared, coverages tie that differ by at most this much, and sums of
+// squared distances from C that differ by at most this part of the larger one.
 inline constexpr double coverage_tie = 1e-9;
 inline constexpr double spread_tie = 1e-9;
 

@@ -149,7 +149,8 @@ struct Trace {
   std::vector<std::uint32_t> ranges;
   std::vector<std::array<std::uint32_t, 2>> candidates_of_range;
 
-  // Teams that are to hold: what was exchanged; and the teams at the start, and after each exchange.
+  // Teams that are to hold: what was exchanged; and the teams at the start, and after each
+  // exchange.
   std::optional<ExchangeHistory> exchanges;
   std::vector<std::vector<Team>> stages;
 
@@ -159,7 +160,8 @@ struct Trace {
   std::optional<BalancedProblem> problem;
   BalancedHistory history;
   // The robots' numbers from 0 in the last set of the start, and after each exchange. A robot keeps
-  // its number from exchange to exchange; in the last set they are in their order along the outline.
+  // its number from exchange to exchange; in the last set they are in their order along the
+  // outline.
   std::vector<std::vector<std::uint32_t>> robot_numbers;
   std::optional<Placement> in_pairs;  // as many robots by area, if there are as many
 
@@ -240,8 +242,8 @@ struct Progress {
 // `sources`. O(1).
 Progress progress_at(const Trace& trace, std::uint32_t k);
 
-// The teams as they are after the exchanges that are known; the first `known.teams` of them are taken.
-// O(1).
+// The teams as they are after the exchanges that are known; the first `known.teams` of them are
+// taken. O(1).
 const std::vector<Team>& teams_at(const Trace& trace, const Progress& known);
 
 // The lifting base H of the first `teams` teams that the metric selects. O(teams log teams).
@@ -260,7 +262,8 @@ enum class Outcome : std::uint8_t {
 };
 std::string_view name(Outcome outcome);
 
-// Whether robots with a size can stand on a pair's best chord, on another one of the pair, or on none.
+// Whether robots with a size can stand on a pair's best chord, on another one of the pair, or on
+// none.
 enum class Standing : std::uint8_t { there, elsewhere, nowhere };
 
 struct PairDetail {
@@ -288,11 +291,11 @@ PairDetail look_at_pair(const Trace& trace, std::uint32_t index);
 struct RangeDetail {
   EdgePair pair;
   PairRange range;
-  // The most uneven that are allowed, or the section's; of robots with a size the first and the last in the
-  // longest part of the range where they can stand.
+  // The most uneven that are allowed, or the section's; of robots with a size the first and the
+  // last in the longest part of the range where they can stand.
   std::array<Chord, 2> ends;
-  // Into placement.candidates. Of robots with a size the second may be no_index: the two of a team would
-  // collide there.
+  // Into placement.candidates. Of robots with a size the second may be no_index: the two of a team
+  // would collide there.
   std::array<std::uint32_t, 2> candidates{};
 };
 // Of trace.ranges[index]. O(1).
@@ -315,9 +318,9 @@ struct StandsDetail {
   double boundary = 0;                            // its length
   double usable = 0;                              // of that, where somebody can stand
   std::array<double, why_unusable_count> lost{};  // the rest by its reason
-  // Contacts of robots that do not fit: for each reason but marks in the middle of its longest part, which
-  // is an index into the unusable ones of the stands. And of one that does, in the longest stretch. None
-  // where robots are points.
+  // Contacts of robots that do not fit: for each reason but marks in the middle of its longest
+  // part, which is an index into the unusable ones of the stands. And of one that does, in the
+  // longest stretch. None where robots are points.
   struct Misfit {
     std::uint32_t part = 0;
     LiftingPoint contact;
@@ -371,7 +374,8 @@ struct TeamScores {
 // So many candidates have their numbers in pictures of a choice; more would hide it.
 inline constexpr std::size_t most_ranked_numbered = 6;
 
-// The candidates that a picture numbers: the best that were eligible, at most most_ranked_numbered. O(K).
+// The candidates that a picture numbers: the best that were eligible, at most most_ranked_numbered.
+// O(K).
 std::vector<std::uint32_t> best_ranked(const TeamScores& scores);
 
 // The scores for the choice of team `team`, in traces by_candidates() only. Every score is exact if
@@ -521,8 +525,8 @@ struct Question {
 // The question to ask before step detail.number is shown. Nothing if the step is not a choice.
 // O(1).
 std::optional<Question> question(const Trace& trace, const StepDetail& detail);
-// The answers that can be given, increasing. Of coming_candidate these are the candidates that no team
-// has, and at which robots with a size would have room. O(K teams).
+// The answers that can be given, increasing. Of coming_candidate these are the candidates that no
+// team has, and at which robots with a size would have room. O(K teams).
 std::vector<std::uint32_t> choices(const Trace& trace, const StepDetail& detail,
                                    const Question& question);
 // The chord that a choice of a question stands for: of a team the one that it may leave. O(1).

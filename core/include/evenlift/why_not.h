@@ -44,9 +44,10 @@ struct WhyNot {
 // choice, the last one before (the first, before any). The cost of look_at_scores.
 WhyNot why_not(const Trace& trace, std::uint32_t k, std::uint32_t candidate);
 
-// Of the chords through C and `point`, of which there is one for each boundary point ahead of C with
-// each one behind it, the shortest that reaches the point, or the longest if none does. Nothing if there
-// is no chord, or if the point is C itself. Looks at 256 chords at most. O(n log n).
+// Of the chords through C and `point`, of which there is one for each boundary point ahead of C
+// with each one behind it, the shortest that reaches the point, or the longest if none does.
+// Nothing if there is no chord, or if the point is C itself. Looks at 256 chords at most. O(n log
+// n).
 std::optional<Chord> chord_at(const Trace& trace, const Vec2& point);
 
 // Why a chord such as that of chord_at() is not a team; with nothing, why there is no chord.
@@ -78,9 +79,9 @@ struct WhyNoRobot {
   SetComparison comparison;  // other_set: of that set with the step's
 };
 
-// Answers for the boundary point nearest to `at` and the robots of step k, or those of the last set if
-// they are fewer than three. A robot within `reach` of `at` counts as standing there. The cost is one
-// completion (balanced.h) for each three robots that could leave.
+// Answers for the boundary point nearest to `at` and the robots of step k, or those of the last set
+// if they are fewer than three. A robot within `reach` of `at` counts as standing there. The cost
+// is one completion (balanced.h) for each three robots that could leave.
 WhyNoRobot why_no_robot(const Trace& trace, std::uint32_t k, const Vec2& at, double reach);
 
 // What the other robots and another of the even chords of a completion or an exchange would make,
@@ -88,8 +89,8 @@ WhyNoRobot why_no_robot(const Trace& trace, std::uint32_t k, const Vec2& at, dou
 SetComparison compare_even_chord(const Trace& trace, const StepDetail& detail,
                                  std::uint32_t choice);
 
-// What another answer to a question about an exchange of teams would come to: the best exchange of another
-// team, or the same team at another candidate.
+// What another answer to a question about an exchange of teams would come to: the best exchange of
+// another team, or the same team at another candidate.
 struct OtherSwap {
   std::uint32_t team = 0;
   std::optional<std::uint32_t> candidate;  // none: no exchange of that team makes the choice better

@@ -1,5 +1,5 @@
-// An upper bound of the coverage, from the part of P in each cell of a grid. Nearly all sets are worse
-// than the best one by more than it is off, and need no exact coverage.
+// An upper bound of the coverage, from the part of P in each cell of a grid. Nearly all sets are
+// worse than the best one by more than it is off, and need no exact coverage.
 #pragma once
 
 #include <array>

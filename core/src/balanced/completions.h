@@ -12,8 +12,8 @@ namespace evenlift::balanced {
 // Where the middle of two more robots must be, so that C is the centroid of all.
 Vec2 middle_of_two_more(const std::vector<LiftingPoint>& robots, const Vec2& centre);
 
-// The even candidates whose two ends, with these robots, have the centroid C: of outlines with more than
-// 1,000 vertices some of them if there are many (EvenChords::some_about).
+// The even candidates whose two ends, with these robots, have the centroid C: of outlines with more
+// than 1,000 vertices some of them if there are many (EvenChords::some_about).
 std::vector<Candidate> pairs_to_complete(const Rules& rules,
                                          const std::vector<LiftingPoint>& robots);
 

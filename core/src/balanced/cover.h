@@ -16,8 +16,8 @@ class Cover {
   Cover(const Polygon& polygon, const Vec2& centre);
 
   // The same as coverage(polygon, hull), up to rounding. C must be inside H; otherwise, and for a
-  // hull without area, it is 0. For each place where the outline crosses H O(h log n), and O(n h) at
-  // worst.
+  // hull without area, it is 0. For each place where the outline crosses H O(h log n), and O(n h)
+  // at worst.
   double of(const SmallHull& hull) const;
 
  private:

@@ -49,8 +49,8 @@ BalancedMove move_of(const Rules& rules, const BalancedStep& step,
   return move;
 }
 
-// Goes on from the start, and notes each exchange and each round. Where the search begins once more the
-// story begins with the second start, since the first one led nowhere.
+// Goes on from the start, and notes each exchange and each round. Where the search begins once more
+// the story begins with the second start, since the first one led nowhere.
 void follow(const BalancedProblem& problem, BalancedHistory& history) {
   BalancedSearch search;
   search.robots = history.start.back().robots;

@@ -22,13 +22,13 @@ class Outline {
   // The edges in the order of the walk. O(n).
   std::vector<std::uint32_t> edges() const;
 
-  // The way from v* counter-clockwise to a point on one of the edges, in [0, Lambda). A point within
-  // tau Lambda of the end of the walk is at its beginning. O(1).
+  // The way from v* counter-clockwise to a point on one of the edges, in [0, Lambda). A point
+  // within tau Lambda of the end of the walk is at its beginning. O(1).
   double place(const LiftingPoint& point) const;
 
-  // The stands, in their order. Where robots have a size they are spread over what these can use, followed by
-  // the ends and the middle of each usable interval if there are at most as many of these, and are lifting
-  // points. O(n).
+  // The stands, in their order. Where robots have a size they are spread over what these can use,
+  // followed by the ends and the middle of each usable interval if there are at most as many of
+  // these, and are lifting points. O(n).
   std::vector<LiftingPoint> stands(const Stands* room = nullptr) const;
 
  private:

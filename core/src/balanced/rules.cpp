@@ -24,14 +24,15 @@ int compare_places(const std::vector<double>& a, const std::vector<double>& b, d
   return 0;
 }
 
-// The stands of the settings. Where there is no room for any robot, or an edge does not exist, place()
-// has said so before.
+// The stands of the settings. Where there is no room for any robot, or an edge does not exist,
+// place() has said so before.
 std::shared_ptr<const Stands> room_of(const Polygon& polygon, const Settings& settings) {
   auto room = make_stands(polygon, settings);
   return room ? *std::move(room) : nullptr;
 }
 
-// What a completion takes: on outlines that wind, the coverage of a set is added up along all that winds.
+// What a completion takes: on outlines that wind, the coverage of a set is added up along all that
+// winds.
 std::uint64_t work_on(const Polygon& polygon, const EvenChords& chords, const Vec2& centre) {
   constexpr std::size_t few_vertices = 1000, most_counted = 100'000, for_one = 100;
   if (polygon.size() <= few_vertices) return 0;

@@ -96,8 +96,8 @@ class Rules {
   const std::vector<double>& places(RatedSet& set) const;
   bool surely_loses_by_coverage(RatedSet& a, RatedSet& b) const;
 
-  // The first key in which two sets differ, and for which of them it decides: 1 for a, -1 for b, 0 if
-  // there is none.
+  // The first key in which two sets differ, and for which of them it decides: 1 for a, -1 for b, 0
+  // if there is none.
   struct Decision {
     int order = 0;
     BalancedKey key = BalancedKey::near_pairs;

@@ -11,8 +11,8 @@
 namespace evenlift::balanced {
 namespace {
 
-// Part of an edge on which robots can stand, by the way t along the edge, and where they lift then: at
-// start + t along, from C.
+// Part of an edge on which robots can stand, by the way t along the edge, and where they lift then:
+// at start + t along, from C.
 struct Interval {
   std::uint32_t edge = 0;
   double from = 0, to = 0;
@@ -59,8 +59,9 @@ Reach reach_of(const Interval& interval) {
   return reach;
 }
 
-// Finds shares so that the groups' sum is 0: among all that reach as far as they can towards what is
-// missing, scaled back. That is a knapsack whose items may be divided. False if the groups cannot reach it.
+// Finds shares so that the groups' sum is 0: among all that reach as far as they can towards what
+// is missing, scaled back. That is a knapsack whose items may be divided. False if the groups
+// cannot reach it.
 bool settle(std::vector<Group>& groups, double near) {
   Vec2 missing = Vec2::Zero();
   for (const Group& group : groups) missing -= group.robots * group.interval->at(group.middle);
@@ -151,8 +152,8 @@ class UsableSets {
     }
   }
 
-  // Chooses how many of the robots that are left stand on the intervals from one on. `reach` is how far
-  // those that were chosen can reach from C, in the directions of the compass.
+  // Chooses how many of the robots that are left stand on the intervals from one on. `reach` is how
+  // far those that were chosen can reach from C, in the directions of the compass.
   void choose(std::size_t from, std::uint32_t left, const Reach& reach) {
     if (left == 0) return settle_and_keep();
     if (from == intervals_.size() || ++nodes_ > most_nodes || !can_balance(from, left, reach))

@@ -86,8 +86,8 @@ class Settler {
     rearrange(begin);
   }
 
-  // By the first coordinate in which they differ by more than rounding can tip. Of two chords that are not one, some coordinate
-  // differs by more than near / sqrt(2).
+  // By the first coordinate in which they differ by more than rounding can tip. Of two chords that
+  // are not one, some coordinate differs by more than near / sqrt(2).
   void sort_by_coordinates(std::span<std::uint32_t> alike, std::size_t which) {
     const auto coordinate = [&](std::uint32_t i) { return coordinates(candidates_[i])[which]; };
     const auto tie = [&](double a, double b) { return std::fabs(a - b) <= near_ / 2; };

@@ -23,7 +23,8 @@ struct Found {
   std::vector<std::uint32_t> became;           // and the candidate that the chord led to
 };
 
-// Each pair may have three candidates, and their numbers must fit into their keys (candidate_order.h).
+// Each pair may have three candidates, and their numbers must fit into their keys
+// (candidate_order.h).
 std::optional<InputError> check_number_in_ranges(std::uint64_t sources) {
   constexpr std::uint64_t most = max_edge_pairs / 3;
   if (sources <= most) return std::nullopt;

@@ -1,5 +1,5 @@
-// The chords between two lines on which robots with a size lift, and the parts of the lines at which two
-// robots can stand.
+// The chords between two lines on which robots with a size lift, and the parts of the lines at
+// which two robots can stand.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace evenlift {
 
-// The chords about C between two lines, by t along a. The ratio q = |C r_a| / |C r_b| is linear in t. The
-// lines must outlive it, and neither passes through C.
+// The chords about C between two lines, by t along a. The ratio q = |C r_a| / |C r_b| is linear in
+// t. The lines must outlive it, and neither passes through C.
 class ChordRange {
  public:
   ChordRange(const StandLine& a, const StandLine& b) : a_(a), b_(b) {
@@ -28,8 +28,9 @@ class ChordRange {
   // The part of a stretch of a whose chords end in a stretch of b, at any load ratio. O(1).
   std::optional<Stretch> common(const Stretch& of_a, const Stretch& of_b) const;
 
-  // The parts of a at which robots can stand on both lines with a load ratio of at least the minimum, within
-  // tolerance: those of one stretch of a after those of another. O(stretches of a times those of b).
+  // The parts of a at which robots can stand on both lines with a load ratio of at least the
+  // minimum, within tolerance: those of one stretch of a after those of another. O(stretches of a
+  // times those of b).
   std::vector<Stretch> pieces(double min_ratio) const;
 
  private:

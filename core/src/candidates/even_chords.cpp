@@ -19,8 +19,8 @@
 namespace evenlift {
 namespace {
 
-// Spreads numbers evenly without a pattern, so that a sample does not pick only one side of every tooth of a
-// comb (the finalizer of MurmurHash3).
+// Spreads numbers evenly without a pattern, so that a sample does not pick only one side of every
+// tooth of a comb (the finalizer of MurmurHash3).
 std::uint32_t scattered(std::uint32_t number) {
   number ^= number >> 16;
   number *= 0x85ebca6bu;

@@ -14,12 +14,12 @@ namespace evenlift {
 
 class EvenChords {
  public:
-  // The polygon must outlive it, and so must the stands of robots with a size, if there are any: then
-  // the candidates are those of standing_candidates(). O(n).
+  // The polygon must outlive it, and so must the stands of robots with a size, if there are any:
+  // then the candidates are those of standing_candidates(). O(n).
   explicit EvenChords(const Polygon& polygon, const Stands* stands = nullptr);
 
-  // The same, ready for some_about(). `walk` are all edges in their order along the outline, beginning at a
-  // place that does not depend on how the vertices are listed. O(n).
+  // The same, ready for some_about(). `walk` are all edges in their order along the outline,
+  // beginning at a place that does not depend on how the vertices are listed. O(n).
   EvenChords(const Polygon& polygon, const Stands* stands, const std::vector<std::uint32_t>& walk);
 
   // The very same as find_candidates(polygon, centre, 1), except that there is no limit of their
@@ -29,11 +29,11 @@ class EvenChords {
   // its mirror image.
   std::vector<Candidate> about(const Vec2& centre) const;
 
-  // All of them, or some if there are many: those between edges of a sample, the smallest of a half, a quarter,
-  // an eighth and so on of all edges between which there are at least enough_chords. Which edges are in a
-  // sample depends on their numbers in the walk alone. An outline that winds much has a hundred thousand even
-  // chords about one centre, and some of them serve a search as well. O(log n) for each place where the sample
-  // meets its mirror image.
+  // All of them, or some if there are many: those between edges of a sample, the smallest of a
+  // half, a quarter, an eighth and so on of all edges between which there are at least
+  // enough_chords. Which edges are in a sample depends on their numbers in the walk alone. An
+  // outline that winds much has a hundred thousand even chords about one centre, and some of them
+  // serve a search as well. O(log n) for each place where the sample meets its mirror image.
   static constexpr std::size_t enough_chords = 32;
   std::vector<Candidate> some_about(const Vec2& centre) const;
 

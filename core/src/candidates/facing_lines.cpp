@@ -12,8 +12,15 @@ namespace {
 
 constexpr double half_turn = 2;  // of pseudo_angle
 
-// A line through C turns by 180 degrees, with one half ahead and one behind. A line of the list is met by
-// the half ahead from its first to its last direction, and by the other one half a turn later.
+// Directions are rounded here, while RadialSweep (chords) decides them exactly: a line on which
+// robots with a size lift is itself computed, so no vertex has an exact direction. That is safe:
+// what rounding confuses are lines whose common range of directions is of rounding's size, some
+// 1e-16 rad. Whether a chord stands on both is decided afterwards, within tau L (ChordRange), and a
+// range of that size is a single place within tau L.
+//
+// A line through C turns by 180 degrees, with one half ahead and one behind. A line of the list is
+// met by the half ahead from its first to its last direction, and by the other one half a turn
+// later.
 struct Event {
   double angle;  // in [0, half_turn)
   bool enters;   // those that leave come first, since the ranges are open

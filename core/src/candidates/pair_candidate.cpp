@@ -21,9 +21,9 @@ Candidate make_candidate(const Chord& chord, CandidateKind kind, const Vec2& dir
   return {chord, kind, false, 0, rightward(direction), chord.arm1 + chord.arm2};
 }
 
-// Edges that count as parallel are rarely so to the last bit. Then the middle of one section does not quite face the middle of the
-// other, and the chord where g is the geometric mean of its values at the two ends stands between the two middles, whichever edge
-// is called a.
+// Edges that count as parallel are rarely so to the last bit. Then the middle of one section does
+// not quite face the middle of the other, and the chord where g is the geometric mean of its values
+// at the two ends stands between the two middles, whichever edge is called a.
 Candidate midpoint_candidate(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                              const SeenEdge& b, const SectionEnd& begin, const SectionEnd& end) {
   const double root0 = std::sqrt(begin.g), root1 = std::sqrt(end.g), sum = root0 + root1;
@@ -63,8 +63,9 @@ std::optional<double> estimate_g(const Polygon& polygon, const Vec2& centre, con
   return std::nullopt;
 }
 
-// The vertex of the edge `other` that is opposite to the end's vertex and near where the chord meets the edge, or inside_edge. Near
-// is within sqrt(tau) L: far more than rounding moves that place where C sees the edge at a flat angle, and too little to see.
+// The vertex of the edge `other` that is opposite to the end's vertex and near where the chord
+// meets the edge, or inside_edge. Near is within sqrt(tau) L: far more than rounding moves that
+// place where C sees the edge at a flat angle, and too little to see.
 std::uint32_t missed_vertex(const Polygon& polygon, const Vec2& centre, const SectionEnd& end,
                             std::uint32_t other) {
   const double diameter = polygon.diameter(), near = near_distance(diameter);
@@ -81,8 +82,9 @@ std::uint32_t missed_vertex(const Polygon& polygon, const Vec2& centre, const Se
   return missed;
 }
 
-// A section end as decisions take it. If the chord there joins opposite vertices, or misses the second one by rounding, it is the
-// chord between the two; if that is even, C bisects it. `g` stays what it is along the section.
+// A section end as decisions take it. If the chord there joins opposite vertices, or misses the
+// second one by rounding, it is the chord between the two; if that is even, C bisects it. `g` stays
+// what it is along the section.
 SectionEnd settled(const Polygon& polygon, const Vec2& centre, const SeenEdge& a, const SeenEdge& b,
                    SectionEnd end) {
   if (!joins_opposite_vertices(end))
@@ -96,8 +98,8 @@ SectionEnd settled(const Polygon& polygon, const Vec2& centre, const SeenEdge& a
   return end;
 }
 
-// Whether both ends of a section are the chord between the same two opposite vertices. Such a pair of edges is one by rounding
-// alone.
+// Whether both ends of a section are the chord between the same two opposite vertices. Such a pair
+// of edges is one by rounding alone.
 bool are_one_chord(const SectionEnd& begin, const SectionEnd& end) {
   return joins_opposite_vertices(begin) && joins_opposite_vertices(end) &&
          std::minmax(begin.vertex, begin.opposite) == std::minmax(end.vertex, end.opposite);

@@ -1,5 +1,5 @@
-// The range of an edge-pair (algorithm.md, Ranges): where along it chords are even enough, and the two
-// candidates that it adds, far enough from corners where that is possible.
+// The range of an edge-pair (algorithm.md, Ranges): where along it chords are even enough, and the
+// two candidates that it adds, far enough from corners where that is possible.
 #pragma once
 
 #include <optional>
@@ -28,13 +28,13 @@ struct FromCorners {
   const Stands* stands = nullptr;  // of robots with a size: what counts is where they touch
 };
 
-// The places from `first` to `last` at which both robots are at least `clear` from the corners of their
-// edges, within tau L. Nothing if that is at most one place, or if `clear` is 0. O(1).
+// The places from `first` to `last` at which both robots are at least `clear` from the corners of
+// their edges, within tau L. Nothing if that is at most one place, or if `clear` is 0. O(1).
 std::optional<PairRange> clear_part(const FromCorners& from, const Vec2& centre,
                                     const PairRange& range);
 
-// The place for a range candidate: place_at(range, s), or the nearest in the clear part of the range, if
-// there is one. O(1).
+// The place for a range candidate: place_at(range, s), or the nearest in the clear part of the
+// range, if there is one. O(1).
 double clear_place_at(const PairRange& range, const std::optional<PairRange>& clear, double s);
 
 }  // namespace evenlift

@@ -102,7 +102,8 @@ class Finder {
     }));
   }
 
-  // The best place by `compare`; of those that tie with it the one with the longest chord, then the first.
+  // The best place by `compare`; of those that tie with it the one with the longest chord, then the
+  // first.
   template <class Compare>
   double longest_of(const std::vector<double>& places, Compare compare) const {
     double best = places.front();

@@ -1,5 +1,6 @@
-// The lines on which robots with a size lift: the edges, moved inward by the depth of the hand, with the
-// stretches on which robots can stand; and the chords between two of them (docs/stands.md).
+// The lines on which robots with a size lift: the edges, moved inward by the depth of the hand,
+// with the stretches on which robots can stand; and the chords between two of them
+// (docs/stands.md).
 #pragma once
 
 #include <cstdint>
@@ -31,8 +32,8 @@ std::optional<StandLine> stand_line(const Polygon& polygon, const Vec2& centre,
 //   - the one with the best load ratio on which two robots can stand; if all have the same, the one
 //     nearest to the middle of the lines' common range; of equally good ones the longer;
 //   - those at which a stretch ends on both lines at once, as a diagonal between opposite vertices does.
-// Of each only if its load ratio is at least the minimum, within tolerance, and its two robots do not
-// collide. The best one comes first. O(stretches).
+// Of each only if its load ratio is at least the minimum, within tolerance, and its two robots do
+// not collide. The best one comes first. O(stretches).
 std::vector<Candidate> standing_chords(const Stands& stands, const Vec2& centre, const StandLine& a,
                                        const StandLine& b, double min_ratio, double near);
 
@@ -41,15 +42,15 @@ std::vector<Candidate> standing_chords(const Stands& stands, const Vec2& centre,
 std::vector<Candidate> standing_chords(const Polygon& polygon, const Stands& stands,
                                        const Vec2& centre, const EdgePair& pair, double min_ratio);
 
-// The parts of the lines' common range in which two robots can stand, if neither line passes within tau L
-// of C; see standing_ranges() (candidates.h). O(stretches of a times those of b).
+// The parts of the lines' common range in which two robots can stand, if neither line passes within
+// tau L of C; see standing_ranges() (candidates.h). O(stretches of a times those of b).
 std::vector<PairRange> standing_ranges(const StandLine& a, const StandLine& b, double min_ratio,
                                        double near);
 
-// The candidates that positions anywhere in the range add between two lines of from.stands: two in their
-// longest range, far enough from corners where that is possible,
-// of which each drops out if its load ratio is too low or its robots collide; none if the range is but one
-// place. O(stretches of a times those of b).
+// The candidates that positions anywhere in the range add between two lines of from.stands: two in
+// their longest range, far enough from corners where that is possible, of which each drops out if
+// its load ratio is too low or its robots collide; none if the range is but one place. O(stretches
+// of a times those of b).
 std::vector<Candidate> standing_range_chords(const FromCorners& from, const Vec2& centre,
                                              const StandLine& a, const StandLine& b,
                                              double min_ratio, double near);

@@ -8,9 +8,9 @@ namespace {
 
 constexpr std::size_t max_degree = 3;
 
-// The span of the knots k and k + 1, as its polar form: symmetric in its arguments, linear in each, and
-// the curve's point at t where all of them are t. The Bézier curve's control points are its values
-// where some arguments are the span's begin and the others its end.
+// The span of the knots k and k + 1, as its polar form: symmetric in its arguments, linear in each,
+// and the curve's point at t where all of them are t. The Bézier curve's control points are its
+// values where some arguments are the span's begin and the others its end.
 class Span {
  public:
   Span(const Points& control, const std::vector<double>& knots, std::size_t degree, std::size_t k)

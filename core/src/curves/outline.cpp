@@ -27,8 +27,8 @@ void add_bulge(Outline& outline, const Vec2& end, double bulge) {
   if (std::abs(bulge) <= quarter_bulge) return add_short_bulge(outline, end, bulge);
   const Vec2 chord = end - outline.end();
   const Vec2 half_way = middle(outline.end(), end) - left_normal(chord) * (bulge / 2);
-  // tan(t / 2) = 1 / (c + sqrt(1 + c^2)) with c = 1 / tan t, of which no part can overflow. The first
-  // step gives at most 1 and the second at most a quarter's.
+  // tan(t / 2) = 1 / (c + sqrt(1 + c^2)) with c = 1 / tan t, of which no part can overflow. The
+  // first step gives at most 1 and the second at most a quarter's.
   const double inverse = 1 / bulge;
   const double half = 1 / (inverse + std::copysign(std::sqrt(1 + inverse * inverse), bulge));
   add_bulge(outline, half_way, half);

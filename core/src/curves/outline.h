@@ -56,8 +56,8 @@ struct Outline {
   // The whole image of the unit circle, counter-clockwise before the map. Sets the start.
   static Outline ellipse(const Affine& frame);
   // The B-spline curve of degree 1, 2 or 3 without weights; nothing if there are not as many finite
-  // knots as control points, the degree and 1 together, in order, or if it is in two or has no length.
-  // O(points).
+  // knots as control points, the degree and 1 together, in order, or if it is in two or has no
+  // length. O(points).
   static std::optional<Outline> b_spline(const Points& control, const std::vector<double>& knots,
                                          std::size_t degree);
 };

@@ -1,5 +1,5 @@
-// The values of settings: from text, to text, and whether they are within their range. A value's type
-// decides how it is written, so a row of the table of settings (settings.cpp) needs only its
+// The values of settings: from text, to text, and whether they are within their range. A value's
+// type decides how it is written, so a row of the table of settings (settings.cpp) needs only its
 // member and its range.
 #pragma once
 

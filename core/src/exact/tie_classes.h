@@ -1,6 +1,6 @@
-// Ties within a tolerance are not transitive, so they cannot be part of a sort's order. For candidate
-// order (algorithm.md, Order and duplicates): sort by the key, best first, then cut the list into
-// classes whose members all tie with the best of their class.
+// Ties within a tolerance are not transitive, so they cannot be part of a sort's order. For
+// candidate order (algorithm.md, Order and duplicates): sort by the key, best first, then cut the
+// list into classes whose members all tie with the best of their class.
 #pragma once
 
 #include <cstdint>

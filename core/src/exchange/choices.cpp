@@ -10,8 +10,8 @@
 namespace evenlift::exchange {
 namespace {
 
-// Covers the rounding of u . w: u is a unit vector and w at most the root of 2 long, torques being in units of
-// R, so it is below 1e-15. The slack only makes more choices be looked at in full.
+// Covers the rounding of u . w: u is a unit vector and w at most the root of 2 long, torques being
+// in units of R, so it is below 1e-15. The slack only makes more choices be looked at in full.
 constexpr double slack = 1e-9;
 // So many directions are kept, since a choice that none of them rules out is tried in all of them.
 constexpr std::size_t most_directions = 64;

@@ -20,8 +20,8 @@ struct Part {
   double ratios = 0;
 };
 
-// A choice on trial is made of two parts: a candidate, and what it is put to. They are numbered: the
-// candidates first, then the parts that stay.
+// A choice on trial is made of two parts: a candidate, and what it is put to. They are numbered:
+// the candidates first, then the parts that stay.
 struct Trial {
   std::uint32_t candidate = 0, other = 0;
   double coverage = 0;           // or an upper bound
@@ -58,8 +58,8 @@ class Choices {
   // Makes what is known of the coverage sharper.
   void sharpen(Trial& trial) const;
 
-  // Whether the level of the trial, above 0, is surely below `level`: in a direction that is known it
-  // reaches less far.
+  // Whether the level of the trial, above 0, is surely below `level`: in a direction that is known
+  // it reaches less far.
   bool surely_below(const Trial& trial, std::uint32_t level);
 
   // Whether it reaches that level. If not, the direction in which it is weakest becomes known.

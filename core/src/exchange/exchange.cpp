@@ -92,8 +92,8 @@ class Exchanger {
     return true;
   }
 
-  // All teams go to the best of what one team fewer comes to, with one more. Returns whether that is
-  // better.
+  // All teams go to the best of what one team fewer comes to, with one more. Returns whether that
+  // is better.
   bool try_one_more() {
     Exchanger fewer(choices_, {history_.start.begin(), history_.start.end() - 1});
     const ExchangeHistory history = fewer.run();

@@ -84,15 +84,16 @@ class Round {
     return true;
   }
 
-  // Of the trials at the level that are better than what is there, those whose coverage ties with the
-  // largest. No trial is above the level.
+  // Of the trials at the level that are better than what is there, those whose coverage ties with
+  // the largest. No trial is above the level.
   std::vector<std::uint32_t> best_by_coverage(std::uint32_t level) {
     double least = level == now_.level ? now_.coverage - coverage_tie : -1;
     ByCoverage queue(trials_, possible(level, least));
     std::vector<std::uint32_t> found;
     while (!queue.empty() && trials_[queue.first()].coverage >= least) {
       Trial& trial = trials_[queue.first()];
-      // While none is found at a better level, no coverage is too small: then the margin tells more.
+      // While none is found at a better level, no coverage is too small: then the margin tells
+      // more.
       const bool margin_first = least < 0;
       if (fails(trial, level) || (margin_first && !reaches(trial, level))) {
         queue.pop();

@@ -9,8 +9,9 @@
 namespace evenlift {
 namespace {
 
-// The contacts from the farthest from a corner, or from an end of its side, to the nearest. What holds of the
-// first k of them, form closure and a large margin, holds of more of them, too: so it is found by bisection.
+// The contacts from the farthest from a corner, or from an end of its side, to the nearest. What
+// holds of the first k of them, form closure and a large margin, holds of more of them, too: so it
+// is found by bisection.
 class FarthestFirst {
  public:
   FarthestFirst(const Polygon& polygon, const Vec2& centre, const std::vector<Contact>& contacts,
@@ -35,8 +36,8 @@ class FarthestFirst {
   const Contact& last_of(std::size_t number) const { return contacts_[number - 1]; }
   std::size_t size() const { return contacts_.size(); }
 
-  // The supremum of min(k, R m(k)) over the sets of contacts that are at least k away. The distance falls with
-  // their number and the margin grows, so the best set is one of two neighbours.
+  // The supremum of min(k, R m(k)) over the sets of contacts that are at least k away. The distance
+  // falls with their number and the margin grows, so the best set is one of two neighbours.
   double tolerance() const {
     const auto by_margin = [&](std::size_t number) {
       const auto margin = analyse_hold(polygon_, centre_, first_contacts(number)).margin;

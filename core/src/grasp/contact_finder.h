@@ -1,4 +1,5 @@
-// Finds the contacts of robots with an object: where they touch it, and how far that is from a corner.
+// Finds the contacts of robots with an object: where they touch it, and how far that is from a
+// corner.
 #pragma once
 
 #include <array>
@@ -16,8 +17,8 @@ class ContactFinder {
   // The polygon must outlive it. O(n log n).
   explicit ContactFinder(const Polygon& polygon);
 
-  // The same as contacts() (closure.h). O(m log n) for m points, if few vertices lie within tau L of one
-  // another.
+  // The same as contacts() (closure.h). O(m log n) for m points, if few vertices lie within tau L
+  // of one another.
   std::vector<Contact> find(const std::vector<LiftingPoint>& points) const;
 
  private:

@@ -1,5 +1,5 @@
-// The levels that a margin reaches: how sets of robots that are to hold are compared, whether they are
-// teams or balanced (algorithm.md).
+// The levels that a margin reaches: how sets of robots that are to hold are compared, whether they
+// are teams or balanced (algorithm.md).
 #pragma once
 
 #include <algorithm>

@@ -153,10 +153,11 @@ class NearestPoint {
       return false;
     }
     double step = 1;
+    constexpr double above_zero = 1e-300;  // a weight that is at its goal needs no step
     for (std::size_t k = 0; k < corral_.size(); ++k) {
       const double goal = (*target)(static_cast<Eigen::Index>(k));
       if (goal < least_weight)
-        step = std::min(step, weights_[k] / std::max(weights_[k] - goal, 1e-300));
+        step = std::min(step, weights_[k] / std::max(weights_[k] - goal, above_zero));
     }
     std::vector<Index> kept;
     std::vector<double> kept_weights;
@@ -243,9 +244,11 @@ WeakestDirection weakest_of_few(const std::vector<Wrench>& wrenches) {
     least = std::min(least, distance);
   }
   if (least > tau) return {least, direction_of(normal_of(wrenches, weakest))};
-  // The origin is in the planes of all facets of a flat hull, on their inner side by rounding alone,
-  // even where it lies beside the hull.
-  constexpr double beside = 1e-7;  // more than the error of the distance
+  // The origin is in the planes of all facets of a flat hull, on their inner side by rounding
+  // alone, even where it lies beside the hull. The distance of a facet's plane is off by some 1e-16
+  // over the length of its normal, which is twice its area: for all facets of area 1e-9 or more
+  // this is more than the error.
+  constexpr double beside = 1e-7;
   NearestPoint search(wrenches);
   const Wrench& nearest = search.find();
   const double distance = nearest.norm();
@@ -267,9 +270,9 @@ Wrench normal_through_origin(const std::vector<Wrench>& wrenches) {
   return direction_of(best);
 }
 
-// Of many wrenches few bound the ball. Begins with those that reach farthest along the axes, and adds the
-// one that reaches farthest in the weakest direction of those that are there, until none reaches farther
-// than these do: then the direction is the weakest of all.
+// Of many wrenches few bound the ball. Begins with those that reach farthest along the axes, and
+// adds the one that reaches farthest in the weakest direction of those that are there, until none
+// reaches farther than these do: then the direction is the weakest of all.
 class FewOfMany {
  public:
   explicit FewOfMany(const std::vector<Wrench>& all) : all_(all) {
@@ -283,7 +286,8 @@ class FewOfMany {
       const WeakestDirection found = weakest_of_few(active);
       if (reach(found.direction) <= found.margin + same_reach) return found;
       if (activate(found.direction)) continue;
-      // The weakest facet is too small to tell its direction, as where all wrenches are in one plane.
+      // The weakest facet is too small to tell its direction, as where all wrenches are in one
+      // plane.
       const Wrench normal = normal_through_origin(active);
       const bool added = activate(normal), also_added = activate(-normal);
       if (added || also_added) continue;

@@ -154,7 +154,8 @@ bool names_column(std::string_view field, char name) {
   return field.size() == 1 || (!is_letter(field[1]) && static_cast<unsigned char>(field[1]) < 0x80);
 }
 
-// The unit that a column's name ends with, such as "x (mm)", "x_cm" or "X [m]"; none if it names none.
+// The unit that a column's name ends with, such as "x (mm)", "x_cm" or "X [m]"; none if it names
+// none.
 LengthUnit unit_of_column(std::string_view field) {
   const auto is_mark = [](char c) { return !is_letter(c); };
   field.remove_prefix(1);
@@ -265,8 +266,8 @@ void ColumnReader::end_shape() {
   gathering_.add(std::move(document), std::exchange(name_, ""), "points");
 }
 
-// The separator is that of the first line with a number in it; a heading before it has the same. In a
-// table whose first column are names it is that of the first line with a digit.
+// The separator is that of the first line with a number in it; a heading before it has the same. In
+// a table whose first column are names it is that of the first line with a digit.
 void ColumnReader::find_separator() {
   bool decided = false;
   Lines scout(text_);

@@ -1,5 +1,5 @@
-// DXF as text: pairs of lines, a code and a value. Of its sections HEADER gives the unit and ENTITIES
-// the drawing; blocks are not put together.
+// DXF as text: pairs of lines, a code and a value. Of its sections HEADER gives the unit and
+// ENTITIES the drawing; blocks are not put together.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -65,7 +65,8 @@ class Groups {
   bool broken_ = false;
 };
 
-// A unit of $INSUNITS: evenlift's own, or the name of one that it has no label for; neither if the drawing has none.
+// A unit of $INSUNITS: evenlift's own, or the name of one that it has no label for; neither if the
+// drawing has none.
 struct DrawingUnit {
   LengthUnit label = LengthUnit::none;
   const char* other = "";

@@ -55,8 +55,8 @@ bool is_no_text(char c) {
          byte != 0x1a;
 }
 
-// The name of a geometry and then a parenthesis, or what else may stand there. The heading of a table
-// may begin with such a name, too.
+// The name of a geometry and then a parenthesis, or what else may stand there. The heading of a
+// table may begin with such a name, too.
 bool begins_wkt(TextCursor cursor) {
   const std::string_view name = cursor.take_word();
   cursor.skip_white_space();

@@ -106,16 +106,17 @@ std::string JsonShapes::value_text(const SettingRow& row, Index at) const {
              : shortest(tree_.number(at));
 }
 
-// A setting that is a member by itself, a number or a word. Null says that it is not set; objects and arrays are
-// results of the same name.
+// A setting that is a member by itself, a number or a word. Null says that it is not set; objects
+// and arrays are results of the same name.
 std::optional<InputError> JsonShapes::take_row(const SettingRow& row, Document& document) const {
   const auto at = tree_.member(0, row.json.empty() ? row.name : row.json);
   if (!at || is(at, Kind::null) || is(at, Kind::object) || is(at, Kind::array)) return std::nullopt;
   return take_setting(row.setting, *at, value_text(row, *at), document);
 }
 
-// A result lists the teams that it has, and says how many were asked for. Balanced robots are one team of another kind, and
-// `max` is a number there: where the results do not tell what was asked for, a member of its own does.
+// A result lists the teams that it has, and says how many were asked for. Balanced robots are one
+// team of another kind, and `max` is a number there: where the results do not tell what was asked
+// for, a member of its own does.
 std::optional<InputError> JsonShapes::take_teams(Document& document) const {
   const bool balanced = document.settings.method == Method::balanced;
   for (const std::string_view name : {"teams", "requested_teams", "teams_asked"})
@@ -162,7 +163,8 @@ std::optional<InputError> JsonShapes::take_moved(Document& document) const {
   return std::nullopt;
 }
 
-// The robots' size, an object whose members are named as those of the settings but for what they begin with.
+// The robots' size, an object whose members are named as those of the settings but for what they
+// begin with.
 std::optional<InputError> JsonShapes::take_stands(Document& document) const {
   const auto robot = tree_.member(0, "robot");
   if (!is(robot, Kind::object)) return std::nullopt;
@@ -177,8 +179,8 @@ std::optional<InputError> JsonShapes::take_stands(Document& document) const {
   return std::nullopt;
 }
 
-// What one robot carries and how well the centre of mass is known: of a result within what was found out about
-// them.
+// What one robot carries and how well the centre of mass is known: of a result within what was
+// found out about them.
 std::optional<InputError> JsonShapes::take_doubt(Document& document) const {
   const auto within = [&](const char* object, const char* member) {
     const auto at = tree_.member(0, object);

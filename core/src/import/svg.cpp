@@ -377,7 +377,8 @@ Result<pugi::xml_node> SvgReader::load() {
   return root;
 }
 
-// How many CSS pixels a user unit of the drawing is along a side of it; nothing if the drawing has no size on paper.
+// How many CSS pixels a user unit of the drawing is along a side of it; nothing if the drawing has
+// no size on paper.
 std::optional<double> user_unit(const pugi::xml_node& svg, const char* side, std::size_t in_box) {
   const std::string_view size = value_of(svg, side);
   const bool on_paper = std::any_of(std::begin(paper_units), std::end(paper_units),
@@ -392,8 +393,9 @@ std::optional<double> user_unit(const pugi::xml_node& svg, const char* side, std
   return **pixels / (*numbers)[in_box];
 }
 
-// The unit that the drawing's size on paper makes of its user units, as in <svg width="210mm" height="297mm"
-// viewBox="0 0 210 297">; none if it is no unit that evenlift has. Programs round such sizes.
+// The unit that the drawing's size on paper makes of its user units, as in <svg width="210mm"
+// height="297mm" viewBox="0 0 210 297">; none if it is no unit that evenlift has. Programs round
+// such sizes.
 LengthUnit unit_of(const pugi::xml_node& svg) {
   constexpr double rounding = 1e-4;
   const std::optional<double> across = user_unit(svg, "width", 2),

@@ -1,5 +1,5 @@
-// Chooses the encodings of a polygon that are worth trying. This is not part of the format: a reader
-// accepts every encoding.
+// Chooses the encodings of a polygon that are worth trying. This is not part of the format: a
+// reader accepts every encoding.
 #pragma once
 
 #include <vector>

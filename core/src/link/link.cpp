@@ -63,8 +63,8 @@ std::optional<InputError> check_point(const Vec2& point, const Place& place) {
   return std::nullopt;
 }
 
-// Links held any finite weight and distance before these were bounded, and they are read for ever. What is
-// out of bounds now is refused where robots are placed.
+// Links held any finite weight and distance before these were bounded, and they are read for ever.
+// What is out of bounds now is refused where robots are placed.
 std::optional<InputError> check_linked_settings(Settings settings, Shown shown) {
   const Settings usual;
   const auto is_positive = [](double value) { return value > 0 && std::isfinite(value); };
@@ -118,7 +118,8 @@ Span find_link(std::string_view text) {
   span.begin = hash == std::string_view::npos ? span.address : hash + 1;
   // What others append to an address, as those who count visits do, is not the link's.
   span.end = std::min(span.end, text.find('&', span.begin));
-  // Nor is what ends a sentence, or a pair of brackets, in which it stands. The full stop behind the version stays.
+  // Nor is what ends a sentence, or a pair of brackets, in which it stands. The full stop behind
+  // the version stays.
   constexpr std::string_view punctuation = ".,;:!?)]}>\"'";
   const std::size_t version_end = std::min(text.find('.', span.begin), span.end);
   while (span.end > version_end + 1 &&

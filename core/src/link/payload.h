@@ -1,5 +1,5 @@
-// The payload of share links: a Document as digits, and back. docs/link-format.md specifies the format.
-// Each version is fixed for ever; any change makes a new one.
+// The payload of share links: a Document as digits, and back. docs/link-format.md specifies the
+// format. Each version is fixed for ever; any change makes a new one.
 #pragma once
 
 #include <cstdint>

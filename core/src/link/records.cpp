@@ -21,8 +21,8 @@ const SettingRow* row_of_record(Tag number) {
   return nullptr;
 }
 
-// Whether a link needs the setting. The record of the number of robots says that the robots are balanced. The usual
-// goal of teams is to cover.
+// Whether a link needs the setting. The record of the number of robots says that the robots are
+// balanced. The usual goal of teams is to cover.
 bool is_needed(const SettingRow& row, const Document& document, const Document& defaults) {
   const Settings& settings = document.settings;
   if (!is_kept(row, settings)) return false;

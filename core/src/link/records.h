@@ -1,6 +1,6 @@
-// The records of share links of version 2: the settings that came after version 1. Each is a tag, the
-// number of bytes of its payload, and the payload, which for a setting is its text as read_setting()
-// takes it. Records come in the order of their tags, and tag 0 ends them.
+// The records of share links of version 2: the settings that came after version 1. Each is a tag,
+// the number of bytes of its payload, and the payload, which for a setting is its text as
+// read_setting() takes it. Records come in the order of their tags, and tag 0 ends them.
 #pragma once
 
 #include <cstddef>
@@ -30,8 +30,8 @@ struct Record {
 };
 using Records = std::vector<Record>;
 
-// The records that the document needs; none if a link of version 1 can hold all of it. O(robots that were
-// moved).
+// The records that the document needs; none if a link of version 1 can hold all of it. O(robots
+// that were moved).
 Records records_of(const Document& document);
 
 // Takes over what the records say, which must be of known tags. Returns whether each of them has a

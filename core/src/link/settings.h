@@ -1,4 +1,5 @@
-// The settings that share links of version 1 and later begin with, and numbers that are not vertices, for either coder.
+// The settings that share links of version 1 and later begin with, and numbers that are not
+// vertices, for either coder.
 #pragma once
 
 #include <algorithm>
@@ -38,8 +39,8 @@ inline Document defaults_of_links() {
   return document;
 }
 
-// The settings that version 1 has; those that came later are left at their defaults, since records hold
-// them where they are needed (records.h).
+// The settings that version 1 has; those that came later are left at their defaults, since records
+// hold them where they are needed (records.h).
 inline Document settings_of_link_1(const Document& document) {
   Document first = defaults_of_links();
   const Settings& settings = document.settings;

@@ -13,8 +13,8 @@
 
 namespace evenlift {
 
-// Values of a text at most: an array for each of 1,048,576 vertices, its two numbers, and a third as
-// much again.
+// Values of a text at most: an array for each of 1,048,576 vertices, its two numbers, and a third
+// as much again.
 inline constexpr std::size_t max_json_values = std::size_t{1} << 22;
 
 class JsonTree {

@@ -200,7 +200,8 @@ class Firmest {
     }
   }
 
-  // No contact more makes the margin of a choice less, so no choice is above the level of all candidates.
+  // No contact more makes the margin of a choice less, so no choice is above the level of all
+  // candidates.
   void bound(const Optimum& widest, FirmestChoice& best) const {
     best.most_level = best_level;
     if (candidates_.size() <= most_candidates_bounded)

@@ -12,8 +12,8 @@ constexpr double impossible = -1;
 
 bool is_over(const Stop& stop) { return stop && stop(); }
 
-// The greatest sums of triangles along ends that follow each other from a first one on: at most so many
-// ends, the last of them so many steps on. Of each the place before it is kept.
+// The greatest sums of triangles along ends that follow each other from a first one on: at most so
+// many ends, the last of them so many steps on. Of each the place before it is kept.
 class Chain {
  public:
   // Up to `length` steps on, and `most` further ends. O(length^2 most).
@@ -80,8 +80,9 @@ Closed close(const Triangles& triangles, const Chain& chain, std::uint32_t first
   return best;
 }
 
-// Both ends of the chord at place 0, and what dynamic programming over the chords in order of slope adds:
-// the state is the last end used on either side and the number of chords used. There must be a chord.
+// Both ends of the chord at place 0, and what dynamic programming over the chords in order of slope
+// adds: the state is the last end used on either side and the number of chords used. There must be
+// a chord.
 class BothSides {
  public:
   BothSides(const Triangles& triangles, std::uint32_t first, std::uint32_t teams)

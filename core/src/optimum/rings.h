@@ -19,13 +19,13 @@ struct Ring {
 // where the ring may begin; nothing if that was true.
 std::optional<Ring> best_ring(const Triangles& triangles, std::uint32_t most, const Stop& stop);
 
-// The best ring of ends of at most `teams` chords that has both ends of one of them. Where no ring has
-// both ends of a chord, best_ring() with as many ends finds the best one. O(K^4 teams).
+// The best ring of ends of at most `teams` chords that has both ends of one of them. Where no ring
+// has both ends of a chord, best_ring() with as many ends finds the best one. O(K^4 teams).
 std::optional<Ring> best_ring_of_chords(const Triangles& triangles, std::uint32_t teams,
                                         const Stop& stop);
 
-// At least the share of best_ring_of_chords(): each side of a chord takes up to teams - 1 ends of its own.
-// O(K^3 teams).
+// At least the share of best_ring_of_chords(): each side of a chord takes up to teams - 1 ends of
+// its own. O(K^3 teams).
 std::optional<Ring> best_ring_by_sides(const Triangles& triangles, std::uint32_t teams,
                                        const Stop& stop);
 

@@ -9,8 +9,8 @@
 
 namespace evenlift::optimum {
 
-// The ends of K chords in the order in which C sees them: end i < K is the right end of chord i, and
-// end K + i its left end. The chords must be in candidate order.
+// The ends of K chords in the order in which C sees them: end i < K is the right end of chord i,
+// and end K + i its left end. The chords must be in candidate order.
 class Triangles {
  public:
   // O(n K^2).
@@ -20,8 +20,9 @@ class Triangles {
   std::uint32_t ends() const { return 2 * chords_; }
   std::uint32_t chord_of(std::uint32_t end) const { return end % chords_; }
 
-  // As a share of P: the area in the triangle of C, the end `from`, and the end that is `steps` after
-  // it, which may go round; steps <= chords(), so that C sees the two under 180 degrees or less.
+  // As a share of P: the area in the triangle of C, the end `from`, and the end that is `steps`
+  // after it, which may go round; steps <= chords(), so that C sees the two under 180 degrees or
+  // less.
   double share(std::uint32_t from, std::uint32_t steps) const {
     return shares_[from * (chords_ + std::size_t{1}) + steps];
   }

@@ -67,8 +67,8 @@ class Placer {
   std::vector<std::uint32_t> chosen_;
 };
 
-// What one robot bears at most, with all at work or when any one fails; nothing if the object falls then, or
-// if it is more than the capacity.
+// What one robot bears at most, with all at work or when any one fails; nothing if the object falls
+// then, or if it is more than the capacity.
 std::optional<double> greatest_of_all(const Placement& placement, const std::vector<Team>& teams,
                                       double capacity) {
   const Points all = positions(lifting_points(teams));

@@ -94,8 +94,8 @@ double closeness(const Vec2& direction, const Vec2& wanted) {
   return dot(direction, wanted) / (length(direction) * length(wanted));
 }
 
-// The chord on two edges whose end on `a` is nearest to a direction from C; nothing if no chord on them is
-// even enough.
+// The chord on two edges whose end on `a` is nearest to a direction from C; nothing if no chord on
+// them is even enough.
 std::optional<Turned> towards(const Placement& placement, std::uint32_t a, std::uint32_t b,
                               const Vec2& direction) {
   Chord ends;
@@ -132,8 +132,8 @@ EdgesAt edges_at(const Polygon& polygon, std::uint32_t edge, const Vec2& at) {
   return found;
 }
 
-// The chord nearest to a direction on the edges of the present one, and on those that meet them at a vertex
-// on which it ends.
+// The chord nearest to a direction on the edges of the present one, and on those that meet them at
+// a vertex on which it ends.
 std::optional<Turned> next_chord(const Placement& placement, const Turned& now,
                                  const Vec2& direction) {
   const Vec2& centre = placement.centre_of_mass;

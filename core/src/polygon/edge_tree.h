@@ -25,8 +25,8 @@ class EdgeTree {
 
   // O(n).
   explicit EdgeTree(const Polygon& polygon);
-  // Over any segments, of which neighbours should be near each other. Without any there is one leaf, with
-  // no edges. O(n).
+  // Over any segments, of which neighbours should be near each other. Without any there is one
+  // leaf, with no edges. O(n).
   explicit EdgeTree(const std::vector<LineEnds>& lines);
 
   // The root is node 0.

@@ -64,8 +64,8 @@ double squared_distance(const Vec2& a, const Vec2& b) {
   return dot(d, d);
 }
 
-// Whether the corner c between a and b is one that rounding alone makes: within `flat` of either, or on the
-// side from a to b, within tau of its length.
+// Whether the corner c between a and b is one that rounding alone makes: within `flat` of either,
+// or on the side from a to b, within tau of its length.
 bool is_on_side(const Vec2& a, const Vec2& c, const Vec2& b, double flat) {
   if (squared_distance(a, c) <= flat * flat || squared_distance(c, b) <= flat * flat) return true;
   const double squared = squared_distance(a, b), along = dot(c - a, b - a);
@@ -117,8 +117,8 @@ Points hull_of_sorted(Points points, double flat) {
   return flat > 0 ? without_straight_corners(hull, flat) : hull;
 }
 
-// A side of a hull that a point is beyond, by bisection over the triangles that the first corner makes with
-// the sides; nothing if the point is inside or on the rim. O(log h).
+// A side of a hull that a point is beyond, by bisection over the triangles that the first corner
+// makes with the sides; nothing if the point is inside or on the rim. O(log h).
 std::optional<std::size_t> side_before(const Points& hull, const Vec2& p) {
   const std::size_t n = hull.size();
   if (orient(hull[0], hull[1], p) < 0) return 0;
@@ -132,8 +132,9 @@ std::optional<std::size_t> side_before(const Points& hull, const Vec2& p) {
   return orient(hull[low], hull[high], p) < 0 ? std::optional(low) : std::nullopt;
 }
 
-// A hull with one more point, by the sides that the point is beyond. Nothing where a corner beside the point
-// is one that rounding makes, which takes a look at the whole hull. O(h), of which little is arithmetic.
+// A hull with one more point, by the sides that the point is beyond. Nothing where a corner beside
+// the point is one that rounding makes, which takes a look at the whole hull. O(h), of which little
+// is arithmetic.
 std::optional<Points> with_point(const Points& hull, const Vec2& p, double flat) {
   const std::size_t n = hull.size();
   const auto side = [&](std::size_t i) { return orient(hull[i % n], hull[(i + 1) % n], p); };
@@ -152,8 +153,8 @@ std::optional<Points> with_point(const Points& hull, const Vec2& p, double flat)
   widened.reserve(n + 1);
   widened.push_back(p);
   for (std::size_t i = first + number; i <= first + n; ++i) widened.push_back(hull[i % n]);
-  // One corner on either side may have become one that rounding makes. Whether more of them are one run
-  // together, only the whole hull tells.
+  // One corner on either side may have become one that rounding makes. Whether more of them are one
+  // run together, only the whole hull tells.
   const auto is_straight = [&](std::size_t i) {
     const std::size_t m = widened.size();
     return is_on_side(widened[(i + m - 1) % m], widened[i % m], widened[(i + 1) % m], flat);
@@ -200,8 +201,9 @@ double diameter(const Points& hull) {
   const std::size_t n = hull.size();
   const auto corner = [&](std::size_t i) -> const Vec2& { return hull[i % n]; };
   double greatest = 0;
-  // For each side the corner that is farthest from its line. The two corners that are farthest apart are such a corner and an end
-  // of such a side. Of two sides that are parallel but for rounding, either corner of the other may seem farther.
+  // For each side the corner that is farthest from its line. The two corners that are farthest
+  // apart are such a corner and an end of such a side. Of two sides that are parallel but for
+  // rounding, either corner of the other may seem farther.
   std::size_t far = 1;
   for (std::size_t side = 0; side < n; ++side) {
     const Vec2 &a = corner(side), &b = corner(side + 1);

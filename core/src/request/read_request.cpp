@@ -68,7 +68,8 @@ class Reader {
   const JsonTree& tree_;
 };
 
-// The text of a string, or the digits of a number: a seed may have more of them than a double holds.
+// The text of a string, or the digits of a number: a seed may have more of them than a double
+// holds.
 std::string Reader::value_text(Index at) const {
   if (tree_.kind(at) == Kind::string) return std::string(tree_.text(at));
   if (tree_.kind(at) != Kind::number) return {};

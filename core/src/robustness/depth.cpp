@@ -56,9 +56,9 @@ int least_overlap(const std::vector<Arc>& arcs, OnTheLine on_the_line) {
 
 // The least number of robots on one side of a line through C.
 //
-// C and each robot lie at most L apart, and `near` is at least tau L, so an arc differs from half a turn by
-// at least tau on either side, and the rounding of directions, some 1e-16, decides only what is at the
-// tolerance's own edge.
+// C and each robot lie at most L apart, and `near` is at least tau L, so an arc differs from half a
+// turn by at least tau on either side, and the rounding of directions, some 1e-16, decides only
+// what is at the tolerance's own edge.
 int depth(const Points& robots, const Vec2& centre, double near, OnTheLine on_the_line) {
   std::vector<Arc> arcs;
   arcs.reserve(robots.size());

@@ -1,10 +1,11 @@
 // The loads of equally stiff robots that only push.
 //
 // The loads f with the least sum of squares that balance the weight, with f >= 0, are max(0, g) for
-// a function g(q) = a + b . q of the robot's place. It is the g for which 1/2 sum max(0, g)^2 - m g(C)
-// is least, in units of weight / m: a convex function of (a, b), whose slope is the lack of balance.
-// Newton's step is the g that balances the weight with the robots that bear something, some of which
-// may have to pull. They let go, others take hold, and so on until that repeats itself.
+// a function g(q) = a + b . q of the robot's place. It is the g for which 1/2 sum max(0, g)^2 - m
+// g(C) is least, in units of weight / m: a convex function of (a, b), whose slope is the lack of
+// balance. Newton's step is the g that balances the weight with the robots that bear something,
+// some of which may have to pull. They let go, others take hold, and so on until that repeats
+// itself.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -81,8 +82,8 @@ class Springs {
     return in_frame(frame, (m_ - sum) / k, (m_ * frame(Vec2::Zero()) - moment) / k);
   }
 
-  // If those that bear something are on one line, or at one place, and C is not, they cannot balance
-  // the weight. The function turns about them, up on the side of C, until others take hold.
+  // If those that bear something are on one line, or at one place, and C is not, they cannot
+  // balance the weight. The function turns about them, up on the side of C, until others take hold.
   static std::optional<Linear> turn(const StandardFrame& frame) {
     if (frame.axis[1] != Vec2::Zero()) return std::nullopt;
     Vec2 beside = -frame.mean;  // from the line, or the place, to C
@@ -101,8 +102,8 @@ class Springs {
     return turn(frame).value_or(newton_step(bearing, frame));
   }
 
-  // How many times the step is taken: so often that the slope along it is halved at least, on either
-  // side of 0.
+  // How many times the step is taken: so often that the slope along it is halved at least, on
+  // either side of 0.
   double stride(const Linear& step, double slope) const {
     double low = 0, high = std::numeric_limits<double>::infinity(), times = 1;
     for (int i = 0; i < 100; ++i) {

@@ -12,6 +12,12 @@
 namespace evenlift {
 namespace {
 
+// What a bound adds, so that the rounding of what it is computed from cannot make it too low: for
+// the area of a polygon that is clipped, in units of L^2; for each distance that is summed up, in
+// units of L; and for a product of the two. Each is a thousand times the error or more, and makes
+// only that more ends are looked at in full.
+constexpr double clipping = 1e-13, per_distance = 1e-12, rounded_up = 1 + 1e-9;
+
 // The signed distance of v from the line a -> b, positive to the right: outside, for an edge of H.
 double distance_outside(const Vec2& a, const Vec2& b, const Vec2& v) {
   const Vec2 line = b - a;
@@ -68,8 +74,9 @@ Wedge::Wedge(const Surroundings& surroundings, Metric metric, const Vec2& h1, co
   if (metric == Metric::distance) collect_outer_vertices();
 }
 
-// Only what lies in the triangle h1 h2 p counts in the end. What C does not see between h1 and h2 is
-// left out to save time, but for a rim twice as wide as a p in the direction of a corner may stand off.
+// Only what lies in the triangle h1 h2 p counts in the end. What C does not see between h1 and h2
+// is left out to save time, but for a rim twice as wide as a p in the direction of a corner may
+// stand off.
 void Wedge::collect_area() {
   outside_ = clip_left(surroundings_->boundary, h2_, h1_);
   if (is_convex()) {
@@ -123,9 +130,8 @@ Gain Wedge::estimate(const Vec2& p) const {
   }
   const double triangle = triangle_area(h1_, h2_, p);
   if (surroundings_->convex) return {triangle, Certainty::exact};
-  const double error_bound =
-      1e-13 * surroundings_->diameter * surroundings_->diameter;  // of clipping
-  return {std::min(triangle, outside_area_) * (1 + 1e-9) + error_bound, Certainty::bound};
+  const double error = clipping * surroundings_->diameter * surroundings_->diameter;
+  return {std::min(triangle, outside_area_) * rounded_up + error, Certainty::bound};
 }
 
 double Wedge::evaluate(const Vec2& p) const {
@@ -202,7 +208,7 @@ double Wedge::distance_bound(const Vec2& p) const {
 
 // Bounds the rounding errors of the sums.
 double Wedge::distance_error_bound() const {
-  return 1e-12 * surroundings_->diameter * static_cast<double>(outer_.size() + 1);
+  return per_distance * surroundings_->diameter * static_cast<double>(outer_.size() + 1);
 }
 
 Gain Wedge::sharpen(const Vec2& p, const Gain& known) {
@@ -240,7 +246,7 @@ bool Wedge::prepare_close_bounds() {
 }
 
 double Wedge::close_bound(const Vec2& p) const {
-  if (area_bins_) return area_bins_->bound(p) * (1 + 1e-9);
+  if (area_bins_) return area_bins_->bound(p) * rounded_up;
   const std::size_t split = split_at(p).end;
   return distance_sum_ - distance_blocks_->least_sum_beyond(h1_, p, 0, split) -
          distance_blocks_->least_sum_beyond(p, h2_, split, outer_.size()) + distance_error_bound();

@@ -51,8 +51,11 @@ AreaBins::AreaBins(const Points& region, const Vec2& h1, const Vec2& h2, double 
   make_bins(number_of_parts(region.size(), 64));
   const std::vector<Piece> pieces = split(region);
   measure_levels(pieces);
+  // Each sum has at most so many terms, and each term is off by some 1e-16 of the object's size
+  // squared; what is added before, in measuring a piece, is a few dozen roundings more.
+  constexpr double per_term = 1e-14, before = 100;
   error_bound_ =
-      1e-14 * diameter * diameter * static_cast<double>(pieces.size() + bins_.size() + 100);
+      per_term * diameter * diameter * (static_cast<double>(pieces.size() + bins_.size()) + before);
 }
 
 void AreaBins::make_bins(std::size_t number) {

@@ -14,8 +14,9 @@
 namespace evenlift {
 namespace {
 
-// The floor for score_slack. Rounding the ends of an edge of H turns its line, and a vertex far from a short
-// edge moves a long way about it: by distance the floor grows as the shortest edge shrinks.
+// The floor for score_slack. Rounding the ends of an edge of H turns its line, and a vertex far
+// from a short edge moves a long way about it: by distance the floor grows as the shortest edge
+// shrinks.
 double floor_of(double size, Metric metric, const Points& hull) {
   if (!scores_are_lengths(metric)) return score_floor * size * size;
   double shortest = short_edge * size;
@@ -136,8 +137,9 @@ Selector::Index Selector::best_by(Rule rule, Indices indices) const {
   return indices.front();
 }
 
-// The best score of the candidates that are not taken. By lazy greedy selection (greedy_selector.h) the
-// one with the largest bound is evaluated first; whoever cannot tie with the best keeps its bound.
+// The best score of the candidates that are not taken. By lazy greedy selection (greedy_selector.h)
+// the one with the largest bound is evaluated first; whoever cannot tie with the best keeps its
+// bound.
 double Selector::find_best_score() {
   double best = -std::numeric_limits<double>::infinity();
   Indices open;  // those of which only a bound is known

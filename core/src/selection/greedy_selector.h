@@ -22,8 +22,8 @@ namespace evenlift {
 // best wait in line.
 class Selector {
  public:
-  // `most_teams` is a bound on the number of teams that will be taken. With `stands`, which must outlive
-  // it, candidates that collide with a team that is taken drop out.
+  // `most_teams` is a bound on the number of teams that will be taken. With `stands`, which must
+  // outlive it, candidates that collide with a team that is taken drop out.
   Selector(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
            Metric metric, std::size_t most_teams = ~std::size_t{0},
            FirstTeam first = FirstTeam::even, const Stands* stands = nullptr);

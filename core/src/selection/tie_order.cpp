@@ -12,8 +12,9 @@ namespace {
 using Index = std::uint32_t;
 using Indices = std::vector<Index>;
 
-// A row of places that hold an index or nothing, and the least index of any first few of them: a tree in which each inner node
-// holds the least of its two children. O(log n) for each change and question.
+// A row of places that hold an index or nothing, and the least index of any first few of them: a
+// tree in which each inner node holds the least of its two children. O(log n) for each change and
+// question.
 class LeastIndex {
  public:
   static constexpr Index nothing = std::numeric_limits<Index>::max();
@@ -32,7 +33,8 @@ class LeastIndex {
   Index of_first(std::size_t places) const {
     if (places == leaves_) return least_[1];
     Index least = nothing;
-    // The first places are the subtrees to the left of the way up from the first leaf that does not count.
+    // The first places are the subtrees to the left of the way up from the first leaf that does not
+    // count.
     for (std::size_t node = leaves_ + places; node > 1; node /= 2)
       if (node % 2 == 1) least = std::min(least, least_[node - 1]);
     return least;
@@ -43,8 +45,8 @@ class LeastIndex {
   Indices least_;  // the root is node 1, the children of node i are 2 i and 2 i + 1
 };
 
-// Leaves out the candidates that `count` choices cannot reach: the best ratio left is always at least the count-th, and whatever
-// is taken ties with it. Thousands may tie, and few be needed.
+// Leaves out the candidates that `count` choices cannot reach: the best ratio left is always at
+// least the count-th, and whatever is taken ties with it. Thousands may tie, and few be needed.
 void leave_out_unreachable(const std::vector<Candidate>& candidates, std::size_t count,
                            Indices& left) {
   if (left.size() <= count) return;

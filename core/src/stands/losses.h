@@ -20,8 +20,8 @@ class Losses {
     lost_[static_cast<std::size_t>(why)].push_back(lost);
   }
 
-  // The parts of an edge of this length, from its beginning to its end: with the first reason for which
-  // they are lost, or without one. Neighbours differ in that. O(k log k) for k stretches.
+  // The parts of an edge of this length, from its beginning to its end: with the first reason for
+  // which they are lost, or without one. Neighbours differ in that. O(k log k) for k stretches.
   struct Part {
     Stretch part;
     std::optional<WhyUnusable> why;

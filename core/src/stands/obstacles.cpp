@@ -46,8 +46,8 @@ Extent crossing(const Vec2& p, const Vec2& q, double y) {
 
 Vec2 upside_down(const Vec2& v) { return {v.x(), -v.y()}; }
 
-// The depths at which the hand must be beneath the object, to tau L. There are none if it is less deep
-// than a tenth of its width.
+// The depths at which the hand must be beneath the object, to tau L. There are none if it is less
+// deep than a tenth of its width.
 struct HandDepths {
   double from, to;
   HandDepths(const RobotSize& robot, double near)
@@ -57,9 +57,9 @@ struct HandDepths {
 
 }  // namespace
 
-// The line on which the body's middle moves, against the capsule of the body's radius about the other
-// edge. A line meets a convex set in one interval, and its ends are on the discs about the two vertices or
-// on the two straight sides.
+// The line on which the body's middle moves, against the capsule of the body's radius about the
+// other edge. A line meets a convex set in one interval, and its ends are on the discs about the
+// two vertices or on the two straight sides.
 std::optional<Stretch> lost_to_body(const SeenObstacle& other, const RobotSize& robot,
                                     double near) {
   const double radius = robot.radius - near, height = robot.radius + robot.reach;
@@ -87,14 +87,16 @@ std::optional<Stretch> lost_to_body(const SeenObstacle& other, const RobotSize& 
   return extent.stretch();
 }
 
-// A part of the other edge that lies on the object's own side of the line is no obstacle to the arm.
+// A part of the other edge that lies on the object's own side of the line is no obstacle to the
+// arm.
 std::optional<Stretch> lost_to_arm(const SeenObstacle& other, const RobotSize& robot) {
   const Vec2 &p = other.p, &q = other.q;
   if (robot.reach <= 0 || std::max(p.y(), q.y()) <= 0) return std::nullopt;
   return within(p, q, 0, robot.radius + robot.reach).stretch();
 }
 
-// The hand's rectangle at these depths, narrower by tau L on each side, must not meet the other edge.
+// The hand's rectangle at these depths, narrower by tau L on each side, must not meet the other
+// edge.
 std::optional<Stretch> lost_to_hand(const SeenObstacle& other, const RobotSize& robot,
                                     double near) {
   const HandDepths depths(robot, near);

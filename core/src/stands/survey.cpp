@@ -96,7 +96,8 @@ void Surveyor::add_obstacles(std::uint32_t edge, const EdgeFrame& frame, Losses&
     if (const auto stretch = parted_from_hand(obstacle, robot_, near_))
       parted.insert(parted.end(), {stretch->from, stretch->to});
   });
-  // A hand that meets no edge is outside the object if an odd number of them parts the contact from it.
+  // A hand that meets no edge is outside the object if an odd number of them parts the contact from
+  // it.
   std::sort(parted.begin(), parted.end());
   for (std::size_t i = 0; i < parted.size(); i += 2)
     losses.add(WhyUnusable::hand, {parted[i], parted[i + 1]});

@@ -100,8 +100,8 @@ const BalancedSet* set_after_round(const Trace& trace, std::uint32_t round) {
   return set;
 }
 
-// The chord about M that was taken. On a large outline the chords that are found are a sample, and it
-// need not be among them.
+// The chord about M that was taken. On a large outline the chords that are found are a sample, and
+// it need not be among them.
 Chord chord_taken(const LiftingPoint& r1, const LiftingPoint& r2, const Vec2& middle) {
   return {r1, r2, length(r1.position - middle), length(r2.position - middle), 1};
 }

@@ -9,8 +9,8 @@
 
 namespace evenlift {
 
-// The margin (closure.h) of robots that lift at these points, where they touch the object, by the contacts
-// that count: those that are far enough from corners. None without such contacts.
+// The margin (closure.h) of robots that lift at these points, where they touch the object, by the
+// contacts that count: those that are far enough from corners. None without such contacts.
 inline std::optional<double> margin_of(const Trace& trace,
                                        const std::vector<LiftingPoint>& robots) {
   const Placement& placement = trace.placement;

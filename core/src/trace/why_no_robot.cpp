@@ -40,8 +40,8 @@ void find_arrival(const Trace& trace, const BalancedSet& set, const Vec2& place,
   }
 }
 
-// Which robots of a set stay, and which come: first the one at the place that is asked about. Two that
-// come to where robots of the set before stood are as good as if they stayed.
+// Which robots of a set stay, and which come: first the one at the place that is asked about. Two
+// that come to where robots of the set before stood are as good as if they stayed.
 void part_by_place(const std::vector<LiftingPoint>& before, const Vec2& place, BalancedSet& set) {
   for (const LiftingPoint& robot : set.robots)
     (has_robot(before, robot.position) ? set.kept : set.came).push_back(robot);

@@ -58,8 +58,8 @@ bool is_uneven_opposite(const Trace& trace, const Chord& chord) {
   return false;
 }
 
-// What the pair on whose edges a chord ends says of it. If an end is at a vertex there may be several;
-// the pair with the best chord tells most.
+// What the pair on whose edges a chord ends says of it. If an end is at a vertex there may be
+// several; the pair with the best chord tells most.
 void answer_by_pair(const Trace& trace, const Chord& chord, WhyNot& answer) {
   answer.why = Why::no_pair;
   for (std::uint32_t i = 0; i < trace.pairs.size(); ++i) {

@@ -16,8 +16,8 @@ std::optional<double> pick_share(const Aggregate& a);
 std::optional<double> pick_coverage(const Aggregate& a);
 std::optional<double> pick_closure(const Aggregate& a);
 
-// The mean of the methods that choose among candidates with that many robots, if all of them have a value.
-// O(rows).
+// The mean of the methods that choose among candidates with that many robots, if all of them have a
+// value. O(rows).
 std::optional<double> algorithm_average(const std::vector<Aggregate>& aggregates,
                                         std::uint32_t robots, Pick pick);
 
@@ -36,8 +36,8 @@ struct Range {
 std::optional<Range> spread_ratio(const std::vector<Aggregate>& aggregates, Method method,
                                   std::uint32_t most_robots);
 
-// The mean over 4, 6, .. most_robots of the algorithm's coverage less the method's (two robots cover
-// nothing). O(rows most_robots).
+// The mean over 4, 6, .. most_robots of the algorithm's coverage less the method's (two robots
+// cover nothing). O(rows most_robots).
 std::optional<double> coverage_lead(const std::vector<Aggregate>& aggregates, Method method,
                                     std::uint32_t most_robots);
 

@@ -31,13 +31,13 @@ struct Figure {
   std::vector<FigureSeries> series;  // by method; none without values
 };
 
-// The largest number of robots with which the method was measured on at least a fifth of all polygons
-// on which it was measured, so that no point of a chart averages only a few polygons. 0 without
-// polygons. O(rows).
+// The largest number of robots with which the method was measured on at least a fifth of all
+// polygons on which it was measured, so that no point of a chart averages only a few polygons. 0
+// without polygons. O(rows).
 std::uint32_t most_robots_shown(const std::vector<Aggregate>& aggregates, Method method);
 
-// Figures 5.3 to 5.8 and 5.11 of one set: teams of two up to most_robots_shown of area, and balanced
-// robots up to theirs. O(rows).
+// Figures 5.3 to 5.8 and 5.11 of one set: teams of two up to most_robots_shown of area, and
+// balanced robots up to theirs. O(rows).
 std::vector<Figure> make_figures(const SetAggregates& set);
 
 // What section 5.1 measures of one polygon with every method, against the number of robots: the

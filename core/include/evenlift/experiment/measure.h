@@ -1,5 +1,5 @@
-// What chapter 5 of the thesis measures of one polygon: every method with every number of teams; and
-// beside it, beyond the thesis, balanced robots with every number of them.
+// What chapter 5 of the thesis measures of one polygon: every method with every number of teams;
+// and beside it, beyond the thesis, balanced robots with every number of them.
 #pragma once
 
 #include <cstdint>
@@ -26,8 +26,8 @@ struct ExperimentSettings {
   // Every polygon is measured with at most this many teams, 1 .. max_experiment_teams: the time
   // grows with the square.
   std::uint32_t most_teams = 1000;
-  // And with at most this many balanced robots, least_robots .. most_robots: their search takes most
-  // of the time, and the more robots the more.
+  // And with at most this many balanced robots, least_robots .. most_robots: their search takes
+  // most of the time, and the more robots the more.
   std::uint32_t most_balanced = 12;
   double weight = experiment_weight;        // of the object; above 0
   WeightUnit weight_unit = WeightUnit::kg;  // its label, in the figures of a single polygon
@@ -77,8 +77,8 @@ std::uint32_t teams_of(Method method, std::uint32_t robots);
 // random_teams with seed k, whose first t teams are its placement of t teams. For t teams: O(t^2)
 // loads, and coverage and closure once for each team.
 //
-// Balanced robots are measured with each number of them from 2 on, candidates or not, where there is
-// such a placement: what place() finds with the settings left as they are, for the search of
+// Balanced robots are measured with each number of them from 2 on, candidates or not, where there
+// is such a placement: what place() finds with the settings left as they are, for the search of
 // balanced.h once for each number.
 //
 // The values are those that place() reports, except for the max_share of balanced robots.

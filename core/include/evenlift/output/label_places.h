@@ -1,5 +1,5 @@
-// Finds a free place for each of the words in a picture beside what they name, outside of the object where there is
-// room. Places are pixels, or any other unit of about that size.
+// Finds a free place for each of the words in a picture beside what they name, outside of the
+// object where there is room. Places are pixels, or any other unit of about that size.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
-// The robots of a placement as poses for those who drive robots: a table, JSON, or a message of ROS 2.
+// The robots of a placement as poses for those who drive robots: a table, JSON, or a message of ROS
+// 2.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,8 @@ namespace evenlift {
 
 enum class PoseFormat : std::uint8_t { csv, json, yaml };
 
-// The format that a file's name asks for by its ending .csv, .json or .yaml; nothing for any other. O(1).
+// The format that a file's name asks for by its ending .csv, .json or .yaml; nothing for any other.
+// O(1).
 std::optional<PoseFormat> pose_format_of_file(std::string_view file_name);
 
 // Where the coordinates begin: as in the polygon's own file, or at the centre of mass.
@@ -32,9 +34,9 @@ struct PoseOptions {
 };
 
 // The robots, team after team, counted from 1: where each stands, where it faces, what it bears and
-// its team. A robot with a size stands at the middle of its body, any other where it lifts. It faces
-// along the inward normal of the edge at which it lifts, and at a vertex along the middle of the normals
-// of the two edges there.
+// its team. A robot with a size stands at the middle of its body, any other where it lifts. It
+// faces along the inward normal of the edge at which it lifts, and at a vertex along the middle of
+// the normals of the two edges there.
 //   csv   a row for each robot: robot,team,x,y,heading_deg,load,unit,weight_unit
 //   json  {"frame", "origin", "unit", "weight_unit", "robots": [{"robot", "team", "x", "y",
 //         "heading_deg", "direction": [x, y], "load"}]}, direction being the heading as a vector of

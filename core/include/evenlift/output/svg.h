@@ -14,8 +14,8 @@ namespace evenlift {
 // picture opens again as that document. O(output).
 std::string placement_svg(const ShownPlacement& of, std::string_view link = {});
 
-// The same picture half as large, with letters and robots of the same size, and without the caption and the link: for pictures beside
-// each other. O(output).
+// The same picture half as large, with letters and robots of the same size, and without the caption
+// and the link: for pictures beside each other. O(output).
 std::string placement_sketch(const ShownPlacement& of);
 
 }  // namespace evenlift

@@ -18,16 +18,16 @@ std::string_view title(Chapter chapter);
 // One to three sentences about a step. O(1) besides numbers(); of `slopes` and `duplicates` linear.
 std::string caption(const Trace& trace, const StepDetail& detail);
 
-// The caption of the step `sections` for a learner who is going to be asked which end is more even: it
-// leaves the load ratios out. O(1).
+// The caption of the step `sections` for a learner who is going to be asked which end is more even:
+// it leaves the load ratios out. O(1).
 std::string caption_before_choice(const Trace& trace, const StepDetail& detail);
 
 // The step's formula with the numbers filled in, "load ratio = 47.5 / 50.1 = 0.948 ≥ 0.8"; empty
 // where there is nothing to calculate. O(1).
 std::string formula(const Trace& trace, const StepDetail& detail);
 
-// What the letters of the step's formula stand for, in one or two sentences; empty if it has no letters
-// that need a word. O(1).
+// What the letters of the step's formula stand for, in one or two sentences; empty if it has no
+// letters that need a word. O(1).
 std::string_view formula_letters(const Trace& trace, const StepDetail& detail);
 
 // The algorithm as pseudo-code, for the method, positions and goal of the settings. Each line is a
@@ -40,7 +40,8 @@ std::uint32_t pseudo_line(const Trace& trace, const StepDetail& detail);
 // What a learner is asked before the step is shown: question(trace, detail) in words. O(1).
 std::string question_text(const Trace& trace, const StepDetail& detail, const Question& question);
 
-// Why a team stands where it does, with the numbers, for somebody who does not know the algorithm. O(1).
+// Why a team stands where it does, with the numbers, for somebody who does not know the algorithm.
+// O(1).
 std::string why_here_text(const Trace& trace, const TeamScores& scores);
 
 // Why a chord is not a team, or which one it is, with the numbers. O(1).
@@ -62,8 +63,8 @@ std::string other_swap_text(const Trace& trace, const StepDetail& detail, const 
 // 1: 15.7 of 100". O(1).
 std::string figure_text(const Trace& trace, const StepDetail& detail, const Figure& figure);
 
-// What is written beside a part of the object in a picture: "edge 4", "vertex 2", "image of edge 1", "centroid"; empty for
-// any other figure. O(1).
+// What is written beside a part of the object in a picture: "edge 4", "vertex 2", "image of edge
+// 1", "centroid"; empty for any other figure. O(1).
 std::string part_name(const Figure& figure);
 
 }  // namespace evenlift

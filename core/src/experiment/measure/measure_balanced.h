@@ -9,13 +9,13 @@
 
 namespace evenlift::experiment {
 
-// Whether robots at these points are in form closure by the contacts that are clear of corners, with the
-// usual distance (closure.h).
+// Whether robots at these points are in form closure by the contacts that are clear of corners,
+// with the usual distance (closure.h).
 bool holds_clearly(const Polygon& polygon, const Vec2& centre,
                    const std::vector<LiftingPoint>& points);
 
-// Fills in whether robots at these points are in form closure, pass the thesis's own test, and hold clearly.
-// As in_form_closure, no_region_has_area and holds_clearly.
+// Fills in whether robots at these points are in form closure, pass the thesis's own test, and hold
+// clearly. As in_form_closure, no_region_has_area and holds_clearly.
 void test_closure(const Subject& subject, const std::vector<LiftingPoint>& points, Measurement& m);
 
 // measure() for Method::balanced.

@@ -18,8 +18,8 @@ struct Count {
 // The measurement of a method with a number of robots, or null. O(rows).
 const Measurement* find(const PolygonResult& result, Method method, std::uint32_t robots);
 
-// Polygons with candidates for `teams` on which all that choose among candidates choose the same last
-// team; with more than two teams, of those on which they chose the same one before, too (5.4).
+// Polygons with candidates for `teams` on which all that choose among candidates choose the same
+// last team; with more than two teams, of those on which they chose the same one before, too (5.4).
 // Only polygons with up to `most_vertices`.
 Count same_choice(const std::vector<PolygonResult>& results, std::uint32_t teams,
                   std::size_t most_vertices = max_vertices);

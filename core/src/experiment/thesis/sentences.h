@@ -9,8 +9,8 @@
 
 namespace evenlift::experiment {
 
-// A sentence from the aggregates, those of teams of two with up to most_robots; 0 if there are none.
-// O(rows most_robots).
+// A sentence from the aggregates, those of teams of two with up to most_robots; 0 if there are
+// none. O(rows most_robots).
 using Sentence = std::string (*)(const std::vector<Aggregate>& aggregates,
                                  std::uint32_t most_robots);
 

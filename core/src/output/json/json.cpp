@@ -132,8 +132,9 @@ void add_stands(std::vector<json::Member>& members, const Placement& placement) 
   members.push_back({"unusable", unusable_json(placement)});
 }
 
-// What was asked for in so far as the results do not say it, so that who opens them again has all of it: how many teams of two,
-// where that is "max" or the robots are balanced, and the overlays; each where it is another than usual.
+// What was asked for in so far as the results do not say it, so that who opens them again has all
+// of it: how many teams of two, where that is "max" or the robots are balanced, and the overlays;
+// each where it is another than usual.
 void add_asked(std::vector<json::Member>& members, const Settings& settings,
                const Overlays& overlays) {
   const Settings usual;

@@ -106,8 +106,8 @@ std::string yaml_number(double value) {
   return text;
 }
 
-// The rotation about z that turns x into the direction, as the z and w of its quaternion, w >= 0: by
-// the half-angle formulas, each used where nothing cancels.
+// The rotation about z that turns x into the direction, as the z and w of its quaternion, w >= 0:
+// by the half-angle formulas, each used where nothing cancels.
 std::array<double, 2> half_turn(const Vec2& direction) {
   const double x = direction.x(), y = direction.y() + 0.0;  // straight back is a turn to the left
   if (x >= 0) {

@@ -14,7 +14,8 @@ namespace evenlift::svg {
 // The robots, team after team, if they have a size; else none. O(n + robots).
 std::vector<PlacedRobot> robots_with_size(const Placement& placement);
 
-// What the paper must have room for: the vertices, and around them the bodies of these robots. O(n + robots).
+// What the paper must have room for: the vertices, and around them the bodies of these robots. O(n
+// + robots).
 Points extent(const Placement& placement, const std::vector<PlacedRobot>& robots);
 
 // Nothing for points that may stand anywhere. O(parts).

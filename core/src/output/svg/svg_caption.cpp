@@ -10,8 +10,8 @@
 namespace evenlift::svg {
 namespace {
 
-// "Method: area · 3 teams · minimum load ratio 0.8 · coverage 81 % · no form closure", and what is known of the robots and
-// of C.
+// "Method: area · 3 teams · minimum load ratio 0.8 · coverage 81 % · no form closure", and what is
+// known of the robots and of C.
 std::string settings_line(const ShownPlacement& of) {
   const Placement& placement = of.placement;
   const Shown& shown = of.shown;

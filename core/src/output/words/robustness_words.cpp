@@ -92,7 +92,8 @@ std::string doubt_of_capacity_in_words(const ModelLoads& loads, const Robustness
   const std::string limit = given_weight(capacity, units);
   const auto radius = radius_within_capacity(loads.springs, robustness.tipping_distance, capacity);
   if (!radius) return "If all robots are equally stiff, some bear more than " + limit + ".";
-  // What loads do farther out is not known: it may be that, and not the capacity, which ends the range.
+  // What loads do farther out is not known: it may be that, and not the capacity, which ends the
+  // range.
   const bool ends_known =
       *radius == radius_within_capacity(loads.springs, robustness.tipping_distance,
                                         std::numeric_limits<double>::infinity());

@@ -174,7 +174,8 @@ std::string StepCaptions::outcome() const {
   return text + same_chord(*pair.candidate);
 }
 
-// What robots with a size make of it. Where the load ratio was too low already there is nothing to add.
+// What robots with a size make of it. Where the load ratio was too low already there is nothing to
+// add.
 std::string StepCaptions::standing(const PairDetail& pair) const {
   switch (*pair.standing) {
     case Standing::there:

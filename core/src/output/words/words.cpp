@@ -47,7 +47,8 @@ std::string overload_in_words(const ShownPlacement& of, double capacity,
   if (placement.teams.empty()) return {};
   const std::string limit = given_weight(capacity, of.shown.units);
   if (robots.empty()) return "No robot carries more than " + limit + ".";
-  // At best only the greatest load is known, and not whose it is; at worst not all bear their greatest at once.
+  // At best only the greatest load is known, and not whose it is; at worst not all bear their
+  // greatest at once.
   if (model == LoadModel::best)
     return "However the weight is shared, some robot carries more than " + limit + ".";
   const std::size_t all = count_robots(placement.teams) - (failed ? 1 : 0);
@@ -66,8 +67,8 @@ std::string overload_in_words(const ShownPlacement& of, double capacity,
   return who + " robots" + verb + " overloaded, with more than " + limit + which + ".";
 }
 
-// The number is counted by plan, with all robots at work and C where it is given; where other loads are shown, that
-// is said.
+// The number is counted by plan, with all robots at work and C where it is given; where other loads
+// are shown, that is said.
 std::string need_in_words(const CapacityPlan& plan, const ShownPlacement& of, LoadModel model,
                           const std::optional<std::size_t>& failed) {
   const Settings& settings = of.placement.settings;
@@ -354,7 +355,8 @@ std::string sentence(const InputError& error) {
     return capital(place + " " + message.substr(both.size()));
   const bool option = error.place.kind == Place::Kind::option,
              whole_link = error.place.kind == Place::Kind::link && error.place.index == 0;
-  // What is said of a setting or a link mostly begins with what it is: then its name would only double that.
+  // What is said of a setting or a link mostly begins with what it is: then its name would only
+  // double that.
   const bool named = message.starts_with("the ") || message.starts_with("no edge ") ||
                      message.starts_with("there is no edge ");
   const bool doubled = message.find("the " + place) != std::string::npos;  // "the centre of mass"
