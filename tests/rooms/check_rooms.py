@@ -8,7 +8,7 @@ A room is a folder of sources. Its README.md says what comes in and what goes ou
     May use: exact, errors.                the rooms whose files it includes or imports, or "no other room"
     May load later: windows.               those of which it loads a file with import(), in rooms of web that do so
 
-The rooms are in core/src, wasm and web, and docs/architecture.md has the plan of them: each stands below, or to the right
+The rooms are in core/src, native, wasm and web, and docs/architecture.md has the plan of them: each stands below, or to the right
 of, all that it uses. What is loaded later may stand anywhere. The folders of tests must be without circles, too, and so
 must the files: no headers include each other in a circle, and no scripts import each other so.
 
@@ -243,6 +243,7 @@ check_itself()
 check_core()
 check_state()
 check_files()
+check_tree("native", with_readmes=True)
 check_tree("wasm", with_readmes=True)
 check_tree("web", with_readmes=True)
 check_tree("tests", with_readmes=False)

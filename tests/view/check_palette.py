@@ -133,7 +133,7 @@ def check_everything():
         check_contrast(scheme, colours)
     for scheme, block in blocks("web/charts/charts.css").items():
         check_charts(scheme, colours_of[scheme], block)
-    for path in ("web/page/page.css", "web/kit/dialogs.css", "native/report/report.css"):
+    for path in ("web/page/page.css", "web/kit/dialogs.css", "native/experiment/page/report.css"):
         check_style(path, colours_of)
     path = "core/src/output/svg/svg_style.h"
     for name, colour in re.findall(r'(\w+)_colour = "(#\w+)"', read(path)):

@@ -1,12 +1,12 @@
-#include "robustness_text.h"
+#include "print/robustness_text.h"
 
 #include <algorithm>
 
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/output/words.h"
-#include "failure.h"
-#include "options.h"
-#include "table.h"
+#include "input/failure.h"
+#include "input/options.h"
+#include "print/table.h"
 
 namespace evenlift::native {
 namespace {

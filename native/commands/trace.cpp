@@ -1,8 +1,8 @@
-#include "commands.h"
+#include "evenlift/trace.h"
+#include "commands/commands.h"
 #include "evenlift/output/trace_json.h"
 #include "evenlift/placement.h"
-#include "evenlift/trace.h"
-#include "options.h"
+#include "input/options.h"
 
 namespace evenlift::native {
 

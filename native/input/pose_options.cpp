@@ -1,6 +1,6 @@
-#include "pose_options.h"
+#include "input/pose_options.h"
 
-#include "failure.h"
+#include "input/failure.h"
 
 namespace evenlift::native {
 void PoseFileOptions::declare(CommandLine& line) {

@@ -4,13 +4,13 @@
 #include <thread>
 #endif
 
-#include "commands.h"
+#include "commands/commands.h"
 #include "evenlift/experiment/outputs.h"
 #include "evenlift/numbers.h"
 #include "evenlift/output/words.h"
-#include "experiment_run.h"
-#include "options.h"
-#include "report.h"
+#include "experiment/experiment_run.h"
+#include "experiment/report.h"
+#include "input/options.h"
 
 namespace evenlift::native {
 namespace {

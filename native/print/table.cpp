@@ -1,4 +1,4 @@
-#include "table.h"
+#include "print/table.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "progress.h"
+#include "print/progress.h"
 
 #include <unistd.h>
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "commands.h"
+#include "commands/commands.h"
 #include "evenlift/link.h"
 #include "evenlift/output/json.h"
 #include "evenlift/output/markup.h"
@@ -9,11 +9,11 @@
 #include "evenlift/output/words.h"
 #include "evenlift/placement.h"
 #include "evenlift/settings.h"
-#include "options.h"
-#include "pose_options.h"
-#include "progress.h"
-#include "robustness_text.h"
-#include "table.h"
+#include "input/options.h"
+#include "input/pose_options.h"
+#include "print/progress.h"
+#include "print/robustness_text.h"
+#include "print/table.h"
 
 namespace evenlift::native {
 namespace {

@@ -1,10 +1,10 @@
-#include "command_line.h"
+#include "input/command_line.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "failure.h"
-#include "files.h"
+#include "input/failure.h"
+#include "input/files.h"
 
 namespace evenlift::native {
 namespace {

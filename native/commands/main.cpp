@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <exception>
 
-#include "commands.h"
-#include "failure.h"
-#include "files.h"
+#include "commands/commands.h"
+#include "input/failure.h"
+#include "input/files.h"
 
 namespace evenlift::native {
 namespace {

@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include "commands.h"
+#include "commands/commands.h"
 #include "evenlift/formats.h"
 #include "evenlift/generate.h"
-#include "options.h"
+#include "input/options.h"
 
 namespace evenlift::native {
 namespace {

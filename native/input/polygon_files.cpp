@@ -1,4 +1,4 @@
-#include "polygon_files.h"
+#include "input/polygon_files.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -6,7 +6,7 @@
 #include <string_view>
 #include <tuple>
 
-#include "failure.h"
+#include "input/failure.h"
 
 namespace evenlift::native {
 namespace {

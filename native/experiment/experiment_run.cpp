@@ -1,4 +1,4 @@
-#include "experiment_run.h"
+#include "experiment/experiment_run.h"
 
 #include <algorithm>
 #include <atomic>
@@ -12,8 +12,8 @@
 #include <thread>
 #endif
 
-#include "files.h"
-#include "progress.h"
+#include "input/files.h"
+#include "print/progress.h"
 
 namespace evenlift::native {
 namespace {

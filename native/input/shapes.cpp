@@ -1,9 +1,9 @@
-#include "shapes.h"
+#include "input/shapes.h"
 
 #include <algorithm>
 
 #include "evenlift/numbers.h"
-#include "failure.h"
+#include "input/failure.h"
 
 namespace evenlift::native {
 namespace {

@@ -1,13 +1,13 @@
 #include <chrono>
 #include <cmath>
 
-#include "commands.h"
+#include "commands/commands.h"
 #include "evenlift/numbers.h"
 #include "evenlift/optimum.h"
 #include "evenlift/output/words.h"
 #include "evenlift/placement.h"
-#include "options.h"
-#include "progress.h"
+#include "input/options.h"
+#include "print/progress.h"
 
 namespace evenlift::native {
 namespace {

@@ -1,4 +1,4 @@
-#include "files.h"
+#include "input/files.h"
 
 #include <sys/stat.h>
 
@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "evenlift/link.h"
-#include "failure.h"
+#include "input/failure.h"
 
 namespace evenlift::native {
 namespace {

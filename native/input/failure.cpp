@@ -1,4 +1,4 @@
-#include "failure.h"
+#include "input/failure.h"
 
 #include <cstdio>
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "evenlift/document.h"
-#include "shapes.h"
+#include "input/shapes.h"
 
 namespace evenlift::native {
 

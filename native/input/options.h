@@ -5,14 +5,14 @@
 #include <optional>
 #include <string>
 
-#include "command_line.h"
 #include "evenlift/document.h"
 #include "evenlift/load_models.h"
 #include "evenlift/result.h"
 #include "evenlift/settings.h"
-#include "failure.h"
-#include "files.h"
-#include "shapes.h"
+#include "input/command_line.h"
+#include "input/failure.h"
+#include "input/files.h"
+#include "input/shapes.h"
 
 namespace evenlift::native {
 

@@ -1,11 +1,11 @@
-#include "experiment_folder.h"
+#include "experiment/experiment_folder.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
 
-#include "failure.h"
-#include "files.h"
+#include "input/failure.h"
+#include "input/files.h"
 
 namespace evenlift::native {
 namespace {

@@ -1,4 +1,4 @@
-#include "report.h"
+#include "experiment/report.h"
 
 #include <algorithm>
 #include <set>

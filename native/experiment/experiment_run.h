@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "experiment_folder.h"
-#include "failure.h"
-#include "polygon_files.h"
+#include "experiment/experiment_folder.h"
+#include "input/failure.h"
+#include "input/polygon_files.h"
 
 namespace evenlift::native {
 

@@ -1,4 +1,4 @@
-#include "options.h"
+#include "input/options.h"
 
 #include "evenlift/numbers.h"
 

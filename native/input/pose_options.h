@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "command_line.h"
 #include "evenlift/output/poses.h"
+#include "input/command_line.h"
 
 namespace evenlift::native {
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "command_line.h"
 #include "evenlift/doubt.h"
 #include "evenlift/load_models.h"
 #include "evenlift/placed_robots.h"
+#include "input/command_line.h"
 
 namespace evenlift::native {
 

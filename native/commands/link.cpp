@@ -1,9 +1,9 @@
-#include "commands.h"
 #include "evenlift/link.h"
+#include "commands/commands.h"
 #include "evenlift/output/json.h"
 #include "evenlift/placement.h"
 #include "evenlift/polygon.h"
-#include "options.h"
+#include "input/options.h"
 
 namespace evenlift::native {
 namespace {
