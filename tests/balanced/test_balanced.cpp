@@ -62,7 +62,7 @@ void check(const Placement& placement, std::uint32_t robots) {
 }  // namespace
 
 TEST_CASE("balanced robots stand on the outline, about the centre of mass, and bear the same",
-          "[balanced]") {
+          "[balanced][thorough]") {
   for (const std::string& name : corpus::polygon_names()) {
     INFO(name);
     for (const std::uint32_t robots : {2u, 3u, 5u, 6u})
@@ -70,7 +70,7 @@ TEST_CASE("balanced robots stand on the outline, about the centre of mass, and b
   }
 }
 
-TEST_CASE("hard little shapes have valid balanced robots", "[balanced]") {
+TEST_CASE("hard little shapes have valid balanced robots", "[balanced][slow]") {
   int with_robots = 0;
   for (std::uint64_t number = 0; number < 120; ++number) {
     INFO("case " << number);
@@ -124,7 +124,7 @@ TEST_CASE("samples have balanced robots as good as the prototype's", "[balanced]
   CHECK(of_sample("boomerang", 3).coverage > 2 * boomerang.coverage);
 }
 
-TEST_CASE("with many robots the base is nearly the whole object", "[balanced]") {
+TEST_CASE("with many robots the base is nearly the whole object", "[balanced][slow]") {
   const Placement placement = placed(asked(corpus::polygon("grand-piano"), 20));
   check(placement, 20);
   CHECK(placement.coverage > 0.97);
@@ -143,7 +143,7 @@ TEST_CASE("robots are as far apart as is asked, where they can be", "[balanced]"
   CHECK(set_oracle::least_distance(plain(lifting_points(placed(document).teams))) < 1);
 }
 
-TEST_CASE("balanced robots survive the failures that they are asked to", "[balanced]") {
+TEST_CASE("balanced robots survive the failures that they are asked to", "[balanced][slow]") {
   for (const char* name : {"grand-piano", "arrow", "letter-e", "hexagon"}) {
     INFO(name);
     Document document = asked(corpus::polygon(name), 6);
@@ -182,7 +182,7 @@ TEST_CASE("where no set has its centroid at the centre of mass, no robot is plac
   }
 }
 
-TEST_CASE("only a start that is quick is shown at once", "[balanced]") {
+TEST_CASE("only a start that is quick is shown at once", "[balanced][slow]") {
   const auto at_once = [](const Document& document, std::uint32_t robots) {
     const Result<Placement> placement = place(asked(document, robots), Effort::start);
     REQUIRE(placement.ok());

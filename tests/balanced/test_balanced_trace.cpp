@@ -50,7 +50,8 @@ std::uint32_t at(const Trace& trace, StepKind kind, std::uint32_t item = 0) {
 
 }  // namespace
 
-TEST_CASE("the story of a search ends with the robots that the search finds", "[trace][balanced]") {
+TEST_CASE("the story of a search ends with the robots that the search finds",
+          "[trace][balanced][slow]") {
   for (const std::string& name : samples) {
     for (const std::uint32_t robots : {2u, 3u, 4u, 5u, 6u}) {
       INFO(name << ", " << robots);
@@ -66,7 +67,7 @@ TEST_CASE("the story of a search ends with the robots that the search finds", "[
 }
 
 TEST_CASE("each set of the story is balanced, and each exchange makes the set better",
-          "[trace][balanced]") {
+          "[trace][balanced][slow]") {
   std::size_t moves = 0;
   for (const std::string& name : samples) {
     INFO(name);
@@ -89,7 +90,7 @@ TEST_CASE("each set of the story is balanced, and each exchange makes the set be
 }
 
 TEST_CASE("a robot that stays keeps its number, and those that move are named",
-          "[trace][balanced]") {
+          "[trace][balanced][slow]") {
   for (const std::string& name : samples) {
     INFO(name);
     const Trace trace = traced(document_of(name, 6));
@@ -116,7 +117,8 @@ TEST_CASE("a robot that stays keeps its number, and those that move are named",
   }
 }
 
-TEST_CASE("a completion is drawn about the point that makes C the centroid", "[trace][balanced]") {
+TEST_CASE("a completion is drawn about the point that makes C the centroid",
+          "[trace][balanced][slow]") {
   int completions = 0, choices = 0;
   for (const std::string& name : samples) {
     INFO(name);
@@ -163,7 +165,8 @@ TEST_CASE("a lever of two, three robots, and then all of them", "[trace][balance
   CHECK(traced(document_of("grand-piano", 2)).count(StepKind::three) == 0);
 }
 
-TEST_CASE("main steps of balanced robots are few, and tell each chapter", "[trace][balanced]") {
+TEST_CASE("main steps of balanced robots are few, and tell each chapter",
+          "[trace][balanced][slow]") {
   for (const std::string& name : samples) {
     for (const std::uint32_t robots : {2u, 3u, 6u, 7u}) {
       INFO(name << ", " << robots);
@@ -187,7 +190,7 @@ TEST_CASE("main steps of balanced robots are few, and tell each chapter", "[trac
 }
 
 TEST_CASE("why no robot stands at a place: the best set with one there is no better",
-          "[trace][balanced]") {
+          "[trace][balanced][slow]") {
   int compared = 0;
   for (const std::string& name : samples) {
     INFO(name);

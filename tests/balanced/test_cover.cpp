@@ -37,7 +37,7 @@ bool well_inside(const Points& hull, const Vec2& centre, double diagonal) {
 
 }  // namespace
 
-TEST_CASE("the coverage of a set is the same, and its bound is above it", "[balanced]") {
+TEST_CASE("the coverage of a set is the same, and its bound is above it", "[balanced][slow]") {
   Rng rng(3);
   int compared = 0;
   for (const std::string& name : corpus::polygon_names()) {

@@ -109,7 +109,7 @@ class Improver {
 
 }  // namespace
 
-TEST_CASE("no exchange makes the balanced robots of a small object better", "[balanced]") {
+TEST_CASE("no exchange makes the balanced robots of a small object better", "[balanced][slow]") {
   int looked_at = 0;
   for (std::uint64_t number = 0; number < 60; ++number) {
     const Document document = testing::document_of(small_polygons::make_plain_case(number).problem);
@@ -132,7 +132,7 @@ TEST_CASE("the oracle finds an exchange that improves a start", "[balanced]") {
   CHECK(Improver(task, plain(start_balanced(task.problem)->robots)).finds_one());
 }
 
-TEST_CASE("each exchange makes the set better, and says what moved", "[balanced]") {
+TEST_CASE("each exchange makes the set better, and says what moved", "[balanced][slow]") {
   for (const char* name : {"grand-piano", "arrow", "letter-e", "thesis-sample"}) {
     INFO(name);
     const Task task = task_of(corpus::polygon(name), 6);
@@ -159,7 +159,7 @@ TEST_CASE("each exchange makes the set better, and says what moved", "[balanced]
   }
 }
 
-TEST_CASE("the keys of a set are what the rest of the core says of it", "[balanced]") {
+TEST_CASE("the keys of a set are what the rest of the core says of it", "[balanced][slow]") {
   for (const std::string& name : corpus::polygon_names()) {
     INFO(name);
     const Task task = task_of(corpus::polygon(name), 5);
@@ -266,7 +266,7 @@ TEST_CASE("no robot with a size comes to where it collides with one that stays",
   CHECK_FALSE(neighbours_follow(near));
 }
 
-TEST_CASE("the list of vertices may begin anywhere and run either way", "[balanced]") {
+TEST_CASE("the list of vertices may begin anywhere and run either way", "[balanced][slow]") {
   const std::vector<std::string> names = corpus::polygon_names();
   for (std::size_t i = 0; i < names.size(); i += 3) {
     INFO(names[i]);
@@ -289,7 +289,7 @@ TEST_CASE("the list of vertices may begin anywhere and run either way", "[balanc
 }
 
 TEST_CASE("a turned and scaled object gets the same verdict, and nearly the same coverage",
-          "[balanced]") {
+          "[balanced][thorough]") {
   const std::vector<std::string> names = corpus::polygon_names();
   int compared = 0, near = 0;
   for (std::size_t i = 0; i < names.size(); i += 2) {

@@ -36,27 +36,36 @@ void compare_family(std::uint64_t family) {
 
 }  // namespace
 
-TEST_CASE("the core agrees with the oracle on regular polygons", "[oracle][core]") {
+TEST_CASE("the core agrees with the oracle on regular polygons", "[oracle][core][thorough]") {
   compare_family(0);
 }
-TEST_CASE("the core agrees with the oracle on convex polygons", "[oracle][core]") {
+TEST_CASE("the core agrees with the oracle on convex polygons", "[oracle][core][thorough]") {
   compare_family(1);
 }
-TEST_CASE("the core agrees with the oracle on stars", "[oracle][core]") { compare_family(2); }
-TEST_CASE("the core agrees with the oracle on combs", "[oracle][core]") { compare_family(3); }
-TEST_CASE("the core agrees with the oracle on spirals", "[oracle][core]") { compare_family(4); }
-TEST_CASE("the core agrees with the oracle on random simple polygons", "[oracle][core]") {
+TEST_CASE("the core agrees with the oracle on stars", "[oracle][core][thorough]") {
+  compare_family(2);
+}
+TEST_CASE("the core agrees with the oracle on combs", "[oracle][core][thorough]") {
+  compare_family(3);
+}
+TEST_CASE("the core agrees with the oracle on spirals", "[oracle][core][thorough]") {
+  compare_family(4);
+}
+TEST_CASE("the core agrees with the oracle on random simple polygons", "[oracle][core][thorough]") {
   compare_family(5);
 }
-TEST_CASE("the core agrees with the oracle on polygons of a small grid", "[oracle][core]") {
+TEST_CASE("the core agrees with the oracle on polygons of a small grid",
+          "[oracle][core][thorough]") {
   compare_family(6);
 }
-TEST_CASE("the core agrees with the oracle on staircases", "[oracle][core]") { compare_family(7); }
-TEST_CASE("the core agrees with the oracle on symmetric polygons", "[oracle][core]") {
+TEST_CASE("the core agrees with the oracle on staircases", "[oracle][core][thorough]") {
+  compare_family(7);
+}
+TEST_CASE("the core agrees with the oracle on symmetric polygons", "[oracle][core][thorough]") {
   compare_family(8);
 }
 
-TEST_CASE("the core agrees with the oracle on cases made by hand", "[oracle][core]") {
+TEST_CASE("the core agrees with the oracle on cases made by hand", "[oracle][core][slow]") {
   for (const Case& c : small_polygons::hand_made()) {
     INFO(against_oracle::text(c));
     REQUIRE(oracle::refusal(c.problem) == oracle::Refusal::none);
@@ -66,7 +75,8 @@ TEST_CASE("the core agrees with the oracle on cases made by hand", "[oracle][cor
   }
 }
 
-TEST_CASE("the core agrees with the oracle on cases that the search found", "[oracle][core]") {
+TEST_CASE("the core agrees with the oracle on cases that the search found",
+          "[oracle][core][slow]") {
   constexpr std::uint64_t ties_that_are_not_transitive = 2402166731664,
                           chords_less_than_tolerance_apart = 2402166731816,
                           arms_hardly_longer_than_rounding = 2402166732415,
@@ -115,7 +125,7 @@ TEST_CASE("equal scores tie though rounding turns a short edge of the base", "[o
   CHECK(finding.passed_over == 0);
 }
 
-TEST_CASE("the core refuses what the oracle refuses and nothing else", "[oracle][core]") {
+TEST_CASE("the core refuses what the oracle refuses and nothing else", "[oracle][core][slow]") {
   int refused = 0, accepted = 0;
   for (std::uint64_t i = 0; i < 3000; ++i) {
     const Case c = small_polygons::make_careless_case(i);
@@ -126,14 +136,14 @@ TEST_CASE("the core refuses what the oracle refuses and nothing else", "[oracle]
   CHECK(refused > 1000);
 }
 
-TEST_CASE("the core lists the oracle's vertex-chords", "[oracle][core]") {
+TEST_CASE("the core lists the oracle's vertex-chords", "[oracle][core][thorough]") {
   for (std::uint64_t i = 0; i < 1500; ++i) {
     const Case c = small_polygons::make_case(i);
     check(c, against_oracle::compare_vertex_chords(c));
   }
 }
 
-TEST_CASE("the core's distributed teams are the oracle's", "[oracle][core]") {
+TEST_CASE("the core's distributed teams are the oracle's", "[oracle][core][thorough]") {
   int jumps = 0, compared = 0;
   for (std::uint64_t i = 0; i < 900; ++i) {
     const Case c = small_polygons::make_case(i);

@@ -292,7 +292,7 @@ void report(const Comparison& comparison, const Document& document, const std::s
 
 }  // namespace
 
-TEST_CASE("other units, by a power of two, change no bit", "[invariance]") {
+TEST_CASE("other units, by a power of two, change no bit", "[invariance][thorough]") {
   int compared = 0;
   for_each_case([&](const Document& d, std::uint64_t number) {
     // From the smallest object that is not refused to the largest coordinates: 2^29 < 1e9.
@@ -324,7 +324,7 @@ Document renumbered(Document d, std::size_t start, bool reversed) {
 
 }  // namespace
 
-TEST_CASE("the order in which vertices are listed changes nothing", "[invariance]") {
+TEST_CASE("the order in which vertices are listed changes nothing", "[invariance][thorough]") {
   for_each_case([&](Document d, std::uint64_t number) {
     // Random teams are drawn along the perimeter from the first vertex on.
     if (d.settings.method == Method::random) d.settings.method = Method::area;
@@ -361,7 +361,7 @@ TEST_CASE("the order in which vertices are listed changes nothing", "[invariance
   });
 }
 
-TEST_CASE("moving the object moves its placement", "[invariance]") {
+TEST_CASE("moving the object moves its placement", "[invariance][thorough]") {
   int compared = 0;
   for_each_case([&](const Document& raw, std::uint64_t number) {
     double step = 0;
@@ -509,20 +509,20 @@ void turn_or_mirror(const Change& change, const char* what) {
 
 }  // namespace
 
-TEST_CASE("turning the object by 90 degrees turns its placement", "[invariance]") {
+TEST_CASE("turning the object by 90 degrees turns its placement", "[invariance][thorough]") {
   turn_or_mirror({.xx = 0, .xy = -1, .yx = 1, .yy = 0}, "turned by 90 degrees");
 }
 
-TEST_CASE("turning the object by 180 degrees turns its placement", "[invariance]") {
+TEST_CASE("turning the object by 180 degrees turns its placement", "[invariance][thorough]") {
   turn_or_mirror({.xx = -1, .xy = 0, .yx = 0, .yy = -1}, "turned by 180 degrees");
 }
 
-TEST_CASE("mirroring the object mirrors its placement", "[invariance]") {
+TEST_CASE("mirroring the object mirrors its placement", "[invariance][thorough]") {
   turn_or_mirror({.xx = -1, .xy = 0, .yx = 0, .yy = 1}, "mirrored left to right");
   turn_or_mirror({.xx = 0, .xy = 1, .yx = 1, .yy = 0}, "mirrored at the diagonal");
 }
 
-TEST_CASE("random teams turn with the object", "[invariance]") {
+TEST_CASE("random teams turn with the object", "[invariance][thorough]") {
   std::size_t teams = 0;
   const Change change{.xx = 0, .xy = -1, .yx = 1, .yy = 0};
   for_each_case([&](Document d, std::uint64_t number) {
@@ -537,7 +537,7 @@ TEST_CASE("random teams turn with the object", "[invariance]") {
   CHECK(teams > 1000);
 }
 
-TEST_CASE("distributed teams of a convex object are mirrored with it", "[invariance]") {
+TEST_CASE("distributed teams of a convex object are mirrored with it", "[invariance][thorough]") {
   int compared = 0;
   const Change change{.xx = -1, .xy = 0, .yx = 0, .yy = 1};
   for_each_case([&](Document d, std::uint64_t) {

@@ -54,7 +54,7 @@ TEST_CASE("a square has four candidates and a regular hexagon six, however they 
   }
 }
 
-TEST_CASE("every sample has one answer, however it lies", "[one_shape]") {
+TEST_CASE("every sample has one answer, however it lies", "[one_shape][thorough]") {
   failures = 0;
   Rng rng(8);
   for (const std::string& name : corpus::polygon_names()) {
@@ -68,7 +68,7 @@ TEST_CASE("every sample has one answer, however it lies", "[one_shape]") {
   CHECK(failures == 0);
 }
 
-TEST_CASE("every sample has one answer in ranges, however it lies", "[one_shape][ranges]") {
+TEST_CASE("every sample has one answer in ranges, however it lies", "[one_shape][ranges][slow]") {
   failures = 0;
   Rng rng(18);
   for (const std::string& name : corpus::polygon_names()) {
@@ -83,7 +83,7 @@ TEST_CASE("every sample has one answer in ranges, however it lies", "[one_shape]
 // Where two choices tie, the copy may take the other one and come to another end, which a shape
 // with symmetries has. So the samples count, and nearly all must agree.
 TEST_CASE("teams that are to hold have one answer, however the samples lie",
-          "[one_shape][ranges]") {
+          "[one_shape][ranges][slow]") {
   Rng rng(28);
   int compared = 0, different = 0;
   for (const std::string& name : corpus::polygon_names()) {
@@ -103,7 +103,8 @@ TEST_CASE("teams that are to hold have one answer, however the samples lie",
   CHECK(different <= compared / 20);
 }
 
-TEST_CASE("generated polygons of every family have one answer, however they lie", "[one_shape]") {
+TEST_CASE("generated polygons of every family have one answer, however they lie",
+          "[one_shape][thorough]") {
   failures = 0;
   int compared = 0;
   Rng rng(9);

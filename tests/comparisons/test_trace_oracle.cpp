@@ -137,7 +137,7 @@ double oracle_score(const Case& c, const Trace& trace, std::uint32_t team, std::
 
 }  // namespace
 
-TEST_CASE("each edge-pair's step says what exact arithmetic says", "[trace][oracle]") {
+TEST_CASE("each edge-pair's step says what exact arithmetic says", "[trace][oracle][thorough]") {
   int certain = 0;
   for (std::uint64_t i = 0; i < 270; ++i) {
     const Case c = small_polygons::make_case(i);
@@ -153,7 +153,7 @@ TEST_CASE("each edge-pair's step says what exact arithmetic says", "[trace][orac
   CHECK(certain > 3000);
 }
 
-TEST_CASE("the rays' steps hold the oracle's vertex-chords", "[trace][oracle]") {
+TEST_CASE("the rays' steps hold the oracle's vertex-chords", "[trace][oracle][slow]") {
   std::size_t compared = 0;
   for (std::uint64_t i = 0; i < 270; ++i) {
     const Case c = small_polygons::make_case(i);
@@ -176,7 +176,7 @@ TEST_CASE("the rays' steps hold the oracle's vertex-chords", "[trace][oracle]") 
   CHECK(compared > 2000);
 }
 
-TEST_CASE("chords in order of slope rise", "[trace][oracle]") {
+TEST_CASE("chords in order of slope rise", "[trace][oracle][slow]") {
   int compared = 0;
   for (std::uint64_t i = 0; i < 270; ++i) {
     const Case c = small_polygons::make_case(i);
@@ -198,7 +198,7 @@ TEST_CASE("chords in order of slope rise", "[trace][oracle]") {
   CHECK(compared > 1000);
 }
 
-TEST_CASE("every candidate's score at every team is the oracle's", "[trace][oracle]") {
+TEST_CASE("every candidate's score at every team is the oracle's", "[trace][oracle][thorough]") {
   int compared = 0;
   for (std::uint64_t i = 0; i < 240; ++i) {
     Case c = small_polygons::make_case(i);
@@ -225,7 +225,8 @@ TEST_CASE("every candidate's score at every team is the oracle's", "[trace][orac
   CHECK(compared > 1000);
 }
 
-TEST_CASE("after the contacts of so many robots the regions are the oracle's", "[trace][oracle]") {
+TEST_CASE("after the contacts of so many robots the regions are the oracle's",
+          "[trace][oracle][thorough]") {
   int compared = 0;
   for (std::uint64_t i = 0; i < 120; ++i) {
     Case c = small_polygons::make_case(i);

@@ -167,7 +167,7 @@ TEST_CASE("a section end that C bisects exactly is a bisecting chord", "[candida
   is(found[2], {-4, -2}, {4, 2}, bisecting, 1);
 }
 
-TEST_CASE("a lower minimum load ratio only adds candidates", "[candidates]") {
+TEST_CASE("a lower minimum load ratio only adds candidates", "[candidates][slow]") {
   int more = 0;
   for (std::uint64_t i = 0; i < 600; ++i) {
     const small_polygons::Case c = small_polygons::make_case(i);

@@ -38,7 +38,7 @@ CapacityPlan plan_by_trying(Document document, double capacity, std::uint32_t mo
 }  // namespace
 
 TEST_CASE("robots needed for a capacity are the fewest that stay within it, by every method",
-          "[capacity]") {
+          "[capacity][slow]") {
   int possible = 0;
   for (const char* name : {"puzzle-piece", "thesis-sample", "kidney-table", "horseshoe", "comb"}) {
     for (const Method method : pair_methods) {
@@ -57,7 +57,8 @@ TEST_CASE("robots needed for a capacity are the fewest that stay within it, by e
   CHECK(possible > 60);
 }
 
-TEST_CASE("a plan is the least number of teams also where hundreds are needed", "[capacity]") {
+TEST_CASE("a plan is the least number of teams also where hundreds are needed",
+          "[capacity][slow]") {
   for (const Method method : pair_methods) {
     Document document;
     document.vertices = *generate(Family::comb, 300, 1);

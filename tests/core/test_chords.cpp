@@ -125,7 +125,7 @@ TEST_CASE("an edge is radial up to a billionth of the polygon's size", "[chords]
   CHECK_FALSE(radial_edges(p, {0, 1.01e-8})[0]);
 }
 
-TEST_CASE("edge-pairs are those that face each other, each once", "[chords]") {
+TEST_CASE("edge-pairs are those that face each other, each once", "[chords][thorough]") {
   std::size_t total = 0;
   for_each_case(1500, [&](const Polygon& p, const Vec2& centre) {
     const auto pairs = edge_pairs(p, centre);
@@ -144,7 +144,7 @@ TEST_CASE("edge-pairs are those that face each other, each once", "[chords]") {
   CHECK(total > 10000);
 }
 
-TEST_CASE("the ends of a pair's range are vertices of its edges", "[chords]") {
+TEST_CASE("the ends of a pair's range are vertices of its edges", "[chords][thorough]") {
   for_each_case(1500, [&](const Polygon& p, const Vec2& centre) {
     const auto pairs = edge_pairs(p, centre);
     REQUIRE(pairs.ok());
@@ -199,7 +199,7 @@ TEST_CASE("a ray does not meet an edge whose line passes C within tolerance", "[
   CHECK(RayCaster(u, {3, 2 - 1e-10}).hits({0, 1}).empty());
 }
 
-TEST_CASE("a ray through a vertex lists this vertex once", "[chords]") {
+TEST_CASE("a ray through a vertex lists this vertex once", "[chords][thorough]") {
   for_each_case(3000, [](const Polygon& p, const Vec2& centre) {
     const RayCaster rays(p, centre);
     for (std::size_t vertex = 0; vertex < p.size(); ++vertex) {

@@ -205,7 +205,7 @@ std::vector<Placement> some_holds() {
 }  // namespace
 
 TEST_CASE("robots that are all off by less than the tolerance still hold the object",
-          "[closure][clearance]") {
+          "[closure][clearance][slow]") {
   std::mt19937_64 rng(7);
   int moves = 0;
   for (const Placement& placement : some_holds()) {
@@ -222,7 +222,7 @@ TEST_CASE("robots that are all off by less than the tolerance still hold the obj
 }
 
 TEST_CASE("what a search to hold finds keeps clear of corners, unless it says so",
-          "[closure][clearance]") {
+          "[closure][clearance][slow]") {
   int reached = 0, searched = 0;
   for (const Placement& placement : some_holds()) {
     if (goal_of(placement.settings) != Goal::hold) continue;

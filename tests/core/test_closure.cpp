@@ -228,7 +228,7 @@ TEST_CASE("a hair beside a flat hull of wrenches the margin is minus that hair",
         Approx(-hair).epsilon(1e-6));
 }
 
-TEST_CASE("wrenches that agree except for rounding leave the margin as it is", "[closure]") {
+TEST_CASE("wrenches that agree except for rounding leave the margin as it is", "[closure][slow]") {
   const std::vector<Wrench> exact{{1, 0, 0},     {-1, 0, 0},     {0, 1, 0},
                                   {0, -1, 0},    {0, 0, 1},      {0, 0, -1},
                                   {0.5, 0.5, 0}, {-0.5, 0, 0.5}, {0.25, 0.75, 0}};

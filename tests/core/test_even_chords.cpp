@@ -77,7 +77,7 @@ void check(const Polygon& polygon, Rng& rng, int centres) {
 
 }  // namespace
 
-TEST_CASE("the outline meets its mirror image at the even candidates", "[even_chords]") {
+TEST_CASE("the outline meets its mirror image at the even candidates", "[even_chords][slow]") {
   Rng rng(11);
   for (const std::string& name : corpus::polygon_names()) {
     INFO(name);
@@ -85,7 +85,7 @@ TEST_CASE("the outline meets its mirror image at the even candidates", "[even_ch
   }
 }
 
-TEST_CASE("hard little shapes have the same even candidates either way", "[even_chords]") {
+TEST_CASE("hard little shapes have the same even candidates either way", "[even_chords][slow]") {
   Rng rng(12);
   for (std::uint64_t number = 0; number < 900; ++number) {
     INFO("case " << number);
@@ -95,7 +95,7 @@ TEST_CASE("hard little shapes have the same even candidates either way", "[even_
   }
 }
 
-TEST_CASE("long outlines have the same even candidates either way", "[even_chords]") {
+TEST_CASE("long outlines have the same even candidates either way", "[even_chords][slow]") {
   Rng rng(13);
   for (const Family family : {Family::star, Family::comb, Family::spiral, Family::random})
     check(testing::polygon(*generate(family, 2000, 5)), rng, 6);

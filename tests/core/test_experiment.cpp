@@ -43,7 +43,7 @@ experiment::Part some_part() {
 
 }  // namespace
 
-TEST_CASE("every measure is the one that place reports", "[experiment]") {
+TEST_CASE("every measure is the one that place reports", "[experiment][slow]") {
   int compared = 0;
   for (const std::string& name : some) {
     INFO(name);
@@ -81,7 +81,7 @@ TEST_CASE("every measure is the one that place reports", "[experiment]") {
 }
 
 TEST_CASE("balanced robots are measured with every number of them, as place finds them",
-          "[experiment][balanced]") {
+          "[experiment][balanced][slow]") {
   for (const char* name : {"thesis-sample", "square", "star-moved", "letter-e-moved"}) {
     INFO(name);
     Document document = corpus::polygon(name);
@@ -115,7 +115,7 @@ TEST_CASE("balanced robots are measured with every number of them, as place find
 }
 
 TEST_CASE("balanced robots are measured where no team of two can be placed",
-          "[experiment][balanced]") {
+          "[experiment][balanced][slow]") {
   const Document document = corpus::polygon("letter-e-moved");
   const experiment::Subject subject = [&] {
     experiment::Subject without = subject_of(document);
@@ -127,7 +127,7 @@ TEST_CASE("balanced robots are measured where no team of two can be placed",
         experiment::measure(subject_of(document), Method::balanced, {.most_balanced = 6}));
 }
 
-TEST_CASE("random measures are averages over the seeds 1, 2, ...", "[experiment]") {
+TEST_CASE("random measures are averages over the seeds 1, 2, ...", "[experiment][slow]") {
   for (const std::string& name : some) {
     INFO(name);
     const Document document = corpus::polygon(name);
@@ -155,7 +155,8 @@ TEST_CASE("random measures are averages over the seeds 1, 2, ...", "[experiment]
   }
 }
 
-TEST_CASE("closure alone is decided as with all that is said of it", "[experiment][closure]") {
+TEST_CASE("closure alone is decided as with all that is said of it",
+          "[experiment][closure][slow]") {
   std::size_t closed = 0, no_area_only = 0, open = 0;
   for (const std::string& name : some) {
     const Document document = corpus::polygon(name);
@@ -181,7 +182,7 @@ TEST_CASE("closure alone is decided as with all that is said of it", "[experimen
   CHECK_FALSE(in_form_closure(subject.polygon, subject.centre, points));
 }
 
-TEST_CASE("a limit on teams measures the same, only less", "[experiment]") {
+TEST_CASE("a limit on teams measures the same, only less", "[experiment][slow]") {
   const experiment::Subject subject = subject_of(corpus::polygon("comb"));
   for (const Method method : pair_methods) {
     const std::vector<experiment::Measurement> all = experiment::measure(subject, method,
@@ -227,7 +228,7 @@ TEST_CASE("what is not a polygon is refused as place does", "[experiment]") {
         "weight");
 }
 
-TEST_CASE("a part reads back exactly, and only whole", "[experiment]") {
+TEST_CASE("a part reads back exactly, and only whole", "[experiment][slow]") {
   const experiment::Part part = some_part();
   const std::string text = experiment::write_part(part);
   REQUIRE(experiment::read_part(text).has_value());

@@ -80,7 +80,7 @@ void check_cells(const experiment::FewRobots& table, Method method, std::uint32_
 }  // namespace
 
 TEST_CASE("the table of few robots has the means of placements made anew",
-          "[experiment][balanced]") {
+          "[experiment][balanced][slow]") {
   const experiment::FewRobots table =
       experiment::few_robots({"tiny", experiment::aggregate(tiny_set())});
   for (const Method method : {Method::area, Method::distance, Method::distributed})
@@ -89,7 +89,7 @@ TEST_CASE("the table of few robots has the means of placements made anew",
 }
 
 TEST_CASE("the table of few robots has a dash where a method has no such number of robots",
-          "[experiment][balanced]") {
+          "[experiment][balanced][slow]") {
   const experiment::FewRobots table =
       experiment::few_robots({"tiny", experiment::aggregate(tiny_set())});
   CHECK(table.rows.size() == 5 * 10);
@@ -135,7 +135,7 @@ TEST_CASE("names with HTML or Markdown in them are shown as they are in tables",
 }
 
 TEST_CASE("balanced robots change nothing of what is averaged of teams of two",
-          "[experiment][balanced]") {
+          "[experiment][balanced][slow]") {
   std::vector<experiment::PolygonResult> with = tiny_set(), without = with;
   for (experiment::PolygonResult& result : without)
     std::erase_if(result.measurements,
@@ -154,7 +154,8 @@ TEST_CASE("balanced robots change nothing of what is averaged of teams of two",
   CHECK_FALSE(experiment::can_close(with.front(), &experiment::Measurement::form_closure));
 }
 
-TEST_CASE("the charts have balanced robots at every number of them", "[experiment][balanced]") {
+TEST_CASE("the charts have balanced robots at every number of them",
+          "[experiment][balanced][slow]") {
   for (const experiment::Figure& figure :
        experiment::make_figures({"tiny", experiment::aggregate(tiny_set())})) {
     INFO(figure.id);

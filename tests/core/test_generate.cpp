@@ -75,7 +75,7 @@ std::uint64_t fingerprint(const Points& points) {
 }  // namespace
 
 TEST_CASE("every family gives valid counter-clockwise polygons of exactly n vertices",
-          "[generate]") {
+          "[generate][slow]") {
   for (const Family family : all_families) {
     DYNAMIC_SECTION(name(family)) {
       for (std::size_t n = fewest(family); n <= 40; ++n)
@@ -96,14 +96,14 @@ TEST_CASE("every family gives valid counter-clockwise polygons of exactly n vert
   }
 }
 
-TEST_CASE("the largest polygons are valid too", "[generate]") {
+TEST_CASE("the largest polygons are valid too", "[generate][thorough]") {
   for (const Family family : {Family::convex, Family::random}) {  // the delicate ones
     CAPTURE(name(family));
     CHECK(polygon_of(family, max_vertices, 1).counter_clockwise());
   }
 }
 
-TEST_CASE("the families regular and convex turn left at every vertex", "[generate]") {
+TEST_CASE("the families regular and convex turn left at every vertex", "[generate][slow]") {
   for (const Family family : {Family::regular, Family::convex})
     for (const std::size_t n : {3u, 4u, 7u, 50u, 1000u, 1001u, 20000u, 200000u}) {
       CAPTURE(name(family), n);

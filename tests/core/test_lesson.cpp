@@ -429,7 +429,7 @@ TEST_CASE("what the ready-made lessons claim is so", "[lesson]") {
 }
 
 // What they answer to the questions at their ends, in numbers.
-TEST_CASE("what the ready-made lessons answer is so", "[lesson]") {
+TEST_CASE("what the ready-made lessons answer is so", "[lesson][slow]") {
   const auto placed = [](const char* name, auto change) {
     const Lesson lesson =
         lesson_of(corpus::read_file(lessons_folder() / (std::string(name) + ".txt")));

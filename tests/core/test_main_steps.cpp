@@ -50,7 +50,7 @@ void check(const Trace& trace) {
 
 }  // namespace
 
-TEST_CASE("main steps begin with the polygon, end with the result, and are few", "[trace]") {
+TEST_CASE("main steps begin with the polygon, end with the result, and are few", "[trace][slow]") {
   for (const std::string& name : corpus::polygon_names()) {
     INFO(name);
     for (const Method method : pair_methods)

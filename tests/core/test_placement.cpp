@@ -57,23 +57,23 @@ InputError refusal(const Document& d) {
 
 }  // namespace
 
-TEST_CASE("every sample polygon is placed by the rules: area", "[placement]") {
+TEST_CASE("every sample polygon is placed by the rules: area", "[placement][slow]") {
   check_samples(Method::area);
 }
-TEST_CASE("every sample polygon is placed by the rules: circle", "[placement]") {
+TEST_CASE("every sample polygon is placed by the rules: circle", "[placement][slow]") {
   check_samples(Method::circle);
 }
-TEST_CASE("every sample polygon is placed by the rules: distance", "[placement]") {
+TEST_CASE("every sample polygon is placed by the rules: distance", "[placement][slow]") {
   check_samples(Method::distance);
 }
-TEST_CASE("every sample polygon is placed by the rules: distributed", "[placement]") {
+TEST_CASE("every sample polygon is placed by the rules: distributed", "[placement][slow]") {
   check_samples(Method::distributed);
 }
-TEST_CASE("every sample polygon is placed by the rules: random", "[placement]") {
+TEST_CASE("every sample polygon is placed by the rules: random", "[placement][slow]") {
   check_samples(Method::random);
 }
 
-TEST_CASE("thousands of small polygons are placed by the rules", "[placement]") {
+TEST_CASE("thousands of small polygons are placed by the rules", "[placement][thorough]") {
   int with_area = 0, closed = 0, second_order = 0;
   for (std::uint64_t number = 0; number < 4000; ++number) {
     const small_polygons::Case c = small_polygons::make_case(number);

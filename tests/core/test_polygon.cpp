@@ -101,7 +101,7 @@ TEST_CASE("the thinnest polygons have a diagonal, an area above 0 and a centroid
   for (const Points& vertices : slivers) check_promises(vertices);
 }
 
-TEST_CASE("random polygons of every thinness keep the promises of polygon.h", "[polygon]") {
+TEST_CASE("random polygons of every thinness keep the promises of polygon.h", "[polygon][slow]") {
   Rng rng(8);
   int kept = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -151,7 +151,7 @@ TEST_CASE("a coordinate below 1e-100 that is not 0 is refused at its vertex",
   CHECK(Polygon::create({{0, 0}, {1, min_coordinate}, {-1, 1}}).ok());
 }
 
-TEST_CASE("whatever of the thinnest polygons can be placed has finite results", "[polygon]") {
+TEST_CASE("whatever of the thinnest polygons can be placed has finite results", "[polygon][slow]") {
   Rng rng(9);
   int placed = 0;
   for (int i = 0; i < 600; ++i) {

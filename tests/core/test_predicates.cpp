@@ -119,7 +119,7 @@ Vec2 nudged(const Vec2& p, std::mt19937_64& engine) {
 
 }  // namespace
 
-TEST_CASE("predicates are right on points anywhere, of any size", "[predicates]") {
+TEST_CASE("predicates are right on points anywhere, of any size", "[predicates][slow]") {
   for (const double size :
        {1.0, 1e9, 1e-9, 1e-100, 1e-150, 1e-160, 1e-250, 1e-300, 1e-310, 0x1p-1070}) {
     INFO(size);
@@ -134,7 +134,7 @@ TEST_CASE("predicates are right on points anywhere, of any size", "[predicates]"
   }
 }
 
-TEST_CASE("predicates are right where sizes differ wildly", "[predicates]") {
+TEST_CASE("predicates are right where sizes differ wildly", "[predicates][slow]") {
   const auto any = [](std::mt19937_64& e) {
     const double x = std::ldexp(unit(e), -below(e, 1070) + 29);
     return Vec2(x, std::ldexp(unit(e), -below(e, 1070) + 29));
@@ -149,7 +149,7 @@ TEST_CASE("predicates are right where sizes differ wildly", "[predicates]") {
   CHECK(tally.negative > 500);
 }
 
-TEST_CASE("predicates are right on points that are nearly in line", "[predicates]") {
+TEST_CASE("predicates are right on points that are nearly in line", "[predicates][slow]") {
   for (const double size : {1.0, 1e9, 1e-9, 1e-140, 1e-200, 1e-300}) {
     INFO(size);
     const Tally tally = check_all(
@@ -170,7 +170,8 @@ TEST_CASE("predicates are right on points that are nearly in line", "[predicates
   }
 }
 
-TEST_CASE("predicates are right on points that mirror each other almost exactly", "[predicates]") {
+TEST_CASE("predicates are right on points that mirror each other almost exactly",
+          "[predicates][slow]") {
   int zeros = 0;
   check_all(
       [&](std::mt19937_64& e) {
@@ -243,7 +244,7 @@ TEST_CASE("a dyadic number beyond the doubles keeps its sign as the last of them
   CHECK(Dyadic(-0.0).to_double() == 0);
 }
 
-TEST_CASE("double-double sums and products of two doubles are exact", "[predicates]") {
+TEST_CASE("double-double sums and products of two doubles are exact", "[predicates][slow]") {
   std::mt19937_64 engine(7);
   for (int i = 0; i < 5000; ++i) {
     const double a = std::ldexp(unit(engine), below(engine, 80) - 40);

@@ -108,7 +108,7 @@ std::vector<std::uint32_t> greedy(const Shape& s, Method method, std::size_t tea
 
 }  // namespace
 
-TEST_CASE("lazy selection takes what comparing all scores takes", "[selection]") {
+TEST_CASE("lazy selection takes what comparing all scores takes", "[selection][thorough]") {
   std::size_t rounds = 0, none_even = 0;
   for (std::uint64_t number = 0; number < 2000; ++number) {
     const Shape s = small_shape(number);
@@ -143,7 +143,7 @@ TEST_CASE("lazy selection takes all candidates of larger polygons in the right o
   }
 }
 
-TEST_CASE("a team more leaves the teams before it as they were", "[selection]") {
+TEST_CASE("a team more leaves the teams before it as they were", "[selection][slow]") {
   std::size_t compared = 0;
   for (std::uint64_t number = 0; number < 1200; ++number) {
     const Shape s = small_shape(number);

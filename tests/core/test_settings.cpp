@@ -574,7 +574,7 @@ TEST_CASE("nothing overflows at the ends of the ranges", "[settings]") {
 }
 
 TEST_CASE("whatever doubles are given, they are refused or written with finite numbers",
-          "[settings][fuzz]") {
+          "[settings][fuzz][slow]") {
   Rng rng(21);
   int placed = 0;
   for (int i = 0; i < 3000; ++i) {

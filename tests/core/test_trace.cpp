@@ -108,7 +108,7 @@ std::vector<std::uint32_t> some_steps(const Trace& trace, std::uint32_t most) {
 
 }  // namespace
 
-TEST_CASE("the trace ends in the state that place reports", "[trace]") {
+TEST_CASE("the trace ends in the state that place reports", "[trace][slow]") {
   for (const std::string& name : corpus::polygon_names()) {
     for (const Method method : pair_methods) {
       INFO(name << ' ' << evenlift::name(method));
@@ -171,7 +171,7 @@ TEST_CASE("every source with a candidate leads to the one that stands for it", "
   CHECK(opposite_stand > 0);
 }
 
-TEST_CASE("every step is found again from its kind and item", "[trace]") {
+TEST_CASE("every step is found again from its kind and item", "[trace][slow]") {
   for (const std::string& name : corpus::polygon_names()) {
     for (const Method method : pair_methods) {
       const Trace trace = traced(placed(corpus::polygon(name), method));
@@ -223,7 +223,7 @@ TEST_CASE("what is known at a step does not depend on the way to it", "[trace]")
   }
 }
 
-TEST_CASE("every caption, formula and name of every sample is complete", "[trace][words]") {
+TEST_CASE("every caption, formula and name of every sample is complete", "[trace][words][slow]") {
   for (const std::string& name : corpus::polygon_names()) {
     for (const Method method : pair_methods) {
       const Trace trace = traced(placed(corpus::polygon(name), method));
@@ -544,7 +544,7 @@ TEST_CASE("after an edit the lesson keeps its place as well as it can", "[trace]
         Step{StepKind::sections, Chapter::pairs, 1});
 }
 
-TEST_CASE("what nobody could watch is refused with a sentence", "[trace]") {
+TEST_CASE("what nobody could watch is refused with a sentence", "[trace][slow]") {
   Document document;
   document.vertices = *generate(Family::comb, 2000, 1);
   const Result<Trace> trace = make_trace(placed(document));
@@ -572,7 +572,7 @@ TEST_CASE("objects of every size have readable numbers", "[trace][words]") {
 }
 
 // tests/expected/trace: what the program prints, for people to read and for changes to show.
-TEST_CASE("known polygons give the expected traces", "[trace][expected]") {
+TEST_CASE("known polygons give the expected traces", "[trace][expected][slow]") {
   const std::filesystem::path folder =
       std::filesystem::path(EVENLIFT_TESTS_DIR) / "expected" / "trace";
   const auto check = [&](const std::string& name, const Placement& placement) {
@@ -588,7 +588,8 @@ TEST_CASE("known polygons give the expected traces", "[trace][expected]") {
   check("guitar.balanced", placed(corpus::polygon("guitar"), Method::balanced));
 }
 
-TEST_CASE("every step of balanced robots has its words, figures and numbers", "[trace][balanced]") {
+TEST_CASE("every step of balanced robots has its words, figures and numbers",
+          "[trace][balanced][slow]") {
   for (const char* name : {"worktop", "letter-e", "square", "boomerang-moved", "round-table"}) {
     for (const std::uint32_t robots : {2u, 3u, 4u, 7u}) {
       INFO(name << ", " << robots);
@@ -615,7 +616,7 @@ TEST_CASE("every step of balanced robots has its words, figures and numbers", "[
 }
 
 TEST_CASE("a step of a failure carries the object within tau L, not within tau of its box",
-          "[trace][balanced]") {
+          "[trace][balanced][slow]") {
   // The diameter of this square is 2, and the diagonal of its box 2.83. Once the last robot fails,
   // C is 2.4e-9 outside of the other three.
   Document document;
@@ -635,7 +636,7 @@ TEST_CASE("a step of a failure carries the object within tau L, not within tau o
 }
 
 TEST_CASE("a trace of robots that were moved by hand says so, and what is true where they stand",
-          "[trace][moved]") {
+          "[trace][moved][slow]") {
   for (const Method method : {Method::area, Method::balanced}) {
     INFO(name(method));
     Document document = corpus::polygon("guitar");

@@ -74,7 +74,7 @@ std::string said_of(const std::vector<std::string>& lines, const Asked& a) {
 }  // namespace
 
 TEST_CASE("the page's live region says what the program prints, in the same words and digits",
-          "[words][view][agreement]") {
+          "[words][view][agreement][thorough]") {
   std::size_t with_teams = 0, with_capacity = 0;
   Page page;
   const std::vector<std::string> names = corpus::polygon_names();

@@ -89,7 +89,7 @@ const std::string square = "(0,0)\n(4,0)\n(4,4)\n(0,4)\n";
 
 }  // namespace
 
-TEST_CASE("bad usage and bad input get one clear line, and nothing else", "[cli]") {
+TEST_CASE("bad usage and bad input get one clear line, and nothing else", "[cli][thorough]") {
   const std::vector<Case> cases =
       read_cases(corpus::read_file(fs::path(EVENLIFT_TESTS_DIR) / "cli" / "cases.txt"));
   REQUIRE(cases.size() >= 40);
@@ -103,7 +103,7 @@ TEST_CASE("bad usage and bad input get one clear line, and nothing else", "[cli]
   }
 }
 
-TEST_CASE("the program answers in all its ways", "[cli]") {
+TEST_CASE("the program answers in all its ways", "[cli][slow]") {
   const Folder folder("answers");
   corpus::write_file(folder.path() / "square.txt", square);
   corpus::write_file(folder.path() / "1.dat", square);
@@ -170,7 +170,7 @@ TEST_CASE("the program answers in all its ways", "[cli]") {
   }
 }
 
-TEST_CASE("several shapes are listed, and one is taken by its number or name", "[cli]") {
+TEST_CASE("several shapes are listed, and one is taken by its number or name", "[cli][slow]") {
   const Folder folder("shapes");
   corpus::write_file(
       folder.path() / "shapes.svg",
@@ -262,7 +262,7 @@ TEST_CASE(
   CHECK(corpus::read_file(folder.path() / "before.svg") == "before");
 }
 
-TEST_CASE("output that nobody takes is no crash", "[cli]") {
+TEST_CASE("output that nobody takes is no crash", "[cli][slow]") {
   const Folder folder("pipe");
   const Outcome broken =
       run(folder, "evenlift generate star --n 100000 | head -c 100 > /dev/null; echo done");

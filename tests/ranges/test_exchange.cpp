@@ -119,7 +119,7 @@ void check_result(const Placement& placement) {
 }  // namespace
 
 TEST_CASE("teams that are exchanged are never worse than their start, and no exchange is left",
-          "[exchange]") {
+          "[exchange][thorough]") {
   int closed = 0, placed_at_all = 0;
   const auto metrics = testing::metrics();
   for (std::uint64_t number = 0; number < 2500; ++number) {
@@ -139,7 +139,7 @@ TEST_CASE("teams that are exchanged are never worse than their start, and no exc
   CHECK(closed > placed_at_all / 2);
 }
 
-TEST_CASE("two teams among a dozen candidates hold as well as any two", "[exchange]") {
+TEST_CASE("two teams among a dozen candidates hold as well as any two", "[exchange][thorough]") {
   int compared = 0;
   for (std::uint64_t number = 0; number < 4000; ++number) {
     Document document = testing::document_of(small_polygons::make_plain_case(number).problem);
@@ -158,7 +158,7 @@ TEST_CASE("two teams among a dozen candidates hold as well as any two", "[exchan
   CHECK(compared > 1000);
 }
 
-TEST_CASE("one team more never loses the hold of the samples", "[exchange]") {
+TEST_CASE("one team more never loses the hold of the samples", "[exchange][thorough]") {
   for (const std::string& name : corpus::polygon_names()) {
     INFO(name);
     for (const Positions positions : {Positions::best, Positions::range}) {
@@ -187,7 +187,7 @@ TEST_CASE("a square in ranges is held by two teams, and by its four best places 
   CHECK(*placement.closure.margin > 0.05);
 }
 
-TEST_CASE("the story of the exchanges leads from the start to the result", "[exchange]") {
+TEST_CASE("the story of the exchanges leads from the start to the result", "[exchange][slow]") {
   int exchanges = 0, jumps = 0;
   for (const std::string& name : corpus::polygon_names()) {
     INFO(name);

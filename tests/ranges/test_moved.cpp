@@ -70,7 +70,7 @@ void check_team(const Placement& placement, const Team& team) {
 
 }  // namespace
 
-TEST_CASE("a team that is moved stays even, on the outline and through C", "[moved]") {
+TEST_CASE("a team that is moved stays even, on the outline and through C", "[moved][slow]") {
   Rng rng(7);
   std::size_t moves = 0, passed = 0;
   for (const std::string& name : corpus::polygon_names()) {
@@ -136,7 +136,7 @@ TEST_CASE("a team on a vertex goes along either edge", "[moved]") {
   CHECK(on_vertex > 0);
 }
 
-TEST_CASE("a link brings moved robots back bit for bit", "[moved][link]") {
+TEST_CASE("a link brings moved robots back bit for bit", "[moved][link][slow]") {
   Rng rng(11);
   for (const char* name : {"guitar", "square", "grand-piano", "labyrinth"}) {
     INFO(name);

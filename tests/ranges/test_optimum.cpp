@@ -96,7 +96,7 @@ std::vector<Held> held_samples() {
 
 }  // namespace
 
-TEST_CASE("the widest choice of teams is that of brute force", "[optimum]") {
+TEST_CASE("the widest choice of teams is that of brute force", "[optimum][thorough]") {
   int compared = 0;
   for (std::uint64_t number = 0; number < 900; ++number) {
     Document document = testing::document_of(small_polygons::make_plain_case(number).problem);
@@ -156,7 +156,7 @@ TEST_CASE("a bound that takes ends one by one is never below the best ring of wh
   }
 }
 
-TEST_CASE("the firmest choice is at least what exchanges come to", "[optimum]") {
+TEST_CASE("the firmest choice is at least what exchanges come to", "[optimum][slow]") {
   int equal = 0, compared = 0;
   for (const Held& held : held_samples()) {
     INFO(held.name);
@@ -176,7 +176,8 @@ TEST_CASE("the firmest choice is at least what exchanges come to", "[optimum]") 
   CHECK(equal > compared / 2);
 }
 
-TEST_CASE("bounds of holds are true, and reached where they are said to be proved", "[optimum]") {
+TEST_CASE("bounds of holds are true, and reached where they are said to be proved",
+          "[optimum][slow]") {
   int proved = 0, compared = 0;
   for (const Held& held : held_samples()) {
     INFO(held.name);
@@ -223,7 +224,7 @@ TEST_CASE("more choices than can be compared are bounded", "[optimum]") {
 }
 
 TEST_CASE("the best choices of robots with a size are those of brute force without collisions",
-          "[optimum][stands]") {
+          "[optimum][stands][thorough]") {
   int compared = 0, unlike = 0;
   for (const std::string& name : corpus::polygon_names()) {
     Document document = corpus::polygon(name);

@@ -110,7 +110,7 @@ void check_range(const PairRange& range, const ExactSection& section, double min
 
 }  // namespace
 
-TEST_CASE("the range of an edge-pair ends where exact rationals say", "[ranges]") {
+TEST_CASE("the range of an edge-pair ends where exact rationals say", "[ranges][thorough]") {
   int ranges = 0, none = 0;
   for (std::uint64_t number_of_case = 0; number_of_case < 1500; ++number_of_case) {
     const Document document =
@@ -138,7 +138,7 @@ TEST_CASE("the range of an edge-pair ends where exact rationals say", "[ranges]"
 }
 
 TEST_CASE("a chord of a range passes through the centre of mass, as even as its place says",
-          "[ranges]") {
+          "[ranges][slow]") {
   Rng rng(3);
   int chords = 0;
   for (std::uint64_t number_of_case = 0; number_of_case < 600; ++number_of_case) {

@@ -55,7 +55,8 @@ void check_words(const Trace& trace) {
 
 }  // namespace
 
-TEST_CASE("each range of the trace has the two candidates that it added", "[ranges][trace]") {
+TEST_CASE("each range of the trace has the two candidates that it added",
+          "[ranges][trace][thorough]") {
   std::size_t added = 0;
   for (const std::string& name : corpus::polygon_names()) {
     INFO(name);
@@ -80,7 +81,7 @@ TEST_CASE("each range of the trace has the two candidates that it added", "[rang
 }
 
 TEST_CASE("the exchanges of the trace lead from the metric's teams to the result",
-          "[exchange][trace]") {
+          "[exchange][trace][slow]") {
   std::uint32_t swaps = 0;
   for (const std::string& name : corpus::polygon_names()) {
     INFO(name);
@@ -107,7 +108,8 @@ TEST_CASE("the exchanges of the trace lead from the metric's teams to the result
   CHECK(swaps > 100);
 }
 
-TEST_CASE("every step of ranges and exchanges has its words, figures and line", "[ranges][trace]") {
+TEST_CASE("every step of ranges and exchanges has its words, figures and line",
+          "[ranges][trace][slow]") {
   for (const char* name :
        {"thesis-sample-centroid", "guitar", "octagon", "square", "thesis-sample"})
     for (const std::uint32_t teams : {1u, 2u, 3u, 5u}) {
@@ -128,7 +130,7 @@ TEST_CASE("the choice of the longest candidate is told as it is made", "[ranges]
 }
 
 TEST_CASE("an exchange of one team is a choice, of which no other answer is better",
-          "[exchange][trace]") {
+          "[exchange][trace][slow]") {
   int teams = 0, candidates = 0, sized = 0, none = 0;
   for (const std::string& name : corpus::polygon_names()) {
     Document document = corpus::polygon(name);

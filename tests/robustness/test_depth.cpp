@@ -128,7 +128,8 @@ RobotSet about_origin(Points robots) { return {"by hand", std::move(robots), Vec
 
 }  // namespace
 
-TEST_CASE("so many robots may fail as every subset that is left shows", "[robustness][depth]") {
+TEST_CASE("so many robots may fail as every subset that is left shows",
+          "[robustness][depth][thorough]") {
   int held = 0, deep = 0;
   for (std::uint64_t number = 0; number < 3000; ++number) {
     const RobotSet set = robot_sets::make_set(number, 10);
@@ -168,7 +169,7 @@ TEST_CASE("teams are carried however far from the origin they are", "[robustness
 }
 
 TEST_CASE("the teams of every sample carry any failures but one for each team",
-          "[robustness][depth]") {
+          "[robustness][depth][slow]") {
   for (const std::string& name : corpus::polygon_names()) {
     for (const Method method : pair_methods) {
       Document document = corpus::polygon(name);

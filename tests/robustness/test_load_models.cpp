@@ -181,7 +181,7 @@ TEST_CASE("the loads of springs balance the weight, whatever the robots", "[robu
 }
 
 TEST_CASE("the loads of springs have the least sum of squares of all that push",
-          "[robustness][models]") {
+          "[robustness][models][thorough]") {
   int let_go = 0;
   for (std::uint64_t number = 0; number < 1500; ++number) {
     const RobotSet set = small_set(number);
@@ -225,7 +225,7 @@ TEST_CASE("loads change in proportion until a spring that is free takes hold",
 }
 
 TEST_CASE("the least possible greatest load is that of the linear program",
-          "[robustness][models]") {
+          "[robustness][models][slow]") {
   int uneven = 0;
   for (std::uint64_t number = 0; number < 900; ++number) {
     const RobotSet set = small_set(number);
@@ -241,7 +241,7 @@ TEST_CASE("the least possible greatest load is that of the linear program",
 }
 
 TEST_CASE("the greatest load that a robot can come to bear is that of the linear program",
-          "[robustness][models]") {
+          "[robustness][models][slow]") {
   int carried = 0;
   for (std::uint64_t number = 0; number < 400; ++number) {
     const RobotSet set = small_set(number);
@@ -258,7 +258,7 @@ TEST_CASE("the greatest load that a robot can come to bear is that of the linear
 }
 
 TEST_CASE("cutting planes find the same least greatest load as all pairs of robots",
-          "[robustness][models]") {
+          "[robustness][models][slow]") {
   for (std::uint64_t number = 0; number < 400; ++number) {
     RobotSet set = robot_sets::make_steady_set(number, 120);
     INFO(number << ", " << set.kind << ", " << set.robots.size() << " robots");
@@ -292,7 +292,7 @@ TEST_CASE("no model has less than the best, and no robot bears more than its wor
   }
 }
 
-TEST_CASE("loads balance the weight however near C is to an edge", "[robustness][models]") {
+TEST_CASE("loads balance the weight however near C is to an edge", "[robustness][models][slow]") {
   int within = 0;
   for (std::uint64_t number = 0; number < 3000; ++number) {
     const RobotSet set = robot_sets::make_near_edge(number, number % 2 == 0 ? 10 : 150);
@@ -377,7 +377,7 @@ TEST_CASE("without robots below the centre of mass nobody bears anything", "[rob
   CHECK(*worst(one_leg, 7) == std::vector<double>{7});
 }
 
-TEST_CASE("loads stay when the robots are turned, moved and scaled", "[robustness][models]") {
+TEST_CASE("loads stay when the robots are turned, moved and scaled", "[robustness][models][slow]") {
   for (std::uint64_t number = 0; number < 1500; ++number) {
     const RobotSet set = number % 2 == 0 ? robot_sets::make_steady_set(number, 90)
                                          : robot_sets::make_pairs(number, 1 + number % 9);

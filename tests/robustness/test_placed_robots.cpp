@@ -83,7 +83,8 @@ TEST_CASE("robots come team after team with their loads", "[robustness][robots]"
   }
 }
 
-TEST_CASE("every sample is carried in every model, by every method", "[robustness][robots]") {
+TEST_CASE("every sample is carried in every model, by every method",
+          "[robustness][robots][thorough]") {
   int carried = 0;
   for (const std::string& name : corpus::polygon_names()) {
     for (const Method method : all_methods) {

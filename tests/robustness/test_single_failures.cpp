@@ -57,7 +57,7 @@ void check_rest(const Placement& placement, std::size_t robot,
 }  // namespace
 
 TEST_CASE("without a robot the others have what they would have had without it",
-          "[robustness][failures]") {
+          "[robustness][failures][slow]") {
   int fallen = 0, unsteady = 0, closed = 0;
   for (const std::string& name : corpus::polygon_names()) {
     for (const std::uint32_t teams : {1u, 2u, 3u}) {

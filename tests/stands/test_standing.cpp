@@ -76,7 +76,7 @@ void check_standing(const Placement& p) {
 
 }  // namespace
 
-TEST_CASE("robots of every size stand where they can and never collide", "[stands]") {
+TEST_CASE("robots of every size stand where they can and never collide", "[stands][slow]") {
   std::size_t teams = 0, fewer = 0;
   for (const std::string& name : corpus::polygon_names()) {
     for (int size = 0; size < 4; ++size) {
@@ -105,7 +105,7 @@ TEST_CASE("robots of every size stand where they can and never collide", "[stand
   CHECK(fewer > 0);
 }
 
-TEST_CASE("arms of robots that are placed keep off other bodies and arms", "[stands]") {
+TEST_CASE("arms of robots that are placed keep off other bodies and arms", "[stands][slow]") {
   // Here the arm of robot 2 went through the body of robot 6 when arms did not count.
   const auto vertices = generate(Family::star, 19, 372);
   REQUIRE(vertices.ok());
@@ -159,7 +159,7 @@ std::uint32_t level_of(const Placement& p) {
 }  // namespace
 
 TEST_CASE("teams of robots with a size are exchanged until they hold, and never collide",
-          "[stands][exchange]") {
+          "[stands][exchange][slow]") {
   std::size_t held = 0, compared = 0;
   for (const std::string& name : corpus::polygon_names()) {
     Document document = sample(name, static_cast<int>(held % 4));
@@ -367,7 +367,7 @@ TEST_CASE("even chords of robots with a size are their even candidates", "[stand
 }
 
 TEST_CASE("balanced robots with a size stand where they can, and C stays their centroid",
-          "[stands]") {
+          "[stands][thorough]") {
   int placed_sets = 0;
   for (const char* name : {"boomerang", "grand-piano", "triangle", "square"}) {
     for (int size = 0; size < 4; ++size) {

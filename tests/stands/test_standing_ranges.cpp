@@ -234,7 +234,7 @@ TEST_CASE("robots with a size have the ranges that miss the minimum ratio by les
 }
 
 TEST_CASE("teams of robots with a size anywhere in their ranges stand and never collide",
-          "[stands][ranges]") {
+          "[stands][ranges][slow]") {
   int better = 0, worse = 0, held = 0, held_before = 0, fuller = 0;
   for (const std::string& name : corpus::polygon_names()) {
     if (corpus::polygon(name).vertices.size() > 60) continue;
@@ -271,7 +271,7 @@ TEST_CASE("teams of robots with a size anywhere in their ranges stand and never 
 }
 
 TEST_CASE("as robots in their ranges shrink the placement becomes that of points",
-          "[stands][ranges]") {
+          "[stands][ranges][slow]") {
   int compared = 0, same = 0;
   for (const std::string& name : corpus::polygon_names()) {
     Document document = corpus::polygon(name);

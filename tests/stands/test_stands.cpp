@@ -293,7 +293,7 @@ TEST_CASE("a hand on a curve keeps off what is marked beside its own edge", "[st
   CHECK_FALSE(stands.why_not(13, side / 2));
 }
 
-TEST_CASE("every place is as the four conditions say", "[stands]") {
+TEST_CASE("every place is as the four conditions say", "[stands][thorough]") {
   Rng rng(5);
   int sure = 0;
   for (std::uint64_t number = 0; number < 150; ++number) {
@@ -324,7 +324,7 @@ TEST_CASE("every place is as the four conditions say", "[stands]") {
   CHECK(sure > 100000);
 }
 
-TEST_CASE("every place of the samples is as the four conditions say", "[stands]") {
+TEST_CASE("every place of the samples is as the four conditions say", "[stands][thorough]") {
   int sure = 0;
   for (const std::string& name : corpus::polygon_names()) {
     const Document document = corpus::polygon(name);
@@ -338,7 +338,7 @@ TEST_CASE("every place of the samples is as the four conditions say", "[stands]"
   CHECK(sure > 100000);
 }
 
-TEST_CASE("every place of flattened curves is as the four conditions say", "[stands]") {
+TEST_CASE("every place of flattened curves is as the four conditions say", "[stands][thorough]") {
   Rng rng(23);
   int sure = 0;
   for (int number = 0; number < 60; ++number) {
@@ -435,7 +435,7 @@ TEST_CASE("the arm of a robot keeps off another robot's body and arm", "[stands]
   CHECK_FALSE(round.collide(round.lifting_point({{2.5, 1}, 2}), round.lifting_point({{1, 2}, 3})));
 }
 
-TEST_CASE("two robots collide as bodies, arms and hands say", "[stands]") {
+TEST_CASE("two robots collide as bodies, arms and hands say", "[stands][slow]") {
   Rng rng(11);
   int collide = 0, beside = 0;
   StandOracle::Clashes clashes;

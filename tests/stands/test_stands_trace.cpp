@@ -46,7 +46,7 @@ TEST_CASE("traces of points have no step about stands", "[stands][trace]") {
   }
 }
 
-TEST_CASE("the step about stands says how much is lost to each reason", "[stands][trace]") {
+TEST_CASE("the step about stands says how much is lost to each reason", "[stands][trace][slow]") {
   const RobotSize sizes[] = {{0.03, 0, 0, 0, 0},
                              {0.02, 0.02, 0, 0.04, 0.01},
                              {0.02, 0.01, 0.05, 0.03, 0},
@@ -120,7 +120,7 @@ TEST_CASE("the step about stands says how much is lost to each reason", "[stands
 }
 
 TEST_CASE("the step about stands is told of balanced robots, too, and has an address",
-          "[stands][trace][lesson]") {
+          "[stands][trace][lesson][slow]") {
   Document document = sized("boomerang", {0.03, 0.01, 0.02, 0.02, 0});
   document.settings.method = Method::balanced;
   document.settings.robots = 4;

@@ -315,7 +315,7 @@ TEST_CASE("a column counts characters, not bytes", "[formats][errors]") {
 // --- bounds
 // ----------------------------------------------------------------------------------------
 
-TEST_CASE("a polygon has at most max_vertices in every format", "[formats][bounds]") {
+TEST_CASE("a polygon has at most max_vertices in every format", "[formats][bounds][slow]") {
   const std::size_t n = max_vertices;
   const auto check = [](const std::string& at_limit, const std::string& beyond) {
     CHECK(read(at_limit).vertices.size() == max_vertices);

@@ -807,7 +807,7 @@ TEST_CASE("files of other kinds are refused with what to do", "[import]") {
   CHECK_FALSE(read_shapes("0 0\n1 0\n1 1\n", {HUGE_VAL}).ok());
 }
 
-TEST_CASE("bounds are kept", "[import]") {
+TEST_CASE("bounds are kept", "[import][slow]") {
   std::string many;
   for (int i = 0; i < 10001; ++i) many += "<rect width='1' height='1'/>";
   CHECK(refusal(svg(many)).find("more than 10000 shapes") != std::string::npos);

@@ -86,7 +86,7 @@ TEST_CASE("the JSON of balanced robots says what they were asked for", "[json][b
   CHECK(json["teams"][0]["ratio"] == 1);
 }
 
-TEST_CASE("the numbers of the JSON read back to the same doubles", "[json]") {
+TEST_CASE("the numbers of the JSON read back to the same doubles", "[json][slow]") {
   for (const std::string& name : corpus::polygon_names()) {
     CAPTURE(name);
     Document document = corpus::polygon(name);

@@ -154,7 +154,7 @@ TEST_CASE("settings at their default take no room, others little", "[link][lengt
 // --- what is read is what was written
 // --------------------------------------------------------------
 
-TEST_CASE("every document reads back in every bit, and has one link", "[link]") {
+TEST_CASE("every document reads back in every bit, and has one link", "[link][slow]") {
   Rng rng(1);
   for (int i = 0; i < 5000; ++i) {
     const Document document = random_document(rng, i % 100 == 0 ? 600 : 14);
@@ -656,7 +656,7 @@ TEST_CASE("what looks like a link", "[link]") {
 // --- bounds
 // ----------------------------------------------------------------------------------------
 
-TEST_CASE("the longest links fit the bound, whatever the doubles", "[link][bounds]") {
+TEST_CASE("the longest links fit the bound, whatever the doubles", "[link][bounds][slow]") {
   Rng rng(2);
   for (const double limit : {max_coordinate, 1000.0, 1e-300}) {
     Document document;

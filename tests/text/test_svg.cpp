@@ -54,7 +54,7 @@ bool overlap(const labels::Box& a, const labels::Box& b) {
 
 }  // namespace
 
-TEST_CASE("a picture of every sample is sound", "[svg]") {
+TEST_CASE("a picture of every sample is sound", "[svg][slow]") {
   for (const std::string& name : corpus::polygon_names()) {
     CAPTURE(name);
     for (const std::uint32_t teams : {1u, 3u, 50u}) {
@@ -68,7 +68,7 @@ TEST_CASE("a picture of every sample is sound", "[svg]") {
   }
 }
 
-TEST_CASE("with three teams each robot of every sample has its load beside it", "[svg]") {
+TEST_CASE("with three teams each robot of every sample has its load beside it", "[svg][slow]") {
   for (const std::string& name : corpus::polygon_names())
     for (const Method method : {Method::area, Method::distributed, Method::random}) {
       CAPTURE(name, evenlift::name(method));
@@ -77,7 +77,7 @@ TEST_CASE("with three teams each robot of every sample has its load beside it", 
     }
 }
 
-TEST_CASE("a sketch has all the robots and loads, and neither caption nor link", "[svg]") {
+TEST_CASE("a sketch has all the robots and loads, and neither caption nor link", "[svg][slow]") {
   for (const std::string& name : corpus::polygon_names()) {
     CAPTURE(name);
     const Placement placement = placed(corpus::polygon(name), Method::area, 2);
@@ -106,7 +106,7 @@ TEST_CASE("pictures of extreme shapes are sound", "[svg]") {
   }
 }
 
-TEST_CASE("labels cover neither each other nor what they name", "[svg]") {
+TEST_CASE("labels cover neither each other nor what they name", "[svg][slow]") {
   std::size_t asked = 0, found = 0;
   for (const std::string& name : corpus::polygon_names()) {
     CAPTURE(name);

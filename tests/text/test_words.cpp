@@ -245,7 +245,7 @@ TEST_CASE("zero has no minus", "[words]") {
   CHECK(given_point({-0.0, -2.5}) == "(0, −2.5)");
 }
 
-TEST_CASE("fixed decimals are within half a unit and keep the order of numbers", "[words]") {
+TEST_CASE("fixed decimals are within half a unit and keep the order of numbers", "[words][slow]") {
   Rng rng(3);
   for (int i = 0; i < 20000; ++i) {
     const int decimals = static_cast<int>(rng.below(7));

@@ -66,7 +66,7 @@ TEST_CASE("the view shows the start of the search and then what it finds", "[vie
 }
 
 TEST_CASE("where the start is slow, nothing is shown until the search has found it",
-          "[view][balanced]") {
+          "[view][balanced][slow]") {
   AppState state;
   Document comb = document(asset(EVENLIFT_ASSETS_DIR "/polygons/comb.txt"));
   comb.settings.method = Method::balanced;
@@ -143,7 +143,7 @@ TEST_CASE("what changes no placement leaves the search alone", "[view][balanced]
 }
 
 TEST_CASE("how many balanced robots it takes if any one may fail is taken over when it is counted",
-          "[view][balanced][capacity]") {
+          "[view][balanced][capacity][slow]") {
   AppState state = balanced_state();
   give(state, showing(state, &Shown::capacity, 20.0));
   conclude(state);
@@ -458,7 +458,7 @@ TEST_CASE("a press on the edge asks why no robot stands there", "[view][balanced
 }
 
 TEST_CASE("a learner guesses which chord two balanced robots take",
-          "[view][balanced][walkthrough]") {
+          "[view][balanced][walkthrough][slow]") {
   AppState state;
   Document guitar = document(asset(EVENLIFT_ASSETS_DIR "/polygons/guitar.txt"));
   guitar.settings.method = Method::balanced;

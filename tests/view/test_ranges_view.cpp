@@ -102,7 +102,7 @@ TEST_CASE("a team goes along its range by hand, its loads with it, and back", "[
 }
 
 TEST_CASE("a team of robots with a size goes where they can stand, and not into others",
-          "[view][ranges][stands]") {
+          "[view][ranges][stands][slow]") {
   for (const double depth : {0.0, 20.0}) {
     AppState state;
     Document opened = document(asset(EVENLIFT_ASSETS_DIR "/polygons/square.txt"));
@@ -214,7 +214,7 @@ TEST_CASE("a few exchanges are predicted, and a wrong guess is told what it woul
 }
 
 TEST_CASE("among many candidates teams are exchanged when a drag ends, and not before",
-          "[view][ranges]") {
+          "[view][ranges][slow]") {
   Document comb;
   comb.vertices = *generate(Family::comb, 200, 1);
   comb.settings.goal = Goal::hold;
@@ -255,7 +255,7 @@ TEST_CASE("few candidates are exchanged during a drag, too", "[view][ranges]") {
 }
 
 TEST_CASE("teams that would be exchanged for minutes are not, and a notice says so",
-          "[view][ranges]") {
+          "[view][ranges][slow]") {
   Document comb;
   comb.vertices = *generate(Family::comb, 1000, 1);
   comb.settings.goal = Goal::hold;

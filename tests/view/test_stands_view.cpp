@@ -166,7 +166,7 @@ TEST_CASE("a robot's body that is smaller than its mark is not drawn", "[view][s
   CHECK(vertices(mark + 1) > vertices(mark - 1) + 6 * 64);
 }
 
-TEST_CASE("every frame with robots of a size can be drawn", "[view][stands]") {
+TEST_CASE("every frame with robots of a size can be drawn", "[view][stands][slow]") {
   for (const Method method : {Method::area, Method::balanced}) {
     Page page;
     page.app.state.view.robot_open = true;

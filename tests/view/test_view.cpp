@@ -66,7 +66,7 @@ double area_of(const Points& polygon) {
 }  // namespace
 
 TEST_CASE("every panel draws for every sample on every kind of screen, and then comes to rest",
-          "[view]") {
+          "[view][slow]") {
   Page page;
   for (const auto& path : assets()) {
     INFO(path.string());
@@ -481,7 +481,7 @@ TEST_CASE(
   CHECK(layout(state).free.right > before.free.right + 200);
 }
 
-TEST_CASE("a notice of several lines covers no robot where the view fits", "[view]") {
+TEST_CASE("a notice of several lines covers no robot where the view fits", "[view][slow]") {
   const std::string text =
       "The drawing has 3 shapes; the largest is open, with its holes filled. Curves became straight edges that are at "
       "most 0.1 mm away from them, and Open can read it again with other choices.";
@@ -605,7 +605,7 @@ TEST_CASE("each press of the sheet's handle shows more of it, until it is closed
 
 TEST_CASE(
     "while methods are compared no caption and no tool covers a robot, however narrow the screen",
-    "[view]") {
+    "[view][slow]") {
   for (const auto& path : assets()) {
     CAPTURE(path.stem().string());
     Page page(asset(path));
@@ -1070,7 +1070,7 @@ TEST_CASE("no way leads to a method beside itself", "[view]") {
 // As many as do not fit onto a stack of 8 MB while a line is drawn; tests/page/recovery.test.mjs
 // goes to the limit.
 TEST_CASE("very large polygons are drawn, in outline and filled, and as what is refused",
-          "[view]") {
+          "[view][thorough]") {
   constexpr int n = 400000;
   Document large;
   for (int i = 0; i < n; ++i) {

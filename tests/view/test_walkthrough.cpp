@@ -83,7 +83,8 @@ TEST_CASE("the lesson forward and back is the same at every step", "[view][lesso
   CHECK(moment(page.app.state) == forward[count / 2]);
 }
 
-TEST_CASE("every step of every sample draws, and asks for no frame of its own", "[view][lesson]") {
+TEST_CASE("every step of every sample draws, and asks for no frame of its own",
+          "[view][lesson][thorough]") {
   Page page;
   for (const auto& path : assets()) {
     INFO(path.string());
