@@ -46,7 +46,7 @@ class Strokes(BasePen):
 def main(icons, output):
     text = re.sub(r"export const ofWindows = \{.*?\};", "", Path(icons).read_text(encoding="utf-8"), flags=re.DOTALL)
     points, strokes, rows = [], [], []
-    for name, path in re.findall(r'^  (\w+): "([^"]+)",$', text, re.MULTILINE):
+    for name, path in re.findall(r'^  (\w+):\s+"([^"]+)",$', text, re.MULTILINE):
         pen = Strokes()
         parse_path(path, pen)
         first = len(strokes)

@@ -93,7 +93,7 @@ TEST_CASE("the page's live region says what the program prints, in the same word
       CHECK(summary(page.app.state) == said_of(lines, a));
       const Verdict shown = verdict(page.app.state);
       CHECK(shown.headline + (shown.detail.empty() ? "" : " ") + shown.detail == lines.at(0));
-      with_teams += page.app.state.placement->teams.empty() ? 0u : 1u;
+      with_teams += page.app.state.derived().placement->teams.empty() ? 0u : 1u;
       with_capacity += a.capacity ? 1u : 0u;
     }
   }

@@ -215,10 +215,11 @@ TEST_CASE("the verdict's tip says what loads and stability presume of the robots
   CHECK(presumed_in_words(state).find("sudden") != std::string::npos);
   give(state, Fail{});
   CHECK(presumed_in_words(state) == presumed);
-  Settings large = settings(state);
-  large.robot.radius = 1e5;
-  give(state, SetSettings{large});
-  REQUIRE(state.derived().placement->teams.empty());  // then the verdict says nothing of robots
+  // Where nobody stands the verdict says nothing of robots.
+  Document square = document("(0,0)\n(1,0)\n(1,1)\n(0,1)\n");
+  for (std::uint32_t edge = 0; edge < 4; ++edge) square.settings.no_go.push_back({edge, 0, 1});
+  begin(state, placed(square));
+  REQUIRE(state.derived().placement->teams.empty());
   CHECK(presumed_in_words(state).empty());
 }
 

@@ -38,6 +38,7 @@ void tell_of_refusal(AppState& state, const std::string& before) {
 void tell_of_no_exchange(AppState& state) {
   const Derived& facts = state.derived();
   if (!facts.placement || facts.refusal || state.work.edit_open) return;
+  if (!state.session.notice.text.empty()) return;  // of the command itself
   if (!waits_for_exchange(*facts.placement)) return;
   show(state,
        {Notice::Kind::info, "So many teams are not exchanged here until they hold: among " +

@@ -155,8 +155,11 @@ struct Applier {
   void operator()(const ShowAllSteps& c) const { show_all_steps(state, c.all); }
   void operator()(const SetPresenting& c) const {
     if (c.on && !walkthrough_is_open(state)) put_teams_back(state);
-    if (c.on) open_own_steps(state);
-    set_presenting(state, c.on && shown(state).step.has_value());
+    if (c.on) {
+      open_own_steps(state);
+      conclude(state);  // which finds out whether there are steps
+    }
+    set_presenting(state, c.on && walkthrough_is_open(state));
   }
   void operator()(const SetDrawCursor& c) const { set_draw_cursor(state, c); }
   void operator()(const TypeEdge& c) const { type_edge(state, c); }

@@ -62,6 +62,7 @@ class Derivation {
   void place();
   void take_found();
   void trace();
+  void tell_units();
   void place_second();
   void plan();
   void tell_loads();
@@ -116,10 +117,9 @@ void Derivation::trace() {
   facts_.untraced.clear();
   if (!now_.shown.step) return facts_.trace.reset();
   if (facts_.refusal || !facts_.placement) return;
-  const bool other_units = facts_.trace && !(facts_.trace->units == now_.shown.units);
   const bool only_start = comes_to_rest() && facts_.trace && facts_.trace->balanced() &&
                           !facts_.trace->placement.search_ended;
-  if (facts_.trace && !robots_ && !only_start && !other_units) return;
+  if (facts_.trace && !robots_ && !only_start) return tell_units();
   const HistoryLength length = at_rest() ? HistoryLength::whole : HistoryLength::start;
   Result<Trace> trace = given_.trace ? Result<Trace>(std::move(*given_.trace))
                                      : compute_trace(*facts_.placement, now_.shown.units, length);
@@ -128,6 +128,7 @@ void Derivation::trace() {
     facts_.untraced = sentence(trace.error()) + ".";
     return;
   }
+  ++facts_.traces;
   facts_.trace = std::make_shared<const Trace>(std::move(trace).value());
   // Balanced robots: the trace has searched to the end, so nobody need go on with it.
   const Placement& found = facts_.trace->placement;
@@ -135,6 +136,14 @@ void Derivation::trace() {
   end_search(facts_, effects_);
   facts_.placement = found;
   robots_ = true;
+}
+
+// The same trace in other units.
+void Derivation::tell_units() {
+  if (facts_.trace->units == now_.shown.units) return;
+  Trace told = *facts_.trace;
+  told.units = now_.shown.units;
+  facts_.trace = std::make_shared<const Trace>(std::move(told));
 }
 
 void Derivation::place_second() {

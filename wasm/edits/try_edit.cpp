@@ -22,7 +22,7 @@ bool places_nothing(const AppState& state, const Document& edited) {
 }
 
 // Opens the walkthrough of teams where they were found, at this step.
-std::optional<InputError> try_to_open(AppState& state, std::uint32_t step) {
+std::optional<InputError> try_to_open(AppState& state, std::uint32_t step, const Units& units) {
   Result<Placement> found = *state.derived().placement;
   if (!state.work.document().moved.teams.empty()) {
     Document document = state.work.document();
@@ -30,7 +30,7 @@ std::optional<InputError> try_to_open(AppState& state, std::uint32_t step) {
     found = compute_placement(document, found.value());
   }
   if (!found) return found.error();
-  Result<Trace> trace = compute_trace(*found, shown(state).units);
+  Result<Trace> trace = compute_trace(*found, units);
   if (!trace) return trace.error();
   if (auto problem = check_step(step, *trace)) return problem;
   put_teams_back(state);
@@ -41,12 +41,13 @@ std::optional<InputError> try_to_open(AppState& state, std::uint32_t step) {
 }
 
 // Goes to another step of the open document's walkthrough, or closes the walkthrough.
-std::optional<InputError> try_step(AppState& state, std::optional<std::uint32_t> step) {
+std::optional<InputError> try_step(AppState& state, const Shown& wanted) {
+  const std::optional<std::uint32_t> step = wanted.step;
   if (!step) {
     if (walkthrough_is_open(state)) leave_walkthrough(state);
     return std::nullopt;
   }
-  if (!walkthrough_is_open(state)) return try_to_open(state, *step);
+  if (!walkthrough_is_open(state)) return try_to_open(state, *step, wanted.units);
   if (auto problem = check_step(*step, *state.view.walkthrough.trace)) return problem;
   go_to_step(state, *step);
   return std::nullopt;
@@ -68,7 +69,7 @@ std::optional<InputError> try_edit(AppState& state, const Document& edited, std:
     if (auto problem = check_robot(*state.derived().placement, failed)) return problem;
     const Shown before = shown(state);
     // This may leave a lesson, after which other settings are in force.
-    if (auto problem = try_step(state, edited.shown.step)) return problem;
+    if (auto problem = try_step(state, edited.shown)) return problem;
     change_shown(state, before, edited.shown);
     return std::nullopt;
   }

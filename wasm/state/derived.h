@@ -63,6 +63,7 @@ struct Derived {
   Document placed;                     // that document; last_good() has what is shown of it
   std::optional<Placement> second;     // by the second method, of the same document
   std::shared_ptr<const Trace> trace;  // of the placement, while a step of it is shown
+  std::uint64_t traces = 0;            // how many were made
   std::string untraced;                // why there is none, if one is wanted
 
   // Sums of the above.

@@ -73,6 +73,7 @@ struct Guesses {
 
 struct Walkthrough {
   std::shared_ptr<const Trace> trace;  // of the placement, while the walkthrough is open
+  std::uint64_t traced = 0;            // which one that is (Derived::traces)
   std::uint32_t at = 0;                // the step that is shown; kept when it is closed
   std::vector<std::uint32_t> main;     // evenlift/main_steps.h
   bool all_steps = false;              // otherwise only the main ones are shown

@@ -110,6 +110,15 @@ void enter(AppState& state, std::uint32_t step) {
   publish(state, walk.at);
 }
 
+// The trace is the same, and so are the step and what is asked about it.
+void tell_in_other_units(AppState& state) {
+  Walkthrough& walk = state.view.walkthrough;
+  walk.trace = state.derived().trace;
+  if (walk.ask || walk.answered || gives_answer_away(state)) return;
+  walk.caption = caption(*walk.trace, walk.detail);
+  walk.formula = formula(*walk.trace, walk.detail);
+}
+
 }  // namespace
 
 std::optional<InputError> check_step(std::uint32_t step, const Trace& trace) {
@@ -130,13 +139,21 @@ void follow_trace(AppState& state) {
     if (!facts.untraced.empty()) show(state, {Notice::Kind::problem, facts.untraced});
     return;
   }
-  if (walk.trace == facts.trace) return;
+  if (walk.trace == facts.trace || (!walk.trace && facts.refusal)) return;
+  if (walk.trace && walk.traced == facts.traces) return tell_in_other_units(state);
   const bool follows = walk.trace && *wanted == walk.at;
   const Step before = follows ? walk.trace->step(walk.at) : Step{};
   walk.trace = facts.trace;
+  walk.traced = facts.traces;
   walk.main = main_steps(*walk.trace);
   find_stops(walk);
-  if (follows) return enter(state, shown_step(walk, nearest_step(*walk.trace, before)));
+  if (follows) {
+    const std::optional<std::size_t> selected = state.view.selected;
+    enter(state, shown_step(walk, nearest_step(*walk.trace, before)));
+    // A vertex that was just added stays selected, but not one that is dragged.
+    if (!state.work.edit_open) state.view.selected = selected;
+    return;
+  }
   const std::uint32_t last = walk.trace->size() - 1;
   if (resumes) return enter(state, shown_step(walk, std::min(*wanted, last)));
   enter(state, *wanted);

@@ -1,5 +1,5 @@
 // The icons of the canvas and of the windows: strokes in a square of 20 by 20, as the path data of SVG. A stroke without
-// length is a dot. assets/icons/strokes.py reads this file for the canvas, so each icon stands on a line of its own.
+// length is a dot. assets/icons/strokes.py reads this file for the canvas.
 
 // On the canvas and in the windows.
 export const shared = {

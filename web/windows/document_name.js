@@ -7,18 +7,20 @@ const namesKey = "evenlift.names";
 const mostNames = 8;
 const longestKept = 20000; // letters of an outline whose name is kept over a reload
 
-// Two texts of the same polygon give the same outline, however they are written.
-export function isSame(program, text, outline) {
+// Two texts of the same polygon give the same outline, however they are written. `own` is that of one of them (ownOutline()).
+export function isSame(program, text, own) {
   const vertices = (each) =>
     each
       .trimEnd()
       .split("\n")
       .filter((line) => !/^(com|#)/i.test(line.trim())).length;
-  const count = outline ? JSON.parse(outline).vertices.length : 0;
-  return vertices(text) === count && program.text("page_outline", text) === outline;
+  return vertices(text) === own.vertices && program.text("page_outline", text) === own.outline;
 }
 
-export const ownOutline = (program) => program.text("page_outline", program.text("page_text"));
+export const ownOutline = (program) => ({
+  outline: program.text("page_outline", program.text("page_text")),
+  vertices: program.number("page_vertex_count"),
+});
 
 // --- Opened files ----------------------------------------------------------------------------------------------------
 
@@ -66,7 +68,7 @@ export async function documentName(program) {
   const robots = JSON.parse(program.text("page_state")).teams.flatMap(({ loads }) => loads).length;
   const opened = openedName(program);
   const samples = await fetchJson("polygons.json").catch(() => ({}));
-  const outline = ownOutline(program);
-  const sample = Object.keys(samples).find((name) => isSame(program, samples[name], outline));
+  const own = ownOutline(program);
+  const sample = Object.keys(samples).find((name) => isSame(program, samples[name], own));
   return sample && (!opened || opened === sample) ? sample : `${opened || "polygon"}-${robots}-robots`;
 }

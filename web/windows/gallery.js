@@ -78,8 +78,8 @@ function fill(program, list, samples, choose) {
     if (!groups.has(group)) groups.set(group, []);
     groups.get(group).push(sample);
   }
-  const outline = ownOutline(program);
-  const isOpen = (text) => (isSame(program, text, outline) ? "true" : undefined);
+  const own = ownOutline(program);
+  const isOpen = (text) => (isSame(program, text, own) ? "true" : undefined);
   list.replaceChildren(
     ...[...groups].map(([group, members]) =>
       el(
