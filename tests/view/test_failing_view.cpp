@@ -216,8 +216,8 @@ TEST_CASE("the verdict's tip says what loads and stability presume of the robots
   give(state, Fail{});
   CHECK(presumed_in_words(state) == presumed);
   // Where nobody stands the verdict says nothing of robots.
-  Document square = document("(0,0)\n(1,0)\n(1,1)\n(0,1)\n");
-  for (std::uint32_t edge = 0; edge < 4; ++edge) square.settings.no_go.push_back({edge, 0, 1});
+  Document square = document("(0,0)\n(100,0)\n(100,100)\n(0,100)\n");
+  square.settings.robot = {.radius = 100, .gap = 10000};
   begin(state, placed(square));
   REQUIRE(state.derived().placement->teams.empty());
   CHECK(presumed_in_words(state).empty());
