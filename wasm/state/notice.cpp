@@ -15,6 +15,10 @@ double reading_time(const std::string& text) {
 
 }  // namespace
 
+void emit(AppState& state, Effect effect) { state.session.effects.push_back(std::move(effect)); }
+
+void announce(AppState& state, std::string text) { emit(state, Announce{std::move(text)}); }
+
 void show(AppState& state, Notice notice) {
   // What is refused again is told again, but not for each point of a drag.
   const bool again = notice.kind == Notice::Kind::problem && !state.work.edit_open;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "state/layout.h"
+#include "state/notice.h"
 
 namespace evenlift::view {
 namespace {

@@ -69,10 +69,4 @@ inline Document last_good(const AppState& state) {
   return document;
 }
 
-// Asks something of the browser, once the commands of now are carried out.
-inline void emit(AppState& state, Effect effect) {
-  state.session.effects.push_back(std::move(effect));
-}
-inline void announce(AppState& state, std::string text) { emit(state, Announce{std::move(text)}); }
-
 }  // namespace evenlift::view

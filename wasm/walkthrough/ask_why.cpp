@@ -5,6 +5,7 @@
 
 #include "evenlift/output/words.h"
 #include "evenlift/plane.h"
+#include "state/notice.h"
 
 namespace evenlift::view {
 namespace {

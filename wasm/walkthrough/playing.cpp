@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "state/notice.h"
 #include "walkthrough/questions.h"
 #include "walkthrough/script.h"
 #include "walkthrough/timeline.h"

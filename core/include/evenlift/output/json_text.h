@@ -1,6 +1,7 @@
 // Writes JSON as this project lays it out. Pieces of text are put together from the inside out.
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,8 +20,10 @@ std::string boolean(bool value);
 std::string pair(const Vec2& point);  // [x, y]
 
 std::string array(const std::vector<std::string>& items);  // on one line
-std::string numbers(const std::vector<double>& values);    // an array of them
-std::string object(const std::vector<Member>& members);    // on one line
+std::string array(std::initializer_list<std::string> items);
+std::string numbers(const std::vector<double>& values);  // an array of them
+std::string object(const std::vector<Member>& members);  // on one line
+std::string object(std::initializer_list<Member> members);
 
 // One item or member to a line, which are indented by two spaces more than `depth` times two; the
 // values that span lines themselves were made for depth + 1. Nothing inside is [] or {}.

@@ -19,16 +19,16 @@ void append(std::string& out, const Member& member) {
 
 // The items with `between` between them, in one piece of memory: a placement's robots alone may be
 // hundreds of megabytes.
-template <class Item>
-std::string joined(std::string_view open, const std::vector<Item>& items, std::string_view between,
+template <class Items>
+std::string joined(std::string_view open, const Items& items, std::string_view between,
                    std::string_view close) {
   std::size_t length = open.size() + close.size();
-  for (const Item& item : items) length += length_of(item) + between.size();
+  for (const auto& item : items) length += length_of(item) + between.size();
   std::string out;
   out.reserve(length);
   out += open;
   bool first = true;
-  for (const Item& item : items) {
+  for (const auto& item : items) {
     if (!first) out += between;
     first = false;
     append(out, item);
@@ -71,6 +71,9 @@ std::string boolean(bool value) { return value ? "true" : "false"; }
 std::string pair(const Vec2& point) { return array({number(point.x()), number(point.y())}); }
 
 std::string array(const std::vector<std::string>& items) { return joined("[", items, ", ", "]"); }
+std::string array(std::initializer_list<std::string> items) {
+  return joined("[", items, ", ", "]");
+}
 
 std::string numbers(const std::vector<double>& values) {
   std::string out = "[";
@@ -82,6 +85,9 @@ std::string numbers(const std::vector<double>& values) {
 }
 
 std::string object(const std::vector<Member>& members) { return joined("{", members, ", ", "}"); }
+std::string object(std::initializer_list<Member> members) {
+  return joined("{", members, ", ", "}");
+}
 
 std::string long_array(const std::vector<std::string>& items, int depth) {
   return spread('[', items, ']', depth);
