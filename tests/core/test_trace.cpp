@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "evenlift/generate.h"
@@ -669,4 +670,22 @@ TEST_CASE("a trace of robots that were moved by hand says so, and what is true w
     CHECK(testing::number_of(trace, last, "moved_coverage") == there->coverage);
     CHECK(trace_json(trace).find("\"moved_form_closure\"") != std::string::npos);
   }
+}
+
+TEST_CASE("the JSON of a step has its figures, but for the polygon itself", "[trace][json]") {
+  const Trace trace = traced(placed(corpus::polygon("trapezium")));
+  const auto json = nlohmann::json::parse(trace_json(trace));
+  REQUIRE(json.size() == trace.size());
+  std::size_t compared = 0;
+  for (std::uint32_t k = 0; k < trace.size(); ++k) {
+    std::vector<std::string> expected, found;
+    for (const Figure& figure : figures(trace, look_at(trace, k)))
+      if (figure.kind != FigureKind::object) expected.emplace_back(name(figure.kind));
+    if (expected.size() > 100) continue;
+    for (const auto& object : json[k]["objects"]) found.push_back(object["mark"]);
+    INFO(k);
+    CHECK(found == expected);
+    compared += expected.size();
+  }
+  CHECK(compared > 50);
 }

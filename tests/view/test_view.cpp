@@ -1169,3 +1169,17 @@ TEST_CASE("the hint at the foot stands between the tools of the view and the pan
     CHECK(longest == hint(state).size());
   }
 }
+
+TEST_CASE("an edge that is typed begins with its length, and ends where length and angle say",
+          "[view][draw]") {
+  Page page;
+  AppState& state = page.app.state;
+  give(state, SetTool{Tool::draw});
+  give(state, AddPoint{{10, 20}});
+  give(state, TypeEdge{.degrees = 90.0, .place = true});
+  CHECK(state.session.notice.text == "Type the length of the edge, too.");
+  CHECK(state.view.drawing.points.size() == 1);
+  give(state, TypeEdge{.length = 30.0, .place = true});
+  REQUIRE(state.view.drawing.points.size() == 2);
+  CHECK(length(state.view.drawing.points[1] - Vec2(10, 50)) < 1e-9);
+}
