@@ -101,8 +101,8 @@ Settings settings_from(Rng& rng) {
 }
 
 // Of one document in four, where the method allows it, robots have a size, and sometimes there is
-// an edge that they must not touch. Balanced robots with a size take a thousand times as long as
-// others to be found, so they are one in twenty.
+// an edge that they must not touch. Balanced robots with a size take by far the longest to be
+// found, so they are one in twenty.
 void give_size(Rng& rng, Document& document) {
   const bool has_size = rng.below(document.settings.method == Method::balanced ? 20 : 4) == 0;
   const double size = rng.uniform() / 20, parts[] = {0, 0.5, 1};

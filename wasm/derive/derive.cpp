@@ -14,11 +14,6 @@
 namespace evenlift::view {
 namespace {
 
-// Whether two of what is shown differ in what loads are told.
-bool told_alike(const Shown& a, const Shown& b) {
-  return a.com_radius == b.com_radius && a.capacity == b.capacity;
-}
-
 class Derivation {
  public:
   Derivation(AppState& state, Derived& facts)
@@ -33,8 +28,7 @@ class Derivation {
             state.view.load_model,
             shown(state),
             state.view.fails.number,
-            state.view.card.number,
-            state.view.held.kind == Pick::Kind::robot};
+            state.view.card.number};
   }
 
   // Each stage looks at what those before it changed.
@@ -179,7 +173,7 @@ void Derivation::plan() {
 
 void Derivation::tell_loads() {
   told_ |= robots_ || second_ || now_.load_model != before_.load_model ||
-           !told_alike(now_.shown, before_.shown);
+           now_.shown.com_radius != before_.shown.com_radius;
   if (robots_) {
     facts_.failures.clear();
     facts_.failures_due = true;
@@ -196,7 +190,8 @@ void Derivation::search() {
 }
 
 void Derivation::let_fail() {
-  renew_failures(facts_, !at_rest() || facts_.search.under_way || now_.robot_held);
+  const bool held = state_.view.held.kind == Pick::Kind::robot;
+  renew_failures(facts_, !at_rest() || facts_.search.under_way || held);
   if (now_.fails == before_.fails || !facts_.placement || facts_.refusal) return;
   facts_.failure.reset();
   fails_ = true;

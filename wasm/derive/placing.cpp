@@ -55,7 +55,6 @@ void renew_second(Derived& facts, const Work& work, Haste haste) {
 }
 
 void adopt(Derived& facts, const Document& document, Result<Placement> placement) {
-  ++facts.placements;
   if (!placement) {
     facts.refusal = placement.error();
     return;

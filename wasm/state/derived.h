@@ -54,7 +54,6 @@ struct Basis {
   LoadModel load_model = LoadModel::plan;
   Shown shown;
   std::uint64_t fails = 0, card = 0;  // the last ones that were asked for (view_state.h)
-  bool robot_held = false;
 };
 
 struct Derived {
@@ -80,8 +79,7 @@ struct Derived {
   std::optional<Explanation> explanation;             // the card beside a robot or chord
   Search search;
 
-  std::uint64_t revision = 0;    // grows with every change of what the pictures show
-  std::uint64_t placements = 0;  // how often the document was placed, or refused
+  std::uint64_t revision = 0;  // grows with every change of what the pictures show
   Basis basis;
 };
 
