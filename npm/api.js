@@ -53,35 +53,6 @@ function answerOf({ memory, evenlift_room, evenlift_free, evenlift_answer }, req
 // --- Requests. The core says where in a request something is wrong; but who calls a function has not written one, so what the core
 // would give a line and a column of it is refused here, by its own name or place.
 
-// The settings, but for the centre of mass.
-export const settingNames = [
-  "teams",
-  "metric",
-  "min_ratio",
-  "weight",
-  "seed",
-  "robots",
-  "goal",
-  "min_margin",
-  "apart",
-  "clear",
-  "survive",
-  "positions",
-  "robot",
-  "robot_radius",
-  "robot_reach",
-  "robot_depth",
-  "robot_width",
-  "robot_gap",
-  "no_go",
-  "com_radius",
-  "capacity",
-  "overlays",
-  "step",
-  "unit",
-  "weight_unit",
-];
-
 // What each function takes besides.
 const members = {
   place: ["candidates", "failures"],
@@ -213,7 +184,7 @@ function memberOf(name, value) {
 // Those of the options that are given.
 const given = (options) => Object.entries(options ?? {}).filter(([, value]) => value !== undefined);
 
-function requestOf(command, polygon, options) {
+function requestOf(settingNames, command, polygon, options) {
   const request = { command, settings: {} };
   for (const [name, value] of given(options)) {
     if (name === "centre_of_mass") request.centre_of_mass = centreOf(value);
@@ -277,6 +248,8 @@ function experimentOf(polygons, settings) {
 
 export function createApi(compiled) {
   let running = start(compiled);
+  // All settings but the centre of mass.
+  const settingNames = textAt(running.memory, running.evenlift_settings()).split(",");
 
   // The answer as text, with the bytes that the program prints. A module that stopped is not used again.
   function run(request) {
@@ -295,8 +268,9 @@ export function createApi(compiled) {
     return answer;
   }
 
-  const asked = (command) => (polygon, options) => ask(requestOf(command, polygon, options));
+  const asked = (command) => (polygon, options) => ask(requestOf(settingNames, command, polygon, options));
   return {
+    settingNames,
     run,
     place: asked("place"),
     candidates: (...args) => asked("candidates")(...args).candidates,

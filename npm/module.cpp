@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "evenlift/request.h"
+#include "evenlift/settings.h"
 
 extern "C" {
 
@@ -23,6 +24,18 @@ EMSCRIPTEN_KEEPALIVE char* evenlift_answer(const char* request, std::size_t byte
   auto* copy = static_cast<char*>(std::malloc(answer.size() + 1));
   if (copy) std::memcpy(copy, answer.c_str(), answer.size() + 1);
   return copy;
+}
+
+// The names of all settings that requests take, with commas between them.
+EMSCRIPTEN_KEEPALIVE const char* evenlift_settings() {
+  static const std::string names = [] {
+    std::string list;
+    for (const evenlift::SettingRow& row : evenlift::all_settings())
+      if (row.changes != evenlift::Changes::view && row.setting != evenlift::Setting::com)
+        list += (list.empty() ? "" : ",") + std::string(row.name);
+    return list;
+  }();
+  return names.c_str();
 }
 
 }  // extern "C"

@@ -25,7 +25,10 @@ npm(project, "install", "--offline", "--no-audit", "--no-fund", path.join(work, 
 const { place, candidates, svg, poses, link, experiment, run, version, EvenliftError } = await import(
   pathToFileURL(path.join(project, "node_modules/evenlift/node.js")).href
 );
-const { settingNames } = await import(pathToFileURL(path.join(project, "node_modules/evenlift/api.js")).href);
+const { createApi } = await import(pathToFileURL(path.join(project, "node_modules/evenlift/api.js")).href);
+const { settingNames } = createApi(
+  await WebAssembly.compile(readFileSync(path.join(project, "node_modules/evenlift/evenlift.wasm"))),
+);
 
 const plate = [
   [0, 0],

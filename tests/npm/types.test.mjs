@@ -130,7 +130,9 @@ test("an experiment's result is an Experiment, and candidates are Candidates, wi
 });
 
 test("the settings are those of the manual", async () => {
-  const { settingNames } = await ofPackage("api.js");
+  const { createApi } = await ofPackage("api.js");
+  const compiled = await WebAssembly.compile(readFileSync(path.join(packageFolder, "evenlift.wasm")));
+  const { settingNames } = createApi(compiled);
   const source = ts.createSourceFile("evenlift.d.ts", declared, ts.ScriptTarget.ES2022);
   const settings = source.statements.find(
     (statement) => ts.isInterfaceDeclaration(statement) && statement.name.text === "Settings",

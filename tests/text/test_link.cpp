@@ -530,12 +530,32 @@ TEST_CASE("links of version 2 written before are read for ever", "[link]") {
   }
 }
 
-TEST_CASE("a link without settings means today's defaults", "[link]") {
-  // If this fails because a default changed: links of version 1 keep the old one, and those that
-  // the program writes from now on are of version 2.
+TEST_CASE("a link without settings means the defaults of 1.0.0", "[link]") {
+  // If this fails because a default changed, say in defaults_of_links() (link/settings.h) what links
+  // have always meant.
+  Settings settings;
+  settings.teams = 3;
+  settings.method = Method::area;
+  settings.min_ratio = 0.8;
+  settings.weight = 100;
+  settings.seed = 1;
+  settings.goal = std::nullopt;
+  settings.min_margin = 0.05;
+  settings.apart = std::nullopt;
+  settings.clear = std::nullopt;
+  settings.survive = 0;
+  settings.positions = Positions::best;
+  settings.robot = {0, 0, 0, 0, 0};
+  settings.no_go = {};
+  Shown shown;
+  shown.overlays = {false, true, true, true, true, false, false};
+  shown.step = std::nullopt;
+  shown.com_radius = 0;
+  shown.capacity = std::nullopt;
+  shown.units = {LengthUnit::none, WeightUnit::kg};
   const Document document = decode("1.Pq1riQoPLvUJmF2ykWfnDSNVxm2W3yqqGl2Hz55vK9StSPd");
-  CHECK(document.settings == Settings{});
-  CHECK(document.shown == Shown{});
+  CHECK(document.settings == settings);
+  CHECK(document.shown == shown);
 }
 
 TEST_CASE("a link may come with its address and white space around", "[link]") {

@@ -55,7 +55,6 @@ Names found(const std::string& text, const std::string& pattern) {
 bool any(const SettingRow&) { return true; }
 bool is_option(const SettingRow& row) { return row.option.group != OptionGroup::none; }
 bool is_key(const SettingRow& row) { return is_option(row) || row.setting == Setting::overlays; }
-bool is_length(const SettingRow& row) { return row.is_length; }
 bool is_in_result(const SettingRow& row) { return row.in_result != Listed::never; }
 bool is_of_place_and_link(const SettingRow& row) {
   return is_option(row) && row.option.group != OptionGroup::placement;
@@ -63,10 +62,6 @@ bool is_of_place_and_link(const SettingRow& row) {
 // Requests and the packages have a member of their own for the centre of mass.
 bool is_asked(const SettingRow& row) {
   return row.changes != Changes::view && row.setting != Setting::com;
-}
-// A link always tells the number of balanced robots.
-bool has_default(const SettingRow& row) {
-  return row.record != 0 && row.setting != Setting::robots;
 }
 
 std::string as_is(const SettingRow& row) { return std::string(row.name); }
@@ -106,7 +101,6 @@ const Door lists[] = {
      {"title", "polygon", "link", "predict"}},
     {"docs/requests.md", "## Settings\n", "\n## ", "`(\\w+)`", "has no row for %", is_asked},
     {"docs/page.md", "| setting of `set` |", "\n\n", "`(\\w+)`", "has no row for % of set()", any},
-    {"npm/api.js", "settingNames = [", "]", "\"(\\w+)\"", "has no % in settingNames", is_asked},
     {"npm/evenlift.d.ts",
      "interface Settings {",
      "\n}",
@@ -117,14 +111,6 @@ const Door lists[] = {
      {"centre_of_mass"}},
     {"python/src/evenlift/types.py", "class Settings(", "\n\n\n",
      "\n    (\\w+):", "has no % in Settings", is_asked},
-    {"web/mirror/mirror.js",
-     "lengths = new Set([",
-     "]",
-     "\"([\\w ]+)\"",
-     "has no % among its lengths",
-     is_length,
-     as_is,
-     {"com", "edge length"}},
 };
 
 // These name much besides.
@@ -139,8 +125,6 @@ const Door mentions[] = {
      "\n    (\\w+):", "has no % in PlacementDict", is_in_result, as_member},
     {"python/src/evenlift/_members.pyi", "class PlacementMembers", "class ExperimentMembers",
      "\"(\\w+)\"", "has no % in PlacementMembers", is_in_result, as_member},
-    {"core/src/link/settings.h", "defaults_of_links() {", "\n}",
-     "\\.(\\w+) = ", "has no % in defaults_of_links()", has_default},
 };
 
 Names names_at(const Door& door) {
@@ -258,6 +242,7 @@ TEST_CASE("every record of a setting is described under its number, and none tha
   for (const SettingRow& row : all_settings()) {
     for (const auto& [number, name] : said.reserved) check_reserved(row, number, name);
     if (row.record == 0) continue;
+    CHECK_FALSE(is_of_no_setting(row.record));
     const std::string number = std::to_string(row.record), name(row.name);
     numbers.insert(number);
     const auto held = said.held.find(row.record);

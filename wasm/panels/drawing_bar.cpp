@@ -148,13 +148,13 @@ void draw_edge_fields(const Ui& ui, float length_width, float angle_width) {
   const Edge edge = edge_between(from, drawing.cursor.value_or(drawing.last_cursor.value_or(from)));
   // Under a finger, and until the pointer moves, nothing says where the next edge leads.
   const bool begun = edge.length > 0;
-  const Asked length = typed_field(ui, "edge length", "Length",
+  const Asked length = typed_field(ui, {"edge length", "Length", true},
                                    drawing.length ? plain(*drawing.length)
                                    : begun        ? length_in_words(ui.state, edge.length)
                                                   : "–",
                                    length_width);
   ImGui::SameLine(0, 8);
-  const Asked angle = typed_field(ui, "edge angle", "Angle",
+  const Asked angle = typed_field(ui, {"edge angle", "Angle"},
                                   drawing.degrees ? plain(*drawing.degrees) + "°"
                                   : begun         ? fixed(edge.degrees, 1) + "°"
                                                   : "–",

@@ -59,6 +59,7 @@ std::string control_json(const Control& c, double zoom) {
                        {"value", json::text(c.value)},
                        {"exact", json::text(c.exact)},
                        {"setting", json::text(c.setting)},
+                       {"is_length", json::boolean(c.is_length)},
                        {"enabled", json::boolean(c.enabled)},
                        {"on", json::boolean(c.on)},
                        {"place", place_json(c.place, zoom)},

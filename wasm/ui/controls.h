@@ -33,6 +33,7 @@ struct Control {
   std::string value;                 // of a number, slider or text: as it is shown
   std::string exact;                 // of a number: what is typed over, where that is more exact
   std::string setting;               // of a number: which setting it is, see settings.h
+  bool is_length = false;            // of a number: in the document's unit of length
   double low = 0, high = 0, at = 0;  // of a slider
   double step = 0;
   std::vector<std::string> choices;    // of a choice

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "evenlift/settings.h"
 #include "widgets/cards.h"
 
 namespace evenlift::view {
@@ -47,6 +48,7 @@ Control number_control(const char* id, const char* label, const char* setting,
   Control control = button_control(id, label);
   control.kind = ControlKind::number;
   control.setting = setting;
+  if (const auto known = setting_from_name(setting)) control.is_length = row_of(*known).is_length;
   control.value = value;
   control.exact = exact;
   return control;

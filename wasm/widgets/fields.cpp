@@ -93,12 +93,11 @@ void number_field(const Ui& ui, const char* id, const char* label, const char* s
             ImVec2(high.x - text.x, (low.y + high.y - text.y) / 2), colour, value);
 }
 
-Asked typed_field(const Ui& ui, const char* id, const char* label, const std::string& value,
-                  float width) {
-  const ImVec2 name = text_size(Face::label, label), from = ImGui::GetCursorScreenPos();
+Asked typed_field(const Ui& ui, const TypedField& field, const std::string& value, float width) {
+  const ImVec2 name = text_size(Face::label, field.label), from = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_text(list, Face::label, ImVec2(from.x, from.y + (ui.control() - name.y) / 2),
-            ui.theme.second_text, label);
+            ui.theme.second_text, field.label);
   ImGui::SetCursorScreenPos(ImVec2(from.x + name.x + 6, from.y));
   ImGui::Dummy(ImVec2(width, ui.control()));
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax(),
@@ -107,7 +106,9 @@ Asked typed_field(const Ui& ui, const char* id, const char* label, const std::st
   draw_text(list, Face::strong,
             ImVec2((low.x + high.x - text.x) / 2, (low.y + high.y - text.y) / 2), ui.theme.text,
             value);
-  return list_control(number_control(id, label, "", value));
+  Control control = number_control(field.id, field.label, "", value);
+  control.is_length = field.is_length;
+  return list_control(std::move(control));
 }
 
 }  // namespace evenlift::view

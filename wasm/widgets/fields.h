@@ -29,9 +29,12 @@ void number_field(const Ui& ui, const char* id, const char* label, const char* s
                   const std::string& value, float width, Colour colour,
                   const std::string& exact = {});
 
-// A number that is typed and no setting: what was typed, and whether it was confirmed by Enter.
-// With its label before it and its own ground.
-Asked typed_field(const Ui& ui, const char* id, const char* label, const std::string& value,
-                  float width);
+// A number that is typed and is not a setting: what was typed, and whether it was confirmed by
+// Enter. With its label before it and its own ground.
+struct TypedField {
+  const char *id, *label;
+  bool is_length = false;  // in the document's unit of length
+};
+Asked typed_field(const Ui& ui, const TypedField& field, const std::string& value, float width);
 
 }  // namespace evenlift::view

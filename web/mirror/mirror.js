@@ -21,20 +21,6 @@ const cards = new Map([
   ["notice", "Notice"],
 ]);
 
-// Lengths, whose fields do not always show their unit: settings, and the field of an edge that is drawn, by its name.
-const lengths = new Set([
-  "com",
-  "apart",
-  "clear",
-  "com_radius",
-  "robot_radius",
-  "robot_reach",
-  "robot_depth",
-  "robot_width",
-  "robot_gap",
-  "edge length",
-]);
-
 // Hidden while it is empty.
 function createGroup(name) {
   const group = document.createElement("div");
@@ -68,8 +54,8 @@ export function createMirror(program, field, notice) {
   const leave = () => canvas.focus({ preventScroll: true });
 
   // The unit of a field's number; "" if it has none.
-  function unitOfField({ setting, name, value }) {
-    const unit = unitOf(value) || (lengths.has(setting || name) ? program.text("page_length_unit") : "");
+  function unitOfField({ is_length, value }) {
+    const unit = unitOf(value) || (is_length ? program.text("page_length_unit") : "");
     return unit === "none" ? "" : unit;
   }
 
@@ -83,9 +69,9 @@ export function createMirror(program, field, notice) {
     // What was typed into a field. Returns whether it is in force now; if not, a notice says why.
     // A number that is no setting is handed to the control itself; `confirmed` says that Enter was pressed.
     type(control, typed, confirmed) {
-      const { setting, card, name } = control,
+      const { setting, card, name, is_length } = control,
         unit = unitOfField(control);
-      const wrong = typedProblem(typed, setting, unit, lengths.has(setting || name));
+      const wrong = typedProblem(typed, setting, unit, is_length);
       if (wrong) {
         notice(`${wrong}.`, true);
         return false;
@@ -106,11 +92,11 @@ export function createMirror(program, field, notice) {
     },
     // What is being typed of a number that is no setting is shown as soon as it can be one.
     preview(control, typed) {
-      const { card, name } = control,
+      const { card, name, is_length } = control,
         unit = unitOfField(control),
         value = settingValue(typed, "", unit);
-      if (value === "" || typedProblem(typed, "", unit, lengths.has(name)) || !Number.isFinite(Number(value))) return;
-      if (!lengths.has(name) || Number(value) > 0) program.call("page_ask_control", move, card, name, Number(value));
+      if (value === "" || typedProblem(typed, "", unit, is_length) || !Number.isFinite(Number(value))) return;
+      if (!is_length || Number(value) > 0) program.call("page_ask_control", move, card, name, Number(value));
     },
     // After a number that is no setting was confirmed: the first one of the card is typed next.
     next({ card }) {

@@ -104,6 +104,7 @@ constexpr SettingRow rows[] = {
      .rule = "is two numbers X,Y, or centroid",
      .option = {OptionGroup::placement, "X,Y",
                 "centre of mass (default the file's, else the centroid)"},
+     .is_length = true,
      .access = of<&Document::centre_of_mass>()},
     {.setting = Setting::weight,
      .name = "weight",
