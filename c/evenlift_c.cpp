@@ -1,5 +1,4 @@
-// The functions of evenlift.h. Nothing of C++ passes them: no exception, and no memory that C
-// cannot give back.
+// The functions of evenlift.h. They let no exception pass, and no memory that C cannot free.
 #include <cstdlib>
 #include <cstring>
 #include <new>

@@ -1,5 +1,5 @@
-# Every library that evenlift uses, in one place: the system's package where there is one, else the sources
-# that `./dev` keeps in its cache or FETCHCONTENT_SOURCE_DIR_<NAME> names, else fetched at a pinned commit.
+# All libraries that evenlift uses, in one place. Each is the system's package if available; otherwise the sources in
+# ./dev's cache or in FETCHCONTENT_SOURCE_DIR_<NAME>; otherwise fetched at a pinned commit.
 include_guard()
 include(FetchContent)
 
@@ -7,7 +7,7 @@ if(NOT EVENLIFT_DOWNLOADS)
   set(FETCHCONTENT_FULLY_DISCONNECTED ON)
 endif()
 
-# The cache that `./dev` fills; the same three places as there.
+# The cache that `./dev` fills; the same three locations as there.
 set(EVENLIFT_CACHE "$ENV{EVENLIFT_CACHE}")
 if(NOT EVENLIFT_CACHE AND DEFINED ENV{XDG_CACHE_HOME} AND NOT "$ENV{XDG_CACHE_HOME}" STREQUAL "")
   set(EVENLIFT_CACHE "$ENV{XDG_CACHE_HOME}/evenlift")
@@ -16,8 +16,8 @@ if(NOT EVENLIFT_CACHE)
   set(EVENLIFT_CACHE "$ENV{HOME}/.cache/evenlift")
 endif()
 
-# evenlift_cached(<variable> <pattern>): the newest folder of the cache whose name matches, unless the variable names
-# a folder already.
+# evenlift_cached(<variable> <pattern>): sets the variable to the newest folder of the cache with a matching name,
+# unless it is already an existing folder.
 function(evenlift_cached variable pattern)
   if(IS_DIRECTORY "${${variable}}")
     return()
@@ -30,7 +30,7 @@ function(evenlift_cached variable pattern)
   endif()
 endfunction()
 
-# evenlift_fetch(<name> <repository> <commit>): sets <name>_SOURCE_DIR in lower case to the sources; builds nothing.
+# evenlift_fetch(<name> <repository> <commit>): sets <name>_SOURCE_DIR (in lower case) to the sources; builds nothing.
 macro(evenlift_fetch name repository commit)
   string(TOUPPER ${name} evenlift_upper)
   if(NOT EVENLIFT_DOWNLOADS AND NOT FETCHCONTENT_SOURCE_DIR_${evenlift_upper})
@@ -39,15 +39,15 @@ macro(evenlift_fetch name repository commit)
         "evenlift needs ${name}, which is neither installed nor in ${EVENLIFT_CACHE}, and EVENLIFT_DOWNLOADS is OFF. "
         "Install it, run ./dev build once, or give its sources with -DFETCHCONTENT_SOURCE_DIR_${evenlift_upper}=FOLDER.")
   endif()
-  # A folder that does not exist: the sources are wanted, the library's own build is not.
+  # A folder that does not exist: only the sources are needed, not the library's own build.
   FetchContent_Declare(
     ${name} GIT_REPOSITORY ${repository} GIT_TAG ${commit} SOURCE_SUBDIR evenlift-does-not-build-this)
   FetchContent_MakeAvailable(${name})
 endmacro()
 
 # evenlift_headers(<package> <version> <target> <folder> <repository> <commit> <include>)
-# A library of headers, the same for every platform. Where the package's headers lie among the system's own, a
-# cross-compiler must not see that folder (it has its own C library): it gets a folder with a link to <folder>.
+# A header-only library, the same for every platform. If the package's headers are among the system's own, a
+# cross-compiler must not see that folder, since it has its own C library; it gets a folder with a link to <folder>.
 function(evenlift_headers package version target folder repository commit include)
   string(TOUPPER ${package} upper)
   if(NOT FETCHCONTENT_SOURCE_DIR_${upper})
@@ -99,11 +99,11 @@ if(EVENLIFT_IMPORT)
     add_library(pugixml STATIC EXCLUDE_FROM_ALL "${pugixml_SOURCE_DIR}/src/pugixml.cpp")
     add_library(pugixml::pugixml ALIAS pugixml)
     target_include_directories(pugixml SYSTEM PUBLIC "$<BUILD_INTERFACE:${pugixml_SOURCE_DIR}/src>")
-    # PUBLIC: its header must say what was built.
+    # PUBLIC: its header must match the build.
     target_compile_definitions(pugixml PUBLIC PUGIXML_NO_XPATH PUGIXML_NO_EXCEPTIONS PUGIXML_NO_STL)
     target_compile_options(pugixml PRIVATE -fno-exceptions -w ${evenlift_small})
   endif()
-  # Inside the program, which so runs where pugixml is not installed.
+  # Linked statically, so that the program runs without an installed pugixml.
   set(EVENLIFT_PUGIXML pugixml::pugixml)
   if(TARGET pugixml::static)
     set(EVENLIFT_PUGIXML pugixml::static)
@@ -111,8 +111,8 @@ if(EVENLIFT_IMPORT)
 endif()
 
 # --- Dear ImGui: the sources, built with our configuration (wasm/ui/imgui_config.h) -------------------------------------
-# The tests use it without a window. None of its backends is used: wasm/page/webgl_renderer.cpp draws what it makes, and
-# wasm/page/sdl_input.cpp brings it the pointer.
+# The tests use it without a window. None of its backends is used: wasm/page/webgl_renderer.cpp draws its output, and
+# wasm/page/sdl_input.cpp passes it the pointer.
 if(EVENLIFT_VIEW)
   evenlift_cached(FETCHCONTENT_SOURCE_DIR_IMGUI "imgui-*")
   evenlift_fetch(
@@ -123,16 +123,16 @@ if(EVENLIFT_VIEW)
     "${imgui_SOURCE_DIR}/imgui_widgets.cpp")
   add_library(imgui::imgui ALIAS imgui)
   target_include_directories(imgui SYSTEM PUBLIC "${imgui_SOURCE_DIR}")
-  # PUBLIC: the configuration changes types, so everybody who includes imgui.h must see the same one.
+  # PUBLIC: the configuration changes types, so every file that includes imgui.h must see the same one.
   target_compile_definitions(imgui PUBLIC "IMGUI_USER_CONFIG=\"${PROJECT_SOURCE_DIR}/wasm/ui/imgui_config.h\"")
   target_compile_options(imgui PRIVATE -fno-exceptions -w ${evenlift_small})
   if(EMSCRIPTEN)
-    target_compile_options(imgui PRIVATE -fno-inline-functions) # smaller, and it is no hot code
+    target_compile_options(imgui PRIVATE -fno-inline-functions) # smaller, and not performance-critical
   endif()
 endif()
 
-# --- Inter, the typeface, and fonttools, which cuts out of it what the page writes ------------------------------------
-# EVENLIFT_FONT_DIR holds Inter-Regular.otf and Inter-SemiBold.otf; EVENLIFT_PYTHON runs assets/fonts/subset.py.
+# --- Inter, the typeface, and fonttools, which extracts the page's characters ------------------------------------------
+# EVENLIFT_FONT_DIR contains Inter-Regular.otf and Inter-SemiBold.otf; EVENLIFT_PYTHON runs assets/fonts/subset.py.
 if(EVENLIFT_VIEW)
   find_path(
     EVENLIFT_FONT_DIR NAMES Inter-Regular.otf
@@ -172,7 +172,7 @@ if(EVENLIFT_VIEW AND EMSCRIPTEN)
     endif()
     set(SDL_SHARED OFF CACHE BOOL "" FORCE)
     set(SDL_STATIC ON CACHE BOOL "" FORCE)
-    # What the page does not use; the same list is in ./dev.
+    # The parts that the page does not use; ./dev has the same list.
     foreach(
       part
       TEST
@@ -193,8 +193,8 @@ if(EVENLIFT_VIEW AND EMSCRIPTEN)
       OFFSCREEN)
       set(SDL_${part} OFF CACHE BOOL "" FORCE)
     endforeach()
-    # From 3.1.31 on, Emscripten leaves out JavaScript functions that nobody names; SDL2 names them from 2.28.4 on, in
-    # a way that old Emscripten does not know.
+    # From 3.1.31 on, Emscripten omits JavaScript functions without references; SDL2 references them from 2.28.4 on,
+    # with a syntax that old Emscripten does not support.
     if(EMSCRIPTEN_VERSION VERSION_LESS 3.1.31)
       set(commit ac13ca9ab691e13e8eebe9684740ddcb0d716203) # release-2.26.5
     else()
@@ -220,7 +220,7 @@ endif()
 
 # --- Tests: Catch2, RapidCheck (properties), Boost.Multiprecision (exact oracle) -------------------------------------
 if(EVENLIFT_TESTS AND NOT EMSCRIPTEN)
-  # Catch2 2 and 3 have different headers and macros; tests/kit/catch.h tells them apart by EVENLIFT_CATCH2_MAJOR.
+  # Catch2 2 and 3 have different headers and macros; tests/kit/catch.h distinguishes them by EVENLIFT_CATCH2_MAJOR.
   find_package(Catch2 QUIET CONFIG)
   if(Catch2_FOUND)
     set(EVENLIFT_CATCH2_MAJOR ${Catch2_VERSION_MAJOR})

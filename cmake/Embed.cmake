@@ -1,5 +1,5 @@
-# Files as part of a program, and the page's samples. Included as a module it offers functions; run as a script
-# (cmake -D... -P Embed.cmake) it writes one of the results.
+# Embeds files in a program, and makes the page's samples. Included as a module, it offers functions; run as a script
+# (cmake -D... -P Embed.cmake), it writes one of the results.
 if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
   if(DEFINED BYTES_OF)
     # A C++ array of a file's bytes, for #include inside braces.
@@ -13,8 +13,8 @@ endif()
 include_guard()
 set(evenlift_embed_script "${CMAKE_CURRENT_LIST_FILE}")
 
-# evenlift_embed(<variable> <file>...): for each file a header with its bytes, NAME.inc, in the build folder's
-# `embedded`; their paths go into <variable>, to be named as sources, and their folder into <variable>_DIR.
+# evenlift_embed(<variable> <file>...): writes a header with the bytes of each file, NAME.inc, to the build folder's
+# `embedded`. Sets <variable> to the headers' paths, for use as sources, and <variable>_DIR to their folder.
 function(evenlift_embed variable)
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/embedded")
   set(outputs "")

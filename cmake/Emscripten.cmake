@@ -1,28 +1,29 @@
-# How programs are linked for WebAssembly: for Node, and for the page. Flags that hold for every object file are
-# in the presets and in core/CMakeLists.txt.
+# Linking programs for WebAssembly: for Node, and for the page. Flags for all object files are in the presets and in
+# core/CMakeLists.txt.
 include_guard()
 
 if(EVENLIFT_EXPECT_EMSCRIPTEN AND NOT EMSCRIPTEN)
   message(FATAL_ERROR "The preset `wasm` needs Emscripten's toolchain: emcmake cmake --preset wasm")
 endif()
 
-# Debian's Emscripten looks for a Node module where only Debian's Node looks by itself.
+# Debian's Emscripten needs a Node module in a folder that only Debian's Node searches by default.
 if(EMSCRIPTEN AND EXISTS "/usr/share/nodejs/acorn")
   set_property(GLOBAL PROPERTY RULE_LAUNCH_LINK "\"${CMAKE_COMMAND}\" -E env NODE_PATH=/usr/share/nodejs")
 endif()
 
-# Emscripten's name for it changed in 3.1.27, and its default from 5 MB to 64 KB.
+# In 3.1.27 Emscripten renamed this option and changed its default from 5 MB to 64 KB.
 if(EMSCRIPTEN_VERSION VERSION_LESS 3.1.27)
   set(evenlift_stack "-sTOTAL_STACK=4MB")
 else()
   set(evenlift_stack "-sSTACK_SIZE=4MB")
 endif()
 
-# On WebAssembly all is compiled for size, but for speed what is done for every pair of edges or candidate
-# (core/CMakeLists.txt). Placing 20 teams by area on 1,000 vertices took 5.9 ms with the core at -O2 and takes 6.9 ms so.
-# Old Emscripten has -fno-inline-functions with -Os and -Oz, which makes code with Eigen many times slower: not that.
-# Link-time optimization was measured too, and made the page no smaller; Dear ImGui, QR codes and core/src/output without
-# inlining made it 3,600 bytes larger, and binaryen's further passes 1 % smaller at best.
+# For WebAssembly everything is compiled for size, except work done for every edge pair or candidate
+# (core/CMakeLists.txt), which is compiled for speed. Placing 20 teams by area on 1,000 vertices took 5.9 ms with the
+# core at -O2, and takes 6.9 ms now. With -Os and -Oz, old Emscripten implies -fno-inline-functions, which makes code
+# with Eigen many times slower; -finline-functions undoes that. Link-time optimization made the page no smaller; Dear
+# ImGui, QR codes and core/src/output without inlining made it 3,600 bytes larger; and binaryen's further passes made it
+# 1 % smaller at best.
 set(evenlift_small "")
 set(evenlift_quick "")
 if(EMSCRIPTEN)
@@ -46,7 +47,7 @@ function(evenlift_node_program target)
   set_target_properties(${target} PROPERTIES LINK_DEPENDS "${PROJECT_SOURCE_DIR}/cmake/node_pre.js")
 endfunction()
 
-# A module that computes, and nothing else, for the page or a worker of it.
+# A module for computation only, for the page or one of its workers.
 function(evenlift_computing_module target)
   target_compile_options(${target} PRIVATE -fno-exceptions ${evenlift_small})
   target_link_options(
@@ -67,8 +68,8 @@ function(evenlift_computing_module target)
     ${evenlift_stack})
 endfunction()
 
-# A program for a web page: WebGL 2, no file system, no exceptions, and nothing that a content security policy
-# without 'unsafe-eval' refuses.
+# A program for a web page: WebGL 2, no file system, no exceptions, and nothing that a content security policy without
+# 'unsafe-eval' would refuse.
 function(evenlift_page_program target)
   target_compile_options(${target} PRIVATE -fno-exceptions ${evenlift_small})
   target_link_options(
@@ -79,11 +80,11 @@ function(evenlift_page_program target)
     -sENVIRONMENT=web
     -sFILESYSTEM=0
     -sMALLOC=emmalloc
-    # Nothing for browsers without WebGL 2 or TextDecoder, nor for what the page does not ask for.
+    # Nothing for browsers without WebGL 2 or TextDecoder, and no unused features.
     -sTEXTDECODER=2
     -sMIN_CHROME_VERSION=85
     -sMIN_FIREFOX_VERSION=79
-    # The Edge before it became a Chrome: none, which is also the one value that new Emscripten takes.
+    # No support for Edge before it was based on Chrome. This is also the only value that new Emscripten accepts.
     -sMIN_EDGE_VERSION=2147483647
     -sMIN_SAFARI_VERSION=150000
     -sGL_TRACK_ERRORS=0

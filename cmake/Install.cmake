@@ -1,6 +1,6 @@
-# What `cmake --install` installs, in three components: `program`; `development`, the C++ libraries with their headers,
-# found by find_package(evenlift) and by pkg-config; and `library`, for C and every language that can call C.
-# docs/packages.md is the manual.
+# The three components of `cmake --install`: `program`; `development`, the C++ libraries with their headers, for
+# find_package(evenlift) and pkg-config; and `library`, for C and every language that can call C. docs/packages.md is
+# the manual.
 include_guard()
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
@@ -13,7 +13,7 @@ endif()
 
 # --- C++: evenlift::core and the libraries on top of it ---------------------------------------------------------------
 set(libraries evenlift_core evenlift_output evenlift_optimum evenlift_experiment evenlift_request)
-# Where pugixml is no library of the system, ours goes along under a name that nobody else has.
+# If pugixml is not a library of the system, ours is installed with it, under a unique name.
 set(pugixml_is_elsewhere OFF)
 if(EVENLIFT_IMPORT)
   list(APPEND libraries evenlift_import)
@@ -57,8 +57,10 @@ install(
 install(FILES "${PROJECT_SOURCE_DIR}/c/include/evenlift/evenlift.h" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/evenlift"
         COMPONENT development)
 
-# --- pkg-config ---------------------------------------------------------------------------------------------------------
-# The installed folder may be moved: paths begin at the file itself. Absolute folders of a distribution stay as they are.
+# --- pkg-config
+# ---------------------------------------------------------------------------------------------------------
+# The installed folder may be moved, so paths are relative to the file itself. A distribution's absolute folders stay
+# absolute.
 function(evenlift_pkg_config name component)
   cmake_path(IS_ABSOLUTE CMAKE_INSTALL_LIBDIR fixed)
   if(fixed)

@@ -1,5 +1,6 @@
-# Reading Eigen is most of what compiling one of our small files takes: each library reads it once. Every file still includes
-# what it uses: `./dev tidy` and one job of continuous integration compile without (CMAKE_DISABLE_PRECOMPILE_HEADERS).
+# Reading Eigen takes most of the time of compiling one of our small files, so each library reads it only once. Every
+# file still includes everything that it uses: `./dev tidy` and one job of continuous integration compile without
+# precompiled headers (CMAKE_DISABLE_PRECOMPILE_HEADERS).
 include_guard()
 
 # evenlift_precompile(TARGET [HEADER...])

@@ -1,5 +1,6 @@
-# evenlift_find_python(VARIABLE MODULES DESCRIPTION) sets the cache entry VARIABLE to a Python that can import MODULES, unless it
-# is set already. Of several Pythons, continuous integration and people bring one of their own along, which comes first.
+# evenlift_find_python(VARIABLE MODULES DESCRIPTION) sets the cache entry VARIABLE to a Python that can import MODULES,
+# unless it is already set. If there are several Pythons, the first in PATH takes precedence: users and continuous
+# integration put their own there.
 function(evenlift_find_python variable modules description)
   if(${variable})
     return()

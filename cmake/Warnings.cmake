@@ -1,6 +1,6 @@
 include_guard()
 
-# For our own targets only; libraries come in as SYSTEM, so their headers stay silent.
+# For our own targets only; libraries are included as SYSTEM, so their headers cause no warnings.
 add_library(evenlift_warnings INTERFACE)
 target_compile_options(
   evenlift_warnings
@@ -15,11 +15,11 @@ target_compile_options(
             -Woverloaded-virtual
             -Wcast-align
             -Wextra-semi
-            # Fields have defaults: Request{.teams = 3} is the way to fill a struct.
+            # Fields have defaults: Request{.teams = 3} is the usual way to fill a struct.
             -Wno-missing-field-initializers
             $<$<BOOL:${EVENLIFT_WERROR}>:-Werror>)
 
-# With sanitizers GCC takes members of the standard library for uninitialized, as its manual says.
+# With sanitizers GCC reports members of the standard library as uninitialized, as its manual warns.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   target_compile_options(evenlift_warnings INTERFACE -Wno-maybe-uninitialized)
 endif()

@@ -1,9 +1,10 @@
-// Comes first in our programs for Node.
+// Precedes all other code in our programs for Node.
 
-// Emscripten 3.1.6 takes Node's own `fetch` for a browser's and asks it for a file. Hidden here, the file is read.
+// Emscripten 3.1.6 mistakes Node's own `fetch` for a browser's and fetches a file with it. Hidden here, it makes Emscripten read
+// the file instead.
 var fetch;
 
-// A pipe that somebody made non-blocking answers EAGAIN where it should wait; Emscripten would lose the rest.
+// A pipe in non-blocking mode returns EAGAIN instead of waiting; Emscripten would lose the rest.
 (() => {
   const fs = require("fs");
   const pause = new Int32Array(new SharedArrayBuffer(4));

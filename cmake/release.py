@@ -1,19 +1,19 @@
 #!/usr/bin/env python3
-"""Packs what is published from what is built; `./dev release` builds it and calls this:
+"""Packs the build results for publishing; `./dev release` builds them and calls this script:
 
     release.py OUT [--page FOLDER] [--bin FOLDER] [--npm FOLDER] [--library FILE]
 
-The folders are build/page, build/bin and build/npm if not given, and the library build/native/c/libevenlift.so. OUT is made anew, with
+The defaults are the folders build/page, build/bin and build/npm, and the library build/native/c/libevenlift.so. OUT is replaced by
 
-    evenlift-VERSION.tar.gz            the sources, as git has them at HEAD
+    evenlift-VERSION.tar.gz            the sources at git's HEAD
     evenlift-VERSION-page.zip          the page, for any static host
     evenlift-VERSION-SYSTEM.tar.gz     the program for this system, such as linux-x86_64
     evenlift-VERSION-node.tar.gz       the program for Node, in WebAssembly
     evenlift-VERSION.tgz               the package for npm
     evenlift-VERSION-….whl             the package for Python, with the library
-    SHA256SUMS                         the hashes of all of them
+    SHA256SUMS                         the hashes of all these files
 
-The version is CMakeLists.txt's. The same sources and compilers give the same bytes: entries are sorted, belong to nobody, and have the
+The version is in CMakeLists.txt. The same sources and compilers give the same bytes: entries are sorted, have no owner, and have the
 time of the commit.
 """
 import argparse
@@ -62,7 +62,7 @@ def write_gzip(path, data):
 
 
 def write_tar(path, folder, files, when):
-    """`files` are (name, path) pairs; an executable file stays one."""
+    """`files` contains (name, path) pairs; executable files stay executable."""
     data = io.BytesIO()
     with tarfile.open(fileobj=data, mode="w", format=tarfile.USTAR_FORMAT) as tar:
         for name, source in sorted(files):
@@ -75,7 +75,7 @@ def write_tar(path, folder, files, when):
 
 
 def write_zip(path, folder, files, when):
-    moment = time.gmtime(max(when, 315619200))[:6]  # zip knows no time before 1980
+    moment = time.gmtime(max(when, 315619200))[:6]  # zip cannot store times before 1980
     with zipfile.ZipFile(path, "w") as archive:
         for name, source in sorted(files):
             entry = zipfile.ZipInfo(f"{folder}/{name}", moment)
@@ -85,11 +85,11 @@ def write_zip(path, folder, files, when):
             archive.writestr(entry, source.read_bytes(), compresslevel=9)
 
 
-# --- What is published --------------------------------------------------------------------------------------------------
+# --- Published files ----------------------------------------------------------------------------------------------------
 
 
 def page_files(page):
-    """The files that the service worker lists, and itself: nothing that an earlier build left. Each is as it is listed."""
+    """The service worker and the files that it lists, with the listed contents; no remains of an earlier build."""
     first = (page / "service_worker.js").read_text(encoding="utf-8").split("\n", 1)[0]
     listed = json.loads(re.fullmatch(r"const build = (\{.*\});", first)[1])["files"]
     for name, wanted in listed.items():
@@ -117,7 +117,7 @@ def pack_npm(out, package):
 
 
 def python_with_setuptools():
-    """Of several Pythons the one that can build the package."""
+    """The first Python that can build the package."""
     for python in (sys.executable, "/usr/bin/python3"):
         if subprocess.run([python, "-c", "import setuptools, wheel"], stderr=subprocess.DEVNULL).returncode == 0:
             return python
@@ -125,7 +125,7 @@ def python_with_setuptools():
 
 
 def pack_wheel(out, library, when):
-    """Built in a copy, so that nothing is left among the sources, around the library that is built already."""
+    """Builds the package in a copy, so that nothing is left among the sources, with the library that is already built."""
     if not (root / "python/pyproject.toml").exists():
         return
     if not library.exists():

@@ -1,4 +1,5 @@
-// Lists every chord on which a team may stand under a triangle, if its arms differ by a fifth at most.
+// Lists every chord on which a team may stand under a triangle, if its arms differ by at most a
+// fifth.
 #include <cstdio>
 
 #include "evenlift/candidates.h"

@@ -1,5 +1,5 @@
-// Two robots lift a beam of 20 kg at the two ends of a chord through its centre of mass. The left one
-// moves towards the middle: by the law of the lever it bears more and more of the weight.
+// Two robots lift a beam of 20 kg at the two ends of a chord through its centre of mass. The left
+// one moves towards the middle: by the law of the lever it carries more and more of the weight.
 #include <cstdio>
 
 #include "evenlift/loads.h"

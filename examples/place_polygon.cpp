@@ -1,4 +1,4 @@
-// Places six robots under an L-shaped plate of 30 kg, and prints where each stands and what it bears.
+// Places six robots under an L-shaped plate of 30 kg, and prints the place and the load of each.
 #include <cstdio>
 
 #include "evenlift/placement.h"

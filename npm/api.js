@@ -1,6 +1,6 @@
-// What the package offers, made of its compiled WebAssembly: requests as JSON in, answers as JSON out.
+// The package's functions, made from its compiled WebAssembly: requests as JSON in, answers as JSON out.
 
-// Why a request was refused. `message` is a sentence with its place; `code` and `place` say the same as data.
+// A refused request. `message` is a sentence that includes the place; `code` and `place` are the same facts as data.
 export class EvenliftError extends Error {
   name = "EvenliftError";
 
@@ -11,7 +11,8 @@ export class EvenliftError extends Error {
   }
 }
 
-// What the module asks of its host: to hear that its memory grew, and to end. It has no files and no clock.
+// The functions that the module needs from its host: one reports that its memory grew, the others end it. It has no
+// files and no clock.
 function hostOf(compiled) {
   const host = {};
   for (const { module, name } of WebAssembly.Module.imports(compiled)) {
@@ -31,7 +32,7 @@ function start(compiled) {
   return exports;
 }
 
-// The text that ends with a zero byte.
+// The text up to the zero byte.
 function textAt(memory, at) {
   const bytes = new Uint8Array(memory.buffer);
   return new TextDecoder().decode(bytes.subarray(at, bytes.indexOf(0, at)));
@@ -50,10 +51,10 @@ function answerOf({ memory, evenlift_room, evenlift_free, evenlift_answer }, req
   return text;
 }
 
-// --- Requests. The core says where in a request something is wrong; but who calls a function has not written one, so what the core
-// would give a line and a column of it is refused here, by its own name or place.
+// --- Requests. The core's errors refer to places in a request, which the caller of a function never wrote. So errors
+// that the core would report with a line and a column are detected here, with the setting's name or the place.
 
-// What each function takes besides.
+// The further options of each function.
 const members = {
   place: ["candidates", "failures"],
   candidates: [],
@@ -70,7 +71,7 @@ const mostPolygons = 10000;
 const refusal = (code, message, place = null) => new EvenliftError({ code, message, place });
 const badSetting = (setting, message) => refusal("bad_setting", message, { setting });
 
-// How many letters must be changed, left out or put in to make one word of the other.
+// The number of letters to change, omit or insert to turn one word into the other.
 function distance(from, to) {
   let row = Array.from({ length: to.length + 1 }, (_, i) => i);
   for (let i = 0; i < from.length; ++i) {
@@ -83,7 +84,7 @@ function distance(from, to) {
   return row[to.length];
 }
 
-// The known name that a wrong one stands for, if it is near to one: minRatio and min-ratio stand for min_ratio.
+// The known name closest to a wrong one, if close enough: minRatio and min-ratio stand for min_ratio.
 function meant(wrong, known) {
   const letters = (name) => name.toLowerCase().replace(/[_-]/g, "");
   let best,
@@ -100,7 +101,7 @@ function noSuch(what, name, known) {
   return `There is no ${what} "${name}"${likely ? `; did you mean "${likely}"?` : ""}`;
 }
 
-// Half a pair of surrogates, which no text in UTF-8 can have.
+// Half a surrogate pair, which UTF-8 cannot contain.
 const broken = /\p{Surrogate}/u;
 
 function textOf(text) {
@@ -131,7 +132,7 @@ function centreOf(point) {
   return point;
 }
 
-// The members of a request that say what the polygon is.
+// The members of a request that describe the polygon.
 function shapeOf(polygon) {
   if (typeof polygon === "string") return { text: textOf(polygon) };
   if (!Array.isArray(polygon)) throw refusal("bad_syntax", "A polygon is an array of points [x, y], or a text");
@@ -140,8 +141,8 @@ function shapeOf(polygon) {
   return { polygon: Array.from(polygon, vertexOf) };
 }
 
-// A setting's value as JSON has it. What the core refuses by the setting's name is left to it. A seed beyond 2⁵³ is a BigInt, which
-// JSON does not have; the core reads its digits.
+// A setting's value in JSON. Values that the core refuses by the setting's name are passed on. A seed beyond 2⁵³ is a
+// BigInt, which JSON does not support; the core reads its digits.
 function valueOf(name, value) {
   if (Array.isArray(value)) return value.join(",");
   switch (typeof value) {
@@ -154,7 +155,7 @@ function valueOf(name, value) {
       if (broken.test(value)) throw badSetting(name, `${name}: there is half a character in the text`);
       break;
     case "function":
-    case "symbol": // which JSON.stringify() leaves out
+    case "symbol": // JSON.stringify() omits these
       throw badSetting(name, `${name}: expected a number or a text, not a ${typeof value}`);
   }
   return value;
@@ -181,7 +182,7 @@ function memberOf(name, value) {
   return value;
 }
 
-// Those of the options that are given.
+// The options with a value.
 const given = (options) => Object.entries(options ?? {}).filter(([, value]) => value !== undefined);
 
 function requestOf(settingNames, command, polygon, options) {
@@ -189,7 +190,7 @@ function requestOf(settingNames, command, polygon, options) {
   for (const [name, value] of given(options)) {
     if (name === "centre_of_mass") request.centre_of_mass = centreOf(value);
     else if (members[command].includes(name)) request[name] = memberOf(name, value);
-    // "com" is what the program calls the centre of mass, and the core takes it, too.
+    // The program calls the centre of mass "com", and the core also accepts that.
     else if (settingNames.includes(name) || name === "com") request.settings[name] = valueOf(name, value);
     else throw badSetting(name, noSuch("setting", name, [...settingNames, "centre_of_mass", ...members[command]]));
   }
@@ -224,7 +225,7 @@ function measuredOf(polygon) {
   return { ...asked, ...shapes[0] };
 }
 
-// One of an experiment's polygons; an error says which.
+// One of an experiment's polygons; an error includes its name.
 function namedOf(polygon, i) {
   try {
     return measuredOf(polygon);
@@ -248,10 +249,10 @@ function experimentOf(polygons, settings) {
 
 export function createApi(compiled) {
   let running = start(compiled);
-  // All settings but the centre of mass.
+  // The settings except the centre of mass.
   const settingNames = textAt(running.memory, running.evenlift_settings()).split(",");
 
-  // The answer as text, with the bytes that the program prints. A module that stopped is not used again.
+  // The answer as text, with the same bytes as the program's output. A module that stopped is replaced.
   function run(request) {
     try {
       return answerOf(running, typeof request === "string" ? request : JSON.stringify(request));

@@ -1,9 +1,9 @@
-/** Where robots stand so that they lift a polygon together, each with nearly the same load. */
+/** Finds places for robots that lift a polygon together, each with nearly the same load. */
 
 /** x to the right, y up. */
 export type Point = [x: number, y: number];
 
-/** The vertices of a polygon, or a text: the thesis's format, WKT, GeoJSON, or a share link, whose settings are the defaults then. */
+/** The vertices of a polygon, or a text: the thesis's format, WKT, GeoJSON, or a share link, which then sets the defaults. */
 export type Polygon = readonly (readonly [x: number, y: number])[] | string;
 
 export type Metric = "area" | "circle" | "distance" | "distributed" | "random" | "balanced";
@@ -13,11 +13,11 @@ export type LengthUnit = "m" | "cm" | "mm" | "in";
 export type WeightUnit = "kg" | "t" | "N" | "lb";
 export type Overlay = "candidates" | "chords" | "hull" | "clockwise" | "counterclockwise" | "tipping" | "halo";
 
-/** As the program's options of the same names; each has the program's default. */
+/** The program's options, with the same names and defaults. */
 export interface Settings {
-  /** Where the centre of mass is; `null` for the centroid. */
+  /** The centre of mass; `null` for the centroid. */
   centre_of_mass?: readonly [x: number, y: number] | null;
-  /** Teams asked for, 1 to 1048576; `"max"` places every candidate (area, circle and distance only). Default 3. */
+  /** The number of teams, 1 to 1048576; `"max"` places every candidate (area, circle and distance only). Default 3. */
   teams?: number | "max";
   metric?: Metric;
   /** 0 to 1. Default 0.8. */
@@ -26,47 +26,47 @@ export interface Settings {
   weight?: number;
   /** A whole number of at most 64 bits, for `random`. Default 1. */
   seed?: number | bigint;
-  /** Balanced robots, 2 to 64. Default 6. */
+  /** The number of balanced robots, 2 to 64. Default 6. */
   robots?: number;
   goal?: Goal;
   /** 0 to 1. Default 0.05. */
   min_margin?: number;
-  /** A length, as all lengths 0 to 1e9. Default 0.12 of the object's radius. */
+  /** A length, like all lengths from 0 to 1e9. Default 0.12 of the object's radius. */
   apart?: number;
-  /** Distances below this length are not relied on, such as those of robots from corners. Default 0.02 of the object's radius. */
+  /** Shorter distances are not relied on, such as those of robots from corners. Default 0.02 of the object's radius. */
   clear?: number;
   /** 0 to 30. Default 0. */
   survive?: number;
-  /** Where teams of two may stand: at the best places, or anywhere in the ranges that `min_ratio` allows. Default `"best"`. */
+  /** The places for teams of two: the best ones, or any in the ranges that `min_ratio` allows. Default `"best"`. */
   positions?: Positions;
   /** The size of a robot, such as `"r=30,reach=5"`. Default `"none"`. */
   robot?: string;
-  /** One of its numbers, a length. */
+  /** The single values of `robot`, all lengths. */
   robot_radius?: number;
   robot_reach?: number;
   robot_depth?: number;
   robot_width?: number;
   robot_gap?: number;
-  /** What no robot may touch: edges from 1 or parts of them, such as `"3,5:0.25-0.75"`. Default `"none"`. */
+  /** No-go edges, counted from 1, or parts of them, such as `"3,5:0.25-0.75"`. Default `"none"`. */
   no_go?: string;
-  /** What one robot carries, 1e-100 to 1e100; `"none"` for no limit. */
+  /** The greatest load of one robot, 1e-100 to 1e100; `"none"` for no limit. */
   capacity?: number | "none";
-  /** The centre of mass is known within this length. */
+  /** The C uncertainty: the centre of mass is known within this distance. */
   com_radius?: number;
-  /** Of coordinates and distances: a label, which changes no number. Default `"none"`. */
+  /** The unit of coordinates and distances: a label, which changes no number. Default `"none"`. */
   unit?: LengthUnit | "none";
-  /** Of weights and loads, likewise. Default `"kg"`. */
+  /** The unit of weights and loads: also only a label. Default `"kg"`. */
   weight_unit?: WeightUnit;
-  /** What a picture shows. */
+  /** The overlays in a picture. */
   overlays?: readonly Overlay[] | "none";
-  /** The step of the lesson that a link opens. */
+  /** The step of the walkthrough that a link opens. */
   step?: number | "none";
 }
 
 export interface PlaceOptions extends Settings {
-  /** Lists the candidates, too. */
+  /** Also lists the candidates. */
   candidates?: boolean;
-  /** Tells what happens if one robot fails, for each of them. */
+  /** Reports the effect of each robot's failure. */
   failures?: boolean;
 }
 
@@ -80,14 +80,14 @@ export interface PosesOptions extends Settings {
   format?: "csv" | "json" | "yaml";
   /** The coordinate frame's name. Default `"object"`. */
   frame?: string;
-  /** Where the coordinates begin. Default `"file"`. */
+  /** The origin of the coordinates. Default `"file"`. */
   origin?: "file" | "com";
 }
 
 export interface Candidate {
   ends: [Point, Point];
   ratio: number;
-  /** `"range"` only with positions anywhere in the ranges, or of robots with a size. */
+  /** `"range"` only with `positions: "range"`, or for robots with a size. */
   kind: "bisecting" | "vertex" | "midpoint" | "range";
 }
 
@@ -116,16 +116,17 @@ export interface Loads {
   max: number;
   spread: number;
   max_share: number;
-  /** By the other models, in the order of the robots; `best` is the least possible greatest load. `null` if rounding puts C beside the robots. */
+  /** The loads by the other models, in the order of the robots; `best` is the least possible greatest load. `null` if rounding moves C
+   * outside the lifting base. */
   models: { springs: number[]; best: number; worst: number[] } | null;
 }
 
 export interface Closure {
   form_closure: boolean;
   margin: number | null;
-  /** It is held without the contacts that are nearer to a corner than this; `null` where no contact is beside a corner. */
+  /** The object is held even without the contacts nearer to a corner than this; `null` if no contact is beside a corner. */
   clearance: number | null;
-  /** Each robot may be off by less than this along its edge, and form closure stays. */
+  /** Form closure remains if each robot is off by less than this along its edge. */
   tolerance: number;
   second_order: boolean;
   free: Motion[];
@@ -137,18 +138,18 @@ export interface Robustness {
   com_margin: number;
   failures_carried: number;
   failures_steady: number;
-  /** As `failures_steady`, by more than `clear`. */
+  /** Like `failures_steady`, by more than `clear`. */
   failures_clear: number;
-  /** `null` where the models are. */
+  /** `null` if `models` is. */
   load_per_length: number[] | null;
-  /** The following with a `com_radius` above 0. */
+  /** The following members exist only with a `com_radius` above 0. */
   com_radius?: number;
   exact_within?: number | null;
   plan_ranges?: [least: number, greatest: number][];
   springs_ranges?: [least: number, greatest: number][];
 }
 
-/** What is left of the lift if this robot fails; `null` where the others do not carry the object. */
+/** The lift after this robot fails; members are `null` if the others do not carry the object. */
 export interface Failure {
   /** Counted from 0. */
   robot: number;
@@ -163,7 +164,7 @@ export interface Failure {
   plan_max: number | null;
   springs_max: number | null;
   best_max: number | null;
-  /** With a `capacity`. */
+  /** Only with a `capacity`. */
   over_capacity?: boolean | null;
 }
 
@@ -176,7 +177,7 @@ export interface Capacity {
   teams_tried: number;
   robots_needed: number | null;
   com_radius: number | null;
-  /** How many robots are needed so that any one of them may fail. */
+  /** The number of robots needed so that any one of them may fail. */
   if_one_fails: { robots_needed: number | null; greatest_load: number | null; robots_tried: number } | null;
 }
 
@@ -189,15 +190,15 @@ export interface Placement {
   weight: number;
   /** Rounded by JavaScript beyond 2⁵³. */
   seed: number;
-  /** Where it is not `"none"`. */
+  /** Only if it is not `"none"`. */
   unit?: LengthUnit;
-  /** Where it is not `"kg"`. */
+  /** Only if it is not `"kg"`. */
   weight_unit?: WeightUnit;
-  /** With `candidates`. */
+  /** Only with `candidates`. */
   candidates?: Candidate[];
   requested_teams: number;
   teams: Team[];
-  /** Not there with no team. */
+  /** Missing without teams. */
   robots?: Robot[];
   hull: Point[];
   coverage: number;
@@ -207,36 +208,36 @@ export interface Placement {
   goal_reached: boolean;
   /** As used; `null` for the default. */
   clear: number | null;
-  /** Of balanced robots: whether the search has come to its end. */
+  /** For balanced robots: whether the search has ended. */
   search_ended?: boolean;
   requested_robots?: number;
-  /** The same, and with teams of two that are to hold. */
+  /** For balanced robots, and for teams with the goal `"hold"`. */
   min_margin?: number;
   apart?: number | null;
   survive?: number;
-  /** Where it is not `"best"`. */
+  /** Only if it is not `"best"`. */
   positions?: "range";
-  /** Where `requested_teams` does not tell it: `"max"`, or what was asked for of the other methods where robots are balanced. */
+  /** If `requested_teams` differs from the setting: `"max"`, or for balanced robots the number of teams for the other methods. */
   teams_asked?: number | "max";
-  /** Of a link whose overlays are others than usual. */
+  /** Only for a link with overlays that are not the default. */
   overlays?: Record<"candidates" | "chords" | "hull" | "clockwise" | "counterclockwise" | "tipping" | "halo", boolean>;
-  /** The following three where robots have a size, or edges must not be touched. */
+  /** The following three exist only if robots have a size, or there are no-go edges. */
   robot?: { radius: number; reach: number; depth: number; width: number; gap: number };
   no_go?: string;
-  /** Parts of edges, which count from 1, where no robot can stand, and why. */
+  /** Parts of edges, counted from 1, where no robot can stand, with the reason. */
   unusable?: [
     edge: number,
     from: number,
     to: number,
     why: "no_go" | "body" | "arm" | "corner" | "hand" | "near_no_go" | "narrow",
   ][];
-  /** Of a link with robots that somebody moved by hand. */
+  /** Only for a link with robots that were moved by hand. */
   moved?: string;
-  /** Not there with no team. */
+  /** Missing without teams. */
   robustness?: Robustness;
-  /** With `failures`. */
+  /** Only with `failures`. */
   failures?: Failure[];
-  /** With a `capacity`. */
+  /** Only with a `capacity`. */
   capacity?: Capacity;
 }
 
@@ -250,7 +251,7 @@ export interface Figure {
   series: { method: Metric; points: [robots: number, value: number, polygons: number][] }[];
 }
 
-/** What the thesis states, beside the same of the measurements, a text for each of `sets`. */
+/** The thesis's statements beside the corresponding measurements, one text for each of `sets`. */
 export interface Claims {
   sets: string[];
   rows: { section: string; what: string; thesis: string; ours: string[] }[];
@@ -274,7 +275,7 @@ export interface Experiment {
   few_robots: FewRobots[];
 }
 
-/** Where in a request something is wrong; vertices and edges count from 0, lines, columns and characters from 1. */
+/** The place of an error in a request; vertices and edges count from 0, lines, columns and characters from 1. */
 export type Place =
   | { line: number; column: number }
   | { vertices: number[] }
@@ -283,7 +284,7 @@ export type Place =
   | { setting: string }
   | { character: number };
 
-/** A request that was refused; `message` is a sentence that says what is wrong and where. */
+/** A refused request; `message` is a sentence with the problem and its place. */
 export class EvenliftError extends Error {
   readonly name: "EvenliftError";
   readonly code: string;
@@ -293,11 +294,11 @@ export class EvenliftError extends Error {
 /** Places robots. Throws EvenliftError. */
 export function place(polygon: Polygon, options?: PlaceOptions): Placement;
 
-/** Where teams of two may stand, in order of slope. Of the settings those count that have a say in it: `min_ratio`, `centre_of_mass`,
- * `positions`, the robots' size and `no_go`, and `clear` with positions `"range"`. Throws EvenliftError. */
+/** The places for teams of two, in order of slope. Only these settings have an effect: `min_ratio`, `centre_of_mass`, `positions`,
+ * the robots' size and `no_go`, and `clear` with positions `"range"`. Throws EvenliftError. */
 export function candidates(polygon: Polygon, settings?: Settings): Candidate[];
 
-/** The picture, as a text of SVG. Throws EvenliftError. */
+/** The picture as SVG text. Throws EvenliftError. */
 export function svg(polygon: Polygon, options?: SvgOptions): string;
 
 /** The robots' poses, as the text of a file. Throws EvenliftError. */
@@ -318,8 +319,8 @@ export function experiment(
   settings?: { min_ratio?: number; samples?: number; max_teams?: number; max_balanced?: number },
 ): Experiment;
 
-/** The answer to a request, as the text that the C function `evenlift_run` gives. A bad request gets `{"error": …}`. */
+/** The answer to a request, as the same text that the C function `evenlift_run` returns. An invalid request gets `{"error": …}`. */
 export function run(request: string | object): string;
 
-/** Of the package. */
+/** The package's version. */
 export const version: string;

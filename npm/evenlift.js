@@ -1,10 +1,10 @@
-// evenlift for browsers, their workers, and what builds for them. node.js is the same for Node.
+// evenlift for browsers, their workers, and bundlers. node.js is the equivalent for Node.
 import { createApi } from "./api.js";
 
 async function compile(url) {
   const answer = await fetch(url);
   if (!answer.ok) throw new Error(`${url} cannot be fetched: the server answers ${answer.status}`);
-  return WebAssembly.compile(await answer.arrayBuffer()); // whatever type the server calls it
+  return WebAssembly.compile(await answer.arrayBuffer()); // whatever type the server declares
 }
 
 export { EvenliftError } from "./api.js";

@@ -1,4 +1,4 @@
-// The package's WebAssembly: requests of request.h, and the room for their bytes. api.js calls it.
+// The package's WebAssembly: requests of request.h, and memory for their bytes. api.js calls it.
 #include <emscripten/emscripten.h>
 
 #include <cstddef>
@@ -12,13 +12,13 @@
 
 extern "C" {
 
-// Room for so many bytes, or 0 if there is none; evenlift_free() takes it back.
+// Allocates this number of bytes; returns 0 if that is impossible. Free them with evenlift_free().
 EMSCRIPTEN_KEEPALIVE void* evenlift_room(std::size_t bytes) { return std::malloc(bytes); }
 
 EMSCRIPTEN_KEEPALIVE void evenlift_free(void* room) { std::free(room); }
 
-// The answer to a request of so many bytes, ended by a zero byte, for evenlift_free(); 0 if there
-// is no room for it.
+// Returns the answer to a request with this number of bytes. It ends with a zero byte; free it with
+// evenlift_free(). Returns 0 if memory is too low.
 EMSCRIPTEN_KEEPALIVE char* evenlift_answer(const char* request, std::size_t bytes) {
   const std::string answer = evenlift::answer(std::string_view(request, bytes));
   auto* copy = static_cast<char*>(std::malloc(answer.size() + 1));

@@ -1,6 +1,6 @@
 """Builds evenlift's C library with CMake and puts it into the package. The rest is in pyproject.toml.
 
-EVENLIFT_LIBRARY names a library that is built already; CMAKE_ARGS are options for CMake.
+EVENLIFT_LIBRARY names a library that has already been built; CMAKE_ARGS contains options for CMake.
 """
 
 import os
@@ -25,7 +25,7 @@ library_name = {"win32": "evenlift.dll", "darwin": "libevenlift.dylib"}.get(sys.
 
 
 def version():
-    """The version of the whole project, which stands in its CMakeLists.txt."""
+    """The version of the whole project, from its CMakeLists.txt."""
     cmake = project / "CMakeLists.txt"
     if not cmake.exists():
         raise SystemExit(f"evenlift is built from its whole repository: {cmake} is missing")
@@ -33,7 +33,7 @@ def version():
 
 
 def built_library(folder):
-    """Compiles the library in the folder and gives its path."""
+    """Compiles the library in the folder and returns its path."""
     if os.environ.get("EVENLIFT_LIBRARY"):
         return pathlib.Path(os.environ["EVENLIFT_LIBRARY"])
     options = ["-DCMAKE_BUILD_TYPE=Release", "-DEVENLIFT_PROGRAM=OFF", "-DEVENLIFT_TESTS=OFF", "-DEVENLIFT_VIEW=OFF", "-DEVENLIFT_IMPORT=OFF"]
@@ -57,17 +57,17 @@ class BuildPy(build_py):
 
 class WithLibrary(Distribution):
     def has_ext_modules(self):
-        return True  # so that it belongs to this platform
+        return True  # so that the wheel is specific to this platform
 
 
 class Wheel(bdist_wheel):
-    """For this platform, but for any Python: the library knows nothing of it."""
+    """For this platform, but for any Python: the library does not depend on Python."""
 
     def get_tag(self):
         return "py3", "none", super().get_tag()[2]
 
 
-# What is made on the way goes where the repository's other builds are.
+# Intermediate files go beside the repository's other builds.
 made = project / "build/python"
 release = version()
 made.mkdir(parents=True, exist_ok=True)

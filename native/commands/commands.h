@@ -1,5 +1,5 @@
-// The commands, one file each. They get the arguments after their name, write to standard output
-// only when all has gone well, and throw Failure otherwise.
+// The commands, one file each. They receive the arguments after their name, write to standard
+// output only on success, and otherwise throw Failure.
 #pragma once
 
 #include <string>

@@ -32,7 +32,7 @@ experiment::ExperimentSettings settings_of(const Options& options) {
   if (options.max_balanced)
     settings.most_balanced = whole_option_32("--max-balanced", *options.max_balanced);
   if (options.min_ratio) {
-    Document document;  // its settings hold the ratio
+    Document document;  // its settings contain the ratio
     setting_option(Setting::min_ratio, *options.min_ratio, document);
     settings.min_ratio = document.settings.min_ratio;
   }
@@ -43,7 +43,7 @@ experiment::ExperimentSettings settings_of(const Options& options) {
 
 unsigned jobs_of(const Options& options) {
 #ifdef __EMSCRIPTEN__
-  constexpr unsigned processors = 1;  // no threads there
+  constexpr unsigned processors = 1;  // it has no threads
 #else
   const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
 #endif
@@ -68,7 +68,7 @@ experiment::Shard shard_of(const Options& options) {
   return {static_cast<std::uint32_t>(*i), static_cast<std::uint32_t>(*n)};
 }
 
-// The files in its folder to which an experiment writes its results.
+// The result files of an experiment in its folder.
 constexpr const char* result_files[] = {"measurements.csv", "aggregates.csv", "polygons.csv",
                                         "times.csv",        "thesis.md",      "robots.md",
                                         "report.html"};

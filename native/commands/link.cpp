@@ -8,7 +8,7 @@
 namespace evenlift::native {
 namespace {
 
-// Only a document that can be placed becomes a link: whoever opens it sees a result.
+// Only a document that can be placed becomes a link, so that every link opens with a result.
 void check(const Input& input, const SettingOptions& options) {
   const Document& document = input.document;
   if (const std::optional<InputError> error = check_settings(document.settings, document.shown))

@@ -1,4 +1,4 @@
-// The program `evenlift`: picks the command and turns a failure into one line and an exit status.
+// The program `evenlift`: selects the command and turns a failure into one line and an exit status.
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -65,7 +65,7 @@ void run(Arguments arguments) {
 int main(int count, char** values) {
   using namespace evenlift::native;
 #ifdef SIGPIPE
-  std::signal(SIGPIPE, SIG_IGN);  // a reader that stops early is an error of write, not the end
+  std::signal(SIGPIPE, SIG_IGN);  // if the reader stops early, only the write fails
 #endif
   try {
     run(Arguments(values + 1, values + count));

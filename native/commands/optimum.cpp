@@ -23,11 +23,11 @@ double time_limit_option(const std::optional<std::string>& text) {
   return *seconds;
 }
 
-// What is compared.
+// The compared choices.
 struct Compared {
   Placement greedy;
   Optimum widest;
-  std::optional<FirmestChoice> firmest;  // with the goal to hold
+  std::optional<FirmestChoice> firmest;  // with the goal *hold*
 };
 
 Placement greedy_placement(const Input& input, const SettingOptions& options) {
@@ -46,7 +46,7 @@ Placement greedy_placement(const Input& input, const SettingOptions& options) {
 Compared compare(const Placement& greedy, bool holds, double seconds) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
   const Stop stop = [&] { return std::chrono::steady_clock::now() >= end; };
-  // Of robots with a size there may be room for fewer teams than were asked for.
+  // For robots with a size there may be room for fewer teams than requested.
   const std::size_t teams = greedy.teams.size();
   Compared compared{greedy,
                     widest_choice(greedy.polygon, greedy.centre_of_mass, greedy.candidates, teams,
@@ -59,7 +59,7 @@ Compared compare(const Placement& greedy, bool holds, double seconds) {
   return compared;
 }
 
-// The placement with these candidates in place of its own.
+// The numbers of the candidates, from 1; "none" without any.
 std::string candidates_in_words(const std::vector<std::uint32_t>& taken) {
   std::string text;
   for (const std::uint32_t i : taken) text += (text.empty() ? "" : ", ") + std::to_string(i + 1);
@@ -130,7 +130,7 @@ std::string as_json(const Compared& compared) {
   return text + "\n}\n";
 }
 
-// What is printed. Throws Failure.
+// The text to print. Throws Failure.
 std::string answer(const Input& input, const SettingOptions& options, double seconds, bool json) {
   const Waiting waiting("comparing choices of teams");
   const bool holds = goal_of(input.document.settings) == Goal::hold;

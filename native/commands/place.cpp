@@ -18,7 +18,7 @@
 namespace evenlift::native {
 namespace {
 
-// Which of a team's robots carry more than the capacity.
+// Names the team's robots that carry more than the capacity.
 std::string overloaded(double load1, double load2, double capacity) {
   const bool first = load1 > capacity, second = load2 > capacity;
   return first && second ? "both" : first ? "first" : second ? "second" : "-";
@@ -136,7 +136,7 @@ std::string for_people(const ShownPlacement& of, bool with_candidates,
   return sentences + "\n" + tables + facts(of, known.robustness);
 }
 
-// What was typed after `evenlift place`.
+// The typed options of `evenlift place`.
 struct PlaceOptions {
   InputOptions input;
   RobustnessOptions robustness;
@@ -156,7 +156,7 @@ struct PlaceOptions {
   }
 };
 
-// The picture as SVG, with the share link in it; a huge polygon has none.
+// The picture as SVG, with the share link in it; too large a polygon has no link.
 std::string picture(const Placement& placement, const Document& document, bool with_candidates) {
   Shown shown = document.shown;
   shown.overlays.candidates |= with_candidates;
@@ -164,7 +164,7 @@ std::string picture(const Placement& placement, const Document& document, bool w
   return placement_svg({placement, shown}, link ? *link : std::string());
 }
 
-// Each output is a file of its own.
+// Checks that all outputs go to different files.
 void check_outputs(const PlaceOptions& options, const std::optional<PosesAsked>& poses) {
   const std::string& read = options.input.file;
   if (options.svg) check_output_file("--svg", *options.svg, read);

@@ -38,7 +38,7 @@ experiment::Part measured(const PolygonFile& file, const experiment::Subject& su
   return part;
 }
 
-// What became of one file.
+// The result for one file.
 struct Work {
   experiment::ShardList::Entry entry;
   bool resumed = false;
@@ -52,7 +52,7 @@ Work refuse(const PolygonFile& file, const Failure& failure,
   part.fingerprint = experiment::refused_fingerprint;
   part.result.set = file.set;
   part.result.polygon = file.name;
-  // The name without its path, which differs between machines.
+  // The file's path is removed, since it differs between machines.
   const std::size_t path = failure.where.rfind(file.path, 0) == 0 ? file.path.size() : 0;
   const std::string place = failure.where.substr(std::min(path + 2, failure.where.size()));
   part.result.problem = (path == 0 || place.empty() ? "" : place + ": ") + failure.what;
@@ -83,7 +83,7 @@ Work work_on(const PolygonFile& file, const experiment::ExperimentSettings& sett
   }
 }
 
-// The largest polygons go first, so that the threads end together.
+// The largest polygons come first, so that the threads end at about the same time.
 std::vector<std::size_t> by_size(const std::vector<PolygonFile>& files) {
   std::vector<std::uintmax_t> sizes;
   for (const PolygonFile& file : files) {
@@ -99,7 +99,7 @@ std::vector<std::size_t> by_size(const std::vector<PolygonFile>& files) {
   return order;
 }
 
-// Calls task(0) .. task(count - 1), each once, in `jobs` threads; throws what a task threw first.
+// Calls task(0) .. task(count - 1), each once, in `jobs` threads; rethrows the first exception.
 template <class Task>
 void in_threads(std::size_t count, unsigned jobs, Task task) {
   std::atomic<std::size_t> next = 0;

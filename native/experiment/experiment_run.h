@@ -1,4 +1,4 @@
-// Measures polygons in several threads and keeps what is finished.
+// Measures polygons in several threads and keeps the finished parts.
 #pragma once
 
 #include <vector>
@@ -11,14 +11,13 @@ namespace evenlift::native {
 
 struct RunOutcome {
   std::size_t polygons = 0;      // of this shard
-  std::size_t resumed = 0;       // of these, measured in an earlier run
-  std::vector<Failure> refused;  // what could not be read, by the polygons' names
+  std::size_t resumed = 0;       // of these, the number measured in an earlier run
+  std::vector<Failure> refused;  // the polygons that could not be read
 };
 
-// Measures the shard's part of all the files, every n-th: first what is largest, in `jobs` threads
-// (in WebAssembly one after another). What the folder holds already of the same polygon and
-// settings is not measured again. Ends with the shard's list. Throws Failure if the folder cannot
-// be written.
+// Measures this shard's files, every n-th of all, the largest first, in `jobs` threads (one after
+// another in WebAssembly). Skips polygons that the folder already contains with the same settings.
+// Finally writes the shard's list. Throws Failure if the folder cannot be written.
 RunOutcome run_experiment(const std::vector<PolygonFile>& all, const experiment::Shard& shard,
                           const experiment::ExperimentSettings& settings, unsigned jobs,
                           const ExperimentFolder& folder);

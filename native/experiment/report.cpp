@@ -11,7 +11,7 @@
 namespace evenlift::native {
 namespace {
 
-// Files of the sources, as the build put them in here.
+// Source files embedded by the build.
 constexpr unsigned char template_bytes[] = {
 #include "template.html.inc"
 };
@@ -54,7 +54,7 @@ std::string summary(const std::vector<experiment::PolygonResult>& results) {
   return text;
 }
 
-// What was measured: of several sets a line each.
+// The measured sets, each on its own line if there are several.
 std::string summaries(const std::vector<experiment::ResultSet>& sets,
                       const experiment::ExperimentSettings& settings) {
   std::string text;
@@ -77,7 +77,7 @@ std::string problems(const std::vector<experiment::ResultSet>& sets) {
          "</ul></div>";
 }
 
-// How far a set's charts go in teams of two.
+// The number of robots up to which a set's charts show teams of two.
 std::uint32_t most_robots(const std::vector<experiment::Figure>& figures, const std::string& set) {
   std::uint32_t most = 0;
   for (const experiment::Figure& figure : figures)
@@ -184,7 +184,7 @@ std::string header_cells(const std::vector<std::string>& heads) {
   return html;
 }
 
-// One measure of the table of few robots, with a row for each number of robots.
+// One measure in the table of few robots, with a row for each number of robots.
 std::string few_robots_table(const std::string& set, const std::string& what,
                              const std::vector<experiment::FewRobotsRow>& rows) {
   std::vector<std::string> heads = {"robots"};
@@ -228,7 +228,7 @@ std::string polygon_rows(const std::vector<experiment::ResultSet>& sets) {
   return html;
 }
 
-// JSON inside a script element: no "<" may stand there.
+// JSON for a script element, which must not contain "<".
 std::string inside_script(std::string json) {
   for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos; at += 6)
     json.replace(at, 1, "\\u003c");
@@ -239,7 +239,7 @@ struct Blank {
   std::string name, content;
 };
 
-// Fills the template's blanks. What is filled in is not searched for blanks again.
+// Fills the template's blanks. Inserted text is not searched for blanks.
 std::string filled(const std::string& form, const std::vector<Blank>& blanks) {
   std::string out;
   for (std::size_t at = 0; at < form.size();) {

@@ -1,5 +1,5 @@
-// The report of an experiment as one HTML file: the thesis's figures redrawn, what few robots
-// achieve, and the table against the thesis's text. Needs no network.
+// The report of an experiment as one HTML file: the thesis's figures redrawn, the results of few
+// robots, and the table against the thesis's text. Works without a network.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace evenlift::native {
 
-// The same bytes for the same data. Where the program was built without what draws charts, the
-// report says so and has their numbers as tables.
+// The same data gives the same bytes. If the program was built without charts, the report contains
+// a notice and their numbers as tables.
 std::string report_html(const std::vector<experiment::ResultSet>& sets,
                         const experiment::Outputs& outputs,
                         const experiment::ExperimentSettings& settings);

@@ -13,7 +13,7 @@ bool among(const std::vector<std::string>& options, const std::string& option) {
   return std::find(options.begin(), options.end(), option) != options.end();
 }
 
-// CLI11's layout, but with a usage line that names the arguments and options without "REQUIRED".
+// CLI11's layout, but with a usage line that lists the arguments and options without "REQUIRED".
 class Layout : public CLI::Formatter {
  public:
   std::string make_usage(const CLI::App* app, std::string name) const override {
@@ -72,7 +72,7 @@ std::vector<std::string> CommandLine::joined(const std::vector<std::string>& arg
   std::vector<std::string> out, seen;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
-    if (argument == "--") {  // what follows are names, whatever they begin with
+    if (argument == "--") {  // everything after it is a name, whatever its beginning
       out.insert(out.end(), arguments.begin() + static_cast<std::ptrdiff_t>(i), arguments.end());
       break;
     }

@@ -1,4 +1,4 @@
-// A command's arguments: CLI11 behind an interface that has one way to fail, the one of cli.md.
+// A command's arguments: CLI11 behind an interface with one way to fail, described in cli.md.
 #pragma once
 
 #include <memory>
@@ -12,24 +12,24 @@ class App;
 
 namespace evenlift::native {
 
-// Values stay text here, so that the sentence that refuses one is ours (options.h).
+// Values stay text here, so that refused values get our own messages (options.h).
 class CommandLine {
  public:
-  // `command` as typed ("evenlift place"), what it does in a sentence, and examples of its use.
+  // `command` as typed ("evenlift place"), its purpose in a sentence, and examples of its use.
   CommandLine(const std::string& command, const std::string& purpose, const std::string& examples);
   ~CommandLine();
 
   void positional(std::string& into, const std::string& name, const std::string& help);
-  // Any number of arguments, perhaps none.
+  // Any number of arguments, including none.
   void positionals(std::vector<std::string>& into, const std::string& name,
                    const std::string& help);
   void value(std::optional<std::string>& into, const std::string& option, const std::string& name,
              const std::string& help);
   void flag(bool& into, const std::string& option, const std::string& help);
 
-  // Fills what was declared. False if help was asked for, which has then been printed. Throws
-  // Failure on an unknown option, a missing or surplus argument, an option given twice or without
-  // its value.
+  // Fills the declared variables. Returns false after printing help on request. Throws Failure on
+  // an unknown option, a missing or surplus argument, and an option given twice or without its
+  // value.
   bool parse(const std::vector<std::string>& arguments);
 
  private:

@@ -1,4 +1,5 @@
-// How a command gives up: a line on standard error, perhaps a list below it, and the exit status.
+// The failure of a command: a line on standard error, possibly a list below it, and the exit
+// status.
 #pragma once
 
 #include <string>
@@ -9,26 +10,26 @@
 
 namespace evenlift::native {
 
-inline constexpr int bad_input_status = 2;  // of usage or of what was read
+inline constexpr int bad_input_status = 2;  // wrong usage or input
 inline constexpr int other_status = 1;      // anything else, such as a file that cannot be written
 
 // Commands throw it; main catches it and prints `evenlift: WHERE: WHAT`.
 struct Failure {
   int status = bad_input_status;
-  std::string where;                   // a file and the place in it, or an option as it is typed
-  std::string what;                    // one sentence, no full stop
-  std::vector<std::string> list = {};  // lines below it, such as what one may choose from
-  bool silent = false;                 // nothing is printed: nobody reads any more
+  std::string where;                   // a file and the place in it, or an option as typed
+  std::string what;                    // one sentence without a full stop
+  std::vector<std::string> list = {};  // lines below it, such as the possible choices
+  bool silent = false;                 // nothing is printed, since the reader is gone
 };
 
-// Prints `evenlift: WHERE: WHAT` on standard error, in one line whatever a file is called, even if
-// its name is empty; nothing if it is silent.
+// Prints `evenlift: WHERE: WHAT` on standard error, as one line whatever the file's name, even an
+// empty one; prints nothing if it is silent.
 void print_failure(const Failure& failure);
 
-// The system's words for an error, as part of a sentence: "no such file or directory".
+// The system's message for an error, as part of a sentence: "no such file or directory".
 std::string system_message(const std::error_code& error);
 
-// A value that an option cannot have: what is expected, and what was typed instead.
+// An invalid value of an option: what is expected, and what was typed.
 Failure bad_value(const std::string& option, const std::string& expected, const std::string& typed);
 
 // An error in the contents of `source`: a file's name, "standard input" or "link".

@@ -19,7 +19,7 @@ using File = std::unique_ptr<std::FILE, Close>;
 
 std::string system_error() { return system_message({errno, std::generic_category()}); }
 
-// Reads to the end, or one byte more than is allowed, which the reader of the text then refuses.
+// Reads to the end, or to one byte beyond the limit, which the reader of the text then refuses.
 std::string read_all(std::FILE* file, const std::string& source) {
   std::string text;
   char buffer[1 << 16];
@@ -42,7 +42,7 @@ bool exists(const std::string& path) {
   return stat(path.c_str(), &info) == 0;
 }
 
-// Whether two descriptions are of one regular file. A pipe may well be read and written.
+// Whether both are the same regular file. A pipe may be both read and written.
 bool is_same_file(const struct stat& a, const struct stat& b) {
   return S_ISREG(a.st_mode) && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
 }
@@ -57,7 +57,7 @@ void write_all(std::FILE* file, std::string_view text, const std::string& name) 
 Input read_input(const std::string& file, const ShapeOptions& options) {
   if (file.empty()) throw Failure{bad_input_status, "FILE", "its name is empty"};
   if (file == "-") return parsed(read_all(stdin, "standard input"), "standard input", options);
-  // A file may be called "1.dat", so whatever exists is taken as a file.
+  // A file may be called "1.dat", so any existing path counts as a file.
   if (!exists(file) && (looks_like_link(file) || file.find('#') != std::string::npos)) {
     Result<Document> document = decode_link(file);
     if (!document) throw bad_input("link", document.error());

@@ -1,4 +1,4 @@
-// Reading and writing whole files, byte for byte.
+// Reads and writes whole files, byte for byte.
 #pragma once
 
 #include <optional>
@@ -12,29 +12,28 @@ namespace evenlift::native {
 
 // The contents of FILE, which is a path, "-" for standard input, or a share link. Throws Failure.
 struct Input {
-  std::string source;  // what to call it in an error: the path, "standard input" or "link"
+  std::string source;  // its name in errors: the path, "standard input" or "link"
   Document document;
 };
 Input read_input(const std::string& file, const ShapeOptions& options = {});
 
-// The contents of a file, cut after max_text_bytes + 1; nothing if it cannot be read.
+// The contents of a file, cut off after max_text_bytes + 1; nothing if it cannot be read.
 std::optional<std::string> read_file(const std::string& path);
 
-// Whether two paths lead to one regular file, of which the first may also be "-" for standard
-// input.
+// Whether both paths lead to the same regular file; the first may also be "-" for standard input.
 bool is_same_file(const std::string& a, const std::string& b);
 
-// Whether an option can write to a path: it is not "-", which is a file to read only, and it is not
-// the file that is read. Throws Failure naming the option if not.
+// Checks that an option can write to a path: the path is not "-", which is only for reading, and
+// not the input file. Throws Failure with the option's name otherwise.
 void check_output_file(const std::string& option, const std::string& path,
                        const std::string& input);
 
-// Replaces the file by `text` or leaves it as it was: writes beside it and renames. What is no
-// regular file (a pipe, /dev/stdout) is written to directly. Throws Failure.
+// Replaces the file by `text` or leaves it unchanged: writes a file beside it and renames that.
+// Writes directly to a file that is not regular (a pipe, /dev/stdout). Throws Failure.
 void write_file(const std::string& path, std::string_view text);
 
-// Writes to standard output. Throws Failure, a silent one if nobody reads any more (a broken pipe),
-// which is nothing to complain about.
+// Writes to standard output. Throws Failure; a silent one if the pipe is broken, since a reader may
+// stop early.
 void write_output(std::string_view text);
 
 }  // namespace evenlift::native

@@ -8,7 +8,7 @@ namespace {
 // "min_ratio" is typed --min-ratio.
 std::string as_typed(std::string_view setting) { return "--" + hyphened(setting); }
 
-// Why a setting is of no use with the others; empty if it is of use.
+// Why a setting has no effect with the others; empty if it has one.
 std::string why_unused(const SettingRow& row, const Settings& settings) {
   if (row.setting == Setting::teams && settings.method == Method::balanced)
     return "balanced robots are no teams; give --robots";
@@ -45,7 +45,7 @@ std::uint64_t whole_option(const std::string& option, const std::string& text, s
 void setting_option(Setting setting, const std::string& text, Document& document) {
   if (const auto error = read_setting(setting, text, document)) {
     const std::string option = as_typed(name(setting));
-    // Of a list the error quotes what is wrong in it.
+    // For a list, the error quotes the invalid part.
     if (error->message != requirement(setting))
       throw Failure{bad_input_status, option, error->message};
     throw bad_value(option, error->message, text);

@@ -16,27 +16,27 @@
 
 namespace evenlift::native {
 
-// The value of an option that is a whole number of at most `most`. Throws Failure.
+// The value of an option that is a whole number up to `most`. Throws Failure.
 std::uint64_t whole_option(const std::string& option, const std::string& text,
                            std::uint64_t most = ~std::uint64_t{0});
 
-// Puts a setting that was typed into the document, and reads those that are no part of a document
-// (settings.h). Throws Failure naming the option where the text is no value of it.
+// Puts a typed setting into the document, or reads a setting that is not part of a document
+// (settings.h). Throws Failure with the option's name if the text is invalid.
 void setting_option(Setting setting, const std::string& text, Document& document);
 LoadModel loads_option(const std::string& text);
 
-// What was typed of the options of settings, which the table of settings describes (settings.h). A
-// setting whose option was not given keeps the file's value or the default.
+// The typed options of settings, as the table of settings describes them (settings.h). A setting
+// without its option keeps the file's value or the default.
 class SettingOptions {
  public:
   void declare(CommandLine& line, OptionGroup group);
 
-  // Puts what was typed into the document. Throws Failure naming the option where the text is no
-  // value of its setting or of no use with the method; which values go together is checked with the
-  // rest of the document.
+  // Puts the typed values into the document. Throws Failure with the option's name if the text is
+  // invalid for its setting, or if the method does not use the setting. Combinations of values are
+  // checked with the rest of the document.
   void apply(Document& document) const;
 
-  // An error of the document to which these options were applied, in terms of what was typed.
+  // Converts an error of the document to one about these typed options.
   Failure failure(const std::string& source, const InputError& error) const;
 
  private:
@@ -46,8 +46,8 @@ class SettingOptions {
   std::array<Typed, static_cast<std::size_t>(Setting::end_of_settings)> typed_;
 };
 
-// A polygon and its settings, as all commands take them that place robots on it. Some commands
-// declare more groups of settings.
+// A polygon and its settings, for all commands that place robots. Some commands declare more groups
+// of settings.
 struct InputOptions {
   std::string file;
   SettingOptions settings;
@@ -55,7 +55,7 @@ struct InputOptions {
 
   void declare(CommandLine& line, const std::string& help = "the polygon");
 
-  // What the file holds, with the settings that were typed. Throws Failure.
+  // The document in the file, with the typed settings. Throws Failure.
   Input read() const;
 };
 

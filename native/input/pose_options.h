@@ -1,4 +1,4 @@
-// Where the robots' poses are to be written, and how.
+// The file for the robots' poses, and its format.
 #pragma once
 
 #include <optional>
@@ -15,13 +15,13 @@ struct PosesAsked {
   PoseOptions options;
 };
 
-// What was typed. An option that was not given is empty.
+// The typed options; empty if not given.
 struct PoseFileOptions {
   std::optional<std::string> file, frame, origin;
 
   void declare(CommandLine& line);
 
-  // What is asked for, if anything is. Throws Failure naming the option.
+  // The requested file, if any. Throws Failure with the option's name.
   std::optional<PosesAsked> asked() const;
 };
 

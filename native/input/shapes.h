@@ -1,4 +1,4 @@
-// Which shape of a file is meant, and how near its edges stay to curves.
+// Selects a shape of a file, and sets the distance between its edges and curves.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace evenlift::native {
 
-// What was typed. An option that was not given is empty.
+// The typed options; empty if not given.
 struct ShapeOptions {
   std::optional<std::string> shape, flatten;
   bool offered = false;  // the command has these options
@@ -17,9 +17,9 @@ struct ShapeOptions {
   void declare(CommandLine& line);
 };
 
-// Reads the text and takes the shape that is meant, or the only one. What was left out or decided
-// is said on standard error, a line each. Throws Failure; if no shape is named and there are
-// several, it lists them.
+// Reads the text and returns the selected shape, or the only one. Omissions and decisions are
+// reported on standard error, one per line. Throws Failure; without a selection among several
+// shapes, it lists them.
 Document choose_shape(const std::string& text, const std::string& source,
                       const ShapeOptions& options);
 

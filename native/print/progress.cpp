@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* erase_line = "\r\x1b[K";
 
-// Under Node, Emscripten takes every pipe for a terminal: nothing is drawn there.
+// Under Node, Emscripten reports every pipe as a terminal, so nothing is drawn there.
 bool on_terminal() {
 #ifdef __EMSCRIPTEN__
   return false;
@@ -73,7 +73,7 @@ Waiting::Waiting(std::string what) {
   try {
     drawing_ = std::async(std::launch::async, draw_seconds, std::move(what), over_.get_future());
   } catch (const std::system_error&) {
-    // Where there can be no more threads the work goes on without a word.
+    // If no more threads can be created, the work continues without the line.
   }
 }
 #endif

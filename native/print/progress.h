@@ -1,4 +1,4 @@
-// How far a long computation is, on a terminal.
+// The progress of a long computation, on a terminal.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +8,16 @@
 
 namespace evenlift::native {
 
-// Draws on standard error if that is a terminal, else does nothing. Safe for several threads.
+// Draws on standard error if that is a terminal, and otherwise does nothing. Safe for several
+// threads.
 class Progress {
  public:
   explicit Progress(std::size_t total);
-  ~Progress();  // takes the bar away
+  ~Progress();  // erases the bar
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // Counts one more polygon as done, and shows its name.
+  // Counts one more finished polygon, and shows its name.
   void done(const std::string& name);
 
  private:
@@ -27,19 +28,19 @@ class Progress {
   std::mutex mutex_;
 };
 
-// From half a second on says on standard error what takes so long, and for how long, if that is a
-// terminal. A search has no total that it is sure to reach, so there is no share. A thread of its
-// own draws: what is computed need not know of it, and is the same without.
+// After half a second, shows on standard error, if that is a terminal, the name of the running task
+// and its time so far. It shows no share, since a search may end before its total. A separate
+// thread draws, so the computation is independent of it.
 class Waiting {
  public:
   explicit Waiting(std::string what);
-  ~Waiting();  // takes the line away
+  ~Waiting();  // erases the line
   Waiting(const Waiting&) = delete;
   Waiting& operator=(const Waiting&) = delete;
 
  private:
   std::promise<void> over_;
-  std::future<void> drawing_;  // goes first, and waits for the thread
+  std::future<void> drawing_;  // destroyed first, which waits for the thread
 };
 
 }  // namespace evenlift::native

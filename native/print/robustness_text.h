@@ -1,4 +1,4 @@
-// Who bears what, failures and doubt about C, for people: the parts of what `place` prints.
+// Loads, failures and C uncertainty as text for users: parts of the output of `place`.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace evenlift::native {
 
-// What was typed of it.
+// The typed options.
 struct RobustnessOptions {
   std::optional<std::string> loads;
   bool failures = false;
@@ -20,8 +20,8 @@ struct RobustnessOptions {
   void declare(CommandLine& line);
 };
 
-// The values of these options, and what the document says of doubt. Throws Failure naming the
-// option where they are none.
+// The values of these options, and the document's C uncertainty. Throws Failure with the option's
+// name if a value is invalid.
 struct RobustnessAsked {
   RobustnessAsked(const RobustnessOptions& options, const Shown& shown);
 
@@ -30,7 +30,7 @@ struct RobustnessAsked {
   bool failures = false;
 };
 
-// What is known of a placement's robots beyond its own numbers, as far as it was asked for.
+// Facts about a placement's robots beyond its own numbers, as far as requested.
 struct RobustnessKnown {
   RobustnessKnown(const Placement& placement, const RobustnessAsked& wanted);
 
@@ -40,20 +40,20 @@ struct RobustnessKnown {
   std::vector<std::optional<RestOfRobots>> failures;
 };
 
-// What the table shows of each robot.
+// The loads in the table.
 struct ShownLoads {
   std::string heading;
-  std::vector<std::string> text;  // ranges if there is doubt about C, else one number
+  std::vector<std::string> text;  // ranges if C has an uncertainty, otherwise single numbers
   std::vector<double> greatest;   // of the range, or the number itself
   std::vector<LoadRange> ranges;
 };
 ShownLoads shown_loads(const Placement& placement, const RobustnessKnown& known);
 
-// The sentences about loads, doubt and failures that were asked for, a line for each.
+// The requested sentences about loads, uncertainty and failures, one per line.
 std::string robustness_lines(const RobustnessKnown& known, const std::optional<double>& capacity,
                              const Units& units);
 
-// What happens if one robot fails, a row for each; empty if that was not asked for.
+// The effect of each robot's failure, one row per robot; empty if not requested.
 std::string failure_table(const Placement& placement, const RobustnessKnown& known,
                           const std::optional<double>& capacity);
 

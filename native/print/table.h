@@ -1,4 +1,4 @@
-// Tables for people.
+// Tables for users.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace evenlift::native {
 
 using Row = std::vector<std::string>;
 
-// Columns two spaces apart, as wide as they need, to the right; the first row are headings.
+// Right-aligned columns, two spaces apart and as wide as necessary; the first row has the headings.
 std::string table(const std::vector<Row>& rows);
 
 }  // namespace evenlift::native

@@ -1,4 +1,4 @@
-// What the core placed, as the oracle of sets takes it.
+// Converts the core's placement for the oracle of sets.
 #pragma once
 
 #include <vector>

@@ -34,7 +34,7 @@ double area(const std::vector<Point>& ring) {
   return twice / 2;
 }
 
-// By wrapping: the next corner is the one that has all others on its left.
+// By wrapping: the next corner is the point that has all others on its left.
 std::vector<Point> hull(const std::vector<Point>& points) {
   std::vector<Point> corners{*std::min_element(points.begin(), points.end())};
   while (corners.size() <= points.size()) {
@@ -70,7 +70,7 @@ bool is_corner(const std::vector<Point>& ring, std::size_t v) {
   return cross(in, out) > 0 && cosine < (std::sqrt(6) + std::sqrt(2)) / 4 - tau;
 }
 
-// The distance of a point on an edge from the nearest corner, over straight vertices.
+// The distance of a point on an edge from the nearest corner, passing straight vertices.
 double to_corner(const std::vector<Point>& ring, const Point& p, std::size_t edge) {
   const std::size_t n = ring.size();
   const auto is_straight = [&](std::size_t v) {

@@ -1,4 +1,4 @@
-// Sets of robots judged by their definition, in plain doubles and by brute force. It shares no code
+// Judges sets of robots by their definition, in plain doubles and by brute force. It shares no code
 // with the core.
 #pragma once
 
@@ -23,17 +23,17 @@ double radius(const Object& object);
 // Whether a point is inside the convex hull, not only within tolerance.
 bool inside_hull(const Object& object, const Point& p);
 
-// How far a point is from the outline.
+// The distance of a point from the outline.
 double away_from_outline(const Object& object, const Point& p);
 
-// The robots' centroid less C: its length.
+// The distance of the robots' centroid from C.
 double imbalance(const Object& object, const std::vector<Point>& robots);
 
 // The part of the object in the robots' convex hull.
 double coverage(const Object& object, const std::vector<Point>& robots);
 
 // The least distance of the origin from a facet of the contacts' wrenches, negative if it is
-// outside; nothing if they have no volume. It is the margin if it is not negative. Contacts nearer
+// outside; nothing if they have no volume. If it is not negative, it is the margin. Contacts nearer
 // than `clear` to a corner do not count.
 std::optional<double> margin(const Object& object, const std::vector<Point>& robots,
                              double clear = 0);
@@ -44,7 +44,7 @@ double least_distance(const std::vector<Point>& robots);
 // The stands of an object with at most 1,000 vertices.
 std::vector<Point> stands(const Object& object);
 
-// The ends of the chords whose middle is M, one of each two edges that have any.
+// The chords with their midpoint at M, one for each pair of edges that has any, by their ends.
 std::vector<std::array<Point, 2>> even_chords(const Object& object, const Point& m);
 
 }  // namespace set_oracle

@@ -1,5 +1,5 @@
-// The story of the search for balanced robots, as a trace tells it: it is what the search does, and
-// what it says of places and chords is so.
+// The search for balanced robots as a trace explains it: the steps are the search's own, and their
+// claims about places and chords are true.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -111,7 +111,7 @@ TEST_CASE("a robot that stays keeps its number, and those that move are named",
       }
       before = detail.robots;
     }
-    // In the end the numbers are those of the placement.
+    // At the end the numbers are those of the placement.
     const auto& last = trace.robot_numbers.back();
     CHECK(std::is_sorted(last.begin(), last.end()));
   }
@@ -134,7 +134,7 @@ TEST_CASE("a completion is drawn about the point that makes C the centroid",
       CHECK(length(sum / 2 - balanced.middle) < near);
       for (const Chord& chord : balanced.chords)
         CHECK(length((chord.r1.position + chord.r2.position) / 2 - balanced.middle) < near);
-      // No other chord makes a better set, and the chosen one makes that of the step.
+      // No other chord makes a better set, and the chosen chord makes the set of the step.
       for (std::uint32_t chord = 0; chord < balanced.chords.size(); ++chord)
         CHECK_FALSE(compare_even_chord(trace, detail, chord).better);
       const Vec2& end = balanced.chords[balanced.chosen].r1.position;
@@ -160,7 +160,7 @@ TEST_CASE("a lever of two, three robots, and then all of them", "[trace][balance
   CHECK(testing::number_of(trace, three, "arm_of_two") ==
         Approx(length(three.balanced->robots[2].position - trace.centre) / 2));
   CHECK(look_at(trace, at(trace, StepKind::many)).balanced->robots.size() == 6);
-  // With three robots, three are all.
+  // With three robots there is no step for many.
   CHECK(traced(document_of("grand-piano", 3)).count(StepKind::many) == 0);
   CHECK(traced(document_of("grand-piano", 2)).count(StepKind::three) == 0);
 }
@@ -236,7 +236,7 @@ TEST_CASE("a robot that stands at a place came there by the exchange that is nam
     ++came_later;
   }
   CHECK(came_later > 0);
-  // Before there are three robots the answer is about the last set.
+  // Before there are three robots, the answer is about the last set.
   CHECK(why_no_robot(trace, 0, robots[0].position, 1).robot == 0);
   CHECK(why_no_robot(traced(document_of("worktop", 2)), 0, robots[0].position, 0).why ==
         WhyNoRobot::Why::no_set);
@@ -256,7 +256,7 @@ TEST_CASE("if a robot fails the step shows the others, and whether they carry th
     falls += !carried;
   }
   CHECK(falls == 1);
-  // As many robots in pairs lose two of them without harm, and cover less.
+  // The same number of robots in teams can lose two of them without harm, and has less coverage.
   const StepDetail pairs = look_at(trace, at(trace, StepKind::pairs));
   CHECK(trace.in_pairs->teams.size() == 3);
   CHECK(trace.in_pairs->coverage < trace.placement.coverage);
@@ -289,7 +289,7 @@ TEST_CASE("a search that is too long for a lesson is refused in a sentence", "[t
   const Result<Trace> trace = make_trace(start);
   REQUIRE_FALSE(trace.ok());
   CHECK(testing::is_one_sentence(trace.error().message));
-  // During a drag only the start is traced, and that only if it is quick.
+  // During a drag only the start is traced, and only if it is quick.
   const Result<Trace> begun = make_trace(start, HistoryLength::start);
   REQUIRE(begun.ok());
   CHECK(begun->history.moves.empty());
@@ -298,7 +298,7 @@ TEST_CASE("a search that is too long for a lesson is refused in a sentence", "[t
 
 TEST_CASE("where nobody can be placed the trace says so, and draws no robots",
           "[trace][balanced]") {
-  // C is at a corner of a rectangle: no chord has it strictly between its ends.
+  // C is at a corner of a rectangle: no chord has C strictly between its ends.
   Document document;
   document.vertices = {{0, 0}, {2, 0}, {2, 4}, {0, 4}};
   document.centre_of_mass = Vec2(5.594368733352286e-12, 6.3308809186457644e-12);

@@ -1,5 +1,5 @@
-// The search for balanced robots: its steps, what it ends with, and that the same object gets the
-// same robots.
+// The search for balanced robots: its steps, its results, and that the same object gets the same
+// robots.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -48,7 +48,7 @@ int level_of(std::optional<double> margin) {
   return (least >= 0.001) + (least >= 0.02) + (least >= 0.05);
 }
 
-// Looks by brute force for an exchange of three robots that makes the set clearly better.
+// Searches by brute force for a swap of three robots that makes the set clearly better.
 class Improver {
  public:
   Improver(const Task& task, std::vector<set_oracle::Point> robots)
@@ -90,7 +90,7 @@ class Improver {
     return std::any_of(chords.begin(), chords.end(), better);
   }
 
-  // Surely: not within the tolerances of its keys.
+  // Better beyond the tolerances of its keys.
   bool is_better(const std::vector<set_oracle::Point>& robots) const {
     constexpr double surely = 1e-6;
     if (set_oracle::least_distance(robots) < apart_ * (1 + surely)) return false;
@@ -154,7 +154,7 @@ TEST_CASE("each exchange makes the set better, and says what moved", "[balanced]
       }
       search = step.search;
     }
-    // One by one, round by round or at once, the search ends with the same robots.
+    // Triple by triple, round by round or at once, the search ends with the same robots.
     CHECK(positions(search.robots) == positions(end.robots));
   }
 }
@@ -185,7 +185,7 @@ TEST_CASE(
   settings.goal = Goal::cover;
   settings.apart = 0;
   const BalancedProblem problem(rectangle, {0, 0}, settings);
-  // At its four corners, which cover all of it, and in two more places.
+  // Robots at its four corners, which cover all of it, and in two more places.
   const auto corners_and = [](const LiftingPoint& p, const LiftingPoint& q) {
     return std::vector<LiftingPoint>{{{-2, -1}, 0}, {{2, -1}, 1}, {{2, 1}, 2}, {{-2, 1}, 3}, p, q};
   };
@@ -199,7 +199,7 @@ TEST_CASE(
   };
   check(corners_and({{2, 0}, 1}, {{-2, 0}, 3}), corners_and({{0, -1}, 0}, {{0, 1}, 2}),
         BalancedKey::spread);
-  // The walk begins at (-2, -1), and comes first to (-1, -1).
+  // The walk begins at (-2, -1), and reaches (-1, -1) first.
   check(corners_and({{-1, -1}, 0}, {{1, 1}, 2}), corners_and({{1, -1}, 0}, {{-1, 1}, 2}),
         BalancedKey::places);
 }
@@ -207,7 +207,7 @@ TEST_CASE(
 TEST_CASE("a search ends after eight rounds, even if the last one changed something",
           "[balanced]") {
   const Task task = task_of(corpus::polygon("grand-piano"), 5);
-  // At the last triple of a round in which something was exchanged.
+  // At the last triple of a round with a swap.
   BalancedSearch search = *start_balanced(task.problem);
   search.next = static_cast<std::uint32_t>(balanced::triples_of(5).size()) - 1;
   search.changed = true;
@@ -245,7 +245,8 @@ TEST_CASE("no robot with a size comes to where it collides with one that stays",
   REQUIRE(problem.rules().room()->collide(near, above));
   REQUIRE_FALSE(problem.rules().room()->collide(far, above));
 
-  // One pair would make C the centroid of one that stays and of one that comes to this place.
+  // One pair of places makes C the centroid, with one robot that stays and one that moves to this
+  // place.
   const auto comes_beside = [&](const LiftingPoint& stays) {
     CHECK(completions(problem, {stays, above}).chords.size() == 1);
     balanced::Best best(problem.rules());
@@ -255,7 +256,7 @@ TEST_CASE("no robot with a size comes to where it collides with one that stays",
   CHECK(comes_beside(far));
   CHECK_FALSE(comes_beside(near));
 
-  // The first robot moves along the lower side to where its two neighbours would have to go to
+  // The first robot moves along the lower side to the place that would force its two neighbours to
   // (3, 5.5) and (10, 1.5).
   const auto neighbours_follow = [&](const LiftingPoint& stays) {
     const LiftingPoint to{{7 - stays.position.x(), 0}, 0};

@@ -66,7 +66,7 @@ void from_4_to_8(benchmark::internal::Benchmark* b) {
   b->ArgName("robots")->Unit(benchmark::kMillisecond)->Arg(4)->Arg(6)->Arg(8);
 }
 
-// As far as the experiment goes, and beyond.
+// The experiment's numbers of robots, and larger ones.
 void numbers_of_robots(benchmark::internal::Benchmark* b) {
   b->ArgName("robots")->Unit(benchmark::kMillisecond);
   for (const int robots : {3, 4, 6, 8, 10, 12, 16, 24, 36}) b->Arg(robots);

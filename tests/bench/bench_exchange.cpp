@@ -1,4 +1,4 @@
-// Teams that are to hold, on the samples and on outlines with many candidates.
+// Teams chosen to hold, on the samples and on outlines with many candidates.
 #include <vector>
 
 #include "bench/bench.h"
@@ -27,7 +27,7 @@ void hold(benchmark::State& state, Family family, Positions positions, std::int6
   for (auto _ : state) benchmark::DoNotOptimize(place(document));
 }
 
-// So many teams among so many of a comb's candidates in ranges, evenly picked.
+// A number of teams among a number of a comb's candidates in ranges, evenly picked.
 void exchange(benchmark::State& state) {
   const Polygon polygon = polygon_of(Family::comb, 1000);
   const Settings settings = to_hold({}, state.range(0), Positions::range).settings;
@@ -53,9 +53,9 @@ BENCHMARK_CAPTURE(hold_on_samples, range, Positions::range)->Apply(teams);
 BENCHMARK_CAPTURE(hold, spiral, Family::spiral, Positions::range)->Apply(of_1000);
 BENCHMARK_CAPTURE(hold, comb, Family::comb, Positions::best)->Apply(of_1000);
 
-// At the limits: t^3 K up to which the page exchanges t teams during a drag, and after it; the most
-// candidates among which both of two teams may go elsewhere at once; the most teams; and of
-// most_exchanges in a round as many as max_edge_pairs leaves.
+// At the limits: the t^3 K up to which the page swaps t teams during a drag, and after it; the most
+// candidates for which two teams may be swapped at once; the most teams; and the part of
+// most_exchanges in a round that max_edge_pairs permits.
 template <std::int64_t n>
 void of_n(benchmark::internal::Benchmark* b) {
   b->ArgName("n")->Unit(benchmark::kMillisecond)->Arg(n);

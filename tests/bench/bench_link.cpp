@@ -1,5 +1,5 @@
-// Share links of a polygon with 1,000 vertices, the most common large shape, and with the most that
-// a link can hold.
+// Share links of a polygon with 1,000 vertices, the most common large shape, and with the most
+// vertices that a link can hold.
 #include "bench/bench.h"
 #include "evenlift/link.h"
 

@@ -1,5 +1,4 @@
-// The best choice of teams, with as many candidates as there may be for it to be proved, bounded or
-// compared.
+// The best choice of teams, with the most candidates for which it is proved, bounded or compared.
 #include <vector>
 
 #include "bench/bench.h"
@@ -34,7 +33,8 @@ void widest(benchmark::State& state, std::size_t number) {
   state.counters["proved"] = proved;
 }
 
-// Three teams of 294 candidates have 4,192,244 choices, and of 295 more than most_choices.
+// Three teams of 294 candidates have 4,192,244 choices; with 295 candidates there are more than
+// most_choices.
 void firmest_most_choices(benchmark::State& state) {
   const Polygon polygon = polygon_of(Family::convex, 800);
   const Vec2& centre = polygon.centroid();

@@ -1,4 +1,4 @@
-// Who bears what and what may go wrong, beside a placement that is there already.
+// Loads and possible failures, for an existing placement.
 #include "bench/bench.h"
 #include "evenlift/placed_robots.h"
 
@@ -32,7 +32,7 @@ BENCHMARK(robustness_always)
     ->Arg(50)
     ->Arg(1000)
     ->Arg(max_teams);
-// Up to as many robots as the page looks at.
+// Up to the number of robots that the page analyses.
 BENCHMARK(robustness_failures)
     ->ArgName("teams")
     ->Unit(benchmark::kMillisecond)

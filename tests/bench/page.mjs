@@ -1,5 +1,5 @@
-// node page.mjs: what the page weighs, how soon its first picture is there, and how long a frame takes while a polygon
-// of 1,000 vertices is dragged. The settings of tests/page/browser.mjs.
+// node page.mjs: the sizes of the page's files, the time to its first frame, and the time of a frame while a polygon of
+// 1,000 vertices is dragged. The settings are those of tests/page/browser.mjs.
 import { load, idle, startBrowser, state, toScreen } from "../page/browser.mjs";
 import { sizes } from "../page/sizes.mjs";
 
@@ -30,7 +30,7 @@ for (let i = 0; i < 7; ++i) {
 }
 line("first picture, fastest of 7", `${Math.min(...starts).toFixed(0)} ms`);
 
-// The page's own work in a frame; what the browser does with the picture afterwards is not in it.
+// The page's own work in a frame, without the browser's work on the frame afterwards.
 function timeFrames() {
   const own = globalThis.requestAnimationFrame.bind(globalThis);
   globalThis.frameTimes = [];
@@ -67,7 +67,7 @@ for (const n of [100, 1000]) {
   line(`a frame of dragging, ${n} vertices: median, 95 % (${times.length} frames)`, `${at(0.5)}, ${at(0.95)} ms`);
 }
 
-// A coast of so many vertices: each side of a pentagon is bent in its middle, and so on; then some are left out.
+// A coast of n vertices: each side of a pentagon is bent in its middle, and so on; then some are left out.
 function coast(n) {
   let seed = 12345;
   const random = () => (seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0) / 2 ** 32;
@@ -96,8 +96,9 @@ function coast(n) {
     .join("\n");
 }
 
-// How long the page is not free at a time while the centre of mass of a large polygon is dragged: the longest of the main
-// thread's tasks and the middle one of those from 5 ms on, in processor time, on which other jobs of the machine tell less.
+// How long the page is blocked at a time while the centre of mass of a large polygon is dragged: the longest of the
+// main thread's tasks, and the median of the tasks from 5 ms on. Both are in processor time, which other jobs of the
+// machine affect less.
 {
   const page = await browser.open();
   await load(page, coast(20034));
@@ -126,15 +127,15 @@ function coast(n) {
   );
 }
 
-// One case of each limit that README.md states: how long it takes from the call until all of it is on screen, and how
-// long a frame then takes.
+// One case of each limit in README.md: the time from the call until all of it is on screen, and the time of a frame
+// after that.
 const star = (n) =>
   Array.from({ length: n }, (_, i) => {
     const a = (2 * Math.PI * i) / n;
     const r = 4e5 + 5e4 * Math.sin(9 * a);
     return `(${(r * Math.cos(a)).toFixed(2)},${(r * Math.sin(a)).toFixed(2)})`;
   }).join("\n");
-// A comb whose facing edges make as many pairs as are allowed, or nearly so.
+// A comb whose facing edges make the most pairs permitted, or nearly so.
 const comb = (teeth) =>
   `${Array.from({ length: teeth }, (_, i) => `(${2 * i},0)\n(${2 * i},${teeth})\n(${2 * i + 1},${teeth})\n(${2 * i + 1},0)`).join("\n")}\n(${2 * teeth - 1},-1)\n(0,-1)`;
 

@@ -1,7 +1,9 @@
-"""Prints balanced robots beside pairs, measured over all samples: of how many sets any one robot may fail, so that the
-others carry the object, and so that the centre of mass stays `clear` inside their base as well (steady).
+"""Compares balanced robots with teams of two, measured over all samples: the share of sets in which any one robot may
+fail so that the others carry the object, and so that the centre of mass also stays `clear` inside their lifting base
+(steady).
 
-    python3 tests/bench/pairs_and_balanced.py    EVENLIFT_PROGRAM names the program, build/bin/evenlift if it is not given
+    python3 tests/bench/pairs_and_balanced.py    EVENLIFT_PROGRAM names the program, build/bin/evenlift if it is not
+    given
 """
 
 import json

@@ -1,4 +1,5 @@
-// A figure in an article: wheel, fingers and keys are the article's until the reader takes hold of it, and again once they let go.
+// A figure in an article: wheel, fingers and keys belong to the article until the reader takes hold of the figure, and
+// again after letting go.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { evenlift, idle, link, phone, sample, sharedBrowser, tap, wide } from "../page/browser.mjs";
@@ -8,7 +9,7 @@ const browser = sharedBrowser();
 const shared = evenlift("link", "encode", sample("guitar")).trim();
 const stepOf = (encoded) => JSON.parse(evenlift("link", "decode", encoded)).step ?? undefined;
 
-// An article with a figure in it, longer than the window. Opens it, and waits until the figure is there.
+// Opens an article with a figure in it, longer than the window, and waits until the figure is loaded.
 async function article(options = {}, address = `?embed=1#${shared}`) {
   const context = await browser.browser.newContext({ viewport: wide, colorScheme: "light", ...options });
   const lines = (count) => Array.from({ length: count }, (_, i) => `<p>Line ${i + 1}.</p>`).join("");
@@ -23,7 +24,7 @@ async function article(options = {}, address = `?embed=1#${shared}`) {
   return {
     page,
     frame,
-    // The ground of the figure, in a corner where nothing stands, wherever the article was scrolled to.
+    // A point on the figure's background, in an empty corner, wherever the article was scrolled to.
     ground: async () => {
       const { x, y } = await page.locator("iframe").boundingBox();
       return [x + 24, y + 90];
@@ -36,13 +37,13 @@ async function article(options = {}, address = `?embed=1#${shared}`) {
 }
 
 const scrolled = (page) => page.evaluate(() => scrollY);
-// How large the figure shows its object, and where.
+// The scale and the place at which the figure shows its object.
 const seen = (frame) => frame.evaluate(() => [...evenlift.view.to_screen(0, 0), ...evenlift.view.to_screen(100, 0)]);
 const isHeld = (frame) => frame.evaluate(() => !document.documentElement.classList.contains("guest"));
 const held = (frame, on) =>
   frame.waitForFunction((wanted) => document.documentElement.classList.contains("guest") !== wanted, on);
 
-// Scrolling is there when two pictures were drawn without any more of it.
+// Scrolling has ended when two frames were drawn without any more of it.
 async function atRest(page) {
   await page.evaluate(async () => {
     const picture = () => new Promise((done) => requestAnimationFrame(done));
@@ -125,7 +126,7 @@ test("Tab takes hold of a figure, keys are its own then, and Tab leaves it", asy
   assert.equal(await page.evaluate(() => document.activeElement.id), "before");
   assert.equal(await wheel(opened), "article");
   await back(page);
-  // Let go by Esc, it still has the focus in its window, and no key is taken from the article.
+  // After Esc, the figure still has the focus in its window, and no key is taken from the article.
   await page.keyboard.press("Tab");
   await held(frame, true);
   await page.keyboard.press("Escape");

@@ -1,5 +1,5 @@
-// Forced colours, which some readers choose in their system: nothing is printed twice, every control keeps its shape, and the
-// canvas is light or dark as the system is.
+// Forced colours, which some readers choose in their system: nothing is printed twice, every control keeps its shape,
+// and the canvas is light or dark like the system.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { asset, idle, load, phone, sharedBrowser } from "../page/browser.mjs";
@@ -14,7 +14,7 @@ async function forced({ colorScheme = "light", ...options } = {}) {
   return page;
 }
 
-// The elements of the mirror that can be seen, but for one that has the focus: they lie over what the canvas shows already.
+// The visible elements of the mirror, except a focused one: the canvas already shows the same below them.
 const twins = (page) =>
   page.$$eval("#mirror > div > *", (all) => ({
     count: all.length,
@@ -42,7 +42,7 @@ for (const [where, options] of [
     const { count, seen } = await twins(page);
     assert.ok(count > 10, String(count));
     assert.deepEqual(seen, []);
-    // The canvas has the same letters, and nothing lies over them.
+    // The canvas has the same letters, and nothing covers them.
     const { width, height } = page.viewportSize();
     const clip = { x: 2, y: 2, width: width - 4, height: height - 4 }; // without the frame
     const dark = await groundIsDark(page),
@@ -89,7 +89,7 @@ test("a control that has the focus shows where it is and no letters of its own, 
   await page.done();
 });
 
-// What can be pressed or typed into in a window, without an edge that can be seen.
+// Controls and fields of a window without a visible edge.
 const shapeless = (window) =>
   window.evaluate((root) =>
     [...root.querySelectorAll(".button, .field, .choice, .sample, kbd")]
@@ -167,7 +167,7 @@ for (const colorScheme of ["light", "dark"]) {
   });
 }
 
-// Of the system's ground, and of the canvas in a corner where nothing stands.
+// Whether a background is dark: the system's, and the canvas's in an empty corner.
 const groundIsDark = (page) =>
   page.evaluate(() => {
     const probe = document.body.appendChild(document.createElement("i"));

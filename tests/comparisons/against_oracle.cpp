@@ -39,7 +39,7 @@ oracle::Kind kind(evenlift::CandidateKind k) {
                                                   : oracle::Kind::vertex;
 }
 
-/// Collects what differs.
+/// Collects the differences.
 class Differences {
  public:
   template <class A, class B>
@@ -75,7 +75,7 @@ double size_of(const std::vector<Point>& v) {
   return distance(low, high);
 }
 
-/// How far p is from the convex hull with these corners, in units of `size`; 0 inside.
+/// The distance of p from the convex hull with these corners, in units of `size`; 0 inside.
 double outside(const Point& p, const std::vector<Point>& hull, double size) {
   const auto seen_from_p = [&](const Point& q) {
     return Point{(q[0] - p[0]) / size, (q[1] - p[1]) / size};
@@ -104,12 +104,12 @@ class Comparison {
   Comparison(const Case& c, const evenlift::Placement& core)
       : case_(c), core_(core), size_(size_of(c.problem.vertices)) {}
 
-  /// Candidates, teams and verdicts, all from the polygon.
+  /// Candidates, teams and verdicts, all computed from the polygon.
   oracle::ClosestCall whole_way(Differences& d) const {
     const oracle::CandidateList list = oracle::find_candidates(case_.problem);
     oracle::ClosestCall closest = list.closest_call;
-    // Which of two duplicates of one ratio stands is a matter of rounding; it counts if they are
-    // not quite the same.
+    // Rounding chooses between two duplicates of one ratio; this counts if they are not quite the
+    // same.
     for (const oracle::Candidate& c : list.candidates)
       if (c.ends_slack > 1e-12 * size_) closest.merge({0, "duplicates less than tau L apart"});
     candidates(d, list);
@@ -175,13 +175,12 @@ class Comparison {
     out << "\n";
   }
 
-  /// `rounded` is how far the oracle's ends may be from what the core computed with.
+  /// `rounded` is the greatest distance between the oracle's ends and those that the core used.
   oracle::ClosestCall verdicts(Differences& d, const oracle::CandidateList& list,
                                const std::vector<std::size_t>& teams, double rounded) const {
     const oracle::Judgement exact = oracle::judge(case_.problem, list, teams);
-    // Of several corners of H in a row, each within tau L of the line of its neighbours, one or the
-    // other may be left out. In an object that is nearly as thin as that, this shows in the
-    // coverage.
+    // If several successive corners of H are each within tau L of the line of their neighbours,
+    // either one may be left out. In an object nearly as thin as that, this affects the coverage.
     const double area = core_.polygon.area(), square = size_ * size_;
     hull(d, exact.hull, 2e-9);
     d.near("coverage", core_.coverage, exact.coverage,
@@ -224,7 +223,7 @@ class Comparison {
              double rounded) const {
     d.same("loads", core_.loads.has_value(), exact.has_value());
     if (!core_.loads || !exact) return;
-    // The core takes shares from its arms, which are more precise than the ends of a chord that is
+    // The core computes shares from its arms, which are more precise than the ends of a chord
     // hardly longer than their rounding.
     double shortest = size_;
     for (const evenlift::Team& team : core_.teams)
@@ -251,12 +250,12 @@ class Comparison {
 };
 
 /// Whether the coordinates are so far from the origin that their spacing is no longer far below tau
-/// L. Ends within tau L of each other cannot then be told from ends at the same doubles.
+/// L. Then ends within tau L of each other may be equal as doubles.
 bool coarse(const oracle::Problem& problem) {
   return farthest_from_origin(problem) * 0x1p-52 > 1e-11 * size_of(problem.vertices);
 }
 
-/// How the core refused a problem that the oracle accepts.
+/// The core's refusal of a problem that the oracle accepts.
 std::string refusal_of(const evenlift::InputError& error) {
   return "the core refuses it: " + error.message + "\n";
 }
@@ -282,7 +281,7 @@ Finding compare_placement(const Case& c) {
     finding.differences = refusal_of(placed.error());
     return finding;
   }
-  if (coarse(c.problem)) return finding;  // that it does not crash is all
+  if (coarse(c.problem)) return finding;  // only that it does not crash
   const Comparison comparison(c, *placed);
   for (const bool whole : {true, false}) {
     Differences d;
@@ -338,8 +337,8 @@ Finding compare_vertex_chords(const Case& c) {
   std::ostringstream s;
   if (chords->size() != exact.size())
     s << "vertex-chords: core " << chords->size() << ", oracle " << exact.size() << "\n";
-  // Each of the oracle's has one of the core's for its own: the nearest, since those that one of
-  // them may be are not always those that another may be.
+  // Each chord of the oracle takes one of the core's, and no two take the same: the nearest,
+  // because the possible matches of one chord need not be those of another.
   std::vector<bool> used(chords->size(), false);
   int missing = 0;
   for (const auto& want : exact) {
@@ -371,8 +370,8 @@ Finding compare_distributed(const Case& c) {
     finding.differences = refusal_of(placed.error());
     return finding;
   }
-  // With C almost on an edge there may be no directions to speak of; how many teams are placed
-  // then is noise.
+  // With C almost on an edge there may be no usable directions; then the number of placed teams is
+  // noise.
   if (exact.measure < 1e-9 || coarse(c.problem)) return finding;
   std::ostringstream s;
   s << std::setprecision(17);

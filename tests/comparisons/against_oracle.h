@@ -11,14 +11,14 @@ namespace against_oracle {
 using small_polygons::Case;
 
 struct Finding {
-  std::string differences;  // a line for each; empty where core and oracle agree
-  int compared = 0;         // distributed teams: how many were compared
-  // Differences that do not count: the oracle shows that a tolerance, or a jump of the farthest
-  // point, decided by a hair.
+  std::string differences;  // a line for each; empty if core and oracle agree
+  int compared = 0;         // equal angles: the number of compared teams
+  // The number of differences that do not count: the oracle shows that a tolerance, or a jump of
+  // the farthest point, decided by a hair.
   int passed_over = 0;
 };
 
-/// The case as text: what to put into a file to see a difference again.
+/// The case as text, for a file that reproduces a difference.
 std::string text(const Case& c);
 
 /// Candidates, teams and verdicts by the case's own metric.
@@ -30,7 +30,7 @@ Finding compare_refusal(const Case& c);
 /// The list of vertex-chords.
 Finding compare_vertex_chords(const Case& c);
 
-/// The teams that stand at equal angles.
+/// The teams at equal angles.
 Finding compare_distributed(const Case& c);
 
 }  // namespace against_oracle

@@ -28,7 +28,7 @@ Vec2 moved(const Vec2& p, const Motion& motion) {
   return motion.scale * Vec2(c * x - s * p.y(), s * x + c * p.y()) + motion.shift;
 }
 
-// What is reported of a set of teams.
+// The reported numbers of a set of teams.
 struct Numbers {
   double coverage = 0, least_load = 0, greatest_load = 0;
   std::optional<double> margin;
@@ -111,7 +111,8 @@ class Shape {
 
  private:
   static constexpr double tau = 1e-9;
-  static constexpr double room = 1.001;  // for what rounding tips at the very limit of a tie
+  static constexpr double room = 1.001;  // for cases that rounding decides at the very limit of a
+                                         // tie
 
   template <class Key, class Slack>
   static void keep_best(std::vector<std::uint32_t>& indices, Key key, Slack slack) {
@@ -155,7 +156,7 @@ class Comparer {
     return std::min(std::max(gap(r1, s1), gap(r2, s2)), std::max(gap(r1, s2), gap(r2, s1)));
   }
 
-  // Finds for each candidate the one that it has become.
+  // Finds for each candidate its counterpart in the copy.
   bool match() {
     std::vector<char> used(after_.candidates().size());
     for (std::uint32_t i = 0; i < before_.candidates().size(); ++i) {
@@ -190,7 +191,7 @@ class Comparer {
     for (std::uint32_t k = 0; k < number && alike(); ++k) {
       const std::uint32_t next = before_.placement().team_candidates[k];
       const std::uint32_t expected = became_[next];
-      // Once the copy has been made to follow, its own further teams say nothing.
+      // Once the copy was forced to follow, its own later teams prove nothing.
       const bool follows = ties_ == 0 && after_.placement().team_candidates[k] == expected;
       if (!follows && !is_tie(theirs, expected, k)) return;
       mine.push_back(next);

@@ -1,6 +1,6 @@
 // One shape, one answer (algorithm.md): a shape turned, mirrored, moved and scaled by any amount,
 // in plain doubles, has the same placement. This checks it for one shape and one motion; the unit
-// tests and the soak bring the shapes.
+// tests and the soak test supply the shapes.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace one_shape {
 
-// First mirrored at the y axis, then turned, scaled and moved. Each step rounds.
+// Mirrored at the y axis first, then turned, scaled and moved. Each step rounds.
 struct Motion {
   bool mirrored = false;
   double angle_rad = 0;
@@ -18,30 +18,30 @@ struct Motion {
   evenlift::Vec2 shift = evenlift::Vec2::Zero();
 };
 
-// Any angle, either way round, by a factor that is no power of two, to somewhere near. The
+// Any angle, either orientation, a factor that is not a power of two, and a short shift. The
 // document's vertices must be a valid polygon.
 Motion any_motion(const evenlift::Document& document, evenlift::Rng& rng);
 
-// The document moved so. A centre of mass that is given moves with it.
+// The document after this motion. A given centre of mass moves with it.
 evenlift::Document moved(const evenlift::Document& document, const Motion& motion);
 
-// Numbers that must stay agree within this: ratios, shares and margins absolutely, loads in units
-// of the weight.
+// Numbers that must not change agree within this: ratios, shares and margins absolutely, loads in
+// units of the weight.
 inline constexpr double allowed = 1e-7;
 
 struct Comparison {
   std::string differences;  // one a line; empty if there are none
-  // How often a choice of the copy was another one, which ties with the original's in every key but
-  // candidate order. The copy then goes on with the original's choice.
+  // The number of different choices of the copy that tie with the original's in every key but
+  // candidate order. The copy then continues with the original's choice.
   int ties = 0;
 };
 
-// Compares the candidates, and for 1 to `teams` teams the coverage, loads, verdicts and margin, of
-// the document's placement by its method (area, circle or distance) with those of its copy.
+// Compares the placement of the document by its method (area, circle or distance) with its copy's:
+// the candidates, and for 1 to `teams` teams the coverage, loads, verdicts and margin.
 Comparison compare(const evenlift::Document& document, const Motion& motion, std::uint32_t teams);
 
-// Whether the question has an answer: the centre of mass is farther from the rim of the convex hull
-// than rounding can move it, since what is refused at the door is decided exactly.
+// Whether a comparison is meaningful: the centre of mass is farther from the boundary of the convex
+// hull than rounding can move it, because refusals are decided exactly.
 bool is_clear_of_refusal(const evenlift::Document& document);
 
 // The document and motion as text, for messages.

@@ -1,6 +1,6 @@
-// The same object elsewhere, turned, mirrored, in other units or written down in another order is
-// the same object: nothing of its placement changes but coordinates. Every change made here is
-// exact in doubles, so where the rules leave no choice, all bits must stay.
+// The same object elsewhere, turned, mirrored, in other units or listed in another order is the
+// same object: nothing in its placement changes but coordinates. Every change made here is exact in
+// doubles, so where the rules leave no choice, all bits must stay.
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -29,9 +29,9 @@ double reach_of(const Points& points) {
   return reach;
 }
 
-// The document with coordinates of at most 40 bits, so that moving it by as much loses nothing;
-// with a centre of mass of its own, as the centroid is rounded where it is. Not valid where
-// rounding has spoilt it.
+// The document with coordinates of at most 40 bits, so that moving it by the same number of bits
+// loses nothing. It gets its own centre of mass, because a centroid is rounded at its absolute
+// place. Empty if rounding has made it invalid.
 std::optional<Document> on_a_grid(const Document& document, double& step) {
   step = std::ldexp(1.0, std::ilogb(reach_of(document.vertices)) - 38);
   Document result = document;
@@ -77,7 +77,7 @@ std::string text(const Document& document) {
   return s.str();
 }
 
-// Collects what differs between a placement and that of the changed document.
+// Collects the differences between a placement and that of the changed document.
 class Comparison {
  public:
   Comparison(Placement before, Placement after, const Change& change, bool exact)
@@ -88,15 +88,15 @@ class Comparison {
       high = high.cwiseMax(v);
     }
     size_ = change.scale * std::hypot(high.x() - low.x(), high.y() - low.y());
-    // Twice the tolerance for each end, as of chords that are merged another may stand for them;
-    // and positions are rounded where they are.
+    // Twice the tolerance for each end, because another of the merged chords may represent them;
+    // and positions are rounded at their absolute place.
     rounding_ = 1e-12 * size_ + 4 * 0x1p-52 * reach_of(b_.vertices());
     near_ = 4e-9 * size_ + rounding_;
     area_ = std::fabs(signed_area(b_.vertices()));
     out_ << std::setprecision(17);
   }
 
-  // Candidates one by one, teams, verdicts: where the order of candidates cannot change.
+  // Candidates one by one, teams, verdicts: for changes that keep the order of candidates.
   void in_order() {
     number("candidates", a_.candidates.size(), b_.candidates.size());
     if (!same()) return;
@@ -114,7 +114,7 @@ class Comparison {
     if (same()) teams_and_verdicts();
   }
 
-  // Which candidate of `after` each one of `before` has become; empty if they do not match.
+  // The index in `after` of each candidate of `before`; empty if they do not match.
   std::vector<std::size_t> match() {
     number("candidates", a_.candidates.size(), b_.candidates.size());
     std::vector<std::size_t> became;
@@ -161,7 +161,7 @@ class Comparison {
     }
     number("a summary of loads", a_.loads.has_value(), b_.loads.has_value());
     hulls();
-    // Of a thin object a small part of its size is a large one of its area.
+    // A small part of a thin object's size is a large part of its area.
     near("coverage", a_.coverage, b_.coverage, 1e-9 + near_ * size_ / area_);
     if (!same_contacts_) return;
     const Closure &p = a_.closure, &q = b_.closure;
@@ -225,7 +225,7 @@ class Comparison {
     return swapped;
   }
 
-  // By area and bounds: a corner that is straight but for rounding may come and go.
+  // By area and bounds: a corner that is straight except for rounding may appear or disappear.
   void hulls() {
     if (exact_) {
       bool equal = a_.lifting_base.size() == b_.lifting_base.size();
@@ -295,7 +295,7 @@ void report(const Comparison& comparison, const Document& document, const std::s
 TEST_CASE("other units, by a power of two, change no bit", "[invariance][thorough]") {
   int compared = 0;
   for_each_case([&](const Document& d, std::uint64_t number) {
-    // From the smallest object that is not refused to the largest coordinates: 2^29 < 1e9.
+    // From the smallest accepted object to the largest coordinates: 2^29 < 1e9.
     const double diagonal = Polygon::create(d.vertices)->diagonal();
     const int least = std::ilogb(min_diagonal) + 1 - std::ilogb(diagonal);
     const int most = 28 - std::ilogb(reach_of(d.vertices));
@@ -314,7 +314,7 @@ TEST_CASE("other units, by a power of two, change no bit", "[invariance][thoroug
 
 namespace {
 
-// The same outline from another vertex on, or the other way round.
+// The same outline from another first vertex, or in the other direction.
 Document renumbered(Document d, std::size_t start, bool reversed) {
   std::rotate(d.vertices.begin(), d.vertices.begin() + static_cast<std::ptrdiff_t>(start),
               d.vertices.end());
@@ -333,7 +333,7 @@ TEST_CASE("the order in which vertices are listed changes nothing", "[invariance
       const Placement after = placed(renumbered(d, 1 + number % (d.vertices.size() - 1), reversed));
       Comparison comparison(before, after, {}, false);
       comparison.in_order();
-      // What is read off a chord alone keeps its bits.
+      // Values that depend on a chord alone keep their bits.
       std::ostringstream bits;
       if (before.centre_of_mass != after.centre_of_mass) bits << "centroid ";
       for (std::size_t i = 0; comparison.same() && i < before.candidates.size(); ++i) {
@@ -413,7 +413,7 @@ bool is_one_sided(const Placement& placement) {
   return false;
 }
 
-// What remains of the candidates after the keys for a further team; the order has not been asked.
+// The candidates that remain after the keys for a further team, before candidate order decides.
 std::vector<std::size_t> best_by_keys(const Placement& placement, std::size_t teams) {
   const auto polygon = Polygon::create(placement.vertices());
   std::vector<std::uint32_t> selected;
@@ -459,7 +459,7 @@ std::vector<std::size_t> best_by_keys(const Placement& placement, std::size_t te
   return left;
 }
 
-// The teams are the same as long as no tie fell to candidate order; then both choices must be ties.
+// The teams are the same until candidate order decides a tie; then both choices must be ties.
 void compare_teams(const Placement& before, const Placement& after,
                    const std::vector<std::size_t>& became, Comparison& comparison,
                    std::string& differences, bool& all_same) {
@@ -544,14 +544,14 @@ TEST_CASE("distributed teams of a convex object are mirrored with it", "[invaria
     const auto polygon = Polygon::create(d.vertices);
     REQUIRE(polygon.ok());
     if (!polygon->convex()) return;
-    // Seen along an edge hardly any line meets both sides, and rounding decides whether one does.
+    // Hardly any line seen along an edge meets both sides, and rounding decides whether one does.
     const auto centre = check_centre_of_mass(*polygon, d.centre_of_mass);
     const std::vector<bool> radial = radial_edges(*polygon, *centre);
     if (std::find(radial.begin(), radial.end(), true) != radial.end()) return;
     d.settings.method = Method::distributed;
     const Placement before = placed(d);
     Placement after = placed(changed(d, change));
-    // Counted upward from the right, now from the left.
+    // Counted upward from the right before, from the left now.
     std::reverse(after.teams.begin(), after.teams.end());
     Comparison comparison(before, after, change, false);
     comparison.teams_and_verdicts();

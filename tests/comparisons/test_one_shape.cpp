@@ -80,8 +80,8 @@ TEST_CASE("every sample has one answer in ranges, however it lies", "[one_shape]
   CHECK(failures == 0);
 }
 
-// Where two choices tie, the copy may take the other one and come to another end, which a shape
-// with symmetries has. So the samples count, and nearly all must agree.
+// Where two choices tie, the copy may take the other one and reach a different result; this happens
+// with symmetric shapes. So the samples are counted, and nearly all must agree.
 TEST_CASE("teams that are to hold have one answer, however the samples lie",
           "[one_shape][ranges][slow]") {
   Rng rng(28);

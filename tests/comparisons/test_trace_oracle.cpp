@@ -30,7 +30,7 @@ std::optional<Trace> trace_of(const Case& c) {
   return *trace;
 }
 
-// Coordinates far from the origin: positions, not decisions, then lose digits.
+// Whether coordinates are far from the origin: then positions, but not decisions, lose digits.
 bool far_away(const Trace& trace) {
   double largest = 0;
   for (const Vec2& v : trace.polygon.vertices())
@@ -38,7 +38,8 @@ bool far_away(const Trace& trace) {
   return largest > 1e4 * trace.polygon.diagonal();
 }
 
-// Where the ray from vertex w through C meets the line of an edge, as the multiple of |C w|.
+// The intersection of the ray from vertex w through C with the line of an edge, as a multiple of |C
+// w|.
 Exact across(const Trace& trace, std::uint32_t w, std::uint32_t edge) {
   const ExactVec c = exact(trace.centre), u = c - exact(trace.polygon.vertex(w));
   const ExactVec p = exact(trace.polygon.edge_start(edge)) - c,
@@ -46,7 +47,7 @@ Exact across(const Trace& trace, std::uint32_t w, std::uint32_t edge) {
   return oracle::cross(p, q) / oracle::cross(u, q - p);
 }
 
-// |C r_b| / |C r_a| at an end of the pair's range, from the vertices that it ends at.
+// |C r_b| / |C r_a| at an end of the pair's range, from the vertices at which it ends.
 Exact exact_g(const Trace& trace, const EdgePair& pair, std::uint32_t on_a, std::uint32_t on_b) {
   if (on_a != inside_edge) return across(trace, on_a, pair.b);
   return 1 / across(trace, on_b, pair.a);
@@ -60,7 +61,7 @@ bool joins_vertices(const Trace& trace, const Chord& chord) {
   return is_vertex(chord.r1) && is_vertex(chord.r2);
 }
 
-// Of the distances of its ends from C.
+// The ratio of the distances of its ends from C.
 double ratio_of_ends(const Trace& trace, const Chord& chord) {
   const auto arm = [&](const LiftingPoint& p) {
     const ExactVec u = exact(p.position) - exact(trace.centre);
@@ -96,7 +97,7 @@ void check_pair(const Trace& trace, std::uint32_t index, int& certain) {
     return;
   }
   REQUIRE(detail.meeting);
-  // The bisecting chord is in the sections if and only if 1 lies between g0 and g1: exactly.
+  // The bisecting chord is in the sections if and only if 1 is between g0 and g1: exactly.
   // Otherwise only an even chord between two vertices, at a section end, counts as one.
   const bool in_sections = (g0 - 1) * (g1 - 1) <= 0;
   if (detail.outcome == Outcome::bisecting) {
@@ -112,8 +113,8 @@ void check_pair(const Trace& trace, std::uint32_t index, int& certain) {
         1e-12);
 }
 
-// The oracle's score of a candidate for a team: the teams before it and the candidate alone in a
-// list. Each of those teams won against all, so it wins against fewer.
+// The oracle's score of a candidate for a team, from a list of only the preceding teams and the
+// candidate. Each of those teams won against all candidates, so it wins against fewer.
 double oracle_score(const Case& c, const Trace& trace, std::uint32_t team, std::uint32_t candidate,
                     bool& in_order) {
   std::vector<std::uint32_t> chosen;
@@ -145,7 +146,7 @@ TEST_CASE("each edge-pair's step says what exact arithmetic says", "[trace][orac
     if (!trace) continue;
     INFO(c.name << ' ' << i);
     const oracle::CandidateList list = oracle::find_candidates(c.problem);
-    // Where C is within tolerance of an edge's line the oracle counts pairs as the core does.
+    // Where C is within tolerance of an edge's line, the oracle counts pairs as the core does.
     if (list.closest_call.distance > 1e-3) CHECK(trace->pairs.size() == list.pairs);
     for (std::uint32_t pair = 0; pair < trace->pairs.size(); ++pair)
       check_pair(*trace, pair, certain);
@@ -188,7 +189,7 @@ TEST_CASE("chords in order of slope rise", "[trace][oracle][slow]") {
       const VertexChord& chord = trace->rays.chords[k];
       ExactVec u = exact(trace->centre) - exact(trace->polygon.vertex(chord.vertex));
       if (u.x < 0) u = -u;
-      // Within tolerance of the vertical is vertical, and last.
+      // A direction within tolerance of the vertical is vertical, and last.
       if (abs(u.x) * 500000000 < abs(u.y)) break;
       if (before) CHECK(oracle::sign(oracle::cross(*before, u)) >= 0);
       compared += before.has_value();

@@ -1,4 +1,4 @@
-"""Installs the C library, looks at what it shows, and uses it from plain C.
+"""Installs the C library, checks its exported names, and uses it from plain C.
 
     EVENLIFT_BUILD=build/native EVENLIFT_PROGRAM=build/bin/evenlift python3 tests/consumers/check_c.py
 """
@@ -23,14 +23,14 @@ def c_compiler():
 
 
 def check_symbols(library):
-    """Nothing is to be seen but the two functions: no other names that a program's own could meet."""
+    """The library exports only the two functions, so no other name can conflict with a program's own."""
     shown = run("nm", "--dynamic", "--defined-only", "--extern-only", library).splitlines()
     names = sorted(line.split()[-1] for line in shown)
     expect(names == ["evenlift_free", "evenlift_run"], f"the library shows {names}")
 
 
 def check_needs(library):
-    """What it takes from elsewhere is the languages' own libraries."""
+    """It depends only on the languages' own libraries."""
     needed = re.findall(r"NEEDED\s+(\S+)", run("objdump", "-p", library))
     own = re.compile(r"lib(stdc\+\+|c\+\+|c\+\+abi|m|gcc_s|c|asan|ubsan|pthread)\.so|ld-linux")
     expect(all(own.match(name) for name in needed), f"the library needs {needed}")
@@ -55,7 +55,7 @@ def answers(consumer, *requests):
 
 
 def check_answers(consumer):
-    """What `place` answers is what the program prints, whatever is asked for."""
+    """The answers to `place` equal the program's output, for all options."""
     ways = [
         ({}, []),
         ({"settings": {"metric": "balanced", "robots": 5}, "failures": True}, ["--metric", "balanced", "--robots", "5", "--failures"]),
@@ -88,7 +88,7 @@ def check_errors(consumer):
 
 
 def check_memory(consumer):
-    """With too little memory it says so and does not end the program."""
+    """With too little memory it reports an error and does not end the program."""
     points = [[i, i % 2 + 10 * (i // 100000)] for i in range(100000)]
     request = json.dumps({"polygon": points})
     file = consumer.parent / "limited.py"

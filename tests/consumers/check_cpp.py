@@ -1,9 +1,10 @@
-"""Installs the C++ libraries, moves them elsewhere, and uses them from a project outside of this repository.
+"""Installs the C++ libraries, moves them elsewhere, and uses them from a project outside this repository.
 
     EVENLIFT_BUILD=build/native EVENLIFT_PROGRAM=build/bin/evenlift python3 tests/consumers/check_cpp.py
 
-What it checks: find_package() and pkg-config find them, and ask for nothing but Eigen (pugixml, too, for drawings); a
-wrong version is refused; what the project computes is what the program prints; each public header compiles alone.
+It checks that find_package() and pkg-config find them, and require nothing but Eigen (and pugixml, for drawings);
+that a wrong version is refused; that the project's results equal the program's; and that each public header compiles
+alone.
 """
 
 import concurrent.futures
@@ -13,7 +14,7 @@ import sys
 
 from installed import build, compiler, expect, installed_into, library_folder, main, program, root, run, samples, version
 
-# What the build needs and a user does not. CMake takes them for missing, and the project must not mind.
+# The build needs these, but a user does not. CMake treats them as missing, and the project must still configure.
 not_needed = ["nlohmann_json", "CLI11", "Catch2", "rapidcheck", "Boost", "benchmark", "SDL2", "Python3"]
 bears = "20\n20\n20\n20\n"
 drawing = "2 shapes. 6 robots carry 16.7 kg each (100 kg in all).\n".replace(" kg", "\u00a0kg")
@@ -39,7 +40,7 @@ def check_cmake(prefix, source, folder):
     check_programs(without_drawings, samples[:3])
     check_programs(built, samples)
     expect(run(built / "drawing") == drawing, f"the drawing's placement is another: {run(built / 'drawing')}")
-    # Without Eigen, and for drawings without pugixml, it says so and stops.
+    # Without Eigen, and for drawings without pugixml, it reports that and stops.
     configure(prefix, source, folder / "no-eigen", "-DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON", status=1)
     if "find_package(pugixml" in next(prefix.glob("**/evenlift-config.cmake")).read_text():
         configure(prefix, source, folder / "no-pugixml", "-DCMAKE_DISABLE_FIND_PACKAGE_pugixml=ON", status=1)
@@ -55,7 +56,7 @@ def check_programs(place, polygons):
 
 
 def check_wrong_version(prefix, source, folder):
-    """A later version may be asked for in vain, and so may one that is not compatible."""
+    """A later version is refused when requested, and so is an incompatible one."""
     major, minor, _ = version().split(".")
     for wanted in (f"{int(major) + 1}.0", f"{major}.{int(minor) + 1}", f"{int(major) - 1}.9"):
         asking = folder / f"asks-for-{wanted}"
@@ -84,8 +85,8 @@ def check_pkg_config(prefix, source, folder):
 
 
 def check_headers(prefix):
-    """Each public header by itself, twice, without warnings, and with what pkg-config says alone. Eigen, which most of that
-    time is spent on, is compiled once."""
+    """Each public header by itself, twice, without warnings, and only with the flags from pkg-config. Eigen takes most
+    of that time, so it is compiled once."""
     cxx, _ = compiler()
     folder = prefix / "include"
     headers = sorted(path.relative_to(folder) for path in folder.glob("evenlift/**/*.h"))
@@ -109,8 +110,8 @@ def check_headers(prefix):
 
 
 def check_inclusion(source, folder):
-    """As a part of another project it wants neither the program's nor the tests' libraries. To compile it takes minutes, so
-    that is left out."""
+    """As a part of another project it needs neither the program's nor the tests' libraries. Compiling it would take
+    minutes and is left out."""
     shutil.copytree(source, folder)
     (folder / "CMakeLists.txt").write_text(
         "cmake_minimum_required(VERSION 3.24)\nproject(other LANGUAGES CXX)\n"

@@ -1,4 +1,4 @@
-"""The robots' poses, read back by other people's readers: CSV, JSON, and YAML, checked for the shape of a ROS 2 message.
+"""Reads the robots' poses with third-party readers: CSV, JSON, and YAML, checked for the shape of a ROS 2 message.
 
     EVENLIFT_BUILD=build/native EVENLIFT_PROGRAM=build/bin/evenlift python3 tests/consumers/check_poses.py
 """
@@ -11,7 +11,7 @@ import sys
 import yaml
 from installed import expect, main, program, run, samples
 
-# geometry_msgs/msg/PoseArray and what is in it, as `ros2 interface show` tells.
+# geometry_msgs/msg/PoseArray and its members, as `ros2 interface show` prints them.
 pose_array = {
     "header": {"stamp": {"sec": int, "nanosec": int}, "frame_id": str},
     "poses": [{"position": {"x": float, "y": float, "z": float}, "orientation": {"x": float, "y": float, "z": float, "w": float}}],

@@ -1,8 +1,9 @@
-"""Makes the Python package a wheel, installs it into a folder of its own, and uses it from there.
+"""Builds a wheel of the Python package, installs it into a separate folder, and uses it from there.
 
-    EVENLIFT_BUILD=build/native EVENLIFT_PROGRAM=build/bin/evenlift python3 tests/consumers/check_python.py [--compile]
+    EVENLIFT_BUILD=build/native EVENLIFT_PROGRAM=build/bin/evenlift python3 tests/consumers/check_python.py
+    [--compile]
 
-The library inside is the build's own; with --compile pip compiles it anew, as it does for everybody else.
+The library inside is the build's own; with --compile, pip compiles it, as it does for users.
 """
 
 import re
@@ -15,7 +16,7 @@ usage = (root / "tests/consumers/python/usage.py").resolve()
 
 
 def check_wheel(wheel):
-    """It is for this platform and any Python 3, holds what is needed, and says nothing of where it was made."""
+    """It is for this platform and any Python 3, contains all needed files, and no path of the build."""
     expect(re.fullmatch(rf"evenlift-{re.escape(version())}-py3-none-\w+\.whl", wheel.name), f"it is called {wheel.name}")
     names = set(zipfile.ZipFile(wheel).namelist())
     sources = {path.name for path in (root / "python/src/evenlift").iterdir() if path.suffix in (".py", ".pyi", ".typed")}
@@ -37,7 +38,7 @@ def check(folder):
     check_wheel(wheels[0])
     run(sys.executable, "-m", "pip", "install", "--no-index", "--no-deps", "--target", folder / "site", wheels[0])
     print(run(sys.executable, "-B", usage, program, *samples, cwd=folder, PYTHONPATH=str(folder / "site")), end="")
-    # All but arrays works where NumPy is missing.
+    # Everything except arrays works without NumPy.
     (folder / "without").mkdir()
     (folder / "without/numpy.py").write_text("raise ImportError('there is no NumPy here')\n")
     path = f"{folder / 'without'}:{folder / 'site'}"

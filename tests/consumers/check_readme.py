@@ -1,9 +1,12 @@
-"""Runs the lines of README.md's section "Five ways in" as they stand, on a copy of what they use, and looks at what they make.
+"""Runs the lines of README.md's section "Five ways in" unchanged, on a copy of the files they use, and checks the
+results.
 
-    EVENLIFT_BUILD=build/native EVENLIFT_PROGRAM=build/bin/evenlift python3 tests/consumers/check_readme.py [--compile]
+    EVENLIFT_BUILD=build/native EVENLIFT_PROGRAM=build/bin/evenlift python3 tests/consumers/check_readme.py
+    [--compile]
 
-They begin after `./dev build`, so the copy has its build folder. pip takes the build's own library, unless --compile is given, and
-does without a network. What is not built by `./dev build` alone, the page and its packages for JavaScript, has tests of its own.
+The lines begin after `./dev build`, so the copy has its build folder. pip uses the build's own library, unless
+--compile is given, and works without a network. The page and its packages for JavaScript, which `./dev build` alone
+does not build, have separate tests.
 """
 
 import re
@@ -22,7 +25,7 @@ def section():
 
 
 def copy_of_repository(folder):
-    """The repository's folders by links, and a build folder of its own."""
+    """The repository's folders by links, and a separate build folder."""
     folder.mkdir()
     for path in root.iterdir():
         if path.name not in ("build", ".git"):

@@ -1,4 +1,4 @@
-"""What the tests of installed packages share: installing into a folder of its own, and running commands there."""
+"""Shared by the tests of installed packages: installing into a separate folder, and running commands there."""
 
 import os
 import pathlib
@@ -10,7 +10,7 @@ root = pathlib.Path(__file__).resolve().parent.parent.parent
 build = pathlib.Path(os.environ["EVENLIFT_BUILD"]).resolve()
 program = pathlib.Path(os.environ["EVENLIFT_PROGRAM"]).resolve()
 samples = [path for path in sorted((root / "assets/polygons").glob("*.txt")) if path.name != "index.txt"]
-# Of what the build was made with nothing may reach those who only use it.
+# Nothing from the build's environment may reach its users.
 clean_environment = {name: value for name, value in os.environ.items() if not name.startswith(("CMAKE_PREFIX", "PKG_CONFIG"))}
 
 
@@ -19,7 +19,7 @@ class Failed(Exception):
 
 
 def run(*command, cwd=None, expect=0, **environment):
-    """The command's standard output. Any other status than the expected one is a failure."""
+    """The command's standard output. Any unexpected status is a failure."""
     done = subprocess.run(
         [str(part) for part in command],
         cwd=cwd,
@@ -40,12 +40,12 @@ def expect(true, what):
 
 
 def version():
-    """The version as the program says it, which all packages must say, too."""
+    """The program's version, which all packages must also report."""
     return run(program, "--version").split()[1]
 
 
 def compiler():
-    """The compilers of the build: what it links with must be theirs, too, for instance a sanitizer."""
+    """The compilers of the build: anything linked with it must use them, for instance because of a sanitizer."""
     cache = (build / "CMakeCache.txt").read_text()
     entries = dict(line.split("=", 1) for line in cache.splitlines() if "=" in line and not line.startswith(("#", "//")))
     named = {name.split(":")[0]: value for name, value in entries.items()}
@@ -53,14 +53,14 @@ def compiler():
 
 
 def installed_into(folder):
-    """Installs, and then moves what is installed: nothing in it may know where it was made."""
+    """Installs, and then moves the installed files: none of them may contain the place where it was made."""
     run("cmake", "--install", build, "--prefix", folder / "first")
     shutil.move(folder / "first", folder / "installed")
     return folder / "installed"
 
 
 def library_folder(prefix):
-    """lib, lib64 or lib/x86_64-linux-gnu, as the system has it."""
+    """lib, lib64 or lib/x86_64-linux-gnu, depending on the system."""
     return next(prefix.glob("**/pkgconfig")).parent
 
 

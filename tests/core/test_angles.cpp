@@ -1,4 +1,4 @@
-// Our own sine, cosine and arctangent against the library's in long double.
+// Our sine, cosine and arctangent against the library's in long double.
 #include "evenlift/angles.h"
 
 #include <cmath>
@@ -10,8 +10,8 @@ using namespace evenlift;
 
 namespace {
 
-// As the header promises: units in the last place of 1, for the arctangent of its own size if
-// larger.
+// The header's promise: units in the last place of 1; for the arctangent, of its own size if that
+// is larger.
 constexpr double four_units = 4 * 0x1p-52;
 
 double uniform(std::mt19937_64& engine, double low, double high) {
@@ -73,7 +73,7 @@ TEST_CASE("the arctangent is right to four units in the last place in every quad
         std::atan2(static_cast<long double>(y), static_cast<long double>(x));
     const double error = std::fabs(static_cast<double>(expected - arctangent2(y, x)));
     if (error <= 2 * four_units) {
-      // Up to pi, whose last place is twice that of 1.
+      // Results up to pi, whose last place is twice that of 1.
       if (std::fabs(static_cast<double>(expected)) < 2) CHECK(error <= four_units);
       continue;
     }

@@ -21,7 +21,7 @@ Document distributed_square() {
   return square;
 }
 
-// The plan by its definition: place one number of teams after the other.
+// The plan by its definition: tries each number of teams in turn.
 CapacityPlan plan_by_trying(Document document, double capacity, std::uint32_t most) {
   CapacityPlan plan;
   for (std::uint32_t k = 1; k <= most; ++k) {
@@ -48,7 +48,7 @@ TEST_CASE("robots needed for a capacity are the fewest that stay within it, by e
         const CapacityPlan plan = plan_capacity(placed(document), capacity);
         const CapacityPlan expected = plan_by_trying(document, capacity, 24);
         INFO(name << ", " << evenlift::name(method) << ", " << capacity);
-        if (!expected.possible && expected.tried == 24) continue;  // more teams may do
+        if (!expected.possible && expected.tried == 24) continue;  // more teams may be enough
         CHECK(plan == expected);
         possible += expected.possible ? 1 : 0;
       }
@@ -104,7 +104,7 @@ TEST_CASE("100 kg on even teams need the robots that arithmetic says", "[capacit
 TEST_CASE("a capacity that no number of teams keeps is said to be impossible", "[capacity]") {
   const CapacityPlan few = plan_capacity(placed(corpus::polygon("thesis-sample")), 5);
   CHECK_FALSE(few.possible);
-  CHECK(few.tried == 3);  // its candidates
+  CHECK(few.tried == 3);  // the number of its candidates
   Document at_random = distributed_square();
   at_random.settings.method = Method::random;
   for (const Document& document : {distributed_square(), at_random}) {

@@ -1,4 +1,5 @@
-// How exactly robots must stand: clearance and tolerance of a hold, by hand and by moving robots.
+// How precisely robots must be placed: clearance and tolerance of a hold, by hand and by moving
+// robots.
 #include <cmath>
 #include <limits>
 #include <random>
@@ -55,7 +56,7 @@ TEST_CASE("a contact's distance from the corners is that along its side, over st
   };
   CHECK(distances(polygon(square), {Vec2(0.5, 0), 0}) == std::vector{0.5});
   CHECK(distances(polygon(square), {Vec2(1.75, 0), 0}) == std::vector{0.25});
-  // A vertex more on the side changes nothing, be the robot beside it or on it.
+  // An extra vertex on the side changes nothing, whether the robot is beside it or on it.
   const Polygon straight = polygon({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}});
   CHECK(distances(straight, {Vec2(0.75, 0), 0}) == std::vector{0.75});
   CHECK(distances(straight, {Vec2(1.75, 0), 1}) == std::vector{0.25});
@@ -81,17 +82,17 @@ TEST_CASE("a flattened curve has no corners: only a turn of more than 15 degrees
 TEST_CASE("the clearance is the greatest distance from corners with which the rest still holds",
           "[closure][clearance]") {
   const Polygon p = polygon(square);
-  // Without the pairs that are 0.25 from corners nothing stops it from sliding along the two other
+  // Without the two robots that are 0.25 from corners, the object could slide along the two other
   // sides.
   const Closure pairs = of_pairs(p, 0.25, 0.75);
   REQUIRE(pairs.form_closure);
   CHECK(pairs.clearance.distance == 0.25);
   REQUIRE(pairs.clearance.point);
   CHECK(*pairs.clearance.point % 4 < 2);
-  // The robots may move by so much that the ball is used up, or that they are at corners.
+  // Robots may move until the margin's ball is used up or until they reach a corner.
   const double of_all = std::min(0.25, std::sqrt(2) * *pairs.margin);
   CHECK(pairs.clearance.tolerance == Approx(of_all));
-  // A ninth robot beside a corner makes the margin no less, and the hold does not need it.
+  // A ninth robot beside a corner does not reduce the margin, and the hold does not need it.
   const Closure more = analyse_closure(p, {1, 1},
                                        {{Vec2(0.25, 0), 0},
                                         {Vec2(1.75, 0), 0},
@@ -115,7 +116,7 @@ TEST_CASE("without form closure both are 0, and without corners the clearance is
 
   Document document;
   document.vertices = regular(60);
-  for (Vec2& v : document.vertices) v.x() *= 2;  // an ellipse of a kind, which can be held
+  for (Vec2& v : document.vertices) v.x() *= 2;  // a kind of ellipse, which can be held
   document.settings.method = Method::balanced;
   document.settings.robots = 4;
   const Placement placement = placed(document);
@@ -141,7 +142,7 @@ TEST_CASE("a hold by a hair is form closure, but none that reaches its goal",
 
 namespace {
 
-// Moves a robot along the outline, over the ends of its edge; one that comes to a notch stays in
+// Moves a robot along the outline, past the ends of its edge; a robot that reaches a notch stops in
 // front of it.
 LiftingPoint moved_along(const Polygon& p, LiftingPoint robot, double way) {
   const double inside = 1e-7 * p.diameter();
@@ -161,10 +162,10 @@ LiftingPoint moved_along(const Polygon& p, LiftingPoint robot, double way) {
   }
 }
 
-// Robots that are all off by less than the tolerance, in some way. A robot that is nearer to a
-// convex vertex than that may go round it, and one in a notch stays there.
+// Moves all robots by less than the tolerance, in some way. A robot nearer than that to a convex
+// vertex may pass it, and a robot in a notch stays there.
 std::vector<LiftingPoint> disturbed(const Placement& placement, std::mt19937_64& rng, bool worst) {
-  // Less by what closure itself is decided within.
+  // Reduced by the tolerances within which closure itself is decided.
   const double tolerance = (1 - 1e-3) * placement.closure.clearance.tolerance -
                            10 * near_distance(placement.polygon.diameter());
   std::vector<LiftingPoint> robots;

@@ -26,7 +26,7 @@ TEST_CASE("a robot touches one edge inside it, two at a reflex vertex, none at a
   CHECK(number({0, 0}, 0) == 0);
   CHECK(number({4, 2}, 3) == 2);
   CHECK(number({4, 2.1}, 3) == 1);
-  // Within tau L of a vertex counts as at it; L = sqrt(52).
+  // A point within tau L of a vertex counts as being at it; L = sqrt(52).
   CHECK(number({4, 2 + 7e-9}, 3) == 2);
   CHECK(number({4, 2 + 7.5e-9}, 3) == 1);
   CHECK(number({7e-9, 0}, 0) == 0);
@@ -54,7 +54,7 @@ TEST_CASE(
     "empty",
     "[closure]") {
   // Four contacts on the long sides of a rectangle: no rotation is free in either sense, but
-  // sliding is. The thesis would call this closed.
+  // sliding is. The thesis would call this form closure.
   const Polygon rectangle = polygon({{0, 0}, {10, 0}, {10, 2}, {0, 2}});
   const Closure c = analyse_closure(
       rectangle, {5, 1}, {{Vec2(2, 0), 0}, {Vec2(8, 0), 0}, {Vec2(2, 2), 2}, {Vec2(8, 2), 2}});
@@ -72,14 +72,14 @@ TEST_CASE(
 TEST_CASE("a rectangle held off the middle of its four sides is closed in one sense each",
           "[closure]") {
   const Polygon p = polygon(square);
-  // A pinwheel: turns one way, not the other.
+  // A pinwheel: it can turn one way, not the other.
   const Closure one = analyse_closure(
       p, {1, 1}, {{Vec2(0.5, 0), 0}, {Vec2(2, 0.5), 1}, {Vec2(1.5, 2), 2}, {Vec2(0, 1.5), 3}});
   CHECK(one.clockwise.exists != one.counterclockwise.exists);
   CHECK_FALSE(one.translation_free);
   CHECK_FALSE(one.form_closure);
   CHECK_FALSE(one.second_order);
-  // Two contacts on each of two sides: both senses.
+  // Two contacts on each of two sides prevent both senses.
   const Closure both = analyse_closure(p, {1, 1},
                                        {{Vec2(0.5, 0), 0},
                                         {Vec2(1.5, 0), 0},
@@ -90,8 +90,9 @@ TEST_CASE("a rectangle held off the middle of its four sides is closed in one se
   CHECK(both.form_closure);
   CHECK_FALSE(both.second_order);
   CHECK_FALSE(both.translation);
-  // Wrenches (0,1,z), (0,-1,z) with z = +-0.5 / sqrt(2), (-1,0,0) and (1,0,0): an octahedron-like
-  // hull with the facets |x| + |z| / s <= 1 and so on; the nearest are those that x and z span.
+  // The wrenches (0,1,z), (0,-1,z) with z = +-0.5 / sqrt(2), (-1,0,0) and (1,0,0) span a polyhedron
+  // like an octahedron, with the facets |x| + |z| / s <= 1 and so on. The nearest facets are those
+  // that x and z span.
   const double s = 0.5 / std::sqrt(2.0);
   CHECK(*both.margin == Approx(1 / std::sqrt(1 + 1 / (s * s))).epsilon(1e-9));
 }
@@ -155,7 +156,7 @@ TEST_CASE("a robot in the notch of a reflex vertex bears on both of its edges", 
   const Polygon u = polygon(u_shape);
   const Closure hollow = analyse_closure(u, {3, 1.5}, {{Vec2(2, 2), 4}, {Vec2(4, 2), 3}});
   CHECK_FALSE(hollow.form_closure);
-  CHECK(hollow.translation_free);  // away upward
+  CHECK(hollow.translation_free);  // it can leave upward
   REQUIRE(hollow.translation);
   CHECK(hollow.translation->y() < 0);  // the object moves down
   const Closure held =
@@ -212,7 +213,7 @@ TEST_CASE("beside a flat hull of wrenches the margin is negative, however roundi
       analyse_closure(comb, {1.5, 5.5}, {{{0, 10}, 11}, {{3, 1}, 2}, {{0, 1}, 11}, {{3, 10}, 10}});
   REQUIRE(closure.margin.has_value());
   CHECK(*closure.margin == Approx(-0.23007429954685438).epsilon(1e-9));
-  // All four wrenches in one plane with the origin, which is beside them.
+  // All four wrenches are in one plane with the origin, which is outside their hull.
   for (const double tilt : {0.0, 0.1, 0.3, 0.7, 1.1}) {
     const Eigen::AngleAxisd turn(tilt, Eigen::Vector3d(1, 2, 3).normalized());
     std::vector<Wrench> flat{{1, -1, 0}, {2, -1, 0}, {2, 1, 0}, {1, 1, 0}};

@@ -16,8 +16,8 @@ using namespace evenlift;
 
 namespace {
 
-// Of equal chords either may stay, and an end at a vertex, or where two edges nearly lie on each
-// other, may name either edge.
+// Of two equal chords either may stay. An end at a vertex, or where two edges nearly coincide, may
+// name either edge.
 bool same(const Polygon& polygon, const LiftingPoint& a, const LiftingPoint& b) {
   const auto lies_on = [&](std::uint32_t edge) {
     const Vec2 nearest =
@@ -34,7 +34,8 @@ bool same(const Polygon& polygon, const Candidate& a, const Candidate& b) {
          a.between_vertices == b.between_vertices && directions_agree(a.direction, b.direction);
 }
 
-// What differs between the two ways to the candidates of a centre; empty if nothing does.
+// The first difference between the two ways to compute the candidates of a centre; empty if they
+// agree.
 std::string difference(const Polygon& polygon, const EvenChords& chords, const Vec2& centre) {
   const auto expected = find_candidates(polygon, centre, 1);
   if (!expected) return {};
@@ -46,8 +47,8 @@ std::string difference(const Polygon& polygon, const EvenChords& chords, const V
   return {};
 }
 
-// Centres that are likely to be hard: any place, the middle of two vertices or of two points of the
-// outline, vertices.
+// Centres that are likely to be hard: any place, the midpoint of two vertices or of two points of
+// the outline, vertices.
 Vec2 any_centre(const Polygon& polygon, Rng& rng) {
   const auto vertex = [&] { return polygon.vertex(rng.below(polygon.size())); };
   const auto on_outline = [&]() -> Vec2 {

@@ -1,4 +1,4 @@
-// The measures of one polygon against place(), and the text that they are kept in.
+// The measures of one polygon against place(), and the text in which they are kept.
 #include "evenlift/experiment/measure.h"
 
 #include "evenlift/closure.h"
@@ -53,7 +53,7 @@ TEST_CASE("every measure is the one that place reports", "[experiment][slow]") {
          {Method::area, Method::circle, Method::distance, Method::distributed}) {
       const std::vector<experiment::Measurement> rows = experiment::measure(subject, method, {});
       CHECK(rows.size() == subject.candidates.size());
-      // All of the first, then some: placing anew for each number takes its time.
+      // All small numbers, then some of the rest: a new placement for each number takes time.
       for (std::uint32_t teams = 1; teams <= rows.size(); teams += teams < 12 ? 1 : 17) {
         INFO(evenlift::name(method) << ", " << teams << " teams");
         const experiment::Measurement& m = rows[teams - 1];
@@ -173,7 +173,7 @@ TEST_CASE("closure alone is decided as with all that is said of it",
   }
   CHECK(closed > 20);
   CHECK(open > 20);
-  // The thesis's test lets through what can still slide: a square held on two sides.
+  // The thesis's test accepts a hold that can still slide: a square held on two sides.
   const Document square = corpus::polygon("square");
   const experiment::Subject subject = subject_of(square);
   const Chord level = placed(square, Method::area, 1).candidates[1].chord;
@@ -293,7 +293,7 @@ TEST_CASE("the fingerprint tells inputs and settings apart", "[experiment]") {
   CHECK(experiment::fingerprint(document, {}) == all[0]);
   std::sort(all.begin(), all.end());
   CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());
-  CHECK(experiment::fingerprint("") == "cbf29ce484222325");  // of FNV-1a's own test vectors
+  CHECK(experiment::fingerprint("") == "cbf29ce484222325");  // from the test vectors of FNV-1a
   CHECK(experiment::fingerprint("foobar") == "85944171f73967e8");
 }
 

@@ -1,4 +1,4 @@
-// The table of few robots, and what balanced robots leave alone of the averages, on a tiny set.
+// The table of few robots, and the averages that balanced robots must not change, on a tiny set.
 #include "evenlift/experiment/few_robots.h"
 
 #include "evenlift/experiment/claims.h"
@@ -30,7 +30,7 @@ std::vector<experiment::PolygonResult> tiny_set() {
   return results;
 }
 
-// So many robots on each polygon, placed anew.
+// A new placement of this number of robots on each polygon.
 std::vector<Placement> placed(Method method, std::uint32_t robots) {
   std::vector<Placement> placements;
   for (const std::string& name : tiny) {
@@ -140,7 +140,7 @@ TEST_CASE("balanced robots change nothing of what is averaged of teams of two",
   for (experiment::PolygonResult& result : without)
     std::erase_if(result.measurements,
                   [](const experiment::Measurement& m) { return m.method == Method::balanced; });
-  // Teams of two close nothing here, balanced robots do.
+  // Here no teams of two have form closure, but balanced robots do.
   for (std::vector<experiment::PolygonResult>* results : {&with, &without})
     for (experiment::Measurement& m : results->front().measurements)
       if (m.method != Method::balanced) m.form_closure = 0;

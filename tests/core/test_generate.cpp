@@ -29,7 +29,7 @@ Polygon polygon_of(Family family, std::size_t n, std::uint64_t seed) {
 }
 
 // By definition: a point sees all of a counter-clockwise polygon if it is on or left of every
-// edge's line; if such points exist, one of them is where two of these lines meet. O(n^3).
+// edge's line; if such points exist, two of these lines meet in one of them. O(n^3).
 bool is_star_shaped(const Points& p) {
   const std::size_t n = p.size();
   const auto direction = [&](std::size_t i) { return Vec2(p[(i + 1) % n] - p[i]); };
@@ -46,8 +46,7 @@ bool is_star_shaped(const Points& p) {
   return false;
 }
 
-// Edges of which the ends lie on both sides of the line from the centroid in direction u, and which
-// it meets ahead.
+// The number of edges that the ray from the centroid in direction u crosses.
 std::size_t edges_met(const Polygon& polygon, const Vec2& u) {
   std::size_t met = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -1,4 +1,5 @@
-// What people give, in files and requests: nothing wins silently, and notices say what is so.
+// Values given in files and requests: no value overrides another silently, and notices report the
+// facts.
 #include <string>
 
 #include "evenlift/import.h"
@@ -66,7 +67,7 @@ TEST_CASE("the notice of a hole says whose the centre of mass is", "[import][geo
   const auto collection = [](const std::string& a, const std::string& b) {
     return R"({"type": "FeatureCollection", "features": [)" + a + "," + b + "]}";
   };
-  // Of several shapes one without a centre of mass and with a hole is enough.
+  // Among several shapes, one without a centre of mass and with a hole is enough.
   CHECK(notes(collection(ring(R"("centre_of_mass": [2, 3])", true), ring("", true)))
             .find("unless one is given") != std::string::npos);
   CHECK(notes(collection(ring(R"("centre_of_mass": [2, 3])", true), ring("", false)))

@@ -296,7 +296,7 @@ TEST_CASE("every ready-made lesson opens and has its steps", "[lesson]") {
     const auto missing = check_lesson(lesson, trace);
     INFO((missing ? describe(missing->place) : ""));
     CHECK_FALSE(missing);
-    // In the order of the algorithm.
+    // Steps are in the order of the algorithm.
     std::uint32_t before = 0;
     for (const LessonStep& step : lesson.steps) {
       const std::uint32_t at = find_step(trace, step.address).value_or(0);
@@ -324,7 +324,7 @@ TEST_CASE("the example in docs/lessons.md is a lesson", "[lesson]") {
   CHECK(is_even(chord_of(trace.placement.teams[0])));
 }
 
-// What the lessons say of their polygons, in numbers.
+// The numbers that the lessons claim about their polygons.
 TEST_CASE("what the ready-made lessons claim is so", "[lesson]") {
   const auto trace = [](const char* name) {
     return trace_of(lesson_of(corpus::read_file(lessons_folder() / (std::string(name) + ".txt"))));
@@ -428,7 +428,7 @@ TEST_CASE("what the ready-made lessons claim is so", "[lesson]") {
   }
 }
 
-// What they answer to the questions at their ends, in numbers.
+// The numbers in the answers to the questions at the lessons' ends.
 TEST_CASE("what the ready-made lessons answer is so", "[lesson][slow]") {
   const auto placed = [](const char* name, auto change) {
     const Lesson lesson =

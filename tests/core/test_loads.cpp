@@ -1,4 +1,4 @@
-// What each robot bears, by the law of the lever.
+// The load of each robot, by the law of the lever.
 #include "evenlift/loads.h"
 
 #include "kit/catch.h"

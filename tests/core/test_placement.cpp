@@ -1,4 +1,4 @@
-// place(): every sample polygon by every metric keeps the rules; refusals; the thesis's numbers.
+// place(): every sample polygon keeps the rules with every metric; refusals; the thesis's numbers.
 #include "evenlift/placement.h"
 
 #include <array>
@@ -207,7 +207,7 @@ TEST_CASE("a polygon is refused with its reason and place", "[placement][refusal
   CHECK(touch.place.index == 0);
   CHECK((touch.place.other == 2 || touch.place.other == 3));
   is({{0, 0}, {4, 0}, {2, 0}, {2, 4}}, ErrorCode::edges_cross, Kind::edge, 0, 1);
-  // The bounds themselves are fine.
+  // The bounds themselves are valid.
   CHECK(place(document({{-1e9, -1e9}, {1e9, -1e9}, {1e9, 1e9}, {-1e9, 1e9}})).ok());
 }
 

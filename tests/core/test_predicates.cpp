@@ -1,6 +1,5 @@
-// The predicates and the number types below them against rationals: signs are exact and values
-// right to 2^-45, whether coordinates are ordinary, nearly degenerate, huge or below the normal
-// range.
+// The predicates and their number types against rationals: signs are exact and values accurate to
+// 2^-45, whether coordinates are ordinary, nearly degenerate, huge or below the normal range.
 #include "evenlift/predicates.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -31,7 +30,7 @@ Rational exact(double x) {
   return exponent < 0 ? Rational(Integer(mantissa), power) : Rational(Integer(mantissa) * power);
 }
 
-// Whether `value` has the sign of the exact one and is right to 2^-45, unless that is below the
+// Whether `value` has the sign of the exact one and is accurate to 2^-45, unless that is below the
 // smallest doubles.
 bool right(double value, const Rational& expected) {
   if (expected == 0) return value == 0;
@@ -175,7 +174,7 @@ TEST_CASE("predicates are right on points that mirror each other almost exactly"
   int zeros = 0;
   check_all(
       [&](std::mt19937_64& e) {
-        // d lies across a from b, on the line of c and d or next to it.
+        // d is on the opposite side of a from b, on the line of c and d or next to it.
         const double scale = std::ldexp(1.0, -40 * below(e, 8));
         const Vec2 a = point(e, scale), b = point(e, scale), mirrored = 2 * a - b;
         const Vec2 step = point(e, scale);
@@ -197,7 +196,7 @@ TEST_CASE("predicates are right on points that mirror each other almost exactly"
 }
 
 TEST_CASE("a sum that rounds to 0 still counts where a point is mirrored", "[predicates]") {
-  // From C one coordinate of b is 1 - 1e-17, and that of w is -1 - 1e-17.
+  // Relative to C, one coordinate of b is 1 - 1e-17, and the same coordinate of w is -1 - 1e-17.
   CHECK(orient_mirrored(Vec2(0, 1e-17), Vec2(5, -1), Vec2(0, 1), Vec2(1, 1)) == 2e-17);
   CHECK(orient_mirrored(Vec2(1e-17, 0), Vec2(-1, 5), Vec2(1, 0), Vec2(1, 1)) == -2e-17);
 }

@@ -1,4 +1,5 @@
-// Settings from text: one grammar for the program, scripts, lessons and what the page keeps.
+// Settings from text: one grammar for the program, scripts, lessons and the texts that the page
+// keeps.
 #include "evenlift/settings.h"
 
 #include <limits>
@@ -190,7 +191,7 @@ constexpr Text bad[] = {
     {Setting::no_go, ""},
     {Setting::no_go, "0"},
     {Setting::no_go, "1:0.75-0.25"},
-    {Setting::loads, "plan"},  // not the document's
+    {Setting::loads, "plan"},  // not a setting of the document
 };
 
 bool same(const Document& a, const Document& b) {
@@ -226,7 +227,7 @@ Result<Lesson> lesson_with(const Text& given) {
                       given.text + "\n[end]\nWords.\n");
 }
 
-// Changes what the function takes: what places, or what is shown.
+// Changes the part that the function accepts: the settings of the placement, or of the view.
 void change_part(Document& document, const auto& change) {
   if constexpr (std::is_invocable_v<decltype(change), Settings&>)
     change(document.settings);
@@ -234,7 +235,7 @@ void change_part(Document& document, const auto& change) {
     change(document.shown);
 }
 
-// A document with any settings at all.
+// A document with random settings of every kind.
 Document any_document(Rng& rng) {
   Document document = testing::random_document(rng, 0);
   for (const Text& given : good)
@@ -278,7 +279,7 @@ TEST_CASE("every setting has a name that leads back to it and a sentence", "[set
   CHECK_FALSE(setting_from_name(""));
 }
 
-// People know these sentences, and scripts look for them.
+// Users know these messages, and scripts search for them.
 TEST_CASE("what each setting may be is said as ever", "[settings]") {
   const std::pair<Setting, const char*> sentences[] = {
       {Setting::teams, "the number of teams is a whole number from 1 to 1048576, or max"},
@@ -340,7 +341,8 @@ TEST_CASE("the texts of a document's settings read back as the document", "[sett
   int read = 0;
   for (int i = 0; i < 5000; ++i) {
     const Document document = any_document(rng);
-    if (check_ranges(document.settings, document.shown)) continue;  // a link may hold it, no text
+    if (check_ranges(document.settings, document.shown)) continue;  // allowed in a link, but not in
+                                                                    // a text
     Document back;
     for (const SettingRow& row : all_settings()) {
       const std::string text = text_of(row.setting, document);
@@ -429,12 +431,12 @@ TEST_CASE("scripts and lessons take and refuse the same texts for a setting", "[
     if (is_lesson_setting(given.setting)) CHECK(lesson_with(given).ok());
   }
   for (const Text& given : bad) {
-    if (given.setting == Setting::loads) continue;  // which scripts can give
+    if (given.setting == Setting::loads) continue;  // which scripts can set
     INFO(name(given.setting) << "=" << given.text);
     const auto refused = script(given);
-    // A text with the end of a line in it is two lines for a script.
+    // A text with a line end in it is two lines for a script.
     CHECK_FALSE(refused.ok());
-    // Around a lesson's value there may be spaces: they are not part of it.
+    // Spaces around a lesson's value are not part of it.
     if (!is_lesson_setting(given.setting) || trimmed(given.text) != given.text) continue;
     CHECK_FALSE(lesson_with(given).ok());
   }
@@ -517,7 +519,8 @@ TEST_CASE("each range holds for settings as values, in links and placements alik
   check([](Shown& s) { s.units.weight = static_cast<WeightUnit>(4); }, Setting::weight_unit);
 }
 
-// Links held such numbers before they were bounded, and are read for ever (link.h).
+// Links contained such numbers before they were bounded, and must remain readable for ever
+// (link.h).
 TEST_CASE("a number out of bounds stays in a link, and is refused where robots are placed",
           "[settings][link]") {
   const auto check = [](auto change, Setting setting) {

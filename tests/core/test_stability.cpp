@@ -25,7 +25,7 @@ TEST_CASE("coverage is the part of the polygon within the hull, not of the hull"
   CHECK(u.area() == 20);
   CHECK(coverage(u, {{0, 0}, {6, 0}, {6, 4}, {0, 4}}) == 1);
   CHECK(coverage(u, {{1, 2}, {5, 2}, {5, 4}, {1, 4}}) ==
-        Approx(4.0 / 20));  // the hollow is no part
+        Approx(4.0 / 20));  // the hollow is not part of it
   CHECK(coverage(u, {{0, 0}, {6, 0}, {3, 2}}) == Approx(6.0 / 20));
   CHECK(coverage(u, {{2.5, 2.5}, {3.5, 2.5}, {3, 3.5}}) == 0);
 }
@@ -74,10 +74,10 @@ TEST_CASE("coverage agrees with a sum over horizontal slabs", "[stability]") {
 TEST_CASE("a force beyond one edge of the hull tips by the lever about that edge", "[stability]") {
   const Points square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   const Vec2 centre(1, 2);
-  // Its distance from the right edge is 3, the force's is 2.
+  // C is 3 from the right edge, the force is 2 from it.
   CHECK(tipping_force(square, centre, 100, {6, 2}) == Approx(150));
   CHECK(tipping_force(square, centre, 100, {-4, 2}) == Approx(25));
-  // Beyond two edges the weaker resists.
+  // Where the force is beyond two edges, the weaker one decides.
   CHECK(tipping_force(square, centre, 100, {5, -1}) == Approx(200));
   CHECK(tipping_force(square, centre, 100, {-1, 6}) == Approx(100));
 }

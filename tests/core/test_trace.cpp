@@ -28,7 +28,7 @@ using evenlift::testing::traced;
 
 namespace {
 
-// What playing from the beginning adds up to.
+// The sum of the progress when all steps up to `last` are played.
 Progress played(const Trace& trace, std::uint32_t last) {
   Progress progress;
   for (std::uint32_t k = 0; k <= last; ++k) {
@@ -74,7 +74,8 @@ Progress played(const Trace& trace, std::uint32_t last) {
   return progress;
 }
 
-// A text for people is whole: no number that is none, no place left open, nothing the font lacks.
+// A text for readers is complete: no NaN, no unfilled placeholder, no character that the font
+// lacks.
 void check_text(const std::string& text, bool sentence) {
   INFO(text);
   if (sentence) {
@@ -206,7 +207,7 @@ TEST_CASE("what is known at a step does not depend on the way to it", "[trace]")
       const Trace trace = traced(placed(corpus::polygon(name), method, 4));
       for (std::uint32_t k = 0; k < trace.size(); ++k)
         REQUIRE(progress_at(trace, k) == played(trace, k));
-      // Forward, backward and from the same place again: the same words and shapes.
+      // Played forward, backward and twice from the same place: the words and shapes are the same.
       std::vector<std::string> forward;
       const auto picture = [&](std::uint32_t k) {
         const StepDetail detail = look_at(trace, k);
@@ -572,7 +573,7 @@ TEST_CASE("objects of every size have readable numbers", "[trace][words]") {
   }
 }
 
-// tests/expected/trace: what the program prints, for people to read and for changes to show.
+// tests/expected/trace holds the program's output, so that changes become visible.
 TEST_CASE("known polygons give the expected traces", "[trace][expected][slow]") {
   const std::filesystem::path folder =
       std::filesystem::path(EVENLIFT_TESTS_DIR) / "expected" / "trace";
@@ -619,7 +620,7 @@ TEST_CASE("every step of balanced robots has its words, figures and numbers",
 TEST_CASE("a step of a failure carries the object within tau L, not within tau of its box",
           "[trace][balanced][slow]") {
   // The diameter of this square is 2, and the diagonal of its box 2.83. Once the last robot fails,
-  // C is 2.4e-9 outside of the other three.
+  // C is 2.4e-9 outside the triangle of the other three.
   Document document;
   document.vertices = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   document.settings.robots = 4;

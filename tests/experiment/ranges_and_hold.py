@@ -1,9 +1,10 @@
-"""Measures what positions anywhere in the range and the goal to hold change, and how far the greedy choice is from the best.
+"""Measures the effect of positions anywhere in the range and of the goal to hold, and how far the greedy choice is from
+the best.
 
     EVENLIFT_PROGRAM=build/bin/evenlift python3 tests/experiment/ranges_and_hold.py FOLDER...
 
-Prints the tables of docs/experiments.md: of all polygons of each folder the part that is held with clearance, in percent,
-and the mean coverage; where fewer teams find a place, with those that do.
+Prints the tables of docs/experiments.md, for each folder: the share of all its polygons that is held with clearance,
+in percent, and the mean coverage. If fewer teams find a place, these count.
 """
 
 import json

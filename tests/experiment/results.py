@@ -1,4 +1,4 @@
-"""What an experiment's folder holds, read back, and all that is said of it worked out once more in Python."""
+"""Reads the folder of an experiment, and recomputes all its statements in Python."""
 
 import collections
 import csv
@@ -45,14 +45,14 @@ def figures(folder, of):
 
 
 def claims(folder, of):
-    """Our number of a set by what it is, from the table in thesis.md."""
+    """Our values for a set by their meaning, from the table in thesis.md."""
     head, _, *lines = [[cell.strip() for cell in line.strip("|").split("|")]
                        for line in (pathlib.Path(folder) / "thesis.md").read_text(encoding="utf-8").splitlines()]
     return {cells[1]: cells[head.index(of)] for cells in lines}
 
 
 def few_robots(folder, of):
-    """The cells of a set by what is measured, number of robots and method, from the tables in robots.md."""
+    """The cells of a set by measure, number of robots and method, from the tables in robots.md."""
     cells = {}
     for lines in (pathlib.Path(folder) / "robots.md").read_text(encoding="utf-8").split("\n\n"):
         head, _, *rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines.strip().splitlines()]
@@ -91,7 +91,8 @@ class Recomputed:
         for row in rows:
             if row["method"] == "area":
                 self.most[row["polygon"]] = max(self.most[row["polygon"]], row["robots"])
-        # What teams of two can close: balanced robots are left out, as the thesis has none.
+        # The polygons on which teams of two can have form closure; balanced robots are left out, as the thesis has
+        # none.
         self.possible = {test: {row["polygon"] for row in rows if row["method"] in PAIRS and row[test] > 0} for test in ("form_closure", "no_area")}
 
     def aggregate(self, method, robots):
@@ -123,7 +124,7 @@ class Recomputed:
         ratios = []
         for robots in range(2, self.shown() + 1, 2):
             ours = self.algorithm("spread_mean", robots)
-            if ours > 1e-9 * 100 / robots:  # else even but for rounding
+            if ours > 1e-9 * 100 / robots:  # else even except for rounding
                 ratios.append(self.aggregate(method, robots)["spread_mean"] / ours)
         return min(ratios), max(ratios)
 
@@ -139,7 +140,7 @@ class Recomputed:
         return [p for p in able if len(self.choices(p, 3)) == 1], able
 
     def coverage_difference(self, method):
-        """By polygon: of the method less the algorithm's, averaged over 2 and more teams."""
+        """By polygon: the method's value less the algorithm's, averaged over 2 and more teams."""
         differences = []
         for polygon in self.polygons:
             values = [self.at[polygon, method, robots]["coverage"]
@@ -150,7 +151,7 @@ class Recomputed:
         return differences
 
     def lost(self, method, test):
-        """Steps at which a polygon loses its closure, of all steps from closed ones."""
+        """The share of steps at which a polygon loses its form closure, of all steps that begin with it."""
         steps = [(before, after) for (polygon, m, robots), before in self.at.items() if m == method and before[test] > 0
                  for after in [self.at.get((polygon, method, robots + 2))] if after]
         return [after for before, after in steps if after[test] < before[test]], steps

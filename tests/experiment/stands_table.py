@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""How many placements robots of a radius can carry out: the table and the figure of docs/experiments.md.
+"""The number of placements that robots of a radius can carry out: the table and the figure of docs/experiments.md.
 
     EVENLIFT_PROGRAM=build/bin/evenlift python3 tests/experiment/stands_table.py [--jobs N] [--update]
 
 A placement of points can be carried out if a disc of the radius can touch each lifting point from outside, along the
-inward normal (at a vertex the middle one), without overlapping the object, and no two of these discs overlap. That is
-worked out here, and not by the program. "Made to fit" is a placement by area with --robot r=R, at the best positions or in ranges: it counts if the program
-places all teams. --update writes the table into docs/experiments.md and the figure to docs/pictures/stands.svg.
+inward normal (at a vertex the middle one), without overlapping the object, and no two of these discs overlap. This
+file computes that, not the program. "Made to fit" is a placement by area with --robot r=R, at the best positions or
+in ranges: it counts if the program places all teams. --update writes the table into docs/experiments.md and the
+figure to docs/pictures/stands.svg.
 """
 
 import argparse
@@ -61,7 +62,7 @@ def can_be_carried_out(vertices, robots, radius, size):
 
 
 def measure(path):
-    """For each row, number of robots and radius: 1 or 0, or nothing where so many cannot be placed even as points."""
+    """For each row, number of robots and radius: 1 or 0, or nothing if this number cannot be placed even as points."""
     found = {}
     first = placed(path, "--teams", "4")
     vertices = first["polygon"]
@@ -113,7 +114,7 @@ COLOURS = {"area": "#2F6FDE", "distributed": "#B0572B", "balanced": "#8A3FA0", "
 
 
 def figure(means, count=8):
-    """Two panels, one for each set: the part that can be carried out against the radius."""
+    """Two panels, one for each set: the share that can be carried out against the radius."""
     parts = ['<svg xmlns="http://www.w3.org/2000/svg" width="760" height="330" viewBox="0 0 760 330" font-family="Inter, Helvetica, Arial, sans-serif" font-size="13">',
              f"<title>Placements of {count} robots that can be carried out, against their radius</title>",
              '<rect width="760" height="330" fill="#FFFFFF"/>']

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Draws the figures of tables in docs/experiments.md: what ranges and the goal to hold bring, and how far the greedy choice is
-from the best one.
+"""Draws the figures of tables in docs/experiments.md: the effect of ranges and of the goal to hold, and how far the
+greedy choice is from the best one.
 
-    python3 tests/experiment/table_figures.py --update     writes docs/pictures/hold.svg and docs/pictures/optimum.svg
-    python3 tests/experiment/table_figures.py              fails if a picture is not its table's
+    python3 tests/experiment/table_figures.py --update     writes docs/pictures/hold.svg and
+    docs/pictures/optimum.svg
+    python3 tests/experiment/table_figures.py              fails if a picture does not match its table
 
 tests/experiment/ranges_and_hold.py measures the numbers of the tables.
 """
@@ -22,7 +23,7 @@ PLACES = {"best places, to cover": "#A9C4F5", "best places, to hold": "#2F6FDE",
 
 
 def rows_of(label):
-    """The cells of each row with this label, one row for each time that it stands in a table."""
+    """The cells of each row with this label, one row for each occurrence in a table."""
     return [
         [cell.strip() for cell in line.split("|")]
         for line in re.findall(rf"^\| {re.escape(label)} \|(.*)\|$", TABLES, re.M)
@@ -30,7 +31,7 @@ def rows_of(label):
 
 
 def coverages():
-    """Of each row, by set and number of teams: one table for both sets, side by side."""
+    """The cells of each row, by set and number of teams: one table for both sets, side by side."""
     columns = [(name, teams) for name in SETS for teams in TEAMS]
     return {
         (label, *column): float(cell)
@@ -40,7 +41,7 @@ def coverages():
 
 
 def held():
-    """The part that is held, of cells "held / coverage": a table for each set."""
+    """The held share, from cells "held / coverage": a table for each set."""
     return {
         (label, name, teams): float(cell.split("/")[0])
         for label in PLACES

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`evenlift experiment` as people and schedulers run it.
+"""`evenlift experiment` as users and schedulers run it.
 
     EVENLIFT_PROGRAM=build/bin/evenlift python3 tests/experiment/test_experiment.py
 """
@@ -156,7 +156,7 @@ class Runs(Case):
         problems = {row["polygon"]: row["problem"] for row in results.table(self.folder / "bad", "polygons.csv") if row["problem"]}
         self.assertEqual(set(problems), {"broken", "bytes", "crossed"})
         self.assertIn("crossed: edges 1 and 3", (self.folder / "bad" / "report.html").read_text())
-        # Mended, it is measured.
+        # Once corrected, it is measured.
         shutil.copy(POLYGONS / "arrow.txt", self.inputs / "broken.txt")
         self.assertEqual(len(self.experiment("bad", status=1).stderr.splitlines()), 3)
 
@@ -308,7 +308,7 @@ class Shards(Case):
 
     @unittest.skipUnless(shutil.which("parallel"), "GNU parallel is not installed")
     def test_the_recipe_with_gnu_parallel(self):
-        """The lines of docs/experiments.md, as they stand there."""
+        """The lines of docs/experiments.md, unchanged."""
         text = (ROOT / "docs" / "experiments.md").read_text(encoding="utf-8")
         recipe = re.search(r"```sh\n(parallel .*?)```", text, re.S).group(1)
         self.assertIn("--merge", recipe)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The numbers of `evenlift experiment`, worked out once more from measurements.csv by other code.
+"""The numbers of `evenlift experiment`, recomputed from measurements.csv by other code.
 
     EVENLIFT_PROGRAM=build/bin/evenlift python3 tests/experiment/test_numbers.py
 """
@@ -42,7 +42,7 @@ def setUpModule():
 
 
 class Numbers:
-    """What holds for each set."""
+    """Properties of each set."""
     maxDiff = 4000
     of = ""
 
@@ -58,7 +58,7 @@ class Numbers:
         return [row for row in results.table(self.folder, "aggregates.csv") if row["set"] == self.of]
 
     def near(self, text, *expected, places):
-        """Numbers in a text are what was worked out, to the places that the text shows."""
+        """Numbers in a text equal the recomputed ones, to the digits in the text."""
         given = numbers(text)
         self.assertEqual(len(given), len(expected), text)
         for shown, value in zip(given, expected):
@@ -73,7 +73,7 @@ class Numbers:
         candidates = {row["polygon"]: int(row["candidates"]) for row in self.polygons}
         expected = [(p, m, 2 * t) for p in sorted(candidates) for m in results.PAIRS for t in range(1, candidates[p] + 1)]
         self.assertEqual([(r["polygon"], r["method"], r["robots"]) for r in self.rows if r["method"] != "balanced"], expected)
-        # Balanced robots need no candidates, and their rows are behind the others of their polygon.
+        # Balanced robots need no candidates, and their rows come after the others of their polygon.
         self.assertEqual([(r["polygon"], r["method"]) for r in self.rows],
                          sorted(((r["polygon"], r["method"]) for r in self.rows), key=lambda at: (at[0], results.METHODS.index(at[1]))))
         for polygon in candidates:
@@ -86,7 +86,7 @@ class Numbers:
         for row in self.rows:
             where = f'{row["polygon"]} {row["method"]} {row["teams"]}'
             balanced = row["method"] == "balanced"
-            team = 200 / row["robots"]  # what two robots bear
+            team = 200 / row["robots"]  # the load of two robots
             self.assertEqual(row["teams"], 1 if balanced else row["robots"] / 2, where)
             self.assertEqual(row["samples"], 200 if row["method"] == "random" else 1, where)
             self.assertAlmostEqual(row["load_mean"], team / 2, delta=1e-12 * team, msg=where)
@@ -249,7 +249,7 @@ def class_of_thesis_like(outline, row, regular):
 
 
 class Manual(unittest.TestCase):
-    """What the manual says of the sets is so."""
+    """The manual's statements about the sets are true."""
     maxDiff = 4000
 
     def section(self, heading):

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""Writes the tables of docs/experiments.md anew, as `evenlift experiment` makes them of both sets, and that of the README.
+"""Rewrites the tables of docs/experiments.md from the results of `evenlift experiment` on both sets, and the README's
+table.
 
     python3 tests/experiment/update_manual.py [build/bin/evenlift [FOLDER]]
 
-FOLDER holds the results of `evenlift experiment assets/polygons assets/thesis-like --out FOLDER`, if they are there already.
+FOLDER holds the results of `evenlift experiment assets/polygons assets/thesis-like --out FOLDER`, if they exist
+already.
 """
 
 import contextlib
@@ -32,7 +34,7 @@ def measured():
 
 
 def replace_table(file, table):
-    """Puts a table in the place of the one with the same heads."""
+    """Replaces the table with the same heads."""
     heads = table.splitlines()[0]
     text, replaced = re.subn(rf"^{re.escape(heads)}\n(\|.*\n)*", lambda _: table, file.read_text(encoding="utf-8"), flags=re.M)
     if replaced != 1:

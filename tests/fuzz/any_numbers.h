@@ -1,5 +1,6 @@
-// Documents with any doubles at all where people give numbers: coordinates, weights, sizes, parts
-// of edges. Each is refused by its setting or its place, or placed and written with finite numbers.
+// Documents with arbitrary doubles wherever users give numbers: coordinates, weights, sizes, parts
+// of edges. Each document is refused with its setting or its place, or placed and written with
+// finite numbers.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +18,7 @@
 
 namespace evenlift::testing {
 
-// Takes choices and doubles from bytes, and zeros after their end.
+// Takes choices and doubles from bytes, and zeros after the last byte.
 class AnyNumbers {
  public:
   AnyNumbers(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
@@ -28,7 +29,7 @@ class AnyNumbers {
   }
   std::uint32_t below(std::uint32_t n) { return byte() % n; }
 
-  // Usually the number that is usual, else one with any bits.
+  // Mostly the usual number, else one with arbitrary bits.
   double number(double usual) {
     if (byte() % 4 != 0) return usual;
     std::uint8_t bytes[8] = {};
@@ -83,7 +84,7 @@ inline Document document_with(AnyNumbers& any) {
   return document;
 }
 
-// Whether no number of a text is infinite or none: neither word stands alone, or behind a sign.
+// Whether a text contains no infinity or NaN: neither word appears alone or after a sign.
 inline bool is_finite_text(const std::string& text) {
   const auto is_letter = [&](std::size_t at) {
     return at < text.size() && ((text[at] >= 'a' && text[at] <= 'z') || text[at] == '_');
@@ -94,7 +95,7 @@ inline bool is_finite_text(const std::string& text) {
   return true;
 }
 
-// Whether what is promised holds for the document. `placed` counts those that are placed.
+// Whether the promises hold for the document. `placed` counts the documents with a placement.
 inline bool keeps_its_word(const Document& document, int& placed) {
   const auto placement = place(document);
   if (!placement) return !placement.error().message.empty();

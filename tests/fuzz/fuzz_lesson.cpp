@@ -1,5 +1,5 @@
-// Any bytes as a teacher's lesson: refused with a line, or within the bounds that lesson.h states;
-// and then opened on a sample, as the page does.
+// Any bytes as a teacher's lesson: refused with a line, or within the bounds of lesson.h; then
+// opened on a sample, as the page does it.
 #include <string>
 
 #include "evenlift/lesson.h"
@@ -10,7 +10,7 @@ namespace {
 
 using namespace evenlift;
 
-// Stands in for the sample that a lesson names.
+// Replaces the sample that a lesson names.
 Document sample() {
   Document document;
   document.vertices = {{0, 0}, {400, 0}, {400, 150}, {150, 150}, {150, 300}, {0, 300}};
@@ -33,7 +33,7 @@ void check_bounds(const Lesson& lesson) {
 void open(const Lesson& lesson) {
   const Result<Document> document = lesson_document(lesson, sample());
   if (!document) return require_refusal(document.error());
-  if (document->vertices.size() > 40) return;  // placing them would be most of the time
+  if (document->vertices.size() > 40) return;  // placing them would take most of the time
   const Result<Placement> placement = place(*document);
   if (!placement) return require_refusal(placement.error());
   const Result<Trace> trace = make_trace(*placement);

@@ -1,4 +1,4 @@
-// Any bytes as a link, and as a payload whose checksum is good: refused, or written and read again
+// Any bytes as a link, and as a payload with a valid checksum: refused, or written and read again
 // without loss.
 #include <string>
 

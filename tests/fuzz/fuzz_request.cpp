@@ -1,4 +1,5 @@
-// Any bytes as a request in JSON: the answer is one line or more of JSON, the same a second time.
+// Any bytes as a request in JSON: the answer is one or more lines of JSON, and the same when
+// repeated.
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -19,7 +20,7 @@ struct AnyJson final : JsonSink {
   bool end() override { return true; }
 };
 
-// How long the largest searches take is for the benchmarks.
+// Excludes the largest searches, whose time is for the benchmarks.
 bool is_quick(const Request& request) {
   const Settings& settings = request.document.settings;
   if (request.command == Command::experiment)

@@ -1,4 +1,4 @@
-// The one place that knows Catch2 2 from 3.
+// The only file that depends on the version of Catch2, 2 or 3.
 #pragma once
 
 #if EVENLIFT_CATCH2_MAJOR >= 3

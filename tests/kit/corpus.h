@@ -32,7 +32,7 @@ inline std::filesystem::path polygons_folder() {
   return std::filesystem::path(EVENLIFT_ASSETS_DIR) / "polygons";
 }
 
-// Names without ".txt", sorted; index.txt is none.
+// Names without ".txt", sorted; index.txt is left out.
 inline std::vector<std::string> polygon_names() {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(polygons_folder()))

@@ -1,4 +1,4 @@
-// Tables in tests/data: columns parted by tabs, texts as JSON strings, lines with # left out.
+// Tables in tests/data: columns separated by tabs, texts as JSON strings, lines with # left out.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ namespace evenlift::testing {
 
 using Row = std::vector<std::string>;
 
-// The rows of a table; a missing file, an empty table or a row with another number of columns fails
+// The rows of a table; a missing file, an empty table or a row with a wrong number of columns fails
 // the test.
 inline std::vector<Row> read_table(const std::string& file, std::size_t columns) {
   std::ifstream stream(std::filesystem::path(EVENLIFT_TESTS_DIR) / "data" / file, std::ios::binary);
@@ -58,8 +58,8 @@ inline std::string name_of(ErrorCode code) {
   return "another error";
 }
 
-// A sentence that people can read: one line of printable text without a full stop at its end, and
-// not a paragraph.
+// Whether a message is one readable sentence: a line of printable text without a full stop at its
+// end, and shorter than a paragraph.
 inline bool is_one_sentence(const std::string& message) {
   for (const char c : message) {
     if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') return false;

@@ -1,5 +1,5 @@
-// The checksum of share links as docs/link-format.md describes it, to give hostile payloads a good
-// one.
+// The checksum of share links as docs/link-format.md describes it, for hostile payloads that need a
+// valid one.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// The methods that choose among candidates by a metric: what is promised of one is tested of each,
-// also of one to come.
+// The methods that choose among candidates by a metric. Each promise is tested for all of them,
+// including future ones.
 #pragma once
 
 #include <algorithm>

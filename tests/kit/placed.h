@@ -1,4 +1,5 @@
-// The placement of a document that must have one, as it is or by a method with so many teams.
+// The placement of a document that must have one, unchanged or by a method with a given number of
+// teams.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,4 @@
-// RapidCheck under Catch2: properties with a fixed seed, so that a run is the same as the one
-// before.
+// RapidCheck under Catch2: properties with a fixed seed, so that every run is the same.
 #pragma once
 
 #include <rapidcheck.h>
@@ -12,8 +11,8 @@
 
 namespace evenlift::property {
 
-// Checks that `property` (which uses RC_ASSERT or returns a bool) holds for so many generated
-// arguments; what it shrinks a counterexample to is the message.
+// Checks that `property` (which uses RC_ASSERT or returns a bool) holds for this number of
+// generated arguments; the shrunk counterexample is the message.
 template <class Property>
 void holds(Property&& property, int cases = 1000) {
   rc::detail::TestParams parameters;

@@ -1,5 +1,5 @@
 // Documents of every kind that a link or a text may have to carry, from a seed. Their polygons need
-// not be simple: carrying them does not ask.
+// not be simple: links and texts do not require it.
 #pragma once
 
 #include <algorithm>
@@ -40,7 +40,8 @@ inline bool same_document(const Document& a, const Document& b) {
          bits_of(a.settings.min_ratio) == bits_of(b.settings.min_ratio);
 }
 
-// Any finite double of at most `limit` in size: every exponent alike, so half are below 1e-150.
+// Any finite double of at most `limit` in size: all exponents are equally likely, so half are below
+// 1e-150.
 inline double any_double(Rng& rng, double limit) {
   for (;;) {
     const double value = double_of(rng.below(std::numeric_limits<std::uint64_t>::max()));
@@ -48,7 +49,7 @@ inline double any_double(Rng& rng, double limit) {
   }
 }
 
-// How the coordinates of a document come about.
+// The kinds of coordinates of a document.
 enum class Kind { integers, decimals, doubles, binary, any, few, offset, comb, smooth, count };
 
 inline double coordinate(Rng& rng, Kind kind, int decimals) {
@@ -61,7 +62,7 @@ inline double coordinate(Rng& rng, Kind kind, int decimals) {
       return std::round((rng.uniform() - 0.5) * 1000 * power) / power;
     case Kind::doubles:
       return rng.uniform() * 1000;
-    case Kind::binary:  // few bits, as floats have
+    case Kind::binary:  // few bits, as in floats
       return std::ldexp(static_cast<double>(rng.below(1u << 24)), -14);
     case Kind::any:
       return any_double(rng, max_coordinate);
@@ -96,7 +97,7 @@ inline Points random_vertices(Rng& rng, std::size_t n) {
     const double y = coordinate(rng, kind, decimals);
     vertices.emplace_back(x, y);
   }
-  // Now and then one vertex is of another kind, as if dragged.
+  // Sometimes one vertex is of another kind, as if dragged.
   if (n > 0 && rng.below(3) == 0) {
     const std::size_t dragged = rng.below(n);
     vertices[dragged].x() = rng.uniform() * 1000;

@@ -1,4 +1,4 @@
-// What tests ask of texts.
+// Helpers for tests of texts.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace evenlift::testing {
 
-// How often the part occurs in the text.
+// The number of times that the part occurs in the text.
 inline std::size_t occurrences(const std::string& text, const std::string& part) {
   std::size_t found = 0;
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
@@ -17,7 +17,7 @@ inline std::size_t occurrences(const std::string& text, const std::string& part)
   return found;
 }
 
-// What is read has U+00A0 between a number and its unit; here it is written as a space.
+// Displayed texts have U+00A0 between a number and its unit; here a space replaces it.
 inline std::string plainly(std::string text) {
   for (std::size_t at = 0; (at = text.find("\u00A0", at)) != std::string::npos;)
     text.replace(at, std::string("\u00A0").size(), " ");

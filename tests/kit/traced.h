@@ -1,4 +1,4 @@
-// The trace of a placement that must have one, and what its steps say in numbers.
+// The trace of a placement that must have one, and the numbers of its steps.
 #pragma once
 
 #include <optional>

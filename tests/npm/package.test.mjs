@@ -1,4 +1,5 @@
-// The package for npm, packed and installed as its users do: in Node, in a worker thread, in a browser and in a worker there.
+// The package for npm, packed and installed as its users do it: in Node, in a worker thread, in a browser and in a
+// worker there.
 //   EVENLIFT_NPM  the package's folder, build/npm if not given
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -42,7 +43,7 @@ const samples = readdirSync(path.join(root, "assets/polygons"))
   .filter((name) => name !== "index.txt")
   .map((name) => name.replace(/\.txt$/, ""));
 
-// The first block of JavaScript of a text that imports the package.
+// The first block of JavaScript in a text that imports the package.
 function lines(file) {
   const [, code] = /```js\n(import [^`]*from "evenlift";[^`]*)```/.exec(readFileSync(path.join(root, file), "utf8"));
   return code;
@@ -271,7 +272,7 @@ test("any bytes have an answer", () => {
   }
 });
 
-// What each consumer sends back: the placement as text.
+// The answer of each consumer: the placement as text.
 const asText = (result) => JSON.stringify(result);
 
 test("a worker thread of Node places", () => {

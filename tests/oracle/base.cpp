@@ -1,4 +1,4 @@
-// The lifting base H, areas in common with P, and the loads.
+// The lifting base H, areas common with P, and the loads.
 #include "oracle/exact.h"
 
 #include <algorithm>
@@ -57,8 +57,8 @@ Corners farthest_two(const Corners& corners) {
   return ends;
 }
 
-/// Whether corner i is one by rounding alone: at the place of a neighbour, or straight. The tip of a
-/// thin hull is near the line of its neighbours, too, but not between them.
+/// Whether corner i is a corner only by rounding: at the place of a neighbour, or straight. The tip
+/// of a thin hull is also near the line of its neighbours, but not between them.
 bool is_superfluous(const Corners& corners, std::size_t i, const Real& size, Calls& calls) {
   const std::size_t n = corners.size();
   const RealVec &a = corners[(i + n - 1) % n], &b = corners[(i + 1) % n];
@@ -96,8 +96,8 @@ Real signed_area(const std::vector<RealVec>& polygon) {
 }
 
 Real common_area(const std::vector<RealVec>& polygon, const std::vector<RealVec>& convex) {
-  // Cut by one half-plane after another. Parts that fall apart stay joined by edges walked to and
-  // fro, which have no area.
+  // Cut by one half-plane after another. Parts that separate stay joined by edges traversed in both
+  // directions, which have no area.
   std::vector<RealVec> rest = polygon;
   for (std::size_t i = 0; i < convex.size() && !rest.empty(); ++i) {
     const RealVec& a = convex[i];
@@ -134,8 +134,8 @@ std::optional<Loads> loads(const Problem& problem, const std::vector<const Exact
   const Real each = Real(problem.weight) / static_cast<int>(teams.size());
   Real least = -1, most = 0, sum = 0, share = 0;
   for (const ExactChord* team : teams) {
-    // By the arms: between opposite vertices C is near the chord, and the arms need not make up its
-    // length.
+    // By the arms: between opposite vertices C is near the chord, and the arms need not add up to
+    // its length.
     const Real arm0 = length(team->real_ends[0]), arm1 = length(team->real_ends[1]);
     const Real fraction = arm1 / (arm0 + arm1), other = 1 - fraction;  // of the first end
     result.of_teams.push_back(

@@ -40,7 +40,7 @@ Exact reach(const ExactVec& u, const Edge& e) {
 /// The open range of directions u for which C + s u meets a and C - s u meets b (s > 0), or
 /// nothing.
 struct Range {
-  ExactVec first, last;  // the section ends lie in these directions and opposite to them
+  ExactVec first, last;  // the section ends are in these directions and opposite to them
 };
 std::optional<Range> common_range(const Edge& a, const Edge& b) {
   const Edge across{-b.p, -b.q};  // b mirrored through C, still counter-clockwise
@@ -77,8 +77,9 @@ bool opposite(const ExactShape& shape, const ExactVec& v, const ExactVec& w, Cal
   return true;
 }
 
-/// The chord at the end of a range, in direction u from C or away from it. If a vertex there is opposite to a vertex of the other
-/// edge, which the chord meets or misses by little, it is the chord between the two; g stays that of the section.
+/// The chord at the end of a range, in direction u from C or away from it. If a vertex there is
+/// opposite to a vertex of the other edge, and the chord meets or nearly meets that vertex, the
+/// result is the chord between the two; g stays that of the section.
 Section section_end(const ExactShape& shape, const ExactVec& u, const Edge& a, const Edge& b,
                     Calls& calls) {
   Section seen = section_at(u, a, b);
@@ -104,7 +105,7 @@ bool are_one_chord(const Section& one, const Section& two) {
          one.on_b == two.on_b;
 }
 
-/// Where the line of a meets the line of b mirrored through C.
+/// The point where the line of a meets the line of b mirrored through C.
 ExactVec bisecting_point(const Edge& a, const Edge& b) {
   const ExactVec da = a.q - a.p, db = b.q - b.p;
   const Exact ka = cross(a.p, da), kb = -cross(b.p, db);  // r x da = ka, r x db = kb
@@ -112,14 +113,15 @@ ExactVec bisecting_point(const Edge& a, const Edge& b) {
   return {(kb * da.x - ka * db.x) / det, (kb * da.y - ka * db.y) / det};
 }
 
-/// The direction in which |C on_b| / |C on_a| is the geometric mean of its values at the ends of the range: towards the middle of both
-/// sections, if the edges are parallel. The roots are rounded, to 100 digits.
+/// The direction in which |C on_b| / |C on_a| is the geometric mean of its values at the ends of
+/// the range: towards the middle of both sections, if the edges are parallel. The roots are rounded
+/// to 100 digits.
 ExactVec middle_of(const Range& range, const Edge& a, const Edge& b) {
   const Section first = section_at(range.first, a, b), last = section_at(range.last, a, b);
   return first.on_a * Exact(sqrt(first.g)) + last.on_a * Exact(sqrt(last.g));
 }
 
-/// A vertex-chord that is even within the tolerance is a bisecting one.
+/// A vertex-chord that is even within the tolerance is a bisecting chord.
 Kind kind_of_vertex_chord(const Real& ratio, Calls& calls) {
   return calls.within(1 - ratio, tau, "even vertex-chord") ? Kind::bisecting : Kind::vertex;
 }
@@ -170,11 +172,11 @@ std::optional<ExactChord> candidate_of(const ExactShape& shape, const Edge& a, c
   }
   const Section& nearer = ratio_of(one.g) >= ratio_of(two.g) ? one : two;
   const ExactChord chord =
-      chord_at(nearer);  // its ratio is another than the section's, if it joins vertices
+      chord_at(nearer);  // if it joins vertices, its ratio differs from the section's
   return even_enough(chord.ratio) ? std::optional(chord) : std::nullopt;
 }
 
-/// The chord between two vertices, if they are opposite and it is even enough.
+/// The chord between two vertices, if they are opposite and it meets the minimum ratio.
 std::optional<ExactChord> candidate_between(const ExactShape& shape, std::size_t i, std::size_t j,
                                             const Real& least_ratio, Calls& calls) {
   const ExactVec &v = shape.vertices[i], &w = shape.vertices[j];
@@ -185,8 +187,8 @@ std::optional<ExactChord> candidate_between(const ExactShape& shape, std::size_t
   return chord;
 }
 
-/// The greater distance between the ends of two chords, in whichever way of matching them it is
-/// less.
+/// The greater distance between the ends of two chords, for the matching of their ends with the
+/// smaller result.
 double apart_in_doubles(const ExactChord& a, const ExactChord& b) {
   const auto gap = [](const RealVec& p, const RealVec& q) {
     return std::hypot(static_cast<double>(p.x) - static_cast<double>(q.x),
@@ -203,13 +205,13 @@ Real apart(const ExactChord& a, const ExactChord& b) {
       std::max(gap(a.real_ends[0], b.real_ends[1]), gap(a.real_ends[1], b.real_ends[0])));
 }
 bool same_chord(const ExactChord& a, const ExactChord& b, const Real& size, Calls& calls) {
-  // A quick no, far above what doubles can get wrong: the ends are relative to C, so at most L in
+  // A quick rejection, far above the errors of doubles: the ends are relative to C, so at most L in
   // size.
   if (apart_in_doubles(a, b) > 1e-6 * static_cast<double>(size)) return false;
   return calls.within(apart(a, b), tau * size, "duplicate chords");
 }
 
-/// Candidate order. Where "agrees" is not transitive, all directions that are linked by it count as one.
+/// Candidate order. Where "agrees" is not transitive, all directions linked by it count as one.
 class Order {
  public:
   Order(const Real& size, Calls& calls) : size_(size), calls_(calls) {}
@@ -228,7 +230,7 @@ class Order {
 
  private:
   using Iterator = std::vector<ExactChord>::iterator;
-  /// Visits the classes of a sorted list: whoever is linked to the one before is of its class.
+  /// Visits the classes of a sorted list: an element linked to the preceding one is in its class.
   template <class Linked, class Visit>
   static void by_class(Iterator first, Iterator last, Linked linked, Visit visit) {
     while (first != last) {
@@ -238,7 +240,8 @@ class Order {
       first = end;
     }
   }
-  /// Sorts by a key, the largest first, and visits the classes of those that tie with the first of their class.
+  /// Sorts by a key, the largest first, and visits the classes of chords that tie with the first of
+  /// their class.
   template <class Key, class Ties, class Visit>
   static void by_ties(Iterator first, Iterator last, Key key, Ties ties, Visit visit) {
     std::stable_sort(first, last,
@@ -251,9 +254,9 @@ class Order {
     }
   }
 
-  /// Chords of one line: the longer first, then the one whose right end is farther from C. The two
-  /// chords of a bent line can tie in both; then the coordinates of their ends decide, where they differ by more than half the
-  /// tolerance.
+  /// Chords of one line: the longer first, then the chord whose right end is farther from C. The
+  /// two chords of a bent line can tie in both; then the coordinates of their ends decide, where
+  /// they differ by more than half the tolerance.
   void sort_line(Iterator begin, Iterator end) {
     const auto length_of = [](const ExactChord& c) { return c.length; };
     const auto right_arm_of = [&](const ExactChord& c) { return right_arm(c); };
@@ -291,13 +294,13 @@ class Order {
     const Real sine = abs(cross(a.direction, b.direction)) / (a.length * b.length);
     return calls_.within(sine, tau, "equal directions");
   }
-  /// Which end is the right one, or the upper one of a vertical chord.
+  /// The index of the right end, or of the upper end of a vertical chord.
   std::size_t right_end(const ExactChord& c) {
     const ExactVec &e0 = c.ends[0], &e1 = c.ends[1];
     return vertical(c.direction) ? e1.y > e0.y : e1.x > e0.x;
   }
   Real right_arm(const ExactChord& c) { return length(c.real_ends[right_end(c)]); }
-  /// Of the left end, then of the right one.
+  /// The coordinates of the left end, then of the right one.
   std::array<Exact, 4> coordinates(const ExactChord& c) {
     const std::size_t right = right_end(c);
     const ExactVec &p = c.ends[1 - right], &q = c.ends[right];
@@ -307,8 +310,9 @@ class Order {
   Calls& calls_;
 };
 
-/// One of a set of chords that are one candidate: one between opposite vertices, else the largest
-/// ratio, then first in order; its kind by precedence, but between vertices its own.
+/// The representative of a set of duplicate chords: a chord between opposite vertices, else the
+/// largest ratio, then the first in order. A chord between vertices keeps its kind; otherwise
+/// precedence decides the kind.
 ExactChord standing_one(std::vector<ExactChord> same, const Real& size, Calls& calls) {
   Order(size, calls).sort(same);
   ExactChord best = same.front();
@@ -428,7 +432,7 @@ std::vector<std::array<Point, 2>> vertex_chords(const Problem& problem) {
   for (std::size_t i = 0; i < n; ++i) {
     if (v[i] == ExactVec{0, 0}) continue;
     const ExactVec u = -v[i];
-    for (std::size_t j = 0; j < n; ++j)  // hits at a vertex: once for the two of them
+    for (std::size_t j = 0; j < n; ++j)  // hits at a vertex: once for the two vertices
       if (j > i && cross(u, v[j]) == 0 && dot(u, v[j]) > 0)
         result.push_back({rounded(*shape, v[i]), rounded(*shape, v[j])});
     for (std::size_t j = 0; j < n; ++j)

@@ -14,7 +14,7 @@ struct Contact {
       edge;  // along the edge, counter-clockwise about P: the inward normal is to its left, exactly
   RealVec normal;  // inward, of unit length
   // The distances from the nearest corner of its side, and from the nearest convex vertex at which
-  // its side ends; none without one.
+  // its side ends; empty if there is none.
   std::optional<Real> to_corner, to_end;
 };
 
@@ -52,8 +52,8 @@ std::size_t nearest_edge(const ExactShape& shape, const RealVec& p) {
   return nearest;
 }
 
-/// Where the outline is folded so closely that two edges of different directions are both within the
-/// tolerance of a robot, it is a matter of rounding which of them the robot touches.
+/// Where the outline is folded so closely that two edges of different directions are both within
+/// the tolerance of a robot, rounding decides which of them the robot touches.
 void note_folds(const ExactShape& shape, const RealVec& p, std::optional<std::size_t> vertex,
                 Calls& calls) {
   const std::size_t n = shape.vertices.size(), touched = vertex ? *vertex : nearest_edge(shape, p);
@@ -95,8 +95,8 @@ bool is_corner(const ExactShape& shape, std::size_t vertex, Calls& calls, bool& 
   return cosine < of_15_degrees - tau;
 }
 
-/// Sets the distances of a contact on an edge from the corners and the convex vertices at which the edge ends, going
-/// on over straight vertices.
+/// Sets the distances of a contact on an edge from the corners and the convex vertices at which the
+/// edge ends, passing straight vertices.
 void set_distances(const ExactShape& shape, std::size_t edge, Calls& calls, bool& unsure,
                    Contact& contact) {
   const std::size_t n = shape.vertices.size();
@@ -118,12 +118,12 @@ std::vector<Contact> contacts_of(const ExactShape& shape, const std::vector<Real
   const std::size_t n = shape.vertices.size();
   std::vector<Contact> contacts;
   const auto add = [&](const Contact& c) {
-    // Two robots at one place press as one.
+    // Two robots at one place push as one.
     for (const Contact& o : contacts)
       if (o.at == c.at && o.edge == c.edge) return;
     contacts.push_back(c);
   };
-  // Of a robot that is not kept in a reflex vertex.
+  // For a robot that is not held in a reflex vertex.
   const auto add_free = [&](const RealVec& at, std::size_t edge) {
     Contact contact = contact_on(shape, at, edge);
     set_distances(shape, edge, calls, corners_are_unsure, contact);
@@ -145,9 +145,10 @@ std::vector<Contact> contacts_of(const ExactShape& shape, const std::vector<Real
   return contacts;
 }
 
-/// Some direction makes no obtuse angle with any normal: the normals leave a gap of at least 180 degrees. The free directions
-/// form a closed cone; unless it is everything, it has a side perpendicular to a normal on one side of the gap, which is
-/// along that contact's edge. The tolerance is for the normal on the other side, nearly opposite to it.
+/// Some direction makes no obtuse angle with any normal: the normals leave a gap of at least 180
+/// degrees. The free directions form a closed cone. Unless the cone is everything, it has a side
+/// perpendicular to a normal on one side of the gap; this side is along that contact's edge. The
+/// tolerance is for the normal on the other side, nearly opposite to it.
 bool translation_is_free(const std::vector<Contact>& contacts, Calls& calls) {
   if (contacts.empty()) return true;
   for (const Contact& c : contacts) {
@@ -165,7 +166,7 @@ bool translation_is_free(const std::vector<Contact>& contacts, Calls& calls) {
   return false;
 }
 
-/// How far contact c's normal line, directed inward, has the point to its left.
+/// The signed distance of the point to the left of contact c's normal line, directed inward.
 Real left_of_normal(const Contact& c, const RealVec& point) {
   return cross(c.normal, point - c.at);
 }
@@ -175,8 +176,9 @@ struct Balance {
   std::vector<std::size_t> contacts;
   std::vector<Real> weights;
 };
-/// The balances that cannot be made of others: opposite pairs, and triples that span the plane
-/// positively. Decided exactly; with `loose`, pairs also when opposite within the tolerance.
+/// The balances that cannot be combined from others: opposite pairs, and triples that span the
+/// plane positively. Decided exactly; with `loose`, pairs also count when opposite within the
+/// tolerance.
 std::vector<Balance> balances(const std::vector<Contact>& c, bool loose, Calls& calls) {
   std::vector<Balance> result;
   const std::size_t m = c.size();
@@ -209,7 +211,7 @@ struct Region {
                                  // however narrowed
 };
 
-/// The contacts, and behind them four that stand for the border of the plane: no rotation centre
+/// The contacts, and after them four contacts for the border of the plane: no rotation centre
 /// farther than L / tau from C along an axis counts, or L / sqrt(tau) if a translation is free.
 std::vector<Contact> with_border(std::vector<Contact> contacts) {
   for (const auto& [x, y] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}})
@@ -241,8 +243,8 @@ Region region(const std::vector<Contact>& contacts, const std::vector<Balance>& 
   return r;
 }
 
-/// The points from + s way, s in [first, last], that lie in the region widened by w; an end that
-/// nothing sets is absent.
+/// The points from + s way, s in [first, last], in the region widened by w; an unbounded end is
+/// absent.
 struct Stretch {
   std::optional<Real> first, last;
   bool endless() const { return !first || !last; }
@@ -261,8 +263,8 @@ Stretch stretch_on_line(const std::vector<Contact>& contacts, const Region& r, c
   return s;
 }
 
-/// Two normals that are opposite and on one line, both within the tolerance: the region is a
-/// segment there.
+/// Two normals that are opposite and on one line, both within the tolerance: there the region is a
+/// segment.
 struct Segment {
   RealVec from, way;
   Stretch stretch;
@@ -276,8 +278,8 @@ std::optional<Segment> segment_of(const std::vector<Contact>& contacts, const Re
       if (!calls.within(abs(cross(a.normal, b.normal)), tau, "opposite normals")) continue;
       const RealVec way = (a.normal - b.normal) * (1 / length(a.normal - b.normal));
       const RealVec from = (a.at + b.at) * (Real(1) / 2);
-      // Half the distance between the lines; measured at `from`, so that both are as near as they
-      // can be.
+      // Half the distance between the lines; measured at `from`, so that both are as near as
+      // possible.
       if (!calls.within(abs(left_of_normal(a, from)), tau * size, "normals on one line")) continue;
       const Segment s{from, way, stretch_on_line(contacts, r, from, way, tau * size)};
       if (s.stretch.longer_than(tau * size)) return s;
@@ -286,8 +288,8 @@ std::optional<Segment> segment_of(const std::vector<Contact>& contacts, const Re
   return std::nullopt;
 }
 
-/// Where a region without area is most nearly non-empty: the corner in which it vanishes as the
-/// widening is taken back.
+/// The point at which a region without area is most nearly non-empty: the corner in which it
+/// vanishes as the widening is reduced.
 std::optional<RealVec> last_point(const std::vector<Contact>& contacts, const Region& r,
                                   const Real& size) {
   const Real w = *r.widening + size * Real("1e-50");
@@ -329,8 +331,9 @@ bool immobile_about(const std::vector<Contact>& contacts, const RealVec& c, cons
   return false;
 }
 
-/// The same about the points of a region without area: about a segment's midpoint, or about the one
-/// point. A segment without an end is a translation that rounding alone keeps from being free.
+/// Whether the contacts stop every motion about the points of a region without area: about a
+/// segment's midpoint, or about the single point. A segment without an end is a translation that
+/// only rounding keeps from being free.
 bool immobile_in(const std::vector<Contact>& contacts, const Region& r, const Real& size,
                  Calls& calls) {
   if (const auto segment = segment_of(contacts, r, size, calls)) {
@@ -360,7 +363,8 @@ Real squared_to_segment(const Vec3& a, const Vec3& b) {
   return dot3(p, p);
 }
 
-/// Squared distance from the origin to the triangle's inside, if its foot falls there.
+/// Squared distance from the origin to the triangle's interior, if the foot of the perpendicular is
+/// in it.
 std::optional<Real> squared_to_triangle(const Vec3& a, const Vec3& b, const Vec3& c,
                                         const Vec3& normal) {
   const auto edge_keeps = [&](const Vec3& p,
@@ -375,8 +379,7 @@ std::optional<Real> squared_to_triangle(const Vec3& a, const Vec3& b, const Vec3
 /// The radius of the largest ball about the origin inside the hull of the wrenches; if the origin
 /// is not inside, minus its distance from that hull.
 Real margin(const std::vector<Vec3>& w) {
-  // The hull's point nearest to the origin lies in a triangle of wrenches, if the origin is
-  // outside.
+  // If the origin is outside, the hull's nearest point is in a triangle of wrenches.
   Real nearest = dot3(w[0], w[0]);
   for (std::size_t i = 0; i < w.size(); ++i)
     for (std::size_t j = i + 1; j < w.size(); ++j)
@@ -390,7 +393,7 @@ Real margin(const std::vector<Vec3>& w) {
       for (std::size_t k = j + 1; k < w.size(); ++k) {
         const Vec3 normal = cross3(minus(w[j], w[i]), minus(w[k], w[i]));
         const Real size = sqrt(dot3(normal, normal));
-        if (size < Real("1e-60")) continue;  // in line, or twice the same
+        if (size < Real("1e-60")) continue;  // collinear, or two points coincide
         if (const auto d = squared_to_triangle(w[i], w[j], w[k], normal))
           nearest = std::min(nearest, *d);
         const Real height = dot3(normal, w[i]) / size;
@@ -419,12 +422,12 @@ std::vector<Vec3> wrenches_of(const std::vector<Contact>& contacts, const Real& 
   return wrenches;
 }
 
-/// Calls look(distance, margin) for the contacts that are at least as far away as each one is, one after another, where
-/// they are in form closure; a contact without an end is infinitely far.
+/// For each contact, takes the contacts that are at least as far away; if they are in form closure,
+/// calls look(distance, margin). A contact without an end is infinitely far.
 template <class Look>
 void for_each_hold(const std::vector<Contact>& contacts, std::optional<Real> Contact::*distance,
                    const Real& radius, Closure& result, const Look& look) {
-  // Contacts that are equally far but for rounding give the same set.
+  // Contacts that are equally far except for rounding give the same set.
   std::vector<Real> looked_at;
   const auto is_new = [&](const Real& far) {
     return std::none_of(looked_at.begin(), looked_at.end(), [&](const Real& other) {
@@ -440,7 +443,7 @@ void for_each_hold(const std::vector<Contact>& contacts, std::optional<Real> Con
     for (const Contact& c : contacts)
       if (!(c.*distance) || (far && *(c.*distance) >= least)) counted.push_back(c);
     const Real m = margin(wrenches_of(counted, radius));
-    // With the core what counts as held is decided within the tolerance.
+    // The core decides within the tolerance whether the object is held.
     if (abs(m) < 100 * tau) result.clearance_is_unsure = true;
     if (m > 0) look(far, m);
   }

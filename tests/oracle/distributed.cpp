@@ -1,5 +1,5 @@
-// Distributed selection (algorithm.md, "Distributed"): equal angles over the directions whose line
-// meets the boundary on both sides of C, with sines and arctangents of 100 digits.
+// Selection at equal angles (algorithm.md, "Distributed"): over the directions whose line meets the
+// boundary on both sides of C, with sines and arctangents of 100 digits.
 #include "oracle/exact.h"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ class Spread {
         }
         add(result,
             direction(from +
-                      left));  // of a target where two parts of V meet, the end of the lower one
+                      left));  // if a target is where two parts of V meet, the end of the lower one
         break;
       }
     }
@@ -60,7 +60,7 @@ class Spread {
   static Real pi() { return boost::math::constants::pi<Real>(); }
   static RealVec direction(const Real& angle) { return {cos(angle), sin(angle)}; }
 
-  /// The boundary point farthest from C in direction u, as its distance.
+  /// The distance of the boundary point farthest from C in direction u.
   std::optional<Real> farthest(const RealVec& u) const {
     std::optional<Real> best;
     for (const auto& [p, q] : edges_) {

@@ -1,4 +1,4 @@
-// What the oracle's files share among themselves: its numbers, its vectors, and the tolerance.
+// Shared by the oracle's files: its numbers, its vectors, and the tolerance.
 #pragma once
 
 #include "oracle/oracle.h"
@@ -12,9 +12,10 @@ namespace oracle {
 
 namespace mp = boost::multiprecision;
 
-/// Exact. Used wherever a sign decides and no tolerance is named.
+/// Exact. Used wherever a sign decides without a tolerance.
 using Exact = mp::number<mp::cpp_rational_backend, mp::et_off>;
-/// 100 digits. Used for roots, and for quantities that only meet a tolerance or are only reported.
+/// 100 digits. Used for roots, and for quantities that are only compared with a tolerance or
+/// reported.
 using Real = mp::number<mp::cpp_bin_float<100>, mp::et_off>;
 
 template <class T>
@@ -63,13 +64,13 @@ class Calls {
     note(static_cast<double>(value / threshold), what);
     return value <= threshold;
   }
-  /// The decision went by value / threshold against 1.
+  /// Records a decision that compared value / threshold with 1.
   void note(double quotient, const char* what) {
     const double distance = std::fabs(quotient - 1);
     if (distance < closest_.distance) closest_ = {distance, what};
   }
-  /// A rule that needs nearness to be transitive met a case where it is not, or rounding in doubles reaches so far that it may decide
-  /// otherwise.
+  /// A rule that needs nearness to be transitive met a case where it is not, or the rounding of
+  /// doubles is large enough to decide otherwise.
   void either_is_right(const char* what) { closest_ = {0, what}; }
   const ClosestCall& closest() const { return closest_; }
 
@@ -77,7 +78,8 @@ class Calls {
   ClosestCall closest_;
 };
 
-/// All in the frame whose origin is C, so that nothing far away is subtracted later on.
+/// Everything is in the frame with its origin at C, so that no large coordinates are subtracted
+/// later.
 struct ExactShape {
   std::vector<ExactVec> vertices;      // counter-clockwise, relative to C
   std::vector<RealVec> real_vertices;  // the same
@@ -94,7 +96,7 @@ struct ExactChord {
   RealVec direction;  // from one end to the other, pointing right, or up if exactly vertical
   Kind kind = Kind::vertex;
   Real ratio_slack, ends_slack;
-  bool between_vertices = false;  // of opposite vertices
+  bool between_vertices = false;  // between opposite vertices
 };
 
 struct ExactChords {
@@ -107,21 +109,20 @@ ExactChord exact_chord(const ExactVec& end0, const ExactVec& end1, Kind kind, co
 /// Nearest double, ties to even.
 double nearest_double(const Exact& value);
 
-/// Convex hull, corners only, counter-clockwise; two points when all lie on one line, one when all
-/// agree.
+/// Convex hull, corners only, counter-clockwise; two points if all are collinear, one if all agree.
 std::vector<ExactVec> convex_hull(std::vector<ExactVec> points);
 
-/// H of these points, not all at one place: its corners, those that stick out by no more than the
-/// tolerance left out; the two ends of a segment if all points lie within the tolerance of one
+/// H of these points, which must not all coincide: its corners, except those that stick out by no
+/// more than the tolerance; the two ends of a segment if all points are within the tolerance of one
 /// line.
 std::vector<RealVec> lifting_base(const std::vector<ExactVec>& points, const Real& size,
                                   Calls& calls);
 
-/// The signed distance of v from the line p -> q, positive to the right: outside, as H runs
+/// The signed distance of v from the line p -> q, positive to the right: outside, as H is
 /// counter-clockwise.
 Real outside(const RealVec& v, const RealVec& p, const RealVec& q);
 
-/// The area of what a simple polygon and a convex one, both counter-clockwise, have in common.
+/// The area of the intersection of a simple polygon and a convex one, both counter-clockwise.
 Real common_area(const std::vector<RealVec>& polygon, const std::vector<RealVec>& convex);
 Real signed_area(const std::vector<RealVec>& polygon);
 

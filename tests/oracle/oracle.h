@@ -1,15 +1,14 @@
-// The exact oracle: what evenlift must compute, by brute force, straight from the definitions.
+// The exact oracle: computes evenlift's results by brute force, straight from the definitions.
 //
 // It shares nothing with the core: own points, own arithmetic (rationals, and binary floats of 100
-// digits where roots come in). Every coordinate is the double given, taken as exact. It is slow on
-// purpose: where a rule says "every pair", it tries every pair.
+// digits for roots). Every coordinate is the given double, taken as exact. It is slow on purpose:
+// where a rule says "every pair", it tries every pair.
 //
 // Two ways in:
-//   find_candidates(problem)  ->  select  ->  judge      all of it from the polygon, nothing
-//   rounded on the way given_candidates(...)     ->  select  ->  judge      from chords given in
-//   doubles, as some other program
-//                                                        found them, so that their rounding does
-//                                                        not matter
+//   find_candidates(problem) -> select -> judge: everything is computed from the polygon, and
+//   nothing is rounded on the way.
+//   given_candidates(...) -> select -> judge: for chords given in doubles, as another program found
+//   them, so that their rounding does not matter.
 #pragma once
 
 #include <array>
@@ -49,15 +48,14 @@ enum class Refusal {
   bad_teams,
 };
 
-/// Why the input is refused; `none` when it is valid.
+/// Why the input is refused; `none` if it is valid.
 Refusal refusal(const Problem& problem);
 
-/// The area centroid, computed exactly and rounded to the nearest doubles. Needs an area other than
-/// 0.
+/// The area centroid, computed exactly and rounded to the nearest doubles. The area must not be 0.
 Point centroid(const std::vector<Point>& vertices);
 
-/// How near the nearest decision was that a tolerance made: |value / threshold - 1|, so 0.001 means
-/// that a change of the value by a thousandth of its threshold would have decided otherwise.
+/// The nearest decision that a tolerance made: |value / threshold - 1|, so 0.001 means that a
+/// change of the value by a thousandth of its threshold would have changed the decision.
 struct ClosestCall {
   double distance = std::numeric_limits<double>::infinity();
   std::string what;
@@ -68,12 +66,12 @@ struct ClosestCall {
 };
 
 struct Candidate {
-  std::array<Point, 2> ends;  // which end comes first means nothing
+  std::array<Point, 2> ends;  // the order of the ends has no meaning
   double ratio = 0;           // (0, 1]
   Kind kind = Kind::vertex;
-  // Of duplicates that were merged into it: how much less the least ratio was, and how far the ends
-  // were apart, at most. Both are matters of less than the tolerance, and which of equal ratios
-  // stands is one of rounding.
+  // Over the duplicates merged into it: the greatest difference of their ratios below its own, and
+  // the greatest distance of their ends. Both are less than the tolerance, and rounding chooses
+  // among equal ratios.
   double ratio_slack = 0, ends_slack = 0;
 };
 
@@ -82,11 +80,10 @@ struct ExactChords;  // the chords of a CandidateList, in rationals
 
 struct CandidateList {
   std::vector<Candidate> candidates;  // in candidate order; exact values rounded to doubles
-  std::size_t pairs = 0;              // edge-pairs that they come from
+  std::size_t pairs = 0;              // the number of edge pairs that they come from
   ClosestCall closest_call;
-  // Smallest |g - 1|, other than 0, at a section end, and the thinnest open range of directions
-  // that an edge-pair has (as a sine): decided exactly here, and hard for anything that computes in
-  // doubles.
+  // Smallest |g - 1|, other than 0, at a section end, and the thinnest open range of directions of
+  // an edge pair (as a sine): decided exactly here, and hard to compute in doubles.
   double nearest_unit_g = std::numeric_limits<double>::infinity();
   double thinnest_range = std::numeric_limits<double>::infinity();
 
@@ -94,10 +91,10 @@ struct CandidateList {
   std::shared_ptr<const ExactChords> chords;
 };
 
-/// The candidates of every edge-pair, merged and in candidate order. The problem must be valid.
+/// The candidates of every edge pair, merged and in candidate order. The problem must be valid.
 CandidateList find_candidates(const Problem& problem);
 
-/// The chords given, in the order given, their ends taken as exact.
+/// The given chords, in the given order, their ends taken as exact.
 CandidateList given_candidates(const Problem& problem, const std::vector<Candidate>& given);
 
 /// All vertex-chords: unordered, each once.
@@ -105,7 +102,7 @@ std::vector<std::array<Point, 2>> vertex_chords(const Problem& problem);
 
 struct Selection {
   std::vector<std::size_t> teams;  // indices into the candidates, in the order selected
-  std::vector<double> scores;      // of each team when it was selected; 0 for the first
+  std::vector<double> scores;      // of each team at its selection; 0 for the first
   ClosestCall closest_call;
 };
 
@@ -114,18 +111,18 @@ Selection select(const Problem& problem, const CandidateList& list);
 
 struct DistributedTeams {
   std::vector<std::array<Point, 2>> chords;
-  // Of each: the least sine between its line and the direction of a vertex (where the farthest
-  // point may jump), and between its line and an edge that it meets (where the point is sensitive
-  // to the angle).
+  // For each team: the least sine between its line and the direction of a vertex (where the
+  // farthest point may jump), and between its line and an edge that it meets (where the point is
+  // sensitive to the angle).
   std::vector<double> nearest_vertex, flattest_hit;
   double measure = 0;  // of the directions V, in radians
 };
 
-/// Teams at equal angles; `metric` and `min_ratio` do not matter.
+/// Teams at equal angles; `metric` and `min_ratio` have no effect.
 DistributedTeams distributed(const Problem& problem);
 
 struct Loads {
-  std::vector<std::array<double, 2>> of_teams;  // what the two ends of each team bear
+  std::vector<std::array<double, 2>> of_teams;  // the loads at the two ends of each team
   double min = 0, mean = 0, max = 0, spread = 0, max_share = 0;
 };
 
@@ -135,14 +132,13 @@ struct Closure {
   bool form_closure = false;
   bool second_order = false;
   std::optional<double> margin;  // absent without contacts
-  // How exactly robots must stand, in units of length; both 0 without form closure. The clearance
-  // is infinite if the hold needs no contact beside a corner.
+  // The precision that the robots' places need, in units of length; both are 0 without form
+  // closure. The clearance is infinite if the hold needs no contact beside a corner.
   double clearance = 0, tolerance = 0;
   bool clearance_is_unsure = false;  // rounding may decide it
   ClosestCall closest_call;
   // The least sine, above the tolerance, between two opposite normals. If it is small, the centre
-  // of a region without area lies where two lines cross that are nearly one, and no rounding may
-  // come before that.
+  // of a region without area is where two nearly equal lines cross, and no earlier step may round.
   double flattest_crossing = 1;
 };
 

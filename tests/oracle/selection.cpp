@@ -17,18 +17,18 @@ bool same_direction(const RealVec& u, const RealVec& v, Calls& calls) {
 }
 
 /// Whether v is seen from C counter-clockwise of `from` and clockwise of `to`, a range of at most
-/// 180 degrees. Only asked of directions that agree with neither.
+/// 180 degrees. Precondition: v agrees with neither direction.
 bool strictly_between(const RealVec& from, const RealVec& v, const RealVec& to) {
   return cross(from, v) > 0 && cross(v, to) > 0;
 }
 
-/// Between the two or in the direction of one of them.
+/// Between the two, or in the direction of one of them.
 bool seen_in(const RealVec& h1, const RealVec& v, const RealVec& h2, Calls& calls) {
   return same_direction(h1, v, calls) || same_direction(h2, v, calls) ||
          strictly_between(h1, v, h2);
 }
 
-/// H before the candidate, and the edge that a point outside belongs to.
+/// H before the candidate, and the edge to which an outside point belongs.
 class Base {
  public:
   Base(const std::vector<ExactVec>& points, const Real& size, Calls& calls)
@@ -37,8 +37,8 @@ class Base {
         calls_(calls),
         segment_(corners_.size() < 3) {}
 
-  /// The edges h1 h2 that p belongs to: one, or two in the direction of a corner, or none if p adds
-  /// nothing.
+  /// The edges h1 h2 to which p belongs: one, or two in the direction of a corner, or none if p
+  /// adds nothing.
   using Edge = std::array<RealVec, 2>;
   std::vector<Edge> edges_of(const RealVec& p) {
     const std::size_t n = corners_.size();
@@ -97,7 +97,8 @@ Real circle_metric(const RealVec& h1, const RealVec& h2, const RealVec& p) {
   return boost::math::constants::pi<Real>() * radius * radius;
 }
 
-/// Adds to `rounding` by how much the sum may move if each place is off by `unit`: the shorter an edge, the more its line turns.
+/// Adds to `rounding` the possible change of the sum if each position is off by `unit`: the shorter
+/// an edge, the more its line turns.
 Real distance_metric(const ExactShape& shape, const RealVec& h1, const RealVec& h2,
                      const RealVec& p, const Real& unit, Real& rounding, Calls& calls) {
   Real sum = 0;
@@ -119,11 +120,11 @@ Real distance_metric(const ExactShape& shape, const RealVec& h1, const RealVec& 
   return sum;
 }
 
-/// Keeps those of `remaining` whose key ties with the best. `doubt` is by how much rounding in doubles may move the difference of
-/// two keys.
+/// Keeps the elements of `remaining` whose key ties with the best. `doubt` is the largest change
+/// that rounding in doubles may make to the difference of two keys.
 using Key = std::function<Real(std::size_t)>;
 using Tie =
-    std::function<Real(const Real& best)>;  // by how much a tying key may fall short of the best
+    std::function<Real(const Real& best)>;  // how far below the best a tying key may be
 void keep_best(std::vector<std::size_t>& remaining, const Key& key, const Tie& tie, Calls& calls,
                const char* what, const Real& doubt = 0) {
   std::vector<Real> keys;
@@ -221,7 +222,7 @@ class Selector {
     take(remaining.front(), static_cast<double>(scores[remaining.front()]));
   }
 
-  /// f(p): of two edges, the larger.
+  /// f(p): of two edges, the larger value.
   Real gain(Base& base, const RealVec& p) {
     std::optional<Real> largest;
     for (const auto& [h1, h2] : base.edges_of(p)) {
@@ -254,8 +255,8 @@ class Selector {
   std::vector<std::size_t> left_;
   Selection result_;
   Calls calls_;
-  Real unit_;          // by which a place may be rounded
-  Real rounding_ = 0;  // by how much that may move the score that is computed
+  Real unit_;          // the rounding error of a position
+  Real rounding_ = 0;  // the resulting error of the score being computed
 };
 
 }  // namespace

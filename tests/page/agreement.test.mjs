@@ -1,4 +1,4 @@
-// The page computes what the program computes, to the last bit.
+// The page's results equal the program's, to the last bit.
 import assert from "node:assert/strict";
 import path from "node:path";
 import { test } from "node:test";
@@ -41,7 +41,7 @@ test("so does every method, with settings of all kinds", async () => {
   }
 });
 
-// What the page says of what the program prints: its sentences, then each row of its table.
+// The page's text for the program's output: its sentences, then each row of its table.
 function said(name, metric, { teams, min_ratio = 0.8, capacity, ...more }) {
   const options = Object.entries({ metric, teams, min_ratio, capacity, ...more })
     .filter(([, value]) => value !== undefined)

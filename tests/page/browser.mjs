@@ -30,7 +30,7 @@ const graphics = existsSync("/usr/share/glvnd/egl_vendor.d/50_mesa.json")
   ? ["--use-angle=gl-egl", "--ignore-gpu-blocklist"]
   : ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 
-// Nothing asks the network.
+// The browser makes no network requests of its own.
 const options = [
   ...graphics,
   "--no-sandbox",
@@ -41,18 +41,18 @@ const options = [
   "--disable-sync",
 ];
 
-// How long a test waits for what must come: for as long as a very busy machine may need.
+// How long a test waits for an expected event: long enough for a very busy machine.
 export const patience = 300000;
 
 export const wide = { width: 1280, height: 800 };
 export const phone = { width: 390, height: 844 };
 
-// What the program prints, as text.
+// The program's output, as text.
 export function evenlift(...args) {
   return execFileSync(executed, args, { encoding: "utf8", maxBuffer: 1 << 28 });
 }
 
-// The file of a sample, what is in it, and what the program places of it.
+// The file of a sample, its contents, and the program's placement of it.
 export const sample = (name) => path.join(root, "assets/polygons", `${name}.txt`);
 export const asset = (name) => readFileSync(sample(name), "utf8");
 export const program = (name, ...options) =>
@@ -77,9 +77,9 @@ export async function startBrowser(extraOptions = []) {
     server.close();
   }
 
-  // A page of its own storage. Whatever it complains about, or asks of another host, fails the test at close().
-  // With `hasty` a test can let the page's timers ring before their time. With `first` the card of the first visit is shown.
-  // With `offline` the browser may keep the page for later; `site` is another server's address than this one's.
+  // Opens a page with storage of its own. Any complaint of the page, or request to another host, fails the test at
+  // close(). With `hasty`, a test can fire the page's timers early. With `first`, the card of the first visit is shown.
+  // With `offline`, the browser may keep the page for later; `site` is the address of another server.
   async function open({
     address = "",
     ready = true,
@@ -127,8 +127,8 @@ export async function startBrowser(extraOptions = []) {
     return page;
   }
 
-  // The share of pixels that differ visibly between two PNGs of the same size: by more than anti-aliasing does, in
-  // a channel, from every pixel around.
+  // The share of pixels that differ visibly between two PNGs of the same size: by more than anti-aliasing in some
+  // channel, from every neighbouring pixel.
   async function compare(a, b) {
     const page = await browser.newPage();
     try {
@@ -140,7 +140,7 @@ export async function startBrowser(extraOptions = []) {
   return { browser, server, open, compare, close };
 }
 
-// A browser for all tests of a file: it starts before them, and then what `begin` does; after them comes `end`, and it closes.
+// A browser for all tests of a file. It starts before them and then runs `begin`; after them it runs `end` and closes.
 export function sharedBrowser({ begin = () => {}, end = () => {} } = {}) {
   const shared = {};
   before(async () => {
@@ -198,7 +198,7 @@ export const link = (page) => page.evaluate(() => evenlift.link());
 export const fragment = (page) => page.evaluate(() => location.hash.slice(1));
 export const toScreen = (page, [x, y]) => page.evaluate((p) => evenlift.view.to_screen(...p), [x, y]);
 
-// The message of what a call throws in the page; undefined if it does not.
+// The message of the error that a call throws in the page; undefined if it does not.
 export function thrown(page, call, argument) {
   return page.evaluate(
     ([name, value]) => {
@@ -212,13 +212,13 @@ export function thrown(page, call, argument) {
   );
 }
 
-// What is read out of the picture and its result.
+// The text about the drawing and its result for screen readers.
 export const summary = (page) => page.locator("#summary").textContent();
 
-// Resolves once nothing is under way in the page (docs/page.md): what tests wait for, in place of some time.
+// Resolves once nothing is under way in the page (docs/page.md): tests wait for this, not for a fixed time.
 export const idle = (page) => page.evaluate(() => evenlift.idle());
 
-// Where a control of the canvas stands, by its name, and its middle; null if there is none.
+// The place of a control of the canvas, by its name, and its middle; null if it is not shown.
 export async function controlIfShown(page, name) {
   await idle(page);
   const place = await page.evaluate((n) => evenlift.view.control(n), name);
@@ -241,7 +241,7 @@ export async function tap(page, name) {
   await page.touchscreen.tap(...middle);
 }
 
-// Runs in the page before its own scripts: evenliftTimersRing() lets all timers ring at once.
+// Runs in the page before its own scripts: evenliftTimersRing() fires all timers at once.
 function keepTimers() {
   const { setTimeout: begin, clearTimeout: end } = globalThis;
   const kept = new Map();
@@ -267,8 +267,8 @@ function keepTimers() {
   };
 }
 
-// Nothing is drawn, however long one waits: all timers ring, and the browser shows pictures of its own. For pages that
-// were opened as `hasty`.
+// Checks that nothing is drawn, however long the wait: all timers fire, and the browser draws frames of its own. For
+// pages that were opened as `hasty`.
 export async function drawsNothing(page, why) {
   await idle(page);
   const [before, after] = await page.evaluate(async () => {
@@ -295,14 +295,14 @@ export async function drag(page, from, to, steps = 8) {
   await idle(page);
 }
 
-// Loads the page anew, until it is at rest again.
+// Reloads the page and waits until it is idle.
 export async function reload(page) {
   await page.reload();
   await page.evaluate(() => evenlift.ready);
   await idle(page);
 }
 
-// A page with the L in it, at rest.
+// A page with the L in it, idle.
 export async function openL(browser, options) {
   const page = await browser.open(options);
   await load(page, lShape);
@@ -319,7 +319,7 @@ export async function redo(page) {
   await idle(page);
 }
 
-// Waits until the address bar holds the current link.
+// Waits until the address bar has the current link.
 export async function published(page) {
   await page.waitForFunction(() => location.hash === `#${evenlift.link()}`);
 }

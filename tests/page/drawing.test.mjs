@@ -144,7 +144,7 @@ test("keys that the page does not use stay the browser's", async () => {
       },
       { capture: true },
     );
-    // The page's own listener came first and stops the event: look at what is left of it after that.
+    // The page's own listener came first and stops the event, so check the event after that.
     const own = Event.prototype.preventDefault;
     Event.prototype.preventDefault = function () {
       globalThis.prevented[this.key ?? this.type] = true;
@@ -240,7 +240,8 @@ test("a finger drags a vertex from farther off, two fingers zoom", async () => {
   await page.done();
 });
 
-// The browser counts clicks, by the system's own habits; what it counts as single ones are two, however soon.
+// The browser counts clicks by the system's settings; two clicks that it counts as single are not a double-click,
+// however quick.
 test("two clicks that the browser does not count as a double-click are none", async () => {
   const page = await opened();
   const [x, y] = await toScreen(page, [200, 0]);
@@ -252,8 +253,8 @@ test("two clicks that the browser does not count as a double-click are none", as
   await page.done();
 });
 
-// Taps are counted by the page: by when they were made, not by when a busy page hears of them.
-// Away from every robot: a finger on one takes it.
+// The page counts taps by the time at which they were made, not at which a busy page receives them. They are away from
+// every robot: a finger on a robot takes it.
 test("two taps are a double one by the time at which they were made", async () => {
   for (const [between, vertices] of [
     [200, 7],

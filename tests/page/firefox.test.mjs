@@ -1,5 +1,5 @@
-// The page in Firefox, through WebDriver BiDi: opening, drawing, link and drag. Firefox has WebGL only where there is a
-// screen: without one, Xvfb stands in.
+// The page in Firefox, through WebDriver BiDi: opening, drawing, link and drag. Firefox has WebGL only with a screen;
+// without one, Xvfb replaces it.
 //   EVENLIFT_FIREFOX  Firefox; without it, these tests are skipped
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
@@ -16,7 +16,7 @@ let screen;
 let server;
 let browser;
 
-// A display of its own, whatever numbers are taken: Xvfb chooses one and tells it.
+// A separate display, whatever numbers are taken: Xvfb chooses one and reports it.
 async function startScreen() {
   screen = spawn("Xvfb", ["-displayfd", "3", "-screen", "0", "1400x1000x24", "-nolisten", "tcp"], {
     stdio: ["ignore", "ignore", "ignore", "pipe"],
@@ -37,7 +37,7 @@ before(async () => {
     executablePath,
     headless: false,
     env: { ...process.env, DISPLAY },
-    // A machine without graphics draws in software, which Firefox would rather not.
+    // A machine without graphics draws in software, which Firefox avoids by default.
     extraPrefsFirefox: { "webgl.force-enabled": true, "widget.dmabuf.force-enabled": false },
   });
 });
@@ -161,7 +161,7 @@ test("Firefox shows the lesson: by keys, by its buttons, and from a link", { ski
   await other.done();
 });
 
-// Last, since it ends the server.
+// Last, because it ends the server.
 test("Firefox opens the page without a network after one visit", { skip }, async () => {
   const page = await open();
   await page.evaluate(async () => {

@@ -1,4 +1,4 @@
-// Undo and redo survive a reload, and say what they do.
+// Undo and redo survive a reload, and name their changes.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -167,7 +167,7 @@ test("only the newest steps are kept, within a bound of bytes", async () => {
           .filter((line) => /^[<>]/.test(line)).length,
     );
   assert.equal(await count(), 500);
-  // Coordinates of full precision, so that a link of them is long.
+  // Coordinates of full precision, so that their link is long.
   await page.evaluate(() => {
     for (let k = 0; k < 12; ++k) {
       const points = Array.from(

@@ -1,4 +1,4 @@
-// window.evenlift: what other pages and tests may rely on.
+// window.evenlift: the interface that other pages and tests may rely on.
 import assert from "node:assert/strict";
 import path from "node:path";
 import { test } from "node:test";

@@ -1,4 +1,4 @@
-// The lesson: the algorithm step by step, ready-made lessons, and how they are opened.
+// The walkthrough of the algorithm, ready-made lessons, and the ways to open them.
 import assert from "node:assert/strict";
 import { readFileSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
@@ -28,7 +28,7 @@ import {
 } from "./browser.mjs";
 import { allClosed, drop, noticed, openWindow, paste } from "./windows.mjs";
 
-let maker; // a page to make links in
+let maker; // a page that makes links
 const browser = sharedBrowser({
   begin: async () => {
     maker = await browser.open();
@@ -50,7 +50,7 @@ const beyondTheLast = "1.8CqeqKY7TMGrHNZK-59rGPFxpBqDhRjFOEC700";
 
 const drawing = { x: 0, y: 70, width: 915, height: 550 };
 
-// The step that the link carries, from 0; undefined without a lesson.
+// The step in the link, from 0; undefined without a lesson.
 async function step(page) {
   return JSON.parse(evenlift("link", "decode", await link(page))).step ?? undefined;
 }
@@ -154,7 +154,7 @@ test("the main steps come first: few of them, from the polygon to the result; a 
     "closure",
   ])
     assert.ok(kinds.includes(kind), kind);
-  const pair = main.find((at) => stone[at].kind === "outcome"); // the one that stands for all
+  const pair = main.find((at) => stone[at].kind === "outcome"); // the one that represents all
   await set(page, { step: pair });
   const more = stone.filter(({ kind }) => kind === "outcome").length - 1;
   await press(page, "All steps");
@@ -183,7 +183,7 @@ test("the timeline gives each chapter the same width, with main steps and with a
     if (all) await page.keyboard.press("u");
     const { x, y, width, height } = await control(page, "timeline");
     for (const [i, chapter] of chapters.entries()) {
-      // A little after a chapter's mark; the knob's middle keeps 8 px from both ends.
+      // Just after a chapter's mark; the knob's middle keeps 8 px from both ends.
       await page.mouse.click(x + 8 + ((width - 16) * (i + 0.02)) / chapters.length, y + height / 2);
       await idle(page);
       assert.equal(stone[await step(page)].chapter, chapter, `${all}`);
@@ -221,7 +221,8 @@ test("presenting: large words, no settings, full screen, and Escape leaves it", 
   await page.keyboard.press("P");
   await idle(page);
   assert.equal(await shown("Samples"), false);
-  await page.evaluate(() => document.dispatchEvent(new Event("fullscreenchange"))); // as when the browser's own key leaves it
+  await page.evaluate(() => document.dispatchEvent(new Event("fullscreenchange"))); // as when the browser's own key
+                                                                                    // leaves it
   await idle(page);
   assert.ok(await shown("Samples"));
   await page.done();
@@ -345,7 +346,7 @@ test("paused before its time, it does not draw when that would have come", async
   await page.keyboard.press("Space");
   await page.waitForFunction((before) => evenlift.frames > before + 2, frames); // it waits for its next step
   await page.keyboard.press("Space");
-  const at = await step(page); // 5, unless the machine was so busy that a step went by
+  const at = await step(page); // 5, unless the machine was so busy that a step passed
   await drawsNothing(page);
   await stands(page, at);
   await page.done();
@@ -415,7 +416,7 @@ test("an edit keeps the place, and so does undo", async () => {
   await page.done();
 });
 
-// A place on a candidate's chord, off the centre, where no other one is near.
+// A place on a candidate's chord, away from the centre and from all other chords.
 async function onCandidate(page, index) {
   const {
     candidates,
@@ -547,7 +548,7 @@ test("a copied address opens the same lesson at the same stop", async () => {
   await other.reload();
   await other.evaluate(() => evenlift.ready);
   await spoken(other, /^Step 3 of 6, .*Whole pairs of edges/);
-  // Another step of the same lesson, put into the same tab.
+  // Puts another step of the same lesson into the same tab.
   await page.keyboard.press("ArrowRight");
   await spoken(page, /^Step 4 of 6/);
   await other.evaluate(
@@ -616,7 +617,8 @@ test("a teacher's file beside the page opens by its name; other addresses do not
     assert.equal(await step(other), undefined, name);
     await other.done();
   }
-  const missing = await browser.open({ address: "?lesson=no-such-file.txt", quiet: false }); // the browser itself reports a 404
+  const missing = await browser.open({ address: "?lesson=no-such-file.txt", quiet: false }); // the browser itself
+                                                                                             // reports a 404
   assert.match(
     await noticed(missing),
     /^The lesson “no-such-file\.txt” cannot be opened: the server does not have it\.$/,
@@ -642,7 +644,7 @@ test("a challenge link hides the answer and asks", async () => {
   await other.keyboard.press("b");
   await other.waitForFunction(() => location.search === "");
   await other.done();
-  // Of a ready-made lesson, at a step of it.
+  // A challenge of a ready-made lesson, at a later step.
   const both = await browser.open({ address: "?lesson=moved&challenge=1" });
   for (let i = 0; i < 13 && !(await both.locator("#alert").textContent()); ++i) await both.keyboard.press("ArrowRight");
   assert.match(await both.locator("#alert").textContent(), /\?/);
@@ -700,7 +702,7 @@ test("a challenge begins at the beginning, whatever step its link has, and has s
       await idle(other);
     }
     assert.match(await other.locator("#alert").textContent(), /\?/, address);
-    // A link at a step that is put into the same tab begins anew, too.
+    // A link at a step that is put into the same tab also starts from the beginning.
     await other.evaluate((l) => {
       location.hash = l;
     }, last);

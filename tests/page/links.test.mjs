@@ -86,7 +86,7 @@ test("a new fragment is opened, and undo leads back", async () => {
 test("hostile links give a message and leave the page working", async () => {
   const good = encoded("thesis-sample");
   const version = good.slice(0, good.indexOf("."));
-  // Line breaks and tabs are dropped by the browser before anybody sees them.
+  // The browser drops line breaks and tabs before any code sees them.
   const listed = readFileSync(path.join(root, "tests/data/hostile_links.txt"), "utf8")
     .split("\n")
     .filter((line) => line && !line.startsWith("#"))
@@ -173,7 +173,7 @@ test("work survives a reload at once, before anything was written at leisure", a
   await page.done();
 });
 
-// A browser may reload the address that it knew before the last one was written.
+// A browser may reload the address before the last one written.
 test("work survives a reload of the address before the last", async () => {
   const page = await browser.open();
   await set(page, { teams: 5 });
@@ -185,7 +185,7 @@ test("work survives a reload of the address before the last", async () => {
   await page.reload();
   await page.evaluate(() => evenlift.ready);
   assert.equal((await state(page)).requested_teams, 4);
-  // A link that somebody opens is no reload.
+  // Opening a link is not a reload.
   await page.goto("about:blank");
   await page.goto(`${browser.server.url}#${before}`);
   await page.evaluate(() => evenlift.ready);

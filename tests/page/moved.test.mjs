@@ -1,4 +1,4 @@
-// Robots that were dragged by hand stay where they are: in undo, after a reload, in a shared link, and in the program.
+// Robots dragged by hand stay in place: in undo, after a reload, in a shared link, and in the program.
 import assert from "node:assert/strict";
 import path from "node:path";
 import { test } from "node:test";
@@ -84,7 +84,7 @@ test("a team that was dragged along its range comes back by undo, reload and lin
   await idle(page);
   await page.locator("#canvas").focus();
   const states = [await state(page)];
-  // A press on a robot that stands at a vertex takes the vertex.
+  // A press on a robot at a vertex takes the vertex.
   const far = ([x, y]) => states[0].polygon.every(([vx, vy]) => Math.hypot(vx - x, vy - y) > 15);
   const [one, other] = [...states[0].teams.keys()].filter((team) => far(states[0].teams[team].ends[0]));
   for (const [team, by] of [
@@ -97,7 +97,7 @@ test("a team that was dragged along its range comes back by undo, reload and lin
   }
   assert.ok(states.length > 2);
   await checkKept(page, states);
-  // What says where robots stand puts them back; their weight does not.
+  // Settings that affect the robots' places put them back; the weight does not.
   await set(page, { weight: 250 });
   assert.equal((await state(page)).moved, states.at(-2).moved);
   await set(page, { teams: 2 });

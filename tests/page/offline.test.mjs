@@ -1,5 +1,5 @@
-// The page without a network: it opens after one visit, in a sub-folder and under its policy, takes a new version when somebody
-// says so, and can be installed. The network is cut in earnest: the server ends.
+// The page without a network: it opens after one visit, in a sub-folder and under its policy, loads a new version on
+// request, and can be installed. The network is really cut: the server ends.
 import assert from "node:assert/strict";
 import { createHash } from "node:crypto";
 import { execFileSync } from "node:child_process";
@@ -35,7 +35,7 @@ function workerOf(folder) {
   return { build: JSON.parse(json), rest: text.slice(text.indexOf("\n") + 1) };
 }
 
-// Puts other files into a page's folder, as another build of it does.
+// Replaces files in a page's folder, as another build does.
 function buildAgain(folder, files) {
   const { build, rest } = workerOf(folder);
   for (const [name, text] of Object.entries(files)) writeFileSync(path.join(folder, name), text);
@@ -45,7 +45,7 @@ function buildAgain(folder, files) {
   execFileSync("python3", [path.join(root, "assets/offline_files.py"), folder, script, ...names]);
 }
 
-// A host with the page in a folder of it. cut() ends it, back() starts it again at the same address.
+// A host with the page in one of its folders. cut() ends it, back() starts it again at the same address.
 async function startHost(t) {
   const whole = mkdtempSync(path.join(tmpdir(), "evenlift-offline-"));
   const folder = path.join(whole, "course", "lifting");
@@ -139,7 +139,7 @@ test("after one visit it opens without a network: the work, a link, a lesson, an
   await page.evaluate(() => evenlift.ready);
   await idle(page);
   assert.deepEqual(await state(page), mine);
-  await set(page, { metric: "balanced", robots: 5 }); // a worker, with a module of its own
+  await set(page, { metric: "balanced", robots: 5 }); // a worker, with a separate module
   await idle(page);
   assert.equal((await state(page)).robots.length, 5);
   assert.equal(await noticed(page), "");
@@ -198,7 +198,8 @@ test("without a network the policy holds", async (t) => {
   await page.done();
 });
 
-// Runs in the page before its own scripts: notes how many pictures there were when the page asked to be kept.
+// Runs in the page before its own scripts: records the number of frames drawn before the page registered its service
+// worker.
 function noteRegistering() {
   globalThis.registeredAfter = [];
   const { register } = ServiceWorkerContainer.prototype;
@@ -224,7 +225,7 @@ test("nothing is kept before the first picture, nor by a figure in an article", 
 
 // --- A new version ----------------------------------------------------------------------------------------------------
 
-// A worker that says which version it sees, as the page's own workers would.
+// A worker that reports the version that it sees, as the page's own workers would.
 const probe = {
   "probe.js": 'fetch("version.json").then((answer) => answer.json()).then(({ version }) => postMessage(version));\n',
 };
@@ -283,7 +284,7 @@ test("a new version says so in a sentence, is loaded by its button, and other ta
   assert.deepEqual(await state(page), mine);
   assert.equal(await card(page).count(), 0);
 
-  // The other tab, with workers that it starts from now on, also when the service worker was ended in between.
+  // The other tab, with workers that it starts from now on, even when the service worker was ended in between.
   const client = await context.newCDPSession(page);
   await client.send("ServiceWorker.enable");
   await client.send("ServiceWorker.stopAllWorkers");
@@ -314,7 +315,7 @@ test("what was needed by the former version alone goes, and what both have is no
       return (await (await caches.open(name)).keys()).map(({ url }) => url.slice(url.lastIndexOf("/") + 1)).sort();
     });
   const before = await places();
-  // Only what differs can still be had.
+  // Only changed files are still on the server.
   buildAgain(host.folder, edition("second"));
   for (const name of Object.keys(workerOf(host.folder).build.files))
     if (name !== "version.json") rmSync(path.join(host.folder, name));
@@ -326,7 +327,7 @@ test("what was needed by the former version alone goes, and what both have is no
   );
   await idle(page);
   assert.equal(await versionSeen(page), "second");
-  // The page with the former version is closed by now, and the next that opens looks for that.
+  // The page with the former version is closed by now, and the next page that opens checks for that.
   await page.reload();
   await page.evaluate(() => evenlift.ready);
   await page.waitForFunction(async (count) => {
@@ -375,7 +376,7 @@ test("where the host has the page no more, what is kept goes", async (t) => {
   await kept(page);
   writeFileSync(path.join(host.folder, "index.html"), "<!doctype html><title>Something else</title>");
   rmSync(path.join(host.folder, "service_worker.js"));
-  await page.reload(); // what is kept comes once more
+  await page.reload(); // the kept page opens one last time
   await page.evaluate(() => evenlift.ready);
   await page.waitForFunction(
     async () => (await navigator.serviceWorker.getRegistrations()).length === 0 && (await caches.keys()).length === 0,

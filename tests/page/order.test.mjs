@@ -26,8 +26,8 @@ function slowFrames() {
 
 const opened = (options) => openL(browser, options);
 
-// Events of the browser, made in one task: no frame is drawn in between. Each is [what, ...]: a key, a place to click, a
-// drag from one place to another, or a setting of a script.
+// Browser events in one task: no frame is drawn in between. Each is [what, ...]: a key, a place to click, a drag from
+// one place to another, or a setting from a script.
 function act(page, actions) {
   return page.evaluate((all) => {
     const canvas = document.getElementById("canvas");
@@ -73,7 +73,7 @@ test("five clicks and Enter in one moment close a shape of these five vertices",
   const page = await opened();
   await act(page, [["key", "d"], ...corners.map((at) => ["click", at]), ["key", "Enter"]]);
   const drawn = (await state(page)).polygon;
-  await act(page, [["key", "z", true]]); // the view is as it was while they were placed
+  await act(page, [["key", "z", true]]); // undo restores the view in which they were placed
   await idle(page);
   near(drawn, await worldOf(page, corners));
   await page.done();
@@ -83,7 +83,7 @@ test("so do the browser's own clicks and keys, one behind the other, where each 
   const page = await opened({ script: slowFrames });
   const expected = await worldOf(page, corners);
   await page.locator("#canvas").focus();
-  // Nothing waits for the page in between.
+  // The test does not wait for the page in between.
   await Promise.all([
     page.keyboard.press("d"),
     ...corners.map(([x, y]) => page.mouse.click(x, y)),
@@ -96,7 +96,7 @@ test("so do the browser's own clicks and keys, one behind the other, where each 
 test("a key is dealt with after the click before it, and before the click after it", async () => {
   const page = await opened();
   const expected = await worldOf(page, [corners[0], corners[2], corners[3]]);
-  // Escape takes back the second vertex, not another one.
+  // Escape removes the second vertex, and no other.
   await act(page, [
     ["key", "d"],
     ["click", corners[0]],
@@ -122,7 +122,7 @@ test("calls of scripts take their place between drags and keys", async () => {
   let now = await state(page);
   assert.equal(now.requested_teams, 2);
   assert.ok(Math.hypot(now.polygon[2][0] - to[0], now.polygon[2][1] - to[1]) < 2, "the drag came first");
-  // Undo takes back the call, which came last, and then the drag.
+  // Undo first reverts the call, which came last, and then the drag.
   await act(page, [["key", "z", true]]);
   now = await state(page);
   assert.equal(now.requested_teams, 3);
@@ -154,7 +154,7 @@ test("a click after a key meets the panels as the key left them", async () => {
   const page = await opened();
   const { x, y, width, height } = await page.evaluate(() => evenlift.view.control("ratio"));
   const where = [x + width / 2, y + height / 2];
-  // With the panel folded away there is only the ground to draw on.
+  // With the panel folded away, the whole background can be drawn on.
   await act(page, [
     ["key", "d"],
     ["key", "p"],
@@ -192,7 +192,7 @@ test("a number that is typed at once after the key of its field is all in the fi
         const send = (name) => {
           const { activeElement: at } = document;
           const own = at.dispatchEvent(new KeyboardEvent("keydown", { key: name, bubbles: true, cancelable: true }));
-          // What a browser does with a key that nobody kept.
+          // The browser's action for a key that no handler prevented.
           if (own && at instanceof HTMLInputElement && name.length === 1)
             document.execCommand("insertText", false, name);
         };

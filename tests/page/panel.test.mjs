@@ -1,4 +1,4 @@
-// The panel and the toolbar: what is typed, what is reached by keys, and that nothing moves or leaves the window.
+// The panel and the toolbar: typed values, controls reached by keys, and that nothing moves or leaves the window.
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
@@ -78,7 +78,7 @@ test("a number is clicked and typed over, with its unit and a decimal comma or w
   await page.done();
 });
 
-// Types into a field as people do, with Enter at the end.
+// Types into a field as users do, with Enter at the end.
 async function type(page, name, text) {
   await press(page, name);
   await page.keyboard.type(text);
@@ -125,7 +125,7 @@ test("a number with another unit of the same kind is converted, not taken as it 
 });
 
 test("a unit of another kind is refused, and so is one where numbers have none", async () => {
-  const page = await browser.open({ viewport: { width: 1280, height: 1200 } }); // all settings are in sight at once
+  const page = await browser.open({ viewport: { width: 1280, height: 1200 } }); // all settings are visible at once
   await press(page, "robot size");
   await set(page, { unit: "none" });
   const before = await state(page);
@@ -255,7 +255,7 @@ test("each card has its place in the order of reading, and a name only while som
   await idle(page);
   assert.deepEqual(await groups(), ["Toolbar", "Panel", "View"]);
   await page.keyboard.press("w");
-  await page.keyboard.press("Control+c"); // which a notice tells of
+  await page.keyboard.press("Control+c"); // a notice reports it
   await idle(page);
   assert.deepEqual(await groups(), ["Toolbar", "Tool", "Panel", "View", "Notice"]);
   await page.done();
@@ -410,7 +410,8 @@ test("no control moves because the result changed", async () => {
           .map(({ label, left, top }) => [label, [left, top]]),
       );
     const at = await settings();
-    assert.ok(Object.keys(at).length >= (options.viewport ? 4 : 9), Object.keys(at).join(" · ")); // of the closed sheet only its first rows
+    assert.ok(Object.keys(at).length >= (options.viewport ? 4 : 9), Object.keys(at).join(" · ")); // of the closed sheet
+                                                                                                  // only its first rows
     for (const change of [
       { teams: 4 },
       { teams: 1 },
@@ -491,7 +492,7 @@ test("on a phone the card that says why stands below the robot, whichever was ta
       assert.ok(close.y > y + 12, `${viewport.width}: the card begins at ${close.y}, the robot is at ${y}`);
       ++asked;
       await page.keyboard.press("Escape"); // the card
-      await page.keyboard.press("Escape"); // a vertex that was selected
+      await page.keyboard.press("Escape"); // a selected vertex
       await idle(page);
     }
     assert.ok(asked >= 4, String(asked));
@@ -671,7 +672,7 @@ test("on a phone on its side the card that says why stands over the panel, and c
     const button = await control(page, "show in lesson");
     assert.ok(Math.max(...object.map(([x]) => x)) < button.x - 16, JSON.stringify(button));
     await page.keyboard.press("Escape"); // the card
-    await page.keyboard.press("Escape"); // a vertex that was selected
+    await page.keyboard.press("Escape"); // a selected vertex
     await idle(page);
   }
   await page.done();

@@ -1,6 +1,6 @@
-// The page as it is meant to look, beside kept pictures (expected/). What differs is written to the folder of the
-// environment variable EVENLIFT_PICTURES; `EVENLIFT_PICTURES=tests/page/expected` renews them all, and notes the system
-// in expected/drawn-on.txt.
+// The page's intended appearance, against kept pictures (expected/). Pictures that differ are written to the folder of
+// the environment variable EVENLIFT_PICTURES; `EVENLIFT_PICTURES=tests/page/expected` renews them all, and records the
+// system in expected/drawn-on.txt.
 import assert from "node:assert/strict";
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
@@ -13,7 +13,8 @@ const browser = sharedBrowser();
 
 const expected = fileURLToPath(new URL("expected/", import.meta.url));
 const ofReadme = fileURLToPath(new URL("../../docs/page.png", import.meta.url));
-// Other systems draw letters and the edges of shapes a little otherwise: up to 1.6 % of a window full of words on Debian 13.
+// Other systems draw letters and the edges of shapes slightly differently: up to 1.6 % of a window full of words on
+// Debian 13.
 const system =
   /^PRETTY_NAME="?([^"\n]*)/m.exec(existsSync("/etc/os-release") ? readFileSync("/etc/os-release", "utf8") : "")?.[1] ??
   process.platform;
@@ -236,7 +237,7 @@ for (const [name, options] of [
   test(`the window ${name}`, async () => {
     const page = await browser.open(options);
     await openWindow(page, name);
-    // The server's port is another one each time.
+    // The server's port differs each time.
     await page.evaluate(() =>
       document.querySelectorAll("#link").forEach((field) => {
         field.value = "https://example.org/";

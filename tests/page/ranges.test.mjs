@@ -1,4 +1,5 @@
-// Teams anywhere in their ranges, and teams that are to hold: the program's answers, the panel, a team dragged along its range.
+// Teams anywhere in their ranges, and teams chosen for a hold: the program's answers, the panel, a team dragged along
+// its range.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -71,7 +72,7 @@ test("a team is dragged along its range with its loads, and reset puts it back",
   await set(page, { positions: "range" });
   await idle(page);
   const before = await state(page);
-  // A vertex is taken before the robot that stands on it, so a team is taken whose robot stands on none.
+  // A press takes a vertex before the robot on it, so this picks a team whose robot is not at a vertex.
   const apart = ([px, py]) => before.polygon.every(([vx, vy]) => Math.hypot(vx - px, vy - py) > 40);
   const team = before.teams.findIndex((each) => apart(each.ends[0]));
   assert.ok(team >= 0);

@@ -1,4 +1,4 @@
-// The lines of README that serve and script the page run as they stand.
+// The lines of README that serve and script the page run unchanged.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { readFileSync } from "node:fs";

@@ -1,4 +1,4 @@
-// Sharpness, size, colours, failure: what the page does on all kinds of screens and without one.
+// Sharpness, size, colours, failure: the page on all kinds of screens and without one.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -50,7 +50,7 @@ test("it follows the window's size and a change of the device-pixel ratio", asyn
     deviceScaleFactor: 2,
     mobile: false,
   });
-  await page.mouse.move(500, 300); // this emulation tells nobody; on a real screen the browser does
+  await page.mouse.move(500, 300); // this emulation sends no event; on a real screen the browser does
   await page.waitForFunction(() => document.getElementById("canvas").width === 2000);
   await idle(page);
   assert.deepEqual(await canvasSize(page), [2000, 1400]);
@@ -85,7 +85,7 @@ test("light and dark follow the system while the page runs", async () => {
   await page.done();
 });
 
-// Of the ground, in a corner where nothing stands.
+// The lightness of the background, in an empty corner.
 async function lightness(page) {
   const other = await browser.browser.newPage();
   const png = (await page.screenshot({ clip: { x: 4, y: 300, width: 8, height: 8 } })).toString("base64");
@@ -111,7 +111,7 @@ test("a lost WebGL context comes back with everything on it", async () => {
     globalThis.extension.loseContext();
   });
   await page.waitForFunction(() => !document.getElementById("cover").classList.contains("done"));
-  await page.evaluate(() => evenlift.set({ teams: 3 })); // the program goes on without a canvas
+  await page.evaluate(() => evenlift.set({ teams: 3 })); // the program continues without a canvas
   await page.evaluate(() => globalThis.extension.restoreContext());
   await page.waitForFunction(() => document.getElementById("cover").classList.contains("done"));
   await idle(page);
@@ -190,7 +190,7 @@ test("what the first picture and all tools need is at most 612,000 bytes after c
   assert.ok(start <= 612000, `${start} bytes after gzip`);
 });
 
-// --- Without WebGL 2: the picture that stands still ---------------------------------------------------------------------
+// --- Without WebGL 2: the still picture -----------------------------------------------------------------------------
 
 const encoded = (name, ...options) => evenlift("link", "encode", sample(name), ...options).trim();
 const verdict = (name, ...options) => evenlift("place", sample(name), ...options).split("\n")[0];

@@ -1,11 +1,11 @@
-// What the page weighs, as a server sends it.
+// The sizes of the page's files, as a server sends them.
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { gzipSync } from "node:zlib";
 import { pageFolder } from "./browser.mjs";
 
-// What comes before the first picture, and is all that drawing, placing and the lesson need. The rest comes when it is
-// asked for: windows and their lists, experiments.
+// The files loaded before the first frame: enough for drawing, placing and the lesson. The rest is loaded on demand:
+// windows and their lists, experiments.
 const atStart = ["index.html", "icon.svg", "page.css", "page.js", "evenlift.js", "evenlift.wasm"];
 
 export function sizes() {

@@ -1,4 +1,5 @@
-// Robots with a size in the page: typed, drawn, marked with the brush, undone, and the same as the program.
+// Robots with a size in the page: typed, drawn, no-go edges marked with the brush, undone, and the same as in the
+// program.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -116,7 +117,7 @@ test("the radius has a slider, for the pointer and for keys, and is typed, too",
   await page.keyboard.press("Control+z");
   await idle(page);
   assert.equal(await radius(), 0, "a drag is one step of undo");
-  // Those who do not see the canvas have it as a slider of HTML.
+  // Screen readers get it as an HTML slider.
   const slider = page.getByRole("slider", { name: "Radius of a robot, as a slider" });
   await slider.focus();
   await page.keyboard.press("ArrowRight");

@@ -1,4 +1,4 @@
-// Drawing, taking hold of the whole, comparing, what tips, capacity: what a person does on the canvas.
+// Drawing, moving the whole shape, comparing, tipping, capacity: the user's actions on the canvas.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {

@@ -14,7 +14,7 @@ const keys = {
   glossary: "G",
 };
 
-// Opens a window by its key, and waits until it is there.
+// Opens a window by its key, and waits until it is open.
 export async function openWindow(page, name) {
   await page.locator("#canvas").focus();
   await page.keyboard.press(keys[name]);
@@ -26,13 +26,13 @@ export async function openWindow(page, name) {
   return root;
 }
 
-// The page's notice, once all that leads to it is done.
+// The page's notice, once all work that leads to it is done.
 export async function noticed(page) {
   await idle(page);
   return page.locator("#alert").textContent();
 }
 
-// Drops files or a text onto the page: what a browser sends, with a DataTransfer of the page's own.
+// Drops files or a text onto the page, as a browser does, with a DataTransfer of the page's own.
 export async function drop(page, { files = [], text }, target = "#canvas") {
   const data = await page.evaluateHandle(
     ([list, plain]) => {
@@ -64,13 +64,13 @@ export async function closeAll(page) {
   await allClosed(page);
 }
 
-// No window is open any more.
+// Checks that no window is open any more.
 export async function allClosed(page) {
   await idle(page);
   assert.equal(await page.locator("dialog").count(), 0, "a window is open");
 }
 
-// The faults that axe finds in the page, each with where.
+// The faults that axe finds in the page, each with its place.
 export async function violations(page) {
   await page.evaluate(axe);
   return page.evaluate(async () =>

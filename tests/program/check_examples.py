@@ -1,9 +1,9 @@
-"""Runs the examples of README.md, docs and examples, and compares what they print with what the page shows below them.
+"""Runs the examples of README.md, docs and examples, and compares their output with the text that follows each example.
 
     EVENLIFT_PROGRAM=build/bin/evenlift python3 tests/program/check_examples.py [--update]
 
-An example is a block of shell commands that a block of text follows at once. A line of the text that is only "…" stands
-for any number of lines. --update writes down what is printed now, where no such line stands.
+An example is a block of shell commands immediately followed by a block of text. A line of the text that is only "…"
+represents any number of lines. --update writes the present output, except where there is such a line.
 """
 
 import os
@@ -20,7 +20,7 @@ example = re.compile(r"```sh\n(?P<commands>[^`]*)```\n\n```text\n(?P<printed>[^`
 
 
 def printed_by(commands, folder):
-    """What the commands print; what they write goes into the folder."""
+    """The output of the commands; files that they write go into the folder."""
     commands = commands.replace("build/bin/", f"{shlex.quote(str(program.parent))}/").replace(" assets/", f" '{root}'/assets/")
     done = subprocess.run(["bash", "-c", commands], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
     return done.stdout.decode()

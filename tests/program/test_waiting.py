@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What a terminal shows while the program computes for long.
+"""The terminal's display during a long computation.
 
     EVENLIFT_PROGRAM=build/bin/evenlift python3 tests/program/test_waiting.py
 """
@@ -20,7 +20,7 @@ def run(*arguments, errors=subprocess.PIPE):
 
 
 def run_on_terminal(*arguments):
-    """What it prints, and what a terminal sees as its standard error."""
+    """The output, and the standard error as a terminal shows it."""
     master, slave = pty.openpty()
     with run(*arguments, errors=slave) as process, os.fdopen(master, "rb", buffering=0) as terminal:
         os.close(slave)
@@ -29,7 +29,7 @@ def run_on_terminal(*arguments):
             while chunk := terminal.read(4096):
                 seen += chunk
         except OSError:
-            pass  # so Linux says that nobody writes any more
+            pass  # so Linux reports that no writer is left
         return process.stdout.read(), seen
 
 

@@ -1,4 +1,4 @@
-// Teams that are exchanged until they hold: what holds of every result, and brute force.
+// Teams swapped until they hold: properties of every result, and brute force.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -31,8 +31,7 @@ Document to_hold(Document document, std::uint32_t teams, Positions positions) {
   return document;
 }
 
-// The keys of a choice by the functions that every placement is described with, not by the
-// search's.
+// The keys of a choice by the functions that describe every placement, not by those of the search.
 HoldKeys keys_by_definition(const Placement& placement, const std::vector<std::uint32_t>& taken,
                             const FirmHold& firm) {
   std::vector<LiftingPoint> points;
@@ -46,7 +45,7 @@ HoldKeys keys_by_definition(const Placement& placement, const std::vector<std::u
     }
     keys.ratios += chord.ratio;
   }
-  // The contacts that count are those whose distance from corners is enough.
+  // Only contacts far enough from corners count.
   std::vector<LiftingPoint> counted;
   for (const Contact& contact : contacts(placement.polygon, points))
     if (contact.to_corner >= firm.clear - near_distance(placement.polygon.diameter()))
@@ -59,7 +58,7 @@ HoldKeys keys_by_definition(const Placement& placement, const std::vector<std::u
   return keys;
 }
 
-// Whether a is better than b, by more than the two ways to compute keys differ by.
+// Whether a is better than b by more than the difference between the two ways to compute keys.
 bool clearly_better(const HoldKeys& a, const HoldKeys& b) {
   if (a.level != b.level) return a.level > b.level;
   if (std::fabs(a.coverage - b.coverage) > 2e-9) return a.coverage > b.coverage;
@@ -67,7 +66,7 @@ bool clearly_better(const HoldKeys& a, const HoldKeys& b) {
   return a.ratios > b.ratios + 2 * tau;
 }
 
-// A margin so near to a bound that rounding could tip the level.
+// Whether a margin is so near to a bound that rounding could change the level.
 bool is_doubtful(const Placement& placement, const std::vector<std::uint32_t>& taken) {
   std::vector<LiftingPoint> points;
   for (const std::uint32_t i : taken) {
@@ -92,7 +91,7 @@ void for_each_exchange(const Placement& placement, Visit visit) {
   }
 }
 
-// What holds of any teams that are to hold.
+// Properties of any teams chosen to hold.
 void check_result(const Placement& placement) {
   const HoldKeys keys =
       keys_by_definition(placement, placement.team_candidates, firm_hold(placement));
@@ -234,7 +233,7 @@ TEST_CASE("what cannot be exchanged is refused, with the reason", "[exchange]") 
   CHECK(check_exchanges(100, most_exchanged_teams + 1)->place.option == "goal");
   CHECK_FALSE(check_exchanges(100, 100));
   CHECK(check_exchanges(most_exchanges, 2)->place.option == "goal");
-  // All candidates are placed where more teams are asked for than there are.
+  // If more teams are requested than there are candidates, all candidates are placed.
   const Placement all = placed(to_hold(corpus::polygon("labyrinth"), 1'000'000, Positions::best));
   CHECK(all.teams.size() == all.candidates.size());
 }

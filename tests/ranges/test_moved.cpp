@@ -1,4 +1,4 @@
-// Robots that somebody moves by hand: where they come to, and that a link brings them back.
+// Robots moved by hand: their new places, and that a link restores them.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -41,7 +41,7 @@ std::string why_not(const Document& document, const std::string& moved) {
   const Result<Placement> placement = place(wrong);
   REQUIRE_FALSE(placement.ok());
   CHECK(placement.error().code == ErrorCode::bad_setting);
-  CHECK(placement.error().place.kind == Place::Kind::nowhere);  // no setting says it
+  CHECK(placement.error().place.kind == Place::Kind::nowhere);  // no setting is named
   const std::string of_whom = "robots that were moved by hand: ",
                     message = placement.error().message;
   CHECK(message.starts_with(of_whom));
@@ -55,7 +55,7 @@ double distance_to_edge(const Placement& placement, const LiftingPoint& point) {
   return length(point.position - (a + along * (b - a)));
 }
 
-// What a team of two must be wherever it stands, by its points alone.
+// The properties of a team of two wherever it stands, from its points alone.
 void check_team(const Placement& placement, const Team& team) {
   const double near = near_distance(placement.polygon.diameter());
   const Vec2& centre = placement.centre_of_mass;
@@ -174,7 +174,7 @@ TEST_CASE("a link brings moved robots back bit for bit", "[moved][link][slow]") 
         CHECK(again.loads->spread == 0);
         continue;
       }
-      // The steps are those of teams where they were found.
+      // The steps are those of teams at their computed places.
       document.moved = {};
       const auto trace = make_trace(again);
       REQUIRE(trace.ok());

@@ -1,4 +1,4 @@
-// The ranges of edge-pairs: their ends against exact rationals, and the candidates in them.
+// The ranges of edge pairs: their ends against exact rationals, and the candidates in them.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -24,7 +24,7 @@ namespace {
 
 ExactVec exact(const Vec2& p) { return {Exact(p.x()), Exact(p.y())}; }
 
-// A point from C where the line through C and p meets the line of an edge.
+// The point, relative to C, where the line through C and p meets the line of an edge.
 ExactVec on_line(const ExactVec& p, const ExactVec& a, const ExactVec& b) {
   return p * Exact(oracle::cross(a, b) / oracle::cross(p, ExactVec(b - a)));
 }
@@ -35,7 +35,7 @@ Exact ratio_of(const ExactVec& p, const ExactVec& q) {
   return value < 0 ? Exact(-value) : value;
 }
 
-// The section of an edge-pair, exactly: where it begins and ends on edge a, and q there.
+// The section of an edge pair, exactly: its ends on edge a, and q there.
 struct ExactSection {
   ExactVec a[2];
   Exact q[2];
@@ -76,7 +76,7 @@ std::optional<Prepared> prepared(const Document& document) {
   return Prepared{*std::move(polygon), *centre, *std::move(pairs)};
 }
 
-// Whether the place x is where q has the value, within rounding.
+// Whether q has the value at the place x, within rounding.
 bool reaches(const ExactSection& section, double x, double q) {
   const Exact at = section.q[0] + (section.q[1] - section.q[0]) * Exact(x);
   return std::fabs(number(at) - q) <=
@@ -94,8 +94,8 @@ void check_range(const PairRange& range, const ExactSection& section, double min
     const bool at_end = x == 0 || x == 1;
     CHECK((at_end || reaches(section, x, min_ratio) || reaches(section, x, 1 / min_ratio)));
   }
-  // Beyond an end that is none of the section's the chord is too uneven; within the range it is
-  // not.
+  // Beyond a range end that is not an end of the section, the ratio of the chord is too low; within
+  // the range it is not.
   const auto ratio_at = [&](double x) {
     const double q = number(section.q[0] + (section.q[1] - section.q[0]) * Exact(x));
     return std::min(q, 1 / q);
@@ -208,7 +208,7 @@ TEST_CASE("ranges add candidates and leave the others as they are", "[ranges]") 
       ++next;
     }
     CHECK(next == best.candidates.size());
-    // The first team takes the longest of all.
+    // The first team takes the longest chord of all.
     if (range.teams.empty()) continue;
     ++with_teams;
     const Candidate& first = range.candidates[range.team_candidates[0]];
@@ -257,7 +257,7 @@ TEST_CASE("the place towards a direction is where C sees it, or the nearest end 
   range.a1 = Vec2(1, 1);
   CHECK(place_towards(range, Vec2(1, 0.5)) == Approx(0.75));
   CHECK(place_towards(range, Vec2(1, -3)) == 0);
-  // Behind C, too: 100 degrees from the one end, 55 from the other.
+  // Also behind C: 100 degrees from one end, 55 from the other.
   CHECK(place_towards(range, Vec2(-1, 0.1)) == 1);
   CHECK(place_towards(range, Vec2(-1, -0.1)) == 0);
   CHECK(place_towards(range, Vec2(-0.17, 0.98)) == 1);

@@ -1,4 +1,4 @@
-// The steps of ranges and of exchanges of teams.
+// The steps of ranges and of swaps of teams.
 #include <algorithm>
 #include <string>
 

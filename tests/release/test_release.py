@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Packs a release of what is built twice, in two folders, and looks into it. Uses EVENLIFT_PAGE, EVENLIFT_BIN, EVENLIFT_NPM and
-EVENLIFT_LIBRARY, or build/page, build/bin, build/npm and build/native/c/libevenlift.so. The sources are those of a copy that git knows, so that changes at hand do not matter."""
+"""Packs a release of the built files twice, in two folders, and inspects it. Uses EVENLIFT_PAGE, EVENLIFT_BIN,
+EVENLIFT_NPM and EVENLIFT_LIBRARY, or build/page, build/bin, build/npm and build/native/c/libevenlift.so. The sources
+are a copy committed to git, so that uncommitted changes have no effect."""
 import hashlib
 import io
 import json
@@ -27,7 +28,7 @@ def git(folder, *args):
 
 
 def sources(folder):
-    """Those parts of the sources that a release reads, committed."""
+    """The parts of the sources that a release reads, committed."""
     folder.mkdir(parents=True)
     for name in ("CMakeLists.txt", "CHANGELOG.md", "LICENSE", "README.md", "cmake/release.py", "docs/cli.md"):
         (folder / name).parent.mkdir(exist_ok=True)
@@ -56,7 +57,7 @@ class Release(unittest.TestCase):
             sources(work / name)
         cls.copy = work / "one"
         cls.files = pack(work / "one")
-        # What is built is copied, too: its times and its place must not matter.
+        # The built files are also copied: their times and their place must not matter.
         built = {name: work / "built" / name for name in folders}
         for name, path in built.items():
             shutil.copytree(folders[name], path, copy_function=shutil.copyfile)

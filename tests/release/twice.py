@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Makes the release of the commit that is checked out twice, in two fresh clones with different paths, and compares all bytes:
+"""Makes the release of the current commit twice, in two fresh clones with different paths, and compares all bytes:
 
     python3 tests/release/twice.py [FILE...]
 
-FILEs, such as *-page.zip, are patterns of what is compared; all if there are none. It takes as long as two builds of everything.
+FILEs, such as *-page.zip, are patterns of the files to compare; by default all. It takes as long as two builds of
+everything.
 """
 import fnmatch
 import subprocess

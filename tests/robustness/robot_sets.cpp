@@ -16,14 +16,14 @@ using evenlift::Rng;
 using evenlift::Vec2;
 
 enum class Kind {
-  grid,         // a coarse grid, with many on one line and at one place
+  grid,         // a coarse grid, with many collinear or at one place
   anywhere,     // doubles in a square
   on_a_square,  // on its sides, as robots on an object's straight edges
   pairs,        // across C
   one_line,     // all on one slanted line, and C on it
   one_place,    // two or three places for all
   at_a_robot,   // C at one of the robots
-  on_the_edge,  // C half way between two robots, of which there may be more on one side only
+  on_the_edge,  // C half way between two robots; further robots may be on one side only
   thin,         // within a strip of 1e-5 L
   count
 };
@@ -148,7 +148,7 @@ RobotSet make_set(std::uint64_t number, std::size_t most) {
   switch (rng.below(5)) {
     case 0:  // as small as an object may be
       return scaled_and_shifted(set, 1e-9, Vec2::Zero());
-    case 1:  // as large
+    case 1:  // as large as an object may be
       return scaled_and_shifted(set, 1e8, Vec2::Zero());
     case 2:  // far away
       return scaled_and_shifted(set, 64, {4649776.25, -512345.5});

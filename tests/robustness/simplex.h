@@ -1,4 +1,5 @@
-// Linear programs in rationals, by the simplex method with Bland's rule: exact and always finite.
+// Linear programs in rationals, by the simplex method with Bland's rule: exact, and always
+// terminating.
 #pragma once
 
 #include <optional>

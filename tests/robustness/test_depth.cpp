@@ -1,4 +1,4 @@
-// How many robots may fail at once.
+// The number of robots that may fail at once.
 #include <cstdint>
 
 #include "evenlift/failures.h"
@@ -20,8 +20,8 @@ using oracle::ExactVec;
 // Sets of robots are bit masks.
 using Mask = std::uint32_t;
 
-// Decides for any subset of the robots whether it carries the object and whether it keeps it
-// steady, exactly, from pairs and triangles of robots.
+// Decides exactly, for any subset of the robots, whether it carries the object and whether it keeps
+// it steady, from pairs and triangles of robots.
 class Subsets {
  public:
   explicit Subsets(const RobotSet& set)
@@ -39,8 +39,8 @@ class Subsets {
     return false;
   }
 
-  // A line through two robots of the subset with all others on it or to its left supports the
-  // hull: C must be on its left by more than the tolerance.
+  // A line through two robots of the subset with all others on it or to its left supports the hull:
+  // C must be on its left by more than the tolerance.
   bool keeps_steady(Mask subset) const {
     bool supported = false;
     for (const Side& side : sides_) {
@@ -51,11 +51,12 @@ class Subsets {
     return supported;
   }
 
-  // The greatest number of robots, less one if none, that may be missing in every combination.
+  // The greatest number of robots that may be missing in every combination; -1 if it does not hold
+  // even with all robots.
   template <class Holds>
   int failures(Holds holds) const {
     const auto m = static_cast<int>(robots_.size());
-    int worst = m;  // robots that have to be missing until it does not hold any more
+    int worst = m;  // the least number of missing robots for which it no longer holds
     for (Mask subset = 0; subset < Mask{1} << m; ++subset)
       if (!holds(subset)) worst = std::min(worst, m - __builtin_popcount(subset));
     return worst - 1;
@@ -116,8 +117,8 @@ class Subsets {
   }
 
   Exact near_square_;
-  std::vector<ExactVec> robots_;  // as seen from C
-  std::vector<Mask> carriers_;    // the smallest sets that carry
+  std::vector<ExactVec> robots_;  // relative to C
+  std::vector<Mask> carriers_;    // the smallest sets that carry the object
   std::vector<Side> sides_;
 };
 
@@ -190,7 +191,7 @@ TEST_CASE("the teams of every sample carry any failures but one for each team",
 TEST_CASE("few robots, no robots and robots at the centre of mass", "[robustness][depth]") {
   CHECK(carried(about_origin({})) == -1);
   CHECK(steady(about_origin({})) == -1);
-  // A single robot below C carries, but nothing is steady on one leg.
+  // A single robot below C carries the object, but nothing is steady on one leg.
   CHECK(carried(about_origin({{0, 0}})) == 0);
   CHECK(steady(about_origin({{0, 0}})) == -1);
   CHECK(carried(about_origin({{1, 1}})) == -1);
@@ -198,10 +199,10 @@ TEST_CASE("few robots, no robots and robots at the centre of mass", "[robustness
   CHECK(steady(about_origin({{-1, -2}, {2, 4}})) == -1);
   CHECK(carried(about_origin({{3, 0}, {-2, 2}, {-2, -2}})) == 0);
   CHECK(steady(about_origin({{3, 0}, {-2, 2}, {-2, -2}})) == 0);
-  // The corners of a square: the two that are left may be opposite, or not.
+  // The corners of a square: the two that are left may or may not be opposite.
   CHECK(carried(about_origin({{1, 1}, {-1, 1}, {-1, -1}, {1, -1}})) == 1);
   CHECK(steady(about_origin({{1, 1}, {-1, 1}, {-1, -1}, {1, -1}})) == 0);
-  // A robot at C helps to carry, whoever fails; it does not steady.
+  // A robot at C helps to carry, whichever others fail; it does not steady the object.
   CHECK(carried(about_origin({{1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {0, 0}})) == 2);
   CHECK(steady(about_origin({{1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {0, 0}})) == 0);
 }

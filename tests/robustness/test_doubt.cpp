@@ -92,7 +92,7 @@ TEST_CASE("a capacity allows as much doubt as its first robot has room for",
   CHECK(radius_within_capacity(springs, 30, 12) == 4.0);
   CHECK(radius_within_capacity(springs, 30, 10) == 0.0);
   CHECK_FALSE(radius_within_capacity(springs, 30, 9.9));
-  // Nothing is promised beyond where a robot lets go, or the object tips.
+  // Nothing is promised beyond the radius at which a robot goes slack or the object tips.
   CHECK(radius_within_capacity(springs, 30, 1000) == 20.0);
   CHECK(radius_within_capacity(springs, 3, 1000) == 3.0);
 }

@@ -1,4 +1,4 @@
-// What the robots bear by the models: checked against linear programs and least squares in exact
+// The loads of the robots by each model: checked against linear programs and least squares in exact
 // arithmetic, and by the conditions that define them.
 #include "evenlift/load_models.h"
 
@@ -39,14 +39,14 @@ double greatest(const std::vector<double>& loads) {
   return *std::max_element(loads.begin(), loads.end());
 }
 
-// Few robots with whole coordinates, many of them on one line or at one place, and C anywhere on
-// the grid; or a set with C well inside.
+// Few robots with whole coordinates, many of them collinear or at one place, and C anywhere on the
+// grid; or a set with C well inside.
 RobotSet small_set(std::uint64_t number) {
   if (number % 3 == 0) return robot_sets::make_steady_set(number, 4);
   return robot_sets::make_grid(number, 7);
 }
 
-// The robots as C sees them.
+// The robots relative to C.
 std::vector<ExactVec> seen(const RobotSet& set) {
   std::vector<ExactVec> robots;
   for (const Vec2& p : set.robots)
@@ -68,7 +68,7 @@ std::vector<simplex::Row> equilibrium(const std::vector<ExactVec>& robots, std::
 std::optional<double> exact_best(const RobotSet& set) {
   const std::vector<ExactVec> robots = seen(set);
   const std::size_t m = robots.size();
-  // Loads, what each of them leaves of the greatest, and the greatest.
+  // The variables are the loads, the difference of each from the greatest, and the greatest.
   std::vector<simplex::Row> rows = equilibrium(robots, 2 * m + 1);
   simplex::Row right{1, 0, 0}, cost(2 * m + 1, 0);
   for (std::size_t i = 0; i < m; ++i) {
@@ -94,7 +94,7 @@ std::optional<double> exact_worst(const RobotSet& set, std::size_t robot) {
 }
 
 // The loads with the least sum of squares that balance a weight of 1 with the robots of a subset
-// alone, if there are any: some may pull. By elimination of the dependent equations.
+// alone, if there are any; some may pull. Dependent equations are eliminated.
 std::optional<std::vector<Exact>> least_squares(const std::vector<ExactVec>& robots,
                                                 std::uint32_t subset) {
   std::vector<simplex::Row> rows = equilibrium(robots, robots.size());
@@ -105,7 +105,7 @@ std::optional<std::vector<Exact>> least_squares(const std::vector<ExactVec>& rob
   rows[0].push_back(1);
   rows[1].push_back(0);
   rows[2].push_back(0);
-  // Rows at right angles to each other: then each contributes by itself.
+  // Makes the rows orthogonal, so that each contributes separately.
   const std::size_t m = robots.size();
   const auto product = [&](const simplex::Row& a, const simplex::Row& b) {
     Exact sum = 0;
@@ -150,7 +150,7 @@ std::optional<std::vector<double>> exact_springs(const RobotSet& set) {
   return loads;
 }
 
-// The lack of balance about C, in units of L.
+// The remaining moment about C, in units of L.
 double moment(const RobotSet& set, const std::vector<double>& loads) {
   Vec2 sum = Vec2::Zero();
   for (std::size_t i = 0; i < loads.size(); ++i)
@@ -216,8 +216,8 @@ TEST_CASE("a spring that would have to pull lets go", "[robustness][models]") {
 
 TEST_CASE("loads change in proportion until a spring that is free takes hold",
           "[robustness][models]") {
-  // The third robot begins to bear something when C is 0.45 farther to the right. The second one
-  // lets go when C is 0.5 farther to the left.
+  // The third robot begins to carry a load when C is 0.45 farther to the right. The second one goes
+  // slack when C is 0.5 farther to the left.
   const auto result = springs(by_hand({{-1, 0}, {1, 0}, {20, 0}}, {-0.5, 0}));
   REQUIRE(result);
   CHECK(result->loads[2] == 0);

@@ -16,7 +16,7 @@ using evenlift::testing::placed;
 
 namespace {
 
-// A robot at the point of the edge.
+// The heading of a robot at the point of the edge.
 double heading(const Points& vertices, const Vec2& at, std::uint32_t edge) {
   Placement placement(testing::polygon(vertices));
   placement.teams = {Team{{Robot{{at, edge}, 1, 1}}, 1}};
@@ -160,7 +160,7 @@ TEST_CASE(
   document.vertices = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
   document.settings.method = Method::balanced;
   document.settings.robots = 5;
-  // Without the first one the others are all on the right of C.
+  // Without the first robot all others are on the right of C.
   const Placement placement = with_robots(
       placed(document),
       {{{-2, 0}, 3}, {{0.25, 2}, 2}, {{0.25, -2}, 0}, {{0.75, 2}, 2}, {{0.75, -2}, 0}}, true);

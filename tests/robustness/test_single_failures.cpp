@@ -1,5 +1,4 @@
-// What is left of the lift if one robot fails: against the same numbers of a lift that never had
-// it.
+// The rest of the lift if one robot fails: compared with a lift that never had this robot.
 #include <algorithm>
 
 #include "evenlift/closure.h"
@@ -18,7 +17,7 @@ using evenlift::testing::placed;
 
 namespace {
 
-// What the others bear at most by plan: each of their teams an equal part of the weight.
+// The greatest load of the others by plan: each of their teams carries an equal part of the weight.
 double greatest_of_other_teams(const Placement& placement, std::size_t failed) {
   std::vector<Chord> chords;
   for (std::size_t t = 0; t < placement.teams.size(); ++t)
@@ -62,7 +61,7 @@ TEST_CASE("without a robot the others have what they would have had without it",
   for (const std::string& name : corpus::polygon_names()) {
     for (const std::uint32_t teams : {1u, 2u, 3u}) {
       Document document = corpus::polygon(name);
-      document.settings.method = all_methods[teams];  // circle, distance, distributed
+      document.settings.method = all_methods[teams];  // circle, distance, equal angles
       document.settings.teams = teams;
       document.settings.weight = 48;
       const Placement placement = placed(document);

@@ -2,9 +2,9 @@
 
     python3 tests/rooms/check_names.py
 
-Within a program a type may have one definition only. Two of one name in two source files are no error to the compiler
-or the linker, which then joins functions that do not belong together: memory is corrupted, perhaps with one compiler
-only. What only one file uses belongs into an unnamed namespace.
+Within a program a type may have only one definition. If two source files each define a type of the same name,
+neither the compiler nor the linker reports an error. The linker then merges functions that do not belong together:
+memory is corrupted, perhaps with one compiler only. A type that only one file uses belongs in an unnamed namespace.
 """
 
 import collections
@@ -13,7 +13,7 @@ import re
 import sys
 
 root = pathlib.Path(__file__).resolve().parent.parent.parent
-# Comments and literals, which may hold anything.
+# Comments and literals, which may contain anything.
 ignored = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.DOTALL)
 preprocessor = re.compile(r"^[ \t]*#(?:[^\n\\]|\\\n|\\.)*", re.MULTILINE)
 named_namespace = re.compile(r"\bnamespace\s+([\w:]+)\s*$")

@@ -1,19 +1,20 @@
-"""Checks that the rooms of the code are as their READMEs say, and that no two use each other in a circle.
+"""Checks that the folders of the code match their READMEs, and that no two use each other in a circle.
 
     python3 tests/rooms/check_rooms.py
 
-A room is a folder of sources. Its README.md says what comes in and what goes out, and ends with these lines:
+The README.md of a folder of sources describes its input and output, and ends with these lines:
 
-    Public headers: polygon.h, hull.h.     of core/include/evenlift, in rooms of the core that have any
-    May use: exact, errors.                the rooms whose files it includes or imports, or "no other room"
-    May load later: windows.               those of which it loads a file with import(), in rooms of web that do so
+    Public headers: polygon.h, hull.h.     of core/include/evenlift, in folders of the core that have any
+    May use: exact, errors.                the folders whose files it includes or imports, or "no other room"
+    May load later: windows.               the folders from which it loads files with import(), in web only
 
-The rooms are in core/src, native, wasm and web, and docs/architecture.md has the plan of them: each stands below, or to the right
-of, all that it uses. What is loaded later may stand anywhere. The folders of tests must be without circles, too, and so
-must the files: no headers include each other in a circle, and no scripts import each other so.
+These folders are in core/src, native, wasm and web, and docs/architecture.md has the plan of them: each is below, or
+to the right of, all folders that it uses. Folders that are loaded later may be anywhere. The folders of tests must
+also be free of circles, and so must the files: no headers include each other in a circle, and no scripts import each
+other in one.
 
-What the view knows (state_sources in wasm/CMakeLists.txt) is built without Dear ImGui, so none of its files may use one
-that belongs to the view.
+The state of the view (state_sources in wasm/CMakeLists.txt) is built without Dear ImGui, so none of its files may
+use a file that belongs to the view.
 """
 
 import pathlib
@@ -51,7 +52,7 @@ def paths_in(file):
 
 
 def uses_of(files, name, target_of):
-    """The other rooms that these files use."""
+    """The other folders that these files use."""
     used = set()
     for file in files:
         for path in paths_in(file):
@@ -62,13 +63,13 @@ def uses_of(files, name, target_of):
 
 
 def loads_of(folder, name, rooms):
-    """The other rooms of which files are loaded later. Such a file is named alone: the page is one flat folder."""
+    """The other folders from which a file is loaded later. Such a file has no folder in its path: the page is one flat folder."""
     paths = {path for file in sources(folder) for path in loaded_later.findall(file.read_text())}
     return {room for room, other in rooms.items() if room != name and any((other / path).is_file() for path in paths)}
 
 
 def planned(tree, rooms):
-    """The rooms in the order of the plan: line by line, each from the left."""
+    """The folders in the order of the plan: line by line, each from the left."""
     block = re.search(r"## The plan\n.*?```\n(.*?)```", (root / "docs/architecture.md").read_text(), re.DOTALL)[1]
     order, now = [], ""
     for line in block.splitlines():
@@ -90,7 +91,7 @@ def check_plan(tree, graph):
 
 
 def circles(graph):
-    """Circles of names of which each uses the next, and the last the first. Each name is in one of them at most."""
+    """Circles of names, in which each uses the next, and the last the first. Each name is in at most one circle."""
     left = {name: set(used) for name, used in graph.items()}
     while left:
         gone = [name for name, used in left.items() if not used & left.keys()]
@@ -111,7 +112,7 @@ def check_circles(tree, graph, kind):
 
 
 def uses_of_files(tree):
-    """What the headers and scripts of a tree use of each other, by their paths within the tree."""
+    """For the headers and scripts of a tree, the files that each uses, by their paths within the tree."""
     files = {f.relative_to(tree).as_posix(): f for folder in [tree, *rooms_of(tree).values()] for f in sources(folder)}
 
     def target_of(name, path):

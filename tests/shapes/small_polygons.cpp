@@ -84,7 +84,7 @@ Points on_ellipse(Draw& draw) {
 
 Points star(Draw& draw) {
   const int n = draw.chance(10) ? draw.between(20, 30) : draw.between(5, 12);
-  const bool even = draw.chance(30);  // a regular star: every tie there is
+  const bool even = draw.chance(30);  // a regular star, with every possible tie
   const double inner = draw.between(2.0, 8.0);
   Points p;
   for (int i = 0; i < n; ++i)
@@ -94,7 +94,7 @@ Points star(Draw& draw) {
 }
 
 Points comb(Draw& draw) {
-  // A C-shaped frame whose two arms carry teeth facing each other, or one arm alone.
+  // A C-shaped frame with teeth on both arms facing each other, or one arm alone.
   const int teeth = draw.between(1, 4);
   const bool even = draw.chance(50);
   const auto height = [&] { return even ? 4.0 : draw.between(2.0, 4.5); };
@@ -172,7 +172,7 @@ Points on_grid(Draw& draw) {
   return untangled(p);
 }
 
-/// Upright and level edges only; often mirror-symmetric.
+/// Only upright and level edges; often mirror-symmetric.
 Points staircase(Draw& draw) {
   const int columns = draw.between(1, 5);
   const bool mirrored = draw.chance(50);
@@ -212,7 +212,7 @@ Points symmetric(Draw& draw) {
   return p;
 }
 
-/// Vertices in the middle of edges: exactly so where the coordinates allow.
+/// Vertices in the middle of edges: exactly there if the coordinates permit it.
 void add_straight_vertices(Points& p, Draw& draw) {
   for (std::size_t i = 0; i < p.size() && p.size() < 30; ++i) {
     if (!draw.chance(30)) continue;
@@ -223,7 +223,7 @@ void add_straight_vertices(Points& p, Draw& draw) {
   }
 }
 
-/// Something that makes life harder for doubles. Applied to C as well, if there is one.
+/// A change that is hard for doubles. If C is given, it is also changed.
 std::string transform(Points& p, std::optional<Point>& c, Draw& draw) {
   const auto each = [&](auto change) {
     for (Point& q : p) q = change(q);
@@ -255,7 +255,7 @@ std::string transform(Points& p, std::optional<Point>& c, Draw& draw) {
       each([&](const Point& q) { return Point{q[0] * k, q[1] * k}; });
       return " scaled";
     }
-    case 5: {  // noise as a file with few digits or a dragged vertex has it
+    case 5: {  // noise as from a file with few digits or a dragged vertex
       const double step = draw.one_of({1e-14, 1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 1e-3});
       for (Point& q : p)
         for (double& x : q) x += step * draw.between(-1.0, 1.0);
@@ -269,7 +269,7 @@ std::string transform(Points& p, std::optional<Point>& c, Draw& draw) {
   }
 }
 
-/// With `hairs` perhaps one that is a hair off an edge's line or a vertex.
+/// With `hairs`, sometimes a centre that is a hair off an edge's line or a vertex.
 std::optional<Point> choose_centre(const Points& p, Draw& draw, std::string& name, bool hairs) {
   const int n = static_cast<int>(p.size());
   const auto vertex = [&](int i) -> const Point& { return p[static_cast<std::size_t>(i % n)]; };

@@ -1,4 +1,4 @@
-// Apart from small_polygons.cpp, which programs without the oracle use as well.
+// Separate from small_polygons.cpp, which programs without the oracle also use.
 #include "shapes/small_polygons.h"
 
 namespace small_polygons {

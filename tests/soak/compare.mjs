@@ -1,17 +1,17 @@
-// The native program and the WebAssembly one must print the same fingerprints of the same documents. They are asked for
-// many documents at a time; where two lines differ, the batch is gone through one document at a time.
+// Checks that the native and the WebAssembly program print the same fingerprints of the same documents. Each call
+// covers many documents; if two lines differ, the batch is repeated one document at a time.
 import { run } from "./run.mjs";
 
 const batch = 1000;
 const mostBatchesAtATime = 10;
-// For a batch that hangs: a hundred times what it takes on an idle machine.
+// For a batch that hangs: a hundred times its duration on an idle machine.
 const secondsForABatch = 120;
 const mostDifferences = 20;
 
 const ask = (program, first, count, ...more) =>
   run([...program, `${first}`, `${count}`, ...more], { seconds: secondsForABatch * Math.ceil(count / batch) });
 
-// The first document of the batch that the two do not agree on; `ended` says how they ended when all were asked for.
+// The first document of the batch on which the two disagree; `ended` describes how the two ended on the whole batch.
 async function findDocument({ native, webAssembly, first, count, ended }) {
   const [a, b] = await Promise.all([ask(native, first, count, "each"), ask(webAssembly, first, count, "each")]);
   for (let i = 0; i < count; ++i) {
@@ -26,7 +26,7 @@ async function findDocument({ native, webAssembly, first, count, ended }) {
   return { number: first, problem: `a batch of ${count} differs, but none of its documents by itself (${ended})` };
 }
 
-// Compares `count` documents from `first` on: on how many the programs agree, and where they differ.
+// Compares `count` documents from `first` on. Returns the number on which the programs agree, and the differences.
 export async function compareBatches({ native, webAssembly, first, count, most = mostDifferences }) {
   const [a, b] = await Promise.all([ask(native, first, count), ask(webAssembly, first, count)]);
   const ended = `native: ${a.ending}, WebAssembly: ${b.ending}`;
@@ -40,7 +40,8 @@ export async function compareBatches({ native, webAssembly, first, count, most =
   return { cases, different };
 }
 
-// The same until the time is over. At first it asks for one batch, then for as many as fit into what is left of the time.
+// Compares documents until the time is over: at first one batch, then the number of batches that fit into the remaining
+// time.
 export async function compareStreams({ native, webAssembly, first, seconds, chunk = batch }) {
   const began = performance.now();
   const left = () => seconds * 1000 - (performance.now() - began);

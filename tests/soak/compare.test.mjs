@@ -4,7 +4,7 @@ import test from "node:test";
 
 import { compareStreams } from "./compare.mjs";
 
-// Stands in for evenlift_fingerprint: prints a line for each batch or document; `wrong` says what it does at one document.
+// Replaces evenlift_fingerprint: prints a line for each batch or document; `wrong` is its behaviour at one document.
 const standIn = `
 const { writeSync } = require("fs"); // unlike console.log, before a crash
 const [wrong, at, first, count, each] = process.argv.slice(1);

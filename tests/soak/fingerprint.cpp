@@ -1,12 +1,12 @@
-// What evenlift says of documents without end, as hashes: compiled natively and to WebAssembly, the
-// two must print the same lines.
+// evenlift's output for an endless series of documents, as hashes: compiled natively and to
+// WebAssembly, the two must print the same lines.
 //
-//   evenlift_fingerprint FIRST COUNT        of each 1,000 documents: the first one's number, a hash
-//   evenlift_fingerprint FIRST COUNT each   the same of each document
-//   evenlift_fingerprint show NUMBER        what is hashed of that document, to be compared
+//   evenlift_fingerprint FIRST COUNT        for each 1,000 documents: first number, hash
+//   evenlift_fingerprint FIRST COUNT each   for each document: number, hash
+//   evenlift_fingerprint show NUMBER        the hashed text of that document, for comparison
 //
 // A document is made from its number alone. Everything here must be the same on every platform,
-// the making of the document too; it is part of what is hashed.
+// including the making of the document, which is part of the hash.
 #include <cinttypes>
 #include <cstddef>
 #include <cstdint>
@@ -52,8 +52,8 @@ class Hash {
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
-// The small polygons of the tests: drawn with a liking for what is hard. Some are refused, and the
-// reason must be the same, too.
+// The small polygons of the tests, with an emphasis on hard cases. Some are refused, and the reason
+// must also be the same.
 Document small_document(std::uint64_t number) {
   return testing::document_of(small_polygons::attempt_case(number, 0).problem);
 }
@@ -68,7 +68,7 @@ Document generated_document(Rng& rng) {
   Document document;
   if (auto points = generate(family, static_cast<std::size_t>(n), rng.below(1u << 30)))
     document.vertices = *std::move(points);
-  // Between three vertices, so that it lies in the convex hull.
+  // Between three vertices, and so in the convex hull.
   if (rng.below(3) == 0 && !document.vertices.empty()) {
     Vec2 sum = Vec2::Zero();
     for (int i = 0; i < 3; ++i)
@@ -100,9 +100,9 @@ Settings settings_from(Rng& rng) {
   return settings;
 }
 
-// Of one document in four, where the method allows it, robots have a size, and sometimes there is
-// an edge that they must not touch. Balanced robots with a size take by far the longest to be
-// found, so they are one in twenty.
+// In one document of four, where the method allows it, robots have a size, and sometimes there is a
+// no-go edge. Sized balanced robots take by far the longest to find, so they are in only one of
+// twenty.
 void give_size(Rng& rng, Document& document) {
   const bool has_size = rng.below(document.settings.method == Method::balanced ? 20 : 4) == 0;
   const double size = rng.uniform() / 20, parts[] = {0, 0.5, 1};
@@ -125,8 +125,8 @@ Document document_of(std::uint64_t number) {
   return document;
 }
 
-// Gives `take` one text after another: the document, what is said of it, and for some documents
-// one of the other outputs.
+// Passes `take` one text after another: the document, its results, and for some documents one of
+// the other outputs.
 template <class Take>
 void say_all(std::uint64_t number, Take take) {
   const Document document = document_of(number);
@@ -167,7 +167,7 @@ void say_all(std::uint64_t number, Take take) {
       break;
     }
     case 5: {
-      if (count_robots(placement->teams) > 64) break;  // each failure looks at all of them
+      if (count_robots(placement->teams) > 64) break;  // each failure examines all of them
       Shown doubted;
       doubted.com_radius = bounding_box(document.vertices).diagonal() / 50;
       take(placement_json({*placement, doubted}, false, std::nullopt, true));

@@ -1,11 +1,11 @@
-// Searches for cases that break a promise, from a number on that nobody has tried:
+// Searches for cases that break a promise, from an untried number on:
 //
 //   evenlift_soak KIND FIRST SECONDS   one case after another, until the time is over
 //   evenlift_soak KIND NUMBER          one case
 //
-// Kinds: `oracle` compares the core with the exact oracle; `one-shape` a shape with its copies,
-// turned, mirrored, moved and scaled. Prints what it finds, with the command that repeats it, and
-// at the end one line: how many cases it tried, passed over and found wrong.
+// Kinds: `oracle` compares the core with the exact oracle; `one-shape` compares a shape with its
+// copies, turned, mirrored, moved and scaled. Prints each failure with the command that repeats it,
+// and at the end one line: the numbers of cases tried, skipped and failed.
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -25,7 +25,7 @@
 namespace {
 
 struct Outcome {
-  std::string differences;  // empty: all is well
+  std::string differences;  // empty if all is well
   bool passed_over = false;
 };
 
@@ -83,7 +83,7 @@ void attempt(const Kind& kind, std::uint64_t number, Totals& totals) {
   std::fflush(stdout);
 }
 
-// A search that finds this much has found a rule that is broken, not a rare case.
+// A search with this number of failures has found a broken rule, not a rare case.
 constexpr std::uint64_t most_failures = 20;
 
 Totals search(const Kind& kind, std::uint64_t first, std::uint64_t seconds) {

@@ -1,8 +1,9 @@
-// `./dev soak` after everything is built: searches with fresh seeds for what breaks a promise, and says what was tried.
+// `./dev soak` after everything is built: searches for broken promises with fresh seeds, and reports what was tried.
 //
 //   node tests/soak/soak.mjs [MINUTES] [SEED]
 //
-// Prints every failure with the command that repeats it, and a table at the end. The exit status is 0 if nothing failed.
+// Prints every failure with the command that repeats it, and a table at the end. The exit status is 0 if nothing
+// failed.
 import { randomBytes } from "node:crypto";
 import { existsSync } from "node:fs";
 import { mkdir, rm } from "node:fs/promises";
@@ -20,7 +21,7 @@ const found = path.join(root, "build/soak/found");
 // One row of the table.
 const row = (kind, cases, passedOver, failures) => ({ kind, cases, passedOver, failures });
 
-// What the C++ program searches by itself: the oracle, and one shape, one answer.
+// The searches of the C++ program: the oracle, and one shape, one answer.
 const searchOf = (kind) => async (seconds, seed) => {
   const program = path.join(bin, "evenlift_soak");
   const { lines, status, ending } = await run([program, kind, `${seed}`, `${Math.ceil(seconds)}`], {
@@ -64,7 +65,7 @@ const fuzz = (name) => async (seconds, seed) => {
       `-seed=${(seed % 0xffffffff) + 1}`,
       `-max_len=${fuzzers[name].longest}`,
       `-artifact_prefix=${found}/${name}-`,
-      "-timeout=120", // far more than an input of this length takes, on a busy machine too
+      "-timeout=120", // far more than an input of this length takes, even on a busy machine
       "-rss_limit_mb=2048",
       "-print_final_stats=1",
       corpus,
@@ -81,7 +82,7 @@ const fuzz = (name) => async (seconds, seed) => {
   return row(kind, Number(executed?.[1] ?? 0), 0, 1);
 };
 
-// What is searched, and its part of the time.
+// The searches, each with its part of the time.
 const searches = [
   { part: 4, search: searchOf("oracle") },
   { part: 4, search: searchOf("one-shape") },
@@ -122,7 +123,7 @@ async function main(argv) {
     rows.push({ ...result, seed, seconds: (performance.now() - began) / 1000 });
   }
   console.log(table(rows));
-  // A search that tried nothing has shown nothing.
+  // A search that tried nothing proves nothing.
   const failures = rows.reduce((sum, { failures }) => sum + failures, 0);
   const idle = rows.filter(({ cases }) => cases === 0).map(({ kind }) => kind);
   if (idle.length > 0) console.log(`evenlift: nothing was tried: ${idle.join(", ")}`);

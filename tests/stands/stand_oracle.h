@@ -1,6 +1,6 @@
 // Whether a robot can stand at a place, by the four conditions and nothing else: every edge is
-// looked at, and what lies within the object is decided by counting crossings. And whether two
-// robots get into each other's way, by bodies, arms and hands.
+// checked, and counting crossings decides whether a point is in the object. Also whether two robots
+// collide, by bodies, arms and hands.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,8 @@ namespace evenlift::testing {
 
 class StandOracle {
  public:
-  // `slack` is how far from its bound a condition must be to count as broken or kept.
+  // `slack` is the distance from its bound beyond which a condition surely counts as broken or
+  // kept.
   StandOracle(const Polygon& polygon, const RobotSize& robot, const std::vector<EdgePart>& no_go)
       : polygon_(polygon), robot_(robot), no_go_(no_go), slack_(1e-7 * polygon.diagonal()) {}
 
@@ -37,8 +38,8 @@ class StandOracle {
     return verdict;
   }
 
-  // Two robots by their contacts: whether they stand beside each other, each alone being able to.
-  // What they do is counted for the tests: which of bodies, arms and hands was in the way.
+  // Whether two robots, given by their contacts, can stand beside each other, if each can stand
+  // alone. For the tests, collisions of bodies, arms and hands are counted separately.
   struct Clashes {
     int bodies = 0, arms = 0, hands = 0;
   };
@@ -69,8 +70,8 @@ class StandOracle {
   }
 
  private:
-  // How far the hand is from what is marked of another edge within the strip beneath its own, w/10
-  // deep; 0 where that depends on the strip's bounds.
+  // The distance of the hand from the no-go part of another edge within the strip beneath the
+  // hand's own edge, w/10 deep; 0 where that depends on the strip's bounds.
   double room_beside(const EdgePart& no, const Vec2& c, const Vec2& along, const Vec2& out) const {
     const Vec2 p = polygon_.edge_start(no.edge), way = polygon_.edge_end(no.edge) - p;
     const auto room = [&](double slack) {
@@ -98,25 +99,25 @@ class StandOracle {
     return polygon_.counter_clockwise() ? Vec2(along.y(), -along.x()) : Vec2(-along.y(), along.x());
   }
 
-  // Keeps the verdict up to date with how much room there is for a condition: above 0 it is kept.
+  // Updates the verdict with the room for a condition: above 0 the condition is kept.
   void keep(Verdict& verdict, double room) const {
     if (room < -slack_) verdict = Verdict::cannot;
     if (std::fabs(room) <= slack_ && verdict == Verdict::stands) verdict = Verdict::unsure;
   }
 
-  // How far the segments p + [0, 1] u and q + [0, 1] v are from crossing: below 0 by how much they
-  // cross. Segments that are nearly parallel count as unsure if they overlap.
+  // The distance of the segments p + [0, 1] u and q + [0, 1] v from crossing: negative by the
+  // amount by which they cross. Segments that are nearly parallel count as unsure if they overlap.
   double between(const Vec2& p, const Vec2& u, const Vec2& q, const Vec2& v) const {
     const double side = cross(u, v), sizes = length(u) * length(v);
     if (!(sizes > 0)) return 2 * slack_;
     if (std::fabs(side) < 1e-5 * sizes) return distance(p, u, q, v) > slack_ ? 2 * slack_ : 0;
     const double x = cross(q - p, v) / side, y = cross(q - p, u) / side;
     const double out_x = std::max(-x, x - 1) * length(u), out_y = std::max(-y, y - 1) * length(v);
-    // From the side, an end that goes beyond the other segment by little is near to it.
+    // Seen from the side, an end slightly beyond the other segment is near to it.
     return std::max(out_x, out_y) * std::fabs(side) / sizes;
   }
 
-  // Of segments that do not cross.
+  // The distance of segments that do not cross.
   static double distance(const Vec2& p, const Vec2& u, const Vec2& q, const Vec2& v) {
     return std::min(std::min(to_segment(p, q, q + v), to_segment(p + u, q, q + v)),
                     std::min(to_segment(q, p, p + u), to_segment(q + v, p, p + u)));
@@ -135,7 +136,7 @@ class StandOracle {
         keep(to_segment(s, polygon_.edge_start(f), polygon_.edge_end(f)) - robot_.radius);
   }
 
-  // How far inside the object a point is; below 0 outside.
+  // The depth of a point inside the object; below 0 outside.
   double depth(const Vec2& s) const {
     bool inside = false;
     double nearest = 1e300;
@@ -161,7 +162,7 @@ class StandOracle {
     for (int k = 1; k <= samples; ++k) keep(-depth(c + k * way / samples * out));
   }
 
-  // By how many degrees the outline turns at a vertex, above 0 where it is convex.
+  // The turn of the outline at a vertex in degrees, positive where it is convex.
   double turn_in_degrees(std::size_t vertex) const {
     const Vec2 in = polygon_.vertex(vertex) - polygon_.vertex(polygon_.previous(vertex)),
                out = polygon_.vertex(polygon_.next(vertex)) - polygon_.vertex(vertex);
@@ -169,7 +170,7 @@ class StandOracle {
     return polygon_.counter_clockwise() ? turn : -turn;
   }
 
-  // A vertex more on a straight side changes nothing.
+  // An extra vertex on a straight side changes nothing.
   template <class Keep>
   void check_corners(std::size_t edge, const Vec2& c, Keep keep) const {
     for (const bool at_end : {false, true}) {
@@ -188,8 +189,8 @@ class StandOracle {
     check_corners(edge, c, keep);
     const double half = robot_.width / 2, from = robot_.width / 10, to = robot_.depth;
     if (from >= to) return;
-    // What is thinner than the samples below are apart. A slanting edge is met a little farther on
-    // where it is looked for deeper.
+    // Parts thinner than the spacing of the samples below. A search that goes deeper meets a
+    // slanting edge slightly farther along.
     const double aside = 20 * slack_;
     for (std::size_t f = 0; f < polygon_.size(); ++f) {
       if (f == edge) continue;
@@ -226,7 +227,8 @@ class StandOracle {
     return begin <= end;
   }
 
-  // The same, surely: a line that only touches the end of the segment may be free.
+  // Whether a segment surely meets a rectangle: a line that only touches the end of the segment may
+  // be free.
   bool is_met(const Vec2& p, const Vec2& q, double half, double low_y, double high_y) const {
     if (half > 0) return meets(p, q, half, low_y, high_y);
     const Vec2 aside(slack_, 0);

@@ -1,4 +1,4 @@
-// Candidates, selection and balanced robots that respect where robots can stand.
+// Candidates, selection and balanced robots with robots that have a size.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -23,7 +23,7 @@ using namespace evenlift;
 
 namespace {
 
-// Some sizes in units of L, from a small body to all at once.
+// Some sizes in units of L, from a small body to all parts at once.
 RobotSize size_number(int number, double diagonal) {
   const double d = diagonal;
   switch (number) {
@@ -46,7 +46,7 @@ Document sample(const std::string& name, int size, Method method = Method::area)
   return document;
 }
 
-// Whether all that is placed can stand, by the oracle at the contacts.
+// Whether all placed robots can stand, by the oracle at the contacts.
 void check_standing(const Placement& p) {
   REQUIRE(p.stands);
   const Stands& stands = *p.stands;
@@ -106,7 +106,7 @@ TEST_CASE("robots of every size stand where they can and never collide", "[stand
 }
 
 TEST_CASE("arms of robots that are placed keep off other bodies and arms", "[stands][slow]") {
-  // Here the arm of robot 2 went through the body of robot 6 when arms did not count.
+  // Without checking arms, the arm of robot 2 passed through the body of robot 6 here.
   const auto vertices = generate(Family::star, 19, 372);
   REQUIRE(vertices.ok());
   Document document;
@@ -129,7 +129,7 @@ TEST_CASE("arms of robots that are placed keep off other bodies and arms", "[sta
 
 namespace {
 
-// Whether a team can go to the candidate without getting into the way of the others.
+// Whether a team can move to the candidate without colliding with the others.
 bool has_room(const Placement& p, const std::vector<std::uint32_t>& taken, std::size_t team,
               std::uint32_t candidate) {
   std::vector<LiftingPoint> robots{p.candidates[candidate].chord.r1,
@@ -142,7 +142,7 @@ bool has_room(const Placement& p, const std::vector<std::uint32_t>& taken, std::
   return !p.stands->any_collide(robots);
 }
 
-// By the contacts that are far enough from corners to count.
+// Only contacts far enough from corners count.
 std::uint32_t level_of(const Placement& p) {
   const FirmHold firm = firm_hold(p);
   const double near = near_distance(p.polygon.diameter());
@@ -263,7 +263,7 @@ TEST_CASE("the best chord of cut edges is as good as any that is sampled", "[sta
     REQUIRE(found.ok());
     for (std::uint32_t a = 0; a < polygon->size(); ++a) {
       for (std::uint32_t b = 0; b < polygon->size(); ++b) {
-        // Chords from places on one edge through C that end on the other, both usable.
+        // Chords from places on one edge through C to the other, with both ends usable.
         double best = 0;
         for (int k = 0; k < 200; ++k) {
           const double size = length(polygon->edge_end(a) - polygon->edge_start(a));

@@ -19,7 +19,7 @@ using namespace evenlift;
 
 namespace {
 
-// Some sizes in units of L, all without depth but the last two.
+// Some sizes in units of L, all without depth except the last two.
 RobotSize size_number(std::uint64_t number, double diagonal) {
   const double d = diagonal;
   switch (number % 5) {
@@ -112,7 +112,7 @@ TEST_CASE("ranges of robots with a size are where both can stand and share evenl
           const double ratio = other ? std::min(arm / length(other->position - centre),
                                                 length(other->position - centre) / arm)
                                      : 0;
-          // Near an end of what can be used, or of the ratio, either answer will do.
+          // Near an end of the usable part, or of the ratio, either answer is accepted.
           const auto usable = [&](std::uint32_t edge, double at) {
             return !object.stands.why_not(edge, at - slack) &&
                    !object.stands.why_not(edge, at + slack);
@@ -162,7 +162,7 @@ TEST_CASE("each range of robots with a size offers two candidates a sixteenth fr
       return std::any_of(offered->candidates.begin(), offered->candidates.end(),
                          [&](const Candidate& c) { return same_place(c.chord, chord, 4 * near); });
     };
-    // All that the best positions offer stays.
+    // Every chord at the best positions is also in the ranges.
     for (const Candidate& candidate : best->candidates) CHECK(is_offered(candidate.chord));
     for (const Candidate& candidate : offered->candidates) {
       CHECK(object.stands.can_lift(candidate.chord.r1));
@@ -175,7 +175,7 @@ TEST_CASE("each range of robots with a size offers two candidates a sixteenth fr
       for (std::uint32_t b = a + 1; b < n; ++b) {
         const auto ranges = standing_ranges(object.polygon, centre, a, b, min_ratio, object.stands);
         if (ranges.empty()) continue;
-        // By the ways on both edges, as an independent look at the ends has it.
+        // By the lengths along both edges, from an independent look at the ends.
         std::size_t longest = 0;
         std::vector<double> ways;
         for (const PairRange& range : ranges) {
@@ -354,7 +354,8 @@ TEST_CASE("the steps of ranges tell robots with a size where they can stand",
 
 TEST_CASE("what a pair is said to offer to robots with a size is its best chord",
           "[stands][trace]") {
-  // Both marks end on one chord of ratio 0.6, which comes before the even one in order of slope.
+  // Both no-go parts end on one chord of ratio 0.6, which comes before the even one in order of
+  // slope.
   const auto polygon = Polygon::create({{-3, -1}, {3, -1}, {3, 1}, {-3, 2}});
   REQUIRE(polygon.ok());
   const Vec2 centre(0, 0);

@@ -38,7 +38,7 @@ Polygon regular(int corners, double radius) {
   return made(vertices);
 }
 
-// A bean: curves that bulge and one that is hollow, in sides of equal turns.
+// A bean: convex curves and one hollow curve, in sides of equal turns.
 Polygon bean(int sides) {
   Points vertices;
   const auto add_arc = [&](const Vec2& middle, double radius, double from, double to) {
@@ -63,7 +63,7 @@ std::vector<Stretch> stretches(const Stands& stands, std::uint32_t edge) {
   return {stands.usable(edge).begin(), stands.usable(edge).end()};
 }
 
-// What may go wrong with the stretches themselves.
+// Checks the order and the bounds of the usable ranges.
 void check_order(const Polygon& polygon, const Stands& stands) {
   const double near = near_distance(polygon.diameter());
   for (std::uint32_t edge = 0; edge < polygon.size(); ++edge) {
@@ -79,7 +79,7 @@ void check_order(const Polygon& polygon, const Stands& stands) {
   }
 }
 
-// Compares with the oracle at places along each edge. Returns how many were sure.
+// Compares with the oracle at places along each edge. Returns the number of certain answers.
 int compare(const Polygon& polygon, const RobotSize& robot, const std::vector<EdgePart>& no_go,
             int places) {
   const Stands stands(polygon, robot, no_go);
@@ -134,17 +134,17 @@ TEST_CASE("with an arm, the other side of a notch is in the way of the body alon
   const Polygon polygon = made({{0, 0}, {5, 0}, {5, 3}, {3, 3}, {3, 1}, {2, 1}, {2, 3}, {0, 3}});
   CHECK(stretches(Stands(polygon, sized(0.6), {}), 4).empty());
   CHECK(stretches(Stands(polygon, sized(0.4), {}), 4).size() == 1);
-  // From the notch's ground an arm of 2 and more reaches to a body above it.
+  // From the bottom of the notch, an arm of 2 and more reaches a body above it.
   const Stands armed(polygon, sized(0.6, 2.7), {});
   REQUIRE(stretches(armed, 4).size() == 1);
   CHECK(stretches(armed, 4)[0].from == Approx(2e-9 * polygon.diagonal()));
-  // Its sides are too near to each other for an arm of more than their distance.
+  // Its sides are too near to each other for an arm longer than their distance.
   CHECK(stretches(Stands(polygon, sized(0.01, 1.5), {}), 3).empty());
   CHECK(Stands(polygon, sized(0.01, 1.5), {}).why_not(3, 1.5) == WhyUnusable::arm);
 }
 
 TEST_CASE("a slot that is exactly as wide as the body takes it", "[stands]") {
-  // 2 wide; edge 4 is its ground.
+  // 2 wide; edge 4 is its bottom.
   const Polygon polygon = made({{0, 0}, {6, 0}, {6, 6}, {4, 6}, {4, 1}, {2, 1}, {2, 6}, {0, 6}});
   const Stands stands(polygon, sized(1), {});
   REQUIRE(stretches(stands, 4).size() == 1);
@@ -160,7 +160,7 @@ TEST_CASE("a hand needs depth beneath it and half its width from corners", "[sta
   CHECK(stretches(stands, 0)[0].from == Approx(0.2));
   CHECK(stretches(stands, 0)[0].to == Approx(2.8));
   CHECK(stands.why_not(0, 0.1) == WhyUnusable::corner);
-  // Beside the reflex corner the object goes on.
+  // Beside the reflex corner the object continues.
   CHECK(stretches(stands, 2)[0].to == Approx(2));
   // The arms of the L are 1 wide.
   const Stands deep(corner(), sized(0, 0, 1.5, 0.4), {});
@@ -195,7 +195,7 @@ TEST_CASE("a hand may be wider than the sides of a flattened curve, which has no
 }
 
 TEST_CASE("next to the edge a hand may stick out by a tenth of its width", "[stands]") {
-  // Edge 0 ends with a turn of 14 degrees; edge 1 is 0.2 inside of its line at x = 2.8.
+  // Edge 0 ends with a turn of 14 degrees; edge 1 is 0.2 inside its line at x = 2.8.
   const Polygon polygon = made({{0, 0}, {2, 0}, {3, 0.25}, {3, 3}, {0, 3}});
   const Stands stands(polygon, sized(0, 0, 1, 2), {});
   REQUIRE(stretches(stands, 0).size() == 1);
@@ -203,7 +203,7 @@ TEST_CASE("next to the edge a hand may stick out by a tenth of its width", "[sta
   CHECK(stretches(stands, 0)[0].to == Approx(1.8));
   CHECK(stands.why_not(0, 0.9) == WhyUnusable::corner);
   CHECK(stands.why_not(0, 1.9) == WhyUnusable::hand);
-  // A hand that is less deep keeps off corners alone.
+  // A hand that is less deep only has to avoid corners.
   const Stands flat(polygon, sized(0, 0, 0.15, 2), {});
   REQUIRE(stretches(flat, 0).size() == 1);
   CHECK(stretches(flat, 0)[0].from == Approx(1));
@@ -220,7 +220,7 @@ TEST_CASE("a hand that meets no edge is still not beneath an object that is too 
   CHECK(Stands(plate, robot, {}).why_not(2, 5) == WhyUnusable::hand);
   const Polygon wedge = made({{0, 0}, {10, -0.25}, {10, 0.25}});
   CHECK(Stands(wedge, robot, {}).why_not(0, 1.5) == WhyUnusable::hand);
-  // Beyond a slit the object goes on.
+  // Beyond a slit the object continues.
   const Polygon slit =
       made({{0, 0}, {10, 0}, {10, 0.05}, {2, 0.05}, {2, 0.1}, {10, 0.1}, {10, 5}, {0, 5}});
   CHECK_FALSE(Stands(slit, robot, {}).why_not(0, 5));
@@ -266,7 +266,7 @@ TEST_CASE("the whole width of a hand keeps off what is marked", "[stands]") {
   CHECK(stands.why_not(0, 0.35) == WhyUnusable::near_no_go);
   CHECK(stands.why_not(0, 0.65) == WhyUnusable::near_no_go);
   CHECK_FALSE(stands.why_not(0, 0.29));
-  // What is listed as marked is the mark itself.
+  // The listed no-go part is exactly the given one.
   for (const UnusablePart& part : stands.unusable())
     if (part.edge == 0 && part.why == WhyUnusable::no_go) {
       CHECK(part.part.from == Approx(0.4));
@@ -274,9 +274,9 @@ TEST_CASE("the whole width of a hand keeps off what is marked", "[stands]") {
     }
   REQUIRE(stretches(stands, 2).size() == 1);
   CHECK(stretches(stands, 2)[0].from == Approx(0.35));
-  // A mark on one edge does not reach around the corner.
+  // A no-go part on one edge does not reach around the corner.
   CHECK(stretches(stands, 1)[0].to == Approx(0.9));
-  // Between two marks there must be room for all of it.
+  // Between two no-go parts there must be room for all of it.
   CHECK(stretches(Stands(square(), sized(0, 0, 0, 0.2), {{0, 0, 0.4}, {0, 0.55, 1}}), 0).empty());
   CHECK(stretches(Stands(square(), sized(0.01, 0, 0, 0), {{0, 0, 0.4}, {0, 0.55, 1}}), 0).size() ==
         1);
@@ -303,7 +303,7 @@ TEST_CASE("every place is as the four conditions say", "[stands][thorough]") {
     const Polygon polygon = made(*vertices);
     const double size = polygon.diagonal();
     RobotSize robot;
-    // Each size is there or not, at random.
+    // Each size is present or absent, at random.
     for (double* value : {&robot.radius, &robot.reach, &robot.depth, &robot.width}) {
       const bool there = rng.below(3) > 0;
       const double part = rng.uniform();
@@ -344,7 +344,7 @@ TEST_CASE("every place of flattened curves is as the four conditions say", "[sta
   for (int number = 0; number < 60; ++number) {
     const int sides = 3 + static_cast<int>(rng.below(30));
     const Polygon polygon = number % 2 ? bean(sides) : regular(2 * sides + 1, 3);
-    // From hands that are narrower than the sides to such as no curve has room for.
+    // From hands narrower than the sides to hands for which no curve has room.
     RobotSize robot;
     robot.width = std::pow(0.9, static_cast<double>(rng.below(60))) * 4;
     robot.depth = robot.width * std::pow(0.8, static_cast<double>(rng.below(20))) * 2;
@@ -416,12 +416,12 @@ TEST_CASE("the arm of a robot keeps off another robot's body and arm", "[stands]
     REQUIRE(stands.can_lift(a));
     REQUIRE(stands.can_lift(b));
     CHECK(length(stands.stand(a) - stands.stand(b)) > 0.2);
-    // Up to 2.6 the arms cross, up to 2.7 the arm would go through the body at its end.
+    // Up to 2.6 the arms cross; up to 2.7 the arm would pass through the body at its end.
     CHECK(stands.collide(a, b) == (y < 2.7));
     CHECK(stands.collide(b, a) == (y < 2.7));
     CHECK(stands.any_collide({a, b}) == (y < 2.7));
   }
-  // The gap is kept between an arm and a body, too.
+  // The gap also applies between an arm and a body.
   const Stands wider(corner(), sized(0.1, 1.5, 0.2, 0.1, 0.05), {});
   CHECK(wider.collide(from_below(wider), from_left(wider, 2.74)));
   CHECK_FALSE(wider.collide(from_below(wider), from_left(wider, 2.76)));
@@ -430,7 +430,7 @@ TEST_CASE("the arm of a robot keeps off another robot's body and arm", "[stands]
   CHECK(thin.collide(from_below(thin), from_left(thin, 2.4)));
   CHECK_FALSE(thin.collide(from_below(thin), from_left(thin, 2.5)));
   CHECK_FALSE(thin.collide(from_below(thin), from_left(thin, 2.6)));
-  // Without a reach there is no arm outside of the body.
+  // Without a reach there is no arm outside the body.
   const Stands round(corner(), sized(0.5, 0), {});
   CHECK_FALSE(round.collide(round.lifting_point({{2.5, 1}, 2}), round.lifting_point({{1, 2}, 3})));
 }

@@ -1,4 +1,4 @@
-// The step of the trace that says which boundary robots with a size can use.
+// The step of the trace that explains which parts of the boundary robots with a size can use.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -68,10 +68,10 @@ TEST_CASE("the step about stands says how much is lost to each reason", "[stands
       const std::vector<std::uint32_t> main = main_steps(trace);
       CHECK(std::find(main.begin(), main.end(), k) != main.end());
       const StepDetail detail = look_at(trace, k);
-      // All but the bits before the vertices.
+      // The whole boundary except the bits before the vertices.
       double sum = number_of(trace, detail, "usable");
       for (const char* why : {"no_go", "body", "arm", "corner", "hand", "near_no_go", "narrow"}) {
-        // A reason for which nothing is lost is not named.
+        // A reason that excludes nothing is not named.
         const double share = number_if_any(trace, detail, why).value_or(0);
         sum += share;
         reasons += share > 0;
@@ -145,7 +145,7 @@ TEST_CASE("the step about stands is told of balanced robots, too, and has an add
 
 TEST_CASE("a start that was found at once is no completion, and each of its steps can be shown",
           "[stands][trace]") {
-  Document document;  // a comb with little room, found by the search for differences
+  Document document;  // a comb with little room, from the search for differences
   document.vertices = {{0, 0},
                        {1000, 0},
                        {1000, 939.147},

@@ -22,7 +22,7 @@ def rows(name):
 
 
 def exact(value):
-    """The value with its numbers as the bytes of doubles; settings' integers stay."""
+    """The value with its numbers as the bytes of doubles; integers of settings stay."""
     if isinstance(value, list):
         return [exact(item) for item in value]
     if isinstance(value, (int, float)) and not isinstance(value, bool):
@@ -44,7 +44,7 @@ for link, held in [*rows("links_version_1.txt"), *rows("links_version_2.txt")]:
         sys.exit(f"the readers differ: {link}")
     count += 1
 
-# It promises to notice damage, though not everything that nobody writes.
+# It promises to detect damage, but not every form that no writer produces.
 for code, link, why in rows("hostile_links.txt"):
     if code == "bad_link":
         continue

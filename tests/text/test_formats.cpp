@@ -54,8 +54,7 @@ std::string ring_of(std::size_t n, const char* open, const char* between, const 
 
 }  // namespace
 
-// --- numbers
-// ---------------------------------------------------------------------------------------
+// --- numbers -------------------------------------------------------------------------------------
 
 TEST_CASE("numbers are written as ECMAScript writes them, except -0", "[formats][numbers]") {
   const std::pair<double, const char*> numbers[] = {
@@ -144,7 +143,7 @@ TEST_CASE("a number just between two doubles goes to the even one", "[formats][n
   CHECK(read_number("9007199254740993.0000000000000000000000000000000000001") ==
         9007199254740994.0);
   CHECK(read_number("9007199254740995") == 9007199254740996.0);
-  // Half of the smallest subnormal, and a little more in the 800th digit.
+  // Half of the smallest subnormal, plus a little in the 800th digit.
   const std::string half =
       "2.470328229206232720882843964341106861825299013071623822127928412503377536351043759326"
       "49918180817996189898282347722858865463328355177969898199387398005390939063150356595155"
@@ -182,8 +181,7 @@ TEST_CASE("numbers have one syntax, whatever the locale", "[formats][numbers]") 
   CHECK(read_number("1.7976931348623158e308") == std::numeric_limits<double>::max());
 }
 
-// --- reading
-// ---------------------------------------------------------------------------------------
+// --- reading -------------------------------------------------------------------------------------
 
 TEST_CASE("the thesis's sample reads as it stands there", "[formats]") {
   const Document document = read(
@@ -299,7 +297,7 @@ TEST_CASE("messages say what was expected and what is there", "[formats][errors]
         "this is not valid JSON: unexpected number literal; expected ']'");
   CHECK(refusal("{\"a\xff\":1}").message ==
         "this is not valid JSON: invalid string: ill-formed UTF-8 byte; expected string literal");
-  // What the text itself says behind such words is not repeated, whatever its bytes.
+  // Text from the input after such words is not repeated, whatever its bytes.
   CHECK(refusal(std::string("{\"S'; expected &S\xff\0F", 19)).message ==
         "this is not valid JSON: invalid string: ill-formed UTF-8 byte; expected string literal");
   CHECK(refusal("{\"type\":\"S'; expected &S\xff").message ==
@@ -312,8 +310,7 @@ TEST_CASE("a column counts characters, not bytes", "[formats][errors]") {
   CHECK(error.place.other == 26);
 }
 
-// --- bounds
-// ----------------------------------------------------------------------------------------
+// --- bounds --------------------------------------------------------------------------------------
 
 TEST_CASE("a polygon has at most max_vertices in every format", "[formats][bounds][slow]") {
   const std::size_t n = max_vertices;
@@ -346,8 +343,7 @@ TEST_CASE("deep nesting is refused, not followed", "[formats][bounds]") {
       triangle));
 }
 
-// --- writing
-// ---------------------------------------------------------------------------------------
+// --- writing -------------------------------------------------------------------------------------
 
 TEST_CASE("the three formats look like this", "[formats]") {
   Document document;
@@ -389,8 +385,7 @@ TEST_CASE("a polygon without vertices is written, and refused by the reader", "[
   CHECK(refusal(write_geojson(document)).code == ErrorCode::too_few_vertices);
 }
 
-// --- any bytes
-// -------------------------------------------------------------------------------------
+// --- any bytes -----------------------------------------------------------------------------------
 
 TEST_CASE("any bytes give a document of finite numbers or one sentence", "[formats][fuzz]") {
   Rng rng(5);
@@ -424,5 +419,5 @@ TEST_CASE("any bytes give a document of finite numbers or one sentence", "[forma
       FAIL(text << ": " << document.error().message);
     }
   }
-  CHECK(documents > 1000);  // the mutations are not all deadly
+  CHECK(documents > 1000);  // not every mutation makes the text invalid
 }

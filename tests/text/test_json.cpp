@@ -163,8 +163,8 @@ TEST_CASE("the JSON of a document holds its polygon and all settings", "[json]")
   CHECK(json["step"].is_null());
 }
 
-// tests/expected/POLYGON.METRIC.json: what the program prints with --candidates, for people to read
-// and for changes to show. The target update_expected writes them anew.
+// tests/expected/POLYGON.METRIC.json holds the program's output with --candidates, so that changes
+// become visible. The target update_expected rewrites the files.
 TEST_CASE("known polygons give the expected results", "[expected]") {
   const std::filesystem::path folder = std::filesystem::path(EVENLIFT_TESTS_DIR) / "expected";
   const bool renew = std::getenv("EVENLIFT_UPDATE_EXPECTED") != nullptr;

@@ -59,7 +59,7 @@ Document thesis_sample() {
   return document;
 }
 
-// A polygon about (500, 500) with random angles and radii; rounded to integers, or not.
+// A polygon about (500, 500) with random angles and radii, optionally rounded to integers.
 Document star(std::size_t n, std::uint64_t seed, bool integers) {
   Rng rng(seed);
   std::vector<double> angles(n);
@@ -79,8 +79,7 @@ std::string without_checksum(const std::string& link) { return link.substr(0, li
 
 }  // namespace
 
-// --- length
-// ----------------------------------------------------------------------------------------
+// --- length --------------------------------------------------------------------------------------
 
 TEST_CASE("the thesis's sample is a link of 49 characters", "[link][length]") {
   CHECK(encode(thesis_sample()) == "1.Pq1riQoPLvUJmF2ykWfnDSNVxm2W3yqqGl2Hz55vK9StSPd");
@@ -151,8 +150,7 @@ TEST_CASE("settings at their default take no room, others little", "[link][lengt
   CHECK(more([](Shown& s) { s.step = std::numeric_limits<std::uint32_t>::max(); }) <= 9);
 }
 
-// --- what is read is what was written
-// --------------------------------------------------------------
+// --- reading back --------------------------------------------------------------------------------
 
 TEST_CASE("every document reads back in every bit, and has one link", "[link][slow]") {
   Rng rng(1);
@@ -169,7 +167,7 @@ TEST_CASE("every document reads back in every bit, and has one link", "[link][sl
 }
 
 TEST_CASE("links written before are read for ever", "[link]") {
-  // Never change a line of this file: links like these are out in the world.
+  // Never change a line of this file: links like these are in use everywhere.
   for (const auto& row : evenlift::testing::read_table("links_version_1.txt", 2)) {
     INFO(row[0]);
     const Document document = decode(row[0]);
@@ -348,7 +346,7 @@ TEST_CASE("robots that were moved read back in every bit", "[link]") {
     REQUIRE(back.moved == document.moved);
     REQUIRE(encode(back) == link);
   }
-  // Those of another method are not held.
+  // Moved robots of another method are not kept.
   Document document = thesis_sample();
   const std::string link = encode(document);
   document.moved.robots = {{0, 0.5}};
@@ -363,7 +361,7 @@ TEST_CASE("robots that were moved read back in every bit", "[link]") {
 TEST_CASE("what version 1 holds is written as version 1", "[link]") {
   Rng rng(3);
   for (int i = 0; i < 500; ++i) CHECK(encode(random_document(rng, 14)).starts_with("1."));
-  // Settings of balanced robots are none of other methods.
+  // Settings of balanced robots do not belong to other methods.
   Document document = thesis_sample();
   const std::string link = encode(document);
   document.settings.robots = 9;
@@ -380,8 +378,8 @@ TEST_CASE("balanced robots take a few characters more", "[link][length]") {
   CHECK(encode(document).size() <= length + 14);
 }
 
-// A link of version 2 for no polygon, with these records after an empty version 1, whatever they
-// are.
+// A link of version 2 without a polygon: an empty version 1, then these records, whether valid or
+// not.
 static std::string link_with(const std::vector<std::pair<unsigned, std::string>>& records,
                              bool ends) {
   Encoder coder;
@@ -415,7 +413,7 @@ TEST_CASE("records that no writer makes are refused, and later ones named", "[li
   for (const auto& records : std::vector<std::vector<std::pair<unsigned, std::string>>>{
            {},              // version 1 holds it
            {{2, "cover"}},  // the usual goal of teams of two
-           {{3, "0.1"}},    // of teams that are to cover
+           {{3, "0.1"}},    // from teams with the goal to cover
            {{6, "best"}},
            {{6, "any"}},
            {{1, "1"}},
@@ -457,7 +455,7 @@ TEST_CASE("records that no writer makes are refused, and later ones named", "[li
            {{10, "3:0.5"}},
            {{18, ""}},
            {{19, ""}},
-           {{19, "3:0.5"}},  // of balanced robots
+           {{19, "3:0.5"}},  // a record of balanced robots
            {{1, "6"}, {19, "1@3:0.5/2"}},
            {{19, "1@3:0.50/2"}},
            {{19, "2@3:0.5/2,1@3:0.5/2"}},
@@ -494,7 +492,7 @@ TEST_CASE("a link may leave out five digits, but not a sixth", "[link][errors]")
 }
 
 TEST_CASE("links of version 2 written before are read for ever", "[link]") {
-  // Never change a line of this file, either.
+  // Never change a line of this file either.
   for (const auto& row : evenlift::testing::read_table("links_version_2.txt", 2)) {
     INFO(row[0]);
     const Document document = decode(row[0]);
@@ -531,8 +529,8 @@ TEST_CASE("links of version 2 written before are read for ever", "[link]") {
 }
 
 TEST_CASE("a link without settings means the defaults of 1.0.0", "[link]") {
-  // If this fails because a default changed, say in defaults_of_links() (link/settings.h) what links
-  // have always meant.
+  // If this fails because a default changed, set the old value in defaults_of_links()
+  // (link/settings.h).
   Settings settings;
   settings.teams = 3;
   settings.method = Method::area;
@@ -579,8 +577,7 @@ TEST_CASE("a document without vertices has a link, too", "[link]") {
   CHECK(same_document(decode(encode(document)), document));
 }
 
-// --- refusals
-// --------------------------------------------------------------------------------------
+// --- refusals ------------------------------------------------------------------------------------
 
 TEST_CASE("hostile links are refused with a code and a sentence", "[link][errors]") {
   for (const auto& row : evenlift::testing::read_table("hostile_links.txt", 3)) {
@@ -673,8 +670,7 @@ TEST_CASE("what looks like a link", "[link]") {
   }
 }
 
-// --- bounds
-// ----------------------------------------------------------------------------------------
+// --- bounds --------------------------------------------------------------------------------------
 
 TEST_CASE("the longest links fit the bound, whatever the doubles", "[link][bounds][slow]") {
   Rng rng(2);
@@ -696,7 +692,7 @@ TEST_CASE("a text longer than max_link_bytes is refused unread", "[link][bounds]
   CHECK(refusal("1." + std::string(max_link_bytes - 2, 'A')).code == ErrorCode::bad_checksum);
 }
 
-// A reader that looked at characters again and again would keep this test for hours.
+// A reader that scanned characters repeatedly would take hours for this test.
 TEST_CASE("the longest hostile payloads are refused", "[link][bounds]") {
   for (const char fill : {'A', '_', 'g', 'P'}) {
     const std::string text = with_checksum("1." + std::string(max_link_bytes - 6, fill));
@@ -704,8 +700,7 @@ TEST_CASE("the longest hostile payloads are refused", "[link][bounds]") {
   }
 }
 
-// --- any bytes
-// -------------------------------------------------------------------------------------
+// --- any bytes -----------------------------------------------------------------------------------
 
 TEST_CASE("any bytes give a document or one sentence", "[link][fuzz]") {
   Rng rng(3);
@@ -720,7 +715,7 @@ TEST_CASE("any bytes give a document or one sentence", "[link][fuzz]") {
     text = mutated(rng, text, bytes);
     const Result<Document> document = decode_link(text);
     ++(document.ok() ? documents : refused);
-    if (document.ok()) {  // the change did not matter, as a space before the link does not
+    if (document.ok()) {  // the change has no effect, like a space before the link
       const std::string again = encode(*document);
       if (text.find(again) == std::string::npos) FAIL(text << " reads as " << again);
     } else if (!evenlift::testing::is_one_sentence(document.error().message) ||
@@ -751,7 +746,7 @@ TEST_CASE("any payload with a good checksum gives a document that a link can car
       continue;
     }
     ++documents;
-    // Perhaps in another way than our writer's, but nothing is lost or added.
+    // Perhaps not as our writer would write it, but nothing is lost or added.
     const Result<std::string> again = encode_link(*document);
     if (!again || !same_document(*decode_link(*again), *document)) FAIL(text);
   }

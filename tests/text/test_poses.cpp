@@ -1,5 +1,5 @@
 // Robots as poses: tables, JSON and messages of ROS 2. tests/consumers/check_poses.py reads them
-// with other people's readers.
+// with third-party readers.
 #include "evenlift/output/poses.h"
 
 #include <cmath>
@@ -33,7 +33,7 @@ Shown in_units(LengthUnit length, WeightUnit weight) {
   return shown;
 }
 
-// The numbers of the message's only pose, by name: those of its place and then of its rotation.
+// The numbers of the message's only pose, by name: first its position, then its rotation.
 json numbers_of_pose(const std::string& yaml) {
   json pose;
   for (const char* part : {"position", "orientation"}) {
@@ -112,7 +112,7 @@ TEST_CASE("a heading is above -180 degrees, however little its direction is", "[
 }
 
 TEST_CASE("a pose's rotation turns x into the heading, wherever the robot stands", "[poses]") {
-  // At the four edges, and at the four vertices in the middle of the two normals.
+  // At the four edges, and at the four vertices along the bisector of the two normals.
   const struct {
     Vec2 at;
     std::uint32_t edge;

@@ -1,4 +1,4 @@
-// Who bears what, failures and doubt, in JSON and in words.
+// Loads, failures and the C uncertainty, in JSON and in words.
 #include <nlohmann/json.hpp>
 
 #include "evenlift/output/json.h"
@@ -133,8 +133,8 @@ TEST_CASE(
     CHECK(plainly(loads_in_words({placement, document.shown}, LoadModel::plan, ranges)) ==
           robots + " carry " + fixed(least, 1) + "–" + fixed(greatest, 1) +
               " kg each, with C known within 3 cm (100 kg in all).");
-    // Other models' loads have sentences of their own; the plan's are those for C where it is
-    // thought to be.
+    // The loads of other models have separate sentences; the plan's loads assume C at its given
+    // place.
     CHECK(loads_in_words(placement, LoadModel::springs, ranges) ==
           loads_in_words(placement, LoadModel::springs));
   }
@@ -234,7 +234,7 @@ TEST_CASE("an object can tip from the very distance on at which it tips", "[word
   CHECK(words(19.99).empty());
   CHECK(words(20) == "It can tip: the centre of mass may be off by 20" + tips);
   CHECK(words(25) == "It can tip: the centre of mass may be off by 25" + tips);
-  // Without a known place for C nothing is said, even if it tips however little it is off.
+  // Without a known place for C there is no message, even if the smallest error tips the object.
   CHECK(plainly(tipping_in_words({1, 1, 0}, 0, {})).empty());
 }
 

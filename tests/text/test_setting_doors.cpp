@@ -1,6 +1,5 @@
-// The places that name settings and that no compiler reads. What one of them lacks is said in a
-// sentence, and so is a name that does not belong there. CONTRIBUTING.md, "Add a setting", lists
-// them.
+// The places that name settings and that no compiler reads. A message reports each missing name,
+// and each name that does not belong there. CONTRIBUTING.md, "Add a setting", lists these places.
 #include <map>
 #include <regex>
 #include <set>
@@ -19,7 +18,7 @@ using Names = std::set<std::string>;
 
 fs::path root() { return fs::path(EVENLIFT_TESTS_DIR).parent_path(); }
 
-// What stands in the file between the two texts.
+// The part of the file between the two texts.
 std::string part_of(const std::string& file, const std::string& begins, const std::string& ends) {
   const std::string text = corpus::read_file(root() / file);
   INFO(file << " has nothing between \"" << begins << "\" and \"" << ends << "\"");
@@ -30,7 +29,7 @@ std::string part_of(const std::string& file, const std::string& begins, const st
   return text.substr(begin + begins.size(), end - begin - begins.size());
 }
 
-// The rows of the tables in a text, each without what is before its first cell.
+// The rows of the tables in a text, each without the characters before its first cell.
 std::vector<std::string> table_rows(const std::string& text) {
   std::vector<std::string> rows;
   std::istringstream lines(text);
@@ -41,7 +40,7 @@ std::vector<std::string> table_rows(const std::string& text) {
 
 std::string first_cell(const std::string& row) { return row.substr(0, row.find(" |")); }
 
-// What the pattern's first group is wherever it is found.
+// All matches of the pattern's first group.
 Names found(const std::string& text, const std::string& pattern) {
   const std::regex each(pattern);
   Names names;
@@ -50,7 +49,7 @@ Names found(const std::string& text, const std::string& pattern) {
   return names;
 }
 
-// --- The doors: which settings go through, and by which name
+// --- The doors: the settings at each of them, and their names there
 
 bool any(const SettingRow&) { return true; }
 bool is_option(const SettingRow& row) { return row.option.group != OptionGroup::none; }
@@ -59,7 +58,7 @@ bool is_in_result(const SettingRow& row) { return row.in_result != Listed::never
 bool is_of_place_and_link(const SettingRow& row) {
   return is_option(row) && row.option.group != OptionGroup::placement;
 }
-// Requests and the packages have a member of their own for the centre of mass.
+// Requests and the packages have a separate member for the centre of mass.
 bool is_asked(const SettingRow& row) {
   return row.changes != Changes::view && row.setting != Setting::com;
 }
@@ -72,15 +71,15 @@ std::string as_member(const SettingRow& row) {
 }
 
 struct Door {
-  std::string file, begins, ends;  // the part of the file; of tables in it the first cells count
+  std::string file, begins, ends;  // the part of the file; in tables, the first cells count
   std::string name;                // a pattern, whose first group is a name
-  std::string lacks;               // what is said of a missing name, which comes in place of %
+  std::string lacks;               // the message for a missing name, which replaces %
   bool (*goes_through)(const SettingRow&);
   std::string (*called)(const SettingRow&) = as_is;
-  Names others = {};  // names that stand there and are no settings
+  Names others = {};  // names there that are not settings
 };
 
-// These list settings, and nothing else but the others.
+// These list settings, and nothing else except `others`.
 const Door lists[] = {
     {"docs/cli.md",
      "## `evenlift place`\n",
@@ -113,7 +112,7 @@ const Door lists[] = {
      "\n    (\\w+):", "has no % in Settings", is_asked},
 };
 
-// These name much besides.
+// These also contain other names.
 const Door mentions[] = {
     {"docs/cli.md", "## `evenlift link`\n", "`decode` prints", "`(--[a-z-]+)`",
      "does not say that link encode takes %", is_of_place_and_link, as_option},
@@ -134,7 +133,7 @@ Names names_at(const Door& door) {
   return found(cells.empty() ? part : cells, door.name);
 }
 
-// The names that should be there; says which of them are not.
+// The names that should be there; reports the missing ones.
 Names check_names_of_settings(const Door& door, const Names& there) {
   Names due;
   for (const SettingRow& row : all_settings()) {
@@ -150,7 +149,7 @@ Names check_names_of_settings(const Door& door, const Names& there) {
 
 // --- The records of links
 
-// What docs/link-format.md says that each record holds, and for what other numbers are reserved.
+// The setting of each record, and the reserved numbers, according to docs/link-format.md.
 struct Description {
   std::map<int, std::string> held, reserved;
 };

@@ -14,7 +14,7 @@ using evenlift::testing::placed;
 
 namespace {
 
-// Every tag is closed, in order; attributes are in quotes; no character is out of place.
+// Every tag is closed, in order; attributes are in quotes; every character is in a valid place.
 bool well_formed(const std::string& xml) {
   std::vector<std::string> open;
   for (std::size_t i = 0; i < xml.size(); ++i) {
@@ -159,7 +159,7 @@ TEST_CASE("loads keep clear of robots' bodies, and the key explains what is seen
   CHECK(occurrences(svg, "class=\"load\"") >= 1);
   CHECK(occurrences(svg, "\u00A0kg</text>") == 6);
 
-  // Of each element of a class the numbers of some attributes.
+  // The numbers of some attributes, for each element of a class.
   const auto numbers = [&](const std::string& begin, const std::vector<std::string>& names) {
     std::vector<std::vector<double>> all;
     for (std::size_t at = svg.find(begin); at != std::string::npos; at = svg.find(begin, at + 1)) {

@@ -1,4 +1,4 @@
-// Numbers and results in words: the one formatter of all that people read.
+// Numbers and results in words: the one formatter for all text that users read.
 #include "evenlift/output/words.h"
 
 #include <cmath>
@@ -136,7 +136,7 @@ TEST_CASE("what can still move is named, and what holds the object", "[words]") 
         "The robots' contact alone stops it from sliding or turning. Robots may be off by 12 along "
         "their edges.");
   CHECK(is_held(placement));
-  // A hold by a hair is none to rely on.
+  // A hold by a hair cannot be relied on.
   placement.settings.clear = 0.1;
   placement.closure.clearance = {0.0912, 4, 0.05};
   CHECK(
@@ -197,7 +197,7 @@ TEST_CASE("a capacity says of which loads and of which robots it speaks", "[word
       words(LoadModel::worst, {}, none) ==
       "No robot carries more than 17 kg. As planned, not even all 18 robots that find a place are "
       "enough.");
-  // While one fails, discs have the robots' numbers, and the one that fails carries nothing.
+  // While one fails, discs have the robots' numbers, and the failed robot carries nothing.
   CHECK(
       words(LoadModel::springs, {2, 3, 5}, plan, 1) ==
       "3 of the other 5 robots are overloaded, with more than 17 kg: robots 3, 4 and 6. While none "

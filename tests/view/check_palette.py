@@ -1,11 +1,11 @@
-"""Checks that every file that has to name colours names those of the view's theme, and that colours can be told apart.
+"""Checks that files that repeat colours use those of the view's theme, and that colours can be distinguished.
 
     python3 tests/view/check_palette.py
 
-wasm/ui/theme.cpp holds the palette, light and dark, by role. Style sheets, the icon, the page's frame and the program's
-pictures cannot include it, so they repeat what they need of it. Contrast is that of the Web Content Accessibility Guidelines:
-text has at least 4.5 : 1 on what it lies on, and a line or an icon 3 : 1. The lines of the charts have colours of their own,
-in web/charts/charts.css.
+wasm/ui/theme.cpp contains the palette, light and dark, by role. Style sheets, the icon, the page's frame and the
+program's pictures cannot include it, so they repeat the colours that they need. Contrast follows the Web Content
+Accessibility Guidelines: at least 4.5 : 1 between text and its background, and 3 : 1 for a line or an icon. The
+lines of the charts have separate colours, in web/charts/charts.css.
 """
 
 import itertools
@@ -38,7 +38,7 @@ def check(path, what, colour, wanted):
 
 
 def blocks(path):
-    """The custom properties of :root, outside of any media query and in that for dark screens."""
+    """The custom properties of :root, outside any media query and in the query for dark screens."""
     text = read(path)
     return {"light": re.search(r":root \{(.*?)\}", text, re.DOTALL)[1],
             "dark": re.search(r"@media \(prefers-color-scheme: dark\) \{(.*?)\n\}", text, re.DOTALL)[1]}
@@ -58,7 +58,7 @@ def opaque(colour):
 
 
 def over(colour, opacity, ground):
-    """A colour that is not opaque, as it looks on its ground."""
+    """The visible colour of a transparent one on its background."""
     return [opacity * c + (1 - opacity) * g for c, g in zip(colour, ground)]
 
 
@@ -72,7 +72,7 @@ def contrast(a, b):
     return (high + 0.05) / (low + 0.05)
 
 
-# Roles, and what they lie on.
+# Roles, and their backgrounds.
 texts = [("text", ("panel", "well", "ground")), ("second_text", ("panel", "ground")), ("amber", ("panel", "amber_ground")),
          ("on_accent", ("accent",)), ("robot_text", ("robot",)), ("hull_text", ("object", "base")), ("accent_on_object", ("object",)),
          ("amber_on_object", ("object",))]
@@ -104,12 +104,13 @@ def lightness_and_hue(colour):
     return 116 * y - 16, 500 * (x - y), 200 * (y - z)
 
 
-# Colours that differ by so much in CIELAB are plainly different to most people; the lines' signs and dashes tell them apart for all.
+# Colours with at least this difference in CIELAB are plainly different to most people; the lines' signs and dashes
+# distinguish them for all.
 least_difference = 25
 
 
 def check_charts(scheme, colours, block):
-    """The lines of the charts: each method has a colour of its own that can be seen on a panel and on the page's ground."""
+    """The lines of the charts: each method has its own colour, visible on a panel and on the page's background."""
     path = "web/charts/charts.css"
     lines_of = {name: opaque(colour) for name, colour in re.findall(r"--([a-z]+): (#[0-9A-Fa-f]{6})", block)}
     methods = re.findall(r"^  (\w+): \{ words:", read("web/charts/methods.js"), re.MULTILINE)

@@ -1,4 +1,4 @@
-// Balanced robots in the view: the start at once, and what a search finds later.
+// Balanced robots in the view: the start at once, and the later results of a search.
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,7 +41,7 @@ std::vector<LiftingPoint> standing(const AppState& state) {
   return lifting_points(state.derived().placement->teams);
 }
 
-// What the search finds in the end.
+// The final result of the search.
 std::string last_robots(const AppState& state) {
   return robots_text(lifting_points(place(state.work.document())->teams));
 }
@@ -99,7 +99,8 @@ TEST_CASE("what a search finds for another document is dropped", "[view][balance
   give(state, SetSettings{fewer});
   CHECK(state.derived().search.number > number);
   CHECK_FALSE(take_robots(state, number, found, true));
-  CHECK_FALSE(take_robots(state, state.derived().search.number, found, true));  // six of five
+  CHECK_FALSE(take_robots(state, state.derived().search.number, found, true));  // six instead of
+                                                                                // five
   CHECK(standing(state).size() == 5);
   CHECK(state.derived().search.under_way);
 }
@@ -160,7 +161,7 @@ TEST_CASE("how many balanced robots it takes if any one may fail is taken over w
     CHECK(state.derived().search.counting);
     CHECK_FALSE(state.derived().spare);
     take_robots(state, number,
-                std::nullopt);  // nobody asks again, and no notice speaks of a search
+                std::nullopt);  // no further search begins, and no notice mentions a search
     conclude(state);
     CHECK(state.derived().search.number == number);
     CHECK(state.session.notice.text.empty());
@@ -219,7 +220,7 @@ TEST_CASE("another method takes what it can have of the settings", "[view][balan
   settings.method = Method::balanced;
   CHECK(with_method(settings, Method::balanced, 4).goal == Goal::hold);
   CHECK_FALSE(with_method(settings, Method::area, 4).goal);
-  // Teams of two keep theirs where the method can have it.
+  // Teams of two keep their goal where the method supports it.
   settings.method = Method::area;
   CHECK(with_method(settings, Method::circle, 4).goal == Goal::hold);
   CHECK_FALSE(with_method(settings, Method::random, 4).goal);
@@ -286,14 +287,14 @@ TEST_CASE("one of three balanced robots is moved by hand, and the others follow"
   give(state, Undo{});
   CHECK(robots_text(standing(state)) == moved);
   CHECK_FALSE(state.derived().search.under_way);
-  // Their weight is another, and they stay where they are.
+  // The weight changes, and the robots stay in place.
   Settings heavier = settings(state);
   heavier.weight = 300;
   give(state, SetSettings{heavier});
   CHECK(robots_text(standing(state)) == moved);
   CHECK(state.derived().placement->loads->max == Approx(100));
   give(state, Undo{});
-  // The link brings them back.
+  // The link restores them.
   AppState again;
   begin(again, placed(decode_link(*encode_link(last_good(state))).value()));
   CHECK(robots_text(standing(again)) == moved);
@@ -328,7 +329,7 @@ TEST_CASE("a balanced robot stops where the others cannot follow", "[view][balan
     for (const LiftingPoint& robot : standing(state)) sum += robot.position;
     CHECK((sum / 3 - centre).norm() < 1e-9 * state.derived().placement->polygon.diagonal());
     if (!stays) CHECK(standing(state)[1].position == vertices[i]);
-    // The outline is shown as closed to the robot up to where it is wanted.
+    // The outline is marked as blocked for the robot up to the requested place.
     CHECK(state.view.closed_to.has_value() == stays);
     if (stays) CHECK(state.view.closed_to->position == vertices[i]);
   }
@@ -337,7 +338,7 @@ TEST_CASE("a balanced robot stops where the others cannot follow", "[view][balan
   give(state, SetHeld{});
   CHECK_FALSE(state.view.closed_to);
 
-  // Whoever moves it by keys is told in words.
+  // Moving it by keys gives a message.
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     state.session.notice = {};
     const std::vector<LiftingPoint> before = standing(state);
@@ -393,7 +394,7 @@ TEST_CASE("arrows move the robot whose card is open", "[view][balanced]") {
     CHECK(state.derived().explanation->of.at == standing(state)[0].position);
     moved += standing(state)[0].position != before;
   }
-  // Across the edge on which it stands there is no way.
+  // It cannot cross to the other side of its edge.
   CHECK(moved >= 2);
 }
 

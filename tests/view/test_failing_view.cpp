@@ -1,5 +1,4 @@
-// Robots that fail, loads by another model and a doubt about the centre of mass, as the page shows
-// them.
+// Robots that fail, loads by another model and the C uncertainty, as the page shows them.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -99,7 +98,7 @@ TEST_CASE("a change of settings, of the polygon or by undo brings the robot back
   give(state, EndEdit{});
   CHECK(fails_until(MoveCentre{state.derived().placement->centre_of_mass + Vec2(1, 1)}));
   give(state, EndEdit{});
-  // What places nothing leaves it alone.
+  // Edits that place no robots keep the failure.
   give(state, Fail{1});
   give(state, showing(state, &Shown::capacity, 30.0));
   give(state, showing(state, &Shown::com_radius, 1.0));
@@ -215,7 +214,7 @@ TEST_CASE("the verdict's tip says what loads and stability presume of the robots
   CHECK(presumed_in_words(state).find("sudden") != std::string::npos);
   give(state, Fail{});
   CHECK(presumed_in_words(state) == presumed);
-  // Where nobody stands the verdict says nothing of robots.
+  // Where no robot can stand, the verdict does not mention robots.
   Document square = document("(0,0)\n(100,0)\n(100,100)\n(0,100)\n");
   square.settings.robot = {.radius = 100, .gap = 10000};
   begin(state, placed(square));
@@ -299,7 +298,7 @@ TEST_CASE("units are labels: words follow, and nothing is placed anew", "[view][
   CHECK(summary(state) == usual);
   give(state, OpenWalkthrough{});
   give(state, showing(state, &Shown::units, {LengthUnit::mm, WeightUnit::lb}));
-  CHECK(state.view.walkthrough.trace->units == shown(state).units);  // for the captions to come
+  CHECK(state.view.walkthrough.trace->units == shown(state).units);  // for later captions
 }
 
 TEST_CASE("the loads of each model are shown, and what they presume is said", "[view][failing]") {
@@ -311,7 +310,8 @@ TEST_CASE("the loads of each model are shown, and what they presume is said", "[
     for (std::size_t i = 0; i < expected.size(); ++i)
       CHECK(state.derived().outlook.loads[i].greatest == expected[i].greatest);
     CHECK(model_words(state) == model_in_words(model, models));
-    // The headline tells the plan's loads: beside others it says so.
+    // The headline has the plan's loads, and marks them as planned beside the loads of another
+    // model.
     CHECK(verdict(state).headline.starts_with("As planned, ") == (model != LoadModel::plan));
   }
 }

@@ -1,4 +1,4 @@
-// Undo and redo: what they bring back, what they say, and what is kept of them.
+// Undo and redo: their effects, their messages, and the steps that are kept.
 #include <algorithm>
 #include <optional>
 #include <set>
@@ -151,10 +151,10 @@ TEST_CASE("each setting that is changed alone is named, also after it was kept",
           "[view][history]") {
   for (const SettingRow& row : all_settings())
     if (!row.edit.empty()) CHECK(in_words(edit_of(row)) == "changed " + std::string(row.edit));
-  // What 1.0.0 kept is read as what it was.
+  // Steps kept by 1.0.0 keep their meaning.
   CHECK(in_words(static_cast<Edit>(3)) == "changed the number of teams");
   CHECK(in_words(static_cast<Edit>(22)) == "changed what robots may not touch");
-  // A setting without a number there has that of its record in links.
+  // A setting without a number in the history uses the number of its record in links.
   const SettingRow later{.setting = Setting::apart,
                          .name = "later",
                          .subject = "a later one",
@@ -218,8 +218,8 @@ TEST_CASE("the drawing makes room for what the page lays over it", "[view][layou
     CHECK(seat.width() > 200);
     state.session.screen.foot = 100;
     CHECK(layout(state).free.bottom == before.free.bottom - 100);
-    // Above a card the margins around the polygon shrink with the room that is left, but half of it
-    // is the polygon's.
+    // Above a card the margins around the polygon shrink with the remaining space, but half of it
+    // belongs to the polygon.
     const Rect room = layout(state).room, free = layout(state).free;
     CHECK(room.bottom <= free.bottom - std::min(48.0, free.height() / 4));
     CHECK(room.bottom - room.top >= free.height() / 2);
@@ -228,7 +228,7 @@ TEST_CASE("the drawing makes room for what the page lays over it", "[view][layou
     CHECK(layout(state).room.width() >= std::min(before.room.width(), 90.0));
     if (before.wide) CHECK(card_seat(state).left >= std::min(440.0, before.room.width() - 120));
     state.session.screen.window_left = 0;
-    state.session.screen.window_foot = height / 2.0;  // the card stands above the window
+    state.session.screen.window_foot = height / 2.0;  // the card is above the window
     CHECK(layout(state).free.bottom <= height / 2.0);
     CHECK(card_seat(state).bottom <= height / 2.0);
     state.session.screen.window_foot = 0;

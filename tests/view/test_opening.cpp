@@ -1,4 +1,4 @@
-// What the page opens with.
+// The document with which the page opens.
 #include <string>
 
 #include "app/opening.h"

@@ -1,4 +1,4 @@
-// Teams in their ranges, and teams that are to hold, in the view.
+// Teams in their ranges, and teams chosen to hold, in the view.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,7 +34,7 @@ AppState state_in_ranges(std::optional<Goal> goal = {}) {
   return state;
 }
 
-// By a tangent instead of an angle, which is as good here.
+// By a tangent instead of an angle, which is accurate enough here.
 Vec2 turned(const Vec2& from_centre, double tangent) {
   return from_centre + tangent * left_normal(from_centre);
 }
@@ -73,7 +73,7 @@ TEST_CASE("a team goes along its range by hand, its loads with it, and back", "[
   CHECK(state.work.history.undoes() == Edit::robots_moved);
   CHECK(link_lacks_in_words(state).empty());
   CHECK(explain(state, pick).reason.empty());
-  // Far beyond an end of its range it stops there.
+  // Far beyond an end of its range it stops at that end.
   give(state, MoveRobot{2, state.derived().placement->centre_of_mass + Vec2(1e-3, 1e6)});
   CHECK(state.derived().placement->teams[1].ratio >= 0.8 - 1e-9);
   give(state, EndEdit{});
@@ -89,7 +89,7 @@ TEST_CASE("a team goes along its range by hand, its loads with it, and back", "[
   CHECK_FALSE(state.work.history.can_undo());
   give(state, Redo{});
   CHECK(place_of(state, 1, 0) == last);
-  // Another edit puts them back, and undo brings them again.
+  // Another edit puts them back, and undo restores them.
   Settings fewer = settings(state);
   fewer.teams = 2;
   give(state, SetSettings{fewer});
@@ -145,7 +145,7 @@ TEST_CASE("steps are those of teams where they were found", "[view][ranges]") {
   CHECK(place_of(state, 1, 0) == was);
   CHECK(state.work.history.undoes() == Edit::robots_reset);
   CHECK(state.view.walkthrough.trace->count(StepKind::range) > 3);
-  // Undo leaves the lesson, in which they would stand elsewhere.
+  // Undo leaves the lesson, in which they would have other places.
   give(state, Undo{});
   CHECK(by_hand(state));
   CHECK_FALSE(walkthrough_is_open(state));
@@ -274,7 +274,7 @@ TEST_CASE("a robot is dragged along its range with the pointer, and drawn with i
   document.shown.overlays.candidates = true;
   page.open(document);
   page.frame();
-  // A vertex is taken before the robot that stands on it, so one is taken that stands on none.
+  // A press takes a vertex before the robot on it, so this picks a robot that is not at a vertex.
   const AppState& state = page.app.state;
   const auto stands_apart = [&](const Vec2& at) {
     const Points& vertices = state.derived().placement->vertices();
@@ -286,7 +286,7 @@ TEST_CASE("a robot is dragged along its range with the pointer, and drawn with i
   while (team < 3 && !stands_apart(place_of(state, team, 0))) ++team;
   REQUIRE(team < 3);
   const Vec2 at = place_of(state, team, 0), c = state.derived().placement->centre_of_mass;
-  // Around C, to one side and to the other: one of the two ways is open.
+  // Around C, to one side and to the other: one of the two directions is possible.
   for (const double turn : {0.05, -0.05})
     page.drag(place_of(state, team, 0), c + (at - c) + turn * left_normal(at - c));
   CHECK(by_hand(state));
@@ -310,7 +310,7 @@ TEST_CASE("a robot on a vertex is taken there while its card is open", "[view][r
   REQUIRE(std::find(document.vertices.begin(), document.vertices.end(), corner) !=
           document.vertices.end());
   const Vec2 to = corner + 0.3 * left_normal(corner - c);
-  // Without the card it is the vertex that goes along.
+  // Without the card, the vertex moves instead.
   page.drag(corner, corner + Vec2(-8, -8));
   CHECK_FALSE(by_hand(state));
   CHECK(state.work.document().vertices != document.vertices);

@@ -1,4 +1,4 @@
-// Robots with a size in the view: the brush, undo, and marks that follow the vertices.
+// Robots with a size in the view: the brush, undo, and no-go parts that follow the vertices.
 #include <string>
 
 #include "evenlift/placed_robots.h"
@@ -52,7 +52,7 @@ TEST_CASE("a drag of the brush marks what it passes and erases marks, each as on
   CHECK(marked[0].edge == 0);
   CHECK(marked[0].from == Approx(0.25).margin(0.06));
   CHECK(marked[0].to == Approx(0.75).margin(0.06));
-  // Begun on a mark it erases.
+  // A stroke that begins on a no-go edge erases.
   page.drag({200, 0}, {250, 0});
   CHECK(settings(page.app.state).no_go.size() == 2);
   give(page, Undo{});
@@ -139,7 +139,7 @@ TEST_CASE(
   REQUIRE(again);
   give(page, OpenDocument{std::move(again).value()});
   give(page, SetMethod{Method::area});
-  CHECK(now().robot == evenlift::RobotSize{});  // that was another object's
+  CHECK(now().robot == evenlift::RobotSize{});  // that belonged to another object
 }
 
 TEST_CASE("a robot's body that is smaller than its mark is not drawn", "[view][stands]") {
@@ -162,7 +162,7 @@ TEST_CASE("a robot's body that is smaller than its mark is not drawn", "[view][s
     return list.VtxBuffer.Size;
   };
   const double mark = static_cast<double>(mark_radius(state.derived().placement->teams));
-  CHECK(vertices(mark - 1) < 200);  // what cannot be used of the boundary
+  CHECK(vertices(mark - 1) < 200);  // the unusable part of the boundary
   CHECK(vertices(mark + 1) > vertices(mark - 1) + 6 * 64);
 }
 

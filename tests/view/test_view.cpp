@@ -80,10 +80,10 @@ TEST_CASE("every panel draws for every sample on every kind of screen, and then 
         screen.dark = !screen.dark;
         for (int i = 0; i < 4; ++i) page.frame();
         page.frame();
-        CHECK_FALSE(settle(page.app));  // nothing asks for another frame
+        CHECK_FALSE(settle(page.app));  // nothing needs another frame
         CHECK(page.app.commands.empty());
-        // The picture and each card have lists of their own, and none is empty. A phone on its side
-        // has no card of tools.
+        // The drawing and each card have separate lists, and every list has content. A phone on its
+        // side has no card of tools.
         const ImDrawData& drawn = *ImGui::GetDrawData();
         CHECK(drawn.CmdListsCount >= (embed ? 2 : 3));
         for (int list = 0; list < drawn.CmdListsCount; ++list)
@@ -141,7 +141,7 @@ TEST_CASE("a refused polygon keeps the last good placement, link and reason", "[
   held.pressed = held.down = true;
   page.frame(held);
   held.pressed = false;
-  // On the way there the polygon is accepted, further on its edges cross.
+  // During the first part of the drag the polygon is valid; then its edges cross.
   std::string last_link, last_json;
   for (int i = 1; i <= 12; ++i) {
     held.at =
@@ -345,7 +345,7 @@ TEST_CASE("a label avoids lines, and is left out where that is not possible", "[
   const Rect window{0, 0, 400, 400};
   const std::vector<LabelRequest> request{{Vec2(200, 200), Vec2(0, -1), Vec2(58, 20)}};
   Occupied occupied(window);
-  occupied.line({0, 170}, {400, 170});  // where the label would go
+  occupied.line({0, 170}, {400, 170});  // where the label would be
   const auto beside = place_labels(request, occupied, 15, 0);
   REQUIRE(beside[0]);
   CHECK((beside[0]->top > 172 || beside[0]->bottom < 168));
@@ -369,7 +369,7 @@ TEST_CASE("texts on lines that cross do not cover each other", "[view]") {
   REQUIRE(before.size() == 3);
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < i; ++j) CHECK(apart(before[i], before[j]));
-  // Where there is no place left, the first one.
+  // Where no place is left, the first one is used.
   for (int i = 0; i < 10; ++i) box_on_line({0, 0}, {30, 0}, size, from_middle, before);
   CHECK(before.back().middle() == Vec2(15, 0));
 }
@@ -791,13 +791,13 @@ TEST_CASE("two methods stand side by side and follow the same polygon", "[view]"
   CHECK(page.app.state.derived().second->settings.method == Method::circle);
   const Layout places = layout(page.app.state);
   CHECK(places.first.right == places.second.left);
-  // A drag in the second picture moves the one polygon.
+  // A drag in the second drawing moves the one polygon.
   const Vec2 offset(places.second.left - places.first.left, places.second.top - places.first.top);
   page.drag({400, 150}, {420, 180}, offset);
   CHECK(length(page.app.state.work.document().vertices[2] - Vec2(420, 180)) < 2);
   CHECK(page.app.state.derived().second->vertices() ==
         page.app.state.derived().placement->vertices());
-  // Through the other methods to none.
+  // Through the other methods, and back to no comparison.
   for (std::size_t i = 1; i < std::size(all_methods); ++i) page.press({"k"});
   CHECK_FALSE(page.app.state.work.second_method);
 }
@@ -841,7 +841,7 @@ TEST_CASE("a capacity is planned for anew only when the plan can change", "[view
     INFO(key.name);
     CHECK(computed().plans == plans);
   }
-  // While something is dragged nobody reads it.
+  // During a drag nothing is announced.
   Settings lighter = settings(state);
   lighter.weight = 90;
   commands = {SetSettings{lighter, true}};
@@ -884,7 +884,7 @@ TEST_CASE("the heat map's bands are the polygon where the tipping force says so"
       for (std::size_t i = 0; i < band.triangles.size(); i += 3) {
         const Vec2 &a = band.triangles[i], &b = band.triangles[i + 1], &c = band.triangles[i + 2];
         area += std::abs(cross(b - a, c - a)) / 2;
-        // Well inside of the band no smaller push tips.
+        // Well inside the band no smaller force tips the object.
         const Vec2 middle = (a + b + c) / 3;
         const double force = tipping_force(placed->lifting_base, placed->centre_of_mass, 1, middle);
         CHECK(force >= std::min(band.share, 1e9) * (1 - 1e-6));
@@ -899,7 +899,7 @@ TEST_CASE("the heat map's bands are the polygon where the tipping force says so"
 
 namespace {
 
-// How often what follows placed and traced.
+// Counts the placements and traces of the following code.
 struct Count {
   Computed before = computed();
   std::uint64_t placements() const { return computed().placements - before.placements; }
@@ -1014,17 +1014,17 @@ TEST_CASE("what is shown is changed without computing anything, and is no step o
   }
   CHECK(count.placements() + count.traces() == 0);
   CHECK(state.derived().revision ==
-        revision);  // nothing that follows from the placement is made anew
+        revision);  // nothing that depends on the placement is recomputed
   CHECK_FALSE(state.work.history.can_undo());
   const Overlays switched{true, false, false, false, false, true};
   CHECK(shown(state).overlays == switched);
   CHECK(decode_link(encode_link(last_good(state)).value())->shown.overlays == switched);
-  // Undo is of edits, and leaves what is shown as it is.
+  // Undo covers edits, and does not affect what is shown.
   page.press({"t"});
   page.press({"z", true});
   CHECK(settings(state).teams == 3u);
   CHECK(shown(state).overlays == switched);
-  // A script does the same.
+  // The same by a script.
   const std::uint64_t placements = count.placements();
   const Document none = changed(state, "overlays=none");
   CHECK_FALSE(edit_by_script(state, none));
@@ -1042,7 +1042,7 @@ TEST_CASE("no way leads to a method beside itself", "[view]") {
   };
   page.press({"k"});
   REQUIRE(state.work.second_method == Method::circle);
-  page.press({"m"});  // takes the method that is compared: the two change sides
+  page.press({"m"});  // takes over the compared method: the two change sides
   CHECK(settings(state).method == Method::circle);
   CHECK(state.work.second_method == Method::area);
   REQUIRE(state.derived().second);
@@ -1067,7 +1067,7 @@ TEST_CASE("no way leads to a method beside itself", "[view]") {
   }
 }
 
-// As many as do not fit onto a stack of 8 MB while a line is drawn; tests/page/recovery.test.mjs
+// More vertices than fit onto a stack of 8 MB while a line is drawn; tests/page/recovery.test.mjs
 // goes to the limit.
 TEST_CASE("very large polygons are drawn, in outline and filled, and as what is refused",
           "[view][thorough]") {
@@ -1085,7 +1085,7 @@ TEST_CASE("very large polygons are drawn, in outline and filled, and as what is 
     page.frame();
     return ImGui::GetDrawData()->TotalVtxCount;
   };
-  // What is drawn is as much as can be seen, not as much as there is.
+  // The drawing depends on the visible detail, not on the number of vertices.
   for (const double ratio : {1.0, 1.25, 1.5, 2.0, 3.0}) {
     const int vertices = drawn(ratio);
     CHECK(vertices > 10000);
@@ -1114,7 +1114,7 @@ TEST_CASE("rows of pixels fill what triangles fill, and the heat map's bands ali
     const Camera camera = fit(polygon, {20, 20, 780, 580});
     const double whole = area_of(polygon) * camera.scale * camera.scale;
     CHECK(filled(fill_rows(polygon, camera, window, 0.5)) == Approx(whole).epsilon(0.003));
-    // Half of it beside the window: what is seen is filled, and no more; the other half is the
+    // With half of it outside the window, only the visible half is filled; the other half is the
     // rest.
     const Camera aside = pan(camera, {-400, 0});
     const RowFill half = fill_rows(polygon, aside, window, 0.5);

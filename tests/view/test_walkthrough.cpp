@@ -1,4 +1,4 @@
-// The lesson's player, without a window.
+// The player of walkthroughs, without a window.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -74,7 +74,8 @@ TEST_CASE("the lesson forward and back is the same at every step", "[view][lesso
     page.frame();
     if (k + 1 < count) page.press({"ArrowRight"});
   }
-  CHECK(action_for(page.app.state, {"ArrowRight"}) == nullptr);  // the browser's, at the end
+  CHECK(action_for(page.app.state, {"ArrowRight"}) == nullptr);  // the key is left to the browser
+                                                                 // at the end
   for (std::uint32_t k = count; k-- > 0;) {
     CHECK(moment(page.app.state) == forward[k]);
     if (k > 0) page.press({"ArrowLeft"});
@@ -92,7 +93,7 @@ TEST_CASE("every step of every sample draws, and asks for no frame of its own",
     page.press({"b"});
     page.press({"u"});
     const std::uint32_t count = timeline(page.app.state).count;
-    // All steps of small ones, of others some of each chapter.
+    // All steps of small ones, and for others some of each chapter.
     for (std::uint32_t k = 0; k < count; k += 1 + count / 60) {
       go(page, k);
       page.frame();
@@ -169,7 +170,8 @@ TEST_CASE("presenting shows the drawing and the words alone, and Escape ends it 
   page.press({"P"});
   CHECK(page.app.state.view.presenting);
   CHECK(layout(page.app.state).panel.width() == 0);
-  CHECK(page.app.state.session.screen.zoom > 1.4);  // so much larger are letters, discs and buttons
+  CHECK(page.app.state.session.screen.zoom > 1.4);  // letters, discs and buttons are larger by this
+                                                    // factor
   page.frame();
   CHECK(seen() > 0.85 * scale);  // and the drawing is hardly smaller
   set_canvas(page.app.state, 1920, 1080, 2);
@@ -205,7 +207,7 @@ TEST_CASE("an edit during the lesson keeps the place, and undo is of the edit", 
   CHECK(page.app.state.work.document().vertices == document(l_shape).vertices);
   CHECK(page.app.state.view.walkthrough.detail.step.kind == StepKind::team);
   CHECK(page.app.state.view.walkthrough.detail.step.item == 1);
-  CHECK_FALSE(page.app.state.work.history.can_undo());  // stepping is no edit
+  CHECK_FALSE(page.app.state.work.history.can_undo());  // stepping is not an edit
 }
 
 TEST_CASE("the link carries the step, and opens there", "[view][lesson]") {
@@ -253,7 +255,7 @@ TEST_CASE("predicting stops before each choice, and tells whether the guess was 
     if (!page.app.state.view.walkthrough.ask) continue;
     CHECK(page.app.state.view.walkthrough.at == before);  // not shown yet
     const Ask ask = *page.app.state.view.walkthrough.ask;
-    // Nothing of the question before stands among its choices.
+    // Nothing of the previous question is among its choices.
     CHECK_FALSE(page.app.state.view.walkthrough.answered);
     CHECK(page.app.state.view.walkthrough.verdict.empty());
     CHECK_FALSE(page.app.state.view.walkthrough.asked);
@@ -261,7 +263,8 @@ TEST_CASE("predicting stops before each choice, and tells whether the guess was 
     CHECK(ask.choices.size() > 1);
     CHECK(ask.choices.size() <= 6);
     CHECK(std::count(ask.choices.begin(), ask.choices.end(), ask.question.answer) == 1);
-    CHECK(ask.choices[ask.pointed] != ask.question.answer);  // what is offered gives nothing away
+    CHECK(ask.choices[ask.pointed] != ask.question.answer);  // the pointed choice does not give the
+                                                             // answer away
     page.frame();
     ++asked;
     ++of_kind[ask.question.kind == QuestionKind::winning_chord];
@@ -317,7 +320,7 @@ TEST_CASE("a question is asked over what is known before it, and about its own p
   CHECK(words_of_stop(page.app.state) == "The seventh.");
   page.press({"ArrowRight"});
   REQUIRE(walk.ask);
-  CHECK(walk.known.teams == 2);  // not those of the step before, at which there were none
+  CHECK(walk.known.teams == 2);  // not those of the preceding step, where there were none
   CHECK(walk.base.size() == 4);
   CHECK(walk.figures.empty());
 }
@@ -328,7 +331,7 @@ TEST_CASE("a challenge does not tell which end is more even before it asks", "[v
   page.press({"u"});
   const Walkthrough& walk = page.app.state.view.walkthrough;
   std::uint32_t pair = 0;
-  double longest = 0;  // where the ends look like one nothing is asked
+  double longest = 0;  // if the two ends look the same, there is no question
   for (std::uint32_t i = 0; i < walk.trace->pairs.size(); ++i) {
     const PairDetail detail = look_at_pair(*walk.trace, i);
     const double section = length(detail.a[1] - detail.a[0]);
@@ -347,7 +350,7 @@ TEST_CASE("a challenge does not tell which end is more even before it asks", "[v
   CHECK_FALSE(walk.formula.empty());
   CHECK(shows_ends());
 
-  page.press({"q"});  // at once, though the step stays
+  page.press({"q"});  // at once, although the step stays
   CHECK(walk.caption.find("load ratio") == std::string::npos);
   CHECK(walk.formula.empty());
   CHECK_FALSE(shows_ends());
@@ -356,7 +359,7 @@ TEST_CASE("a challenge does not tell which end is more even before it asks", "[v
   REQUIRE(walk.ask);
   page.app.commands.push_back(Guess{walk.ask->question.answer});
   settle(page.app);
-  page.press({"ArrowLeft"});  // what was guessed is no secret any more
+  page.press({"ArrowLeft"});  // a guessed answer is no longer hidden
   CHECK(walk.at == step);
   CHECK(walk.caption.find("load ratio") != std::string::npos);
   CHECK(shows_ends());
@@ -462,7 +465,7 @@ TEST_CASE("a ready-made lesson shows its own stops and words, and can be left fo
   CHECK(words_of_stop(page.app.state) == "Done.");
   page.press({"u"});
   page.press({"b"});
-  page.press({"b"});  // who leaves the lesson leaves the script
+  page.press({"b"});  // leaving the walkthrough leaves the lesson
   page.press({"u"});
   CHECK(words_of_stop(page.app.state).empty());
 
@@ -508,8 +511,7 @@ TEST_CASE("closing a lesson brings back what was open before it, with its settin
   close("b");
   REQUIRE_FALSE(open_lesson(state, on_a_square, square));
   close("Escape");
-  // With all steps around it, and after its words were left, it is the lesson's object all the
-  // same.
+  // With all steps around it, and after its words were left, it is still the lesson's object.
   REQUIRE_FALSE(open_lesson(state, on_a_square, square));
   page.press({"u"});
   close("b");
@@ -599,7 +601,7 @@ TEST_CASE("an undo in a lesson leaves it with all steps shown, too", "[view][les
   CHECK(link(state) == before);
   page.press({"z", true, true});
   CHECK(state.work.document().vertices.size() == 4);
-  // Whoever takes the lesson's object so keeps it.
+  // Taking over the lesson's object like this keeps it.
   page.press({"b"});
   page.press({"b"});
   CHECK(state.work.document().vertices.size() == 4);

@@ -1,4 +1,4 @@
-// A page without a window: Dear ImGui draws into nothing, the pointer is made up.
+// A page without a window: Dear ImGui draws into nothing, and the pointer is simulated.
 #pragma once
 
 #include <imgui.h>
@@ -33,7 +33,7 @@ inline Document document(const std::string& text) {
   return *read;
 }
 
-// Placed, as it is opened.
+// Places the document, as opening it does.
 inline Opened placed(const Document& document) {
   Result<Opened> result = opened(document);
   REQUIRE(result.ok());
@@ -72,14 +72,14 @@ inline void begin(AppState& state, Opened opened) {
   conclude(state);
 }
 
-// An edit that may be refused, as a script makes it.
+// An edit that may be refused, as from a script.
 inline std::optional<InputError> edit_by_script(AppState& state, const Document& edited) {
   auto problem = try_edit(state, edited);
   conclude(state);
   return problem;
 }
 
-// Whether the page takes over what a search found, or that it stopped.
+// Whether the page accepts the robots that a search found, or the message that it stopped.
 inline bool take_robots(AppState& state, std::uint64_t number, std::optional<std::string> robots,
                         bool ended = true) {
   state.session.effects.clear();
@@ -134,7 +134,7 @@ class Page {
     frame(p);
   }
 
-  // `off` in CSS pixels: in another picture of the same.
+  // `off` in CSS pixels: the offset to a second drawing of the same polygon.
   void drag(const Vec2& from, const Vec2& to, const Vec2& off = Vec2::Zero()) {
     Pointer p = at(from);
     p.at += off;

@@ -1,4 +1,4 @@
-// What holds for each of the page's own windows.
+// Properties of each of the page's own windows.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { asset, idle, link, load, phone, sharedBrowser } from "../page/browser.mjs";
@@ -111,7 +111,7 @@ test("they fit small screens: they begin at their beginning, nothing is cut off,
         ),
         `${name} begins at its beginning`,
       );
-      // What a window says has at least half of it: buttons at its foot do not crowd it out.
+      // The text of a window has at least half of its height: buttons at its foot do not crowd it out.
       const words = await window.evaluate((root) => {
         const { top, bottom } = (root.querySelector(".scroll") ?? root).getBoundingClientRect();
         return Math.min(bottom, innerHeight) - top;

@@ -15,7 +15,7 @@ const browser = sharedBrowser();
 const folder = mkdtempSync(path.join(tmpdir(), "evenlift-page-experiment-"));
 after(() => rmSync(folder, { recursive: true, force: true }));
 
-// The examples of tests/text/test_words.cpp, and where toFixed() differs from the program.
+// The examples of tests/text/test_words.cpp, and cases in which toFixed() differs from the program.
 test("numbers are rounded as the program rounds them", () => {
   const examples = [
     [2.345, 2, "2.35"],
@@ -33,10 +33,10 @@ test("numbers are rounded as the program rounds them", () => {
   for (const [value, decimals, text] of examples) assert.equal(fixed(value, decimals), text);
 });
 
-// The search for more balanced robots than these only takes longer.
+// Searching for more balanced robots than these only takes longer.
 const mostBalanced = 5;
 
-// What the program makes of paths: its files by name.
+// The program's output files for these paths, by name.
 function program(paths, { samples }) {
   const out = mkdtempSync(path.join(folder, "out-"));
   try {
@@ -85,7 +85,7 @@ async function saved(page, button) {
   return readFileSync(await download.path(), "utf8");
 }
 
-// No worker is left.
+// Checks that no worker is left.
 async function ended(page) {
   await Promise.all(page.workers().map((worker) => new Promise((done) => worker.once("close", done))));
   assert.equal(page.workers().length, 0);
@@ -251,7 +251,7 @@ test("the polygon on the screen is measured with its own centre of mass, ratio a
       row.robots,
     );
   }
-  // Its curves are these rows: of teams at every even number, of balanced robots at every number.
+  // Its curves are these rows: teams at every even number of robots, balanced robots at every number.
   for (const method of ["area", "balanced"]) {
     const drawn = await window
       .locator(".plot svg")
@@ -266,7 +266,7 @@ test("the polygon on the screen is measured with its own centre of mass, ratio a
     );
   }
   assert.ok(await window.getByText("Balanced robots are measured up to 5, since").isVisible());
-  // They are there again when it is opened again, until the polygon is another one.
+  // The results are there when the window is opened again, until the polygon changes.
   await page.keyboard.press("Escape");
   await allClosed(page);
   await openWindow(page, "experiment");
@@ -402,7 +402,7 @@ test("the visitor's own files, one of them broken", async () => {
     await window.locator(".results .problem").textContent(),
     /1 polygon could not be read and was left out:broken: line 3, column 4: expected ','/,
   );
-  // Dropped on the window, they are this window's.
+  // Files dropped on the window belong to this window.
   await drop(
     page,
     {
@@ -473,7 +473,7 @@ test("the page stays smooth while it computes; it shows how far it is, and stops
   await page.waitForFunction(() => document.querySelector("#experiment progress").value > 0);
   assert.match(await window.locator(".running p").textContent(), /^\d of 3 polygons: (square|kite)$/);
   assert.ok(page.workers().length >= 1);
-  // The page's own thread is never held up: meanwhile it takes changes, and draws them.
+  // The page's own thread is never blocked: meanwhile it accepts changes, and draws them.
   const frames = await page.evaluate(() => evenlift.frames);
   for (const teams of [1, 2, 4]) {
     await page.evaluate((n) => evenlift.set({ teams: n }), teams);
@@ -487,7 +487,7 @@ test("the page stays smooth while it computes; it shows how far it is, and stops
   assert.equal(await window.locator("figure").count(), 0);
   await page.waitForFunction(() => document.activeElement.textContent === "Compare");
   await ended(page);
-  // Closing the window ends it as well.
+  // Closing the window also ends it.
   await window.getByRole("button", { name: "Compare", exact: true }).click();
   await page.waitForFunction(() => document.querySelector("#experiment progress").value > 0);
   await page.keyboard.press("Escape");

@@ -1,4 +1,4 @@
-// The window of lessons and what belongs to it: the order, what was seen, the end of a lesson, the editor, the handout, the
+// The window of lessons and its parts: the order, the seen lessons, the end of a lesson, the editor, the handout, the
 // glossary.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -354,7 +354,7 @@ test("guesses are counted, the first one at each step, and summed up at the end"
   const window = await openWindow(page, "lessons");
   await window.getByRole("button", { name: "As a challenge" }).click();
   await allClosed(page);
-  // The first choice that is offered, at each question: sometimes it is right.
+  // Takes the first choice at each question: sometimes it is right.
   const choices = ["The first end", "take", "Candidate 1", "Candidate 2", "Candidate 3", "Candidate 4"];
   let asked = 0;
   while (!(await end(page).count())) {
@@ -377,10 +377,10 @@ test("guesses are counted, the first one at each step, and summed up at the end"
 
 // --- Leaving a lesson -------------------------------------------------------------------------------------------------
 
-// What is open, to be compared with what is open later.
+// The open document, for comparison with a later one.
 const open = async (page) => ({ link: await link(page), search: await page.evaluate(() => location.search) });
 
-// A drawing with settings of one's own, an edit that can be undone and one that can be done again.
+// A drawing with its own settings, an edit that can be undone and one that can be redone.
 async function drawing(browser) {
   const page = await browser.open();
   await load(page, asset("violin"));
@@ -493,7 +493,7 @@ test("a lesson that was loaded anew in its midst is left for what was open befor
   assert.deepEqual(await open(page), was.before);
   await undo(page);
   assert.equal(await link(page), was.former);
-  // So it is after an edit, and with a lesson that the address cannot name.
+  // The same after an edit, and with a lesson that the address cannot name.
   await begin(page, "moved");
   await set(page, { teams: 2 });
   await reload(page);
@@ -679,7 +679,7 @@ test("the editor shows the lesson at the step of the cursor, and its problems wi
   await page.done();
 });
 
-// How many steps the template has, by what is open.
+// The number of steps in the template, by the open document.
 for (const [what, settings, steps] of [
   ["area", { metric: "area" }, 5],
   ["circle", { metric: "circle" }, 5],

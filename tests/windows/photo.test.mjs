@@ -1,11 +1,11 @@
-// A photo or scan behind the drawing, to be traced.
+// A photo or scan behind the drawing, for tracing.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { fragment, idle, set, sharedBrowser, state } from "../page/browser.mjs";
 
 const browser = sharedBrowser();
 
-// Drops a picture that the browser itself makes, red, so many pixels wide and high.
+// Drops a red picture of this size, in pixels, made by the browser itself.
 const dropPicture = (page, { name = "table.png", type = "image/png", width = 400, height = 200 } = {}) =>
   page.evaluate(
     async ([name, type, width, height]) => {
@@ -207,7 +207,7 @@ test("what was traced goes with the picture when its scale is set afterwards, an
     [0.75, 0.75],
   ];
   for (const corner of corners) await page.mouse.click(...at(...corner));
-  await setWidth(page, "8"); // while one draws
+  await setWidth(page, "8"); // while drawing
   await page.mouse.click(...at(0.25, 0.75));
   await page.locator("#canvas").focus();
   await page.keyboard.press("Enter");
@@ -241,7 +241,7 @@ test("what was traced goes with the picture when its scale is set afterwards, an
     /The picture is now 800 wide\. What is traced on it goes with it\./,
   );
   const about = async () => {
-    // where the picture is, by the polygon
+    // the place of the picture relative to the polygon
     const { left, width } = await boxOf(page),
       [x] = await page.evaluate((p) => evenlift.view.to_screen(...p), (await state(page)).polygon[0]);
     return (x - left) / width;
@@ -320,7 +320,7 @@ for (const [width, height] of [
     await page.locator("#photo .away").tap();
     await idle(page);
     assert.equal(await seen(), 1, "without the card");
-    await page.touchscreen.tap(width / 2, height / 2); // a vertex, with which the bar has all that it can have
+    await page.touchscreen.tap(width / 2, height / 2); // a vertex, so that the bar shows all its controls
     await idle(page);
     assert.equal(await seen(), 1, "while it is traced");
     await page.locator("#canvas").focus();

@@ -24,7 +24,7 @@ import { allClosed, closeAll, drop, noticed, openWindow, paste } from "../page/w
 
 const browser = sharedBrowser();
 
-// Presses a button of the open window and gives the file that the browser saves.
+// Presses a button of the open window and returns the file that the browser saves.
 async function saved(page, button) {
   const coming = page.waitForEvent("download");
   await button.click();
@@ -111,7 +111,7 @@ test("every file holds what it should, under a name that says what it is", async
   assert.deepEqual([image.width, image.height], [2 * width, 2 * height]);
   assert.ok(new Set(image.data).size > 50, "it is not empty");
 
-  // What was saved opens again.
+  // A saved file opens again.
   for (const { bytes } of [text, wkt, geojson]) {
     await load(page, String(bytes));
     assert.deepEqual((await state(page)).polygon, now.polygon);
@@ -148,7 +148,7 @@ test("files are named after the one that was opened, as long as its polygon is o
   await open("bracket.svg", '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0H400V-150H150V-300H0z"/></svg>');
   assert.equal(await savedName(page), "bracket-6-robots.txt");
 
-  // Settings, edits and a lesson step do not change what it is; a reload does not, either.
+  // Settings, edits and a lesson step do not change the document's name, and neither does a reload.
   await set(page, { teams: 2 });
   await drag(page, await toScreen(page, [400, 0]), await toScreen(page, [500, 0]));
   await page.keyboard.press("b");
@@ -160,7 +160,7 @@ test("files are named after the one that was opened, as long as its polygon is o
   await reload(page);
   assert.equal(await savedName(page), "bracket-6-robots.txt");
 
-  // Another sample, or a text, is something else; undo brings the bracket back with its name.
+  // Another sample, or a text, is another document; undo restores the bracket with its name.
   await openWindow(page, "samples");
   await page.locator("#samples .sample").filter({ hasText: "Violin" }).click();
   await allClosed(page);
@@ -205,7 +205,7 @@ test("the name of an opened file is written so that any system takes it, and doe
   await page.locator("#shapes .sample").nth(3).click();
   await allClosed(page);
   assert.match(await savedName(page), /^mounting-plate-\d-robots\.txt$/, "one of several shapes");
-  // As text it is the same polygon, edited; a sample that is opened from its file keeps its name.
+  // As text it is the same polygon, edited; a sample opened from its file keeps its name.
   await drop(page, { files: [["bracket.v2.txt", bracket]] });
   await idle(page);
   await openWindow(page, "table");

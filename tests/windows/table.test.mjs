@@ -85,7 +85,7 @@ test("numbers that are none get a sentence and change nothing", async () => {
     assert.equal(await field(1, "x").getAttribute("aria-invalid"), "true");
     assert.equal(JSON.stringify(await state(page)), before);
   }
-  await page.keyboard.press("Escape"); // takes back what was typed
+  await page.keyboard.press("Escape"); // reverts the typed text
   assert.equal(await field(1, "x").inputValue(), "0");
   assert.equal(await window.locator(".problem").textContent(), "");
   await page.keyboard.press("Escape");
@@ -129,7 +129,7 @@ test("the centre of mass, and back to the centroid", async () => {
   const { centre_of_mass: centroid } = await state(page);
   const back = window.getByRole("button", { name: "Back to centroid" });
   assert.ok(await back.isDisabled());
-  // 193.333…: rounded, so that it fits, and exact where somebody goes.
+  // 193.333…: rounded to fit, and exact once the field has the focus.
   const rounded = await centre("x").inputValue();
   assert.ok(rounded.length <= 11 && Math.abs(Number(rounded) - centroid[0]) < 1e-4, rounded);
   await centre("x").focus();
@@ -162,7 +162,7 @@ test("it follows the canvas, marks what is selected there, and leaves it usable"
   await page.keyboard.press("t"); // not the canvas's
   assert.equal((await state(page)).requested_teams, 4);
   await page.locator("#canvas").focus();
-  await page.keyboard.press("Escape"); // nothing selected any more
+  await page.keyboard.press("Escape"); // nothing is selected any more
   await page.keyboard.press("Escape");
   await allClosed(page);
 });

@@ -1,4 +1,4 @@
-// The first visit: the card that says what this is, and the tour.
+// The first visit: the card that introduces the page, and the tour.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -218,7 +218,7 @@ async function takeTour(page) {
   return Number(/of (\d+)/.exec(await tour(page).textContent())[1]);
 }
 
-// The stop that is shown, with what it says.
+// The current stop, with its text.
 async function stop(page) {
   await idle(page);
   return {
@@ -343,7 +343,7 @@ test("the tour says of each placement what is free to move, and speaks of hatchi
     await page.keyboard.press("Escape");
     await idle(page);
   }
-  // It goes with the placement, also while the stop is shown.
+  // It follows the placement, even while the stop is shown.
   await takeTour(page);
   await goToStop(page, "Can it still move?");
   await load(page, asset("puzzle-piece"));

@@ -14,7 +14,7 @@
 namespace evenlift::view {
 namespace {
 
-// If all teams were asked for, one step down begins at the number that was placed.
+// If the number of teams is "max", one step down begins at the number placed.
 std::uint32_t teams_now(const AppState& s) { return settings(s).teams.value_or(placed_teams(s)); }
 
 // More teams, or more balanced robots.
@@ -65,7 +65,7 @@ void take(const AppState& s, Commands& out) {
   out.push_back(SetTool{s.view.tool == tool ? Tool::parts : tool});
 }
 
-// The first press of a key only shows where the cursor is.
+// The first key press only shows the cursor.
 void place(const AppState& s, Commands& out) {
   if (when::has_no_cursor(s))
     move_cursor(s, out, 0, 0, false);
@@ -148,7 +148,7 @@ void snap(const AppState& s, Commands& out) {
   out.push_back(SetSnap{changed});
 }
 
-// The next method to compare with; after the last one, none.
+// The next method to compare with; none after the last one.
 void next_second_method(const AppState& s, Commands& out) {
   const Method own = settings(s).method;
   const auto from =
@@ -167,7 +167,7 @@ void take_all_teams(const AppState& s, Commands& out) {
   out.push_back(SetSettings{changed});
 }
 
-// Opens the panel if it is closed, and then the field of a value (see the panels' names of their
+// Opens the panel if it is closed, then the field of a value (the names are those of the panels'
 // controls).
 constexpr char typed_ratio[] = "min ratio", typed_weight[] = "weight", typed_seed[] = "seed",
                typed_centre[] = "com", typed_capacity[] = "capacity", typed_doubt[] = "com radius",
@@ -179,7 +179,7 @@ void type_value(const AppState& s, Commands& out) {
   out.push_back(TypeValue{control});
 }
 // The fields of the next edge are in the bar of the tool, or else on the closed sheet. The page
-// begins with the key that was pressed.
+// begins with the pressed key.
 void type_edge(const AppState& s, Commands& out) {
   if (s.view.sheet != Sheet::closed) out.push_back(SetSheet{Sheet::closed});
   out.push_back(TypeValue{"edge length"});
@@ -189,7 +189,7 @@ void type_doubt(const AppState& s, Commands& out) {
   type_value<typed_doubt>(s, out);
 }
 
-// The robot whose card is open, or else the next one; after the last, none.
+// The robot with the open card, or else the next one; none after the last.
 void fail_next(const AppState& s, Commands& out) {
   const std::optional<std::size_t> asked =
       s.derived().explanation ? s.derived().explanation->robot : std::nullopt;
@@ -210,7 +210,7 @@ void dismiss(const AppState& s, Commands& out) {
   else if (s.derived().explanation || failing(s))
     close_card(out);
   else if (when::drawing(s) && !s.view.drawing.points.empty())
-    out.push_back(TakePointBack{});  // and the notice, if there is one, is about it
+    out.push_back(TakePointBack{});  // the notice, if any, concerns it
   else if (!s.session.notice.text.empty())
     out.push_back(ShowNotice{});
   else if (!s.view.walkthrough.why.empty() && when::in_walkthrough(s))
@@ -349,7 +349,7 @@ const Action& action(ActionId id) {
 
 std::string tip(const Action& action, const AppState& state) {
   std::string text = action.label;
-  if (state.view.tool != Tool::draw) {  // there it takes back a vertex, as everybody sees
+  if (state.view.tool != Tool::draw) {  // in that tool it removes a vertex, visibly
     if (action.id == ActionId::undo && state.work.history.can_undo())
       text += std::string(": ") + in_words(state.work.history.undoes());
     if (action.id == ActionId::redo && state.work.history.can_redo())

@@ -1,5 +1,5 @@
-// Everything that a key or a button can do, in one table. The toolbar, the keyboard and the list of
-// keys read it.
+// All actions of keys and buttons, in one table. The toolbar, the keyboard and the list of keys use
+// it.
 #pragma once
 
 #include <string>
@@ -25,15 +25,14 @@ enum class ActionId : std::uint8_t {
 };
 // clang-format on
 
-// Under which heading the list of keys has an action, in the order of the window
-// (web/windows/keys.js).
+// The heading of the action in the list of keys, in the order of the window (web/windows/keys.js).
 enum class Group : std::uint8_t { files, editing, teams, view, lesson, help };
 
 // A key as KeyboardEvent.key names it; `command` is Ctrl, or Cmd on a Mac.
 struct Key {
   std::string_view name;
   bool command = false;
-  bool shift = false;  // asked for where it is set, and compared together with `command`
+  bool shift = false;  // compared only if set in the table, or together with `command`
 };
 
 struct Action {
@@ -41,8 +40,8 @@ struct Action {
   Group group;
   Icon icon;
   const char* label;
-  const char* shown;  // its key in words; "" if it has none of its own
-  Key keys[12];       // any of them
+  const char* shown;  // its key in words; "" without a key of its own
+  Key keys[12];       // any of these
   bool (*enabled)(const AppState&);
   void (*run)(const AppState&, Commands&);
 };
@@ -50,10 +49,10 @@ struct Action {
 const std::vector<Action>& actions();
 const Action& action(ActionId id);
 
-// What the action would do now, with its key: "Undo: moved a vertex (Ctrl+Z)".
+// The action's present effect, with its key: "Undo: moved a vertex (Ctrl+Z)".
 std::string tip(const Action& action, const AppState& state);
 
-// The action of a key that can be done now; null if there is none, then the key is the browser's.
+// The enabled action of a key; null if there is none, in which case the browser handles the key.
 const Action* action_for(const AppState& state, const Key& key);
 
 }  // namespace evenlift::view

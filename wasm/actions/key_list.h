@@ -1,4 +1,4 @@
-// The list of keys for people, from the table of actions.
+// The readable list of keys, from the table of actions.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace evenlift::view {
 
-// The actions that have a key of their own, group after group. With `embed` only what works in an
-// <iframe>.
+// The actions with a key of their own, group after group. With `embed`, only actions that work in
+// an <iframe>.
 std::vector<const Action*> key_list(bool embed);
 
 }  // namespace evenlift::view

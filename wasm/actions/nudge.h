@@ -1,4 +1,4 @@
-// What arrow keys move on the drawing.
+// Moves parts of the drawing by arrow keys.
 #pragma once
 
 #include "state/command.h"
@@ -6,12 +6,12 @@
 
 namespace evenlift::view {
 
-// Moves the cursor of the drawing to the next dots of the grid, or by a pixel. x and y are -1, 0 or
-// 1, one of them 0.
+// Moves the drawing cursor to the next dots of the grid, or by a pixel. x and y are -1, 0 or 1, and
+// one of them is 0.
 void move_cursor(const AppState& s, Commands& out, int x, int y, bool finely);
 
-// Moves the cursor of the drawing, the whole polygon, the robot whose card is open, or the selected
-// vertex: by a dot of the grid or a tenth of one.
+// Moves the drawing cursor, the whole polygon, the robot with the open card, or the selected
+// vertex, by a grid dot or a tenth of one.
 void nudge(const AppState& s, Commands& out, int x, int y);
 
 }  // namespace evenlift::view

@@ -12,7 +12,7 @@
 namespace evenlift::view {
 namespace {
 
-constexpr double still = 3;  // pixels that a click may shake
+constexpr double still = 3;  // pixels of movement that still count as a click
 
 Vec2 neighbour(const Points& points, std::size_t i, bool next) {
   if (next) return points[i + 1 == points.size() ? 0 : i + 1];
@@ -21,21 +21,21 @@ Vec2 neighbour(const Points& points, std::size_t i, bool next) {
 
 void press_parts(const AppState& state, const Pointer& pointer, Commands& commands) {
   Pick under = pick_to_hold(state, pointer.at, pointer.second);
-  // While a question waits, its choices are pressed, and not the vertices at which they end.
+  // While a question waits, a press selects a choice, not a vertex at its end.
   if (under.kind == Pick::Kind::vertex && walkthrough_is_open(state) &&
       choice_at(state, pointer.at))
     under = {};
   if (under.kind == Pick::Kind::edge && pointer.double_pressed && !state.session.screen.embed) {
     const Vec2 at = rounded_to_pixels(state.view.camera, under.at);
     commands.push_back(InsertVertex{under.index, at});
-    under = {Pick::Kind::vertex, under.index + 1, 0, at};  // and it can be dragged at once
+    under = {Pick::Kind::vertex, under.index + 1, 0, at};  // the user can drag it at once
   }
   // A finger cannot hover, so a press also counts as hovering.
   if (pointer.touch) commands.push_back(SetHover{under});
   const bool grip = under.kind == Pick::Kind::vertex || under.kind == Pick::Kind::centre ||
                     under.kind == Pick::Kind::doubt || can_take_robot(state, under);
   if (!grip) under.kind = Pick::Kind::ground;
-  // From now on `at` is the offset from the pointer to what it holds, so that nothing jumps.
+  // From now on `at` is the offset from the pointer to the held part, so that nothing jumps.
   under.at = grip ? Vec2(state.view.camera.to_screen(under.at) - pointer.at) : pointer.at;
   commands.push_back(SetHeld{under});
   if (under.kind == Pick::Kind::vertex) commands.push_back(SelectVertex{under.index});
@@ -78,7 +78,7 @@ void drag_brush(const AppState& state, const Pointer& pointer, Commands& command
 
 void drag_ground(const AppState& state, const Pointer& pointer, Commands& commands) {
   const Pick& held = state.view.held;
-  // While a polygon is drawn, a click of a shaking hand still places a vertex.
+  // A slightly shaky click still places a vertex while a polygon is drawn.
   if (state.view.tool == Tool::draw && pointer.moved < still) return;
   if (!(length(pointer.at - held.at) > 0)) return;
   commands.push_back(SetCamera{pan(state.view.camera, pointer.at - held.at)});
@@ -87,7 +87,7 @@ void drag_ground(const AppState& state, const Pointer& pointer, Commands& comman
   commands.push_back(SetHeld{moved});
 }
 
-// Its neighbours are those of the shape when it is closed.
+// The vertex's neighbours are those in the closed shape.
 void drag_placed(const AppState& state, const Pointer& pointer, Commands& commands) {
   const std::size_t i = state.view.held.index;
   const Points& points = state.view.drawing.points;
@@ -144,7 +144,7 @@ void click_drawing(const AppState& state, const Pointer& pointer, Commands& comm
   }
 }
 
-// A click answers the question; if there is none, it asks why not the chord there.
+// A click answers the question; without a question, it asks why the chord there was not chosen.
 void click_walkthrough(const AppState& state, const Pointer& pointer, Commands& commands) {
   commands.push_back(SelectVertex{});
   if (state.view.walkthrough.ask) {
@@ -157,7 +157,7 @@ void click_walkthrough(const AppState& state, const Pointer& pointer, Commands& 
 void release(const AppState& state, const Pointer& pointer, Commands& commands) {
   const bool still_there = pointer.moved < still;
   const bool clicked = state.view.held.kind == Pick::Kind::ground && still_there;
-  // A robot that stands on a vertex is asked about, too, if the vertex was not dragged.
+  // A click on a vertex also asks about a robot there, if the vertex was not dragged.
   const bool asks = still_there && state.view.tool == Tool::parts && !walkthrough_is_open(state);
   const Pick asked = asks ? pick_explained(state, pointer.at, pointer.second) : Pick{};
   if (asked.kind != Pick::Kind::none)
@@ -173,7 +173,7 @@ void release(const AppState& state, const Pointer& pointer, Commands& commands) 
              still_there)
     commands.push_back(
         SetSettings{with_whole_edge(state, static_cast<std::uint32_t>(state.view.held.index))});
-  // A click on the ground lets go of the selection; a pan does not.
+  // A click on the ground clears the selection; a pan does not.
   else if (clicked && walkthrough_is_open(state))
     click_walkthrough(state, pointer, commands);
   else if (clicked)
@@ -183,13 +183,13 @@ void release(const AppState& state, const Pointer& pointer, Commands& commands) 
 }
 
 void pinch(const AppState& state, const Pointer& pointer, Commands& commands) {
-  // Releases what the first finger held, where it is.
+  // Releases the first finger's part where it is.
   if (state.view.held.kind != Pick::Kind::none) release(state, pointer, commands);
   commands.push_back(SetCamera{pan(state.view.camera, pointer.pinch_moved)});
   commands.push_back(ZoomView{pointer.pinch_factor, pointer.pinch_at});
 }
 
-// Over a panel the panel's rows say what is hovered over (panels.cpp).
+// Over a panel, the panel's rows determine what is hovered (panels.cpp).
 void hover_over(const AppState& state, const Pointer& pointer, const Pick& over,
                 Commands& commands) {
   const bool over_rows = pointer.over_panel && !pointer.touch;
@@ -198,7 +198,7 @@ void hover_over(const AppState& state, const Pointer& pointer, const Pick& over,
 
 void hover_drawing(const AppState& state, const Pointer& pointer, bool none, Commands& commands) {
   const Drawing& drawing = state.view.drawing;
-  // What keys or typing did stays until the pointer moves over the drawing.
+  // The result of keys or typing stays until the pointer moves over the drawing.
   if (drawing.by_keys && (none || pointer.at == drawing.pointer)) return;
   Pick over;
   std::optional<Vec2> cursor, at;
@@ -220,7 +220,7 @@ void hover(const AppState& state, const Pointer& pointer, Commands& commands) {
   const bool none = !pointer.present || pointer.over_panel;
   if (state.view.tool == Tool::draw)
     return hover_drawing(state, pointer, none || pointer.touch, commands);
-  // What a finger pressed counts as hovered until it presses something else.
+  // The part that a finger pressed counts as hovered until the finger presses another.
   if (pointer.touch && !none) return;
   if (none && pointer.touch && state.view.hover.kind == Pick::Kind::object) return;
   Pick under;

@@ -1,4 +1,4 @@
-// The pointer and fingers in one frame, and the commands that they cause.
+// The pointer and fingers in one frame, and the resulting commands.
 #pragma once
 
 #include "state/command.h"
@@ -8,12 +8,12 @@ namespace evenlift::view {
 
 struct Pointer {
   Vec2 at = Vec2::Zero();   // pixels
-  bool present = false;     // over the canvas, or holding something
-  bool touch = false;       // a finger: it hovers over nothing
+  bool present = false;     // over the canvas, or holding a part
+  bool touch = false;       // a finger, which cannot hover
   bool second = false;      // over the picture of the second method
-  bool over_panel = false;  // a panel or popup has it
+  bool over_panel = false;  // over a panel or popup
   bool pressed = false, down = false, released = false, double_pressed = false;
-  double moved = 0;  // farthest from where it was pressed, pixels
+  double moved = 0;  // greatest distance from where it was pressed, in pixels
   double wheel = 0;  // steps, > 0 to zoom in
   // Two fingers, or a trackpad's pinch.
   bool pinching = false;
@@ -21,7 +21,7 @@ struct Pointer {
   double pinch_factor = 1;
 };
 
-// Drags, pans, zooms, adds vertices, and finds what is under the pointer.
+// Drags, pans, zooms, adds vertices, and finds the part under the pointer.
 void interact(const AppState& state, const Pointer& pointer, Commands& commands);
 
 }  // namespace evenlift::view

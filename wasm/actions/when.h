@@ -1,4 +1,4 @@
-// When an action can be done.
+// When an action is possible.
 #pragma once
 
 #include "state/state.h"
@@ -8,18 +8,18 @@ namespace evenlift::view::when {
 bool always(const AppState& s);
 bool editing(const AppState& s);  // not in an <iframe>
 
-// What is in hand.
+// The present tool or selection.
 bool drawing(const AppState& s);
 bool transforming(const AppState& s);
 bool in_walkthrough(const AppState& s);
 bool on_parts(const AppState& s);
 bool on_vertex(const AppState& s);
-bool on_robot(const AppState& s);  // one that can be moved by hand, while its card is open
+bool on_robot(const AppState& s);  // a robot that the user can move, with its card open
 bool can_nudge(const AppState& s);
 
-// While a polygon is drawn, undo takes back one vertex.
-bool has_no_cursor(const AppState& s);  // nothing is drawn, and neither pointer nor keys say where
-bool keys_place(const AppState& s);     // keys moved the cursor to where a vertex can be placed
+// While a polygon is drawn, undo removes one vertex.
+bool has_no_cursor(const AppState& s);  // nothing is drawn, and the cursor has no place yet
+bool keys_place(const AppState& s);     // keys moved the cursor to a place where a vertex can go
 bool can_place(const AppState& s);
 bool can_finish(const AppState& s);
 bool can_take_back(const AppState& s);
@@ -39,6 +39,6 @@ bool is_random(const AppState& s);
 bool has_own_centre(const AppState& s);
 bool can_fail(const AppState& s);
 
-bool anything_open(const AppState& s);  // that Escape closes
+bool anything_open(const AppState& s);  // Escape would close something
 
 }  // namespace evenlift::view::when

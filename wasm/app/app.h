@@ -1,4 +1,4 @@
-// One page: its state, what it draws of it, and the commands since.
+// One page: its state, what it draws, and the pending commands.
 #pragma once
 
 #include "actions/pointer.h"
@@ -17,16 +17,16 @@ struct App {
 
 // A frame has three parts, in this order; only the first and the last change the state.
 
-// What the pointer and the time do to the state: it takes effect before anything is drawn. `now` is
-// in seconds. The cost of one placement at most.
+// Applies the effects of the pointer and of time before anything is drawn. `now` is in seconds.
+// Costs at most one placement.
 void advance(App& app, const Pointer& pointer, double now);
 
-// Draws the state, between ImGui::NewFrame() and ImGui::Render(). What a panel asks for becomes a
-// command. Without a `picture` only the panels are laid out, to deal with input that came before a
-// frame is due; that costs the same for every polygon.
+// Draws the state, between ImGui::NewFrame() and ImGui::Render(). The panels' requests become
+// commands. Without a `picture` only the panels are laid out, to process input before a frame is
+// due; that costs the same for every polygon.
 void draw_frame(App& app, bool picture = true);
 
-// Applies the commands. Returns whether there were any; then another frame is due.
+// Applies the commands. Returns whether there were any, in which case another frame is due.
 bool settle(App& app);
 
 }  // namespace evenlift::view

@@ -12,8 +12,8 @@
 namespace evenlift::view {
 namespace {
 
-// Two pictures of one method would show no difference: if the document takes over the second
-// method, the two methods are exchanged.
+// Two pictures of one method would show no difference: if the document changes to the second
+// method, the two methods are swapped.
 void part_methods(AppState& state) {
   const Method now = settings(state).method, former = state.derived().placed.settings.method;
   std::optional<Method>& second = state.work.second_method;
@@ -25,8 +25,8 @@ std::string refusal_in_words(const AppState& state) {
   return refusal ? sentence(*refusal) : std::string();
 }
 
-// That something is refused no more goes without words, and takes those of the refusal back before
-// others come.
+// The end of a refusal is not announced; it only withdraws the refusal's announcement before others
+// follow.
 void tell_of_refusal(AppState& state, const std::string& before) {
   const std::string now = refusal_in_words(state);
   if (now == before) return;
@@ -34,11 +34,11 @@ void tell_of_refusal(AppState& state, const std::string& before) {
   effects.insert(now.empty() ? effects.begin() : effects.end(), Announce{now});
 }
 
-// Says at rest that teams are not exchanged, since nobody would wait for it.
+// Reports at rest that the teams were not swapped, since the user would not wait for that.
 void tell_of_no_exchange(AppState& state) {
   const Derived& facts = state.derived();
   if (!facts.placement || facts.refusal || state.work.edit_open) return;
-  if (!state.session.notice.text.empty()) return;  // of the command itself
+  if (!state.session.notice.text.empty()) return;  // the command's own notice
   if (!waits_for_exchange(*facts.placement)) return;
   show(state,
        {Notice::Kind::info, "So many teams are not exchanged here until they hold: among " +

@@ -15,8 +15,8 @@
 namespace evenlift::view {
 namespace {
 
-// Begins a script for the document that is open, or joins its walkthrough at the present step; or
-// says why it cannot.
+// Begins a script for the open document, or joins its walkthrough at the present step; otherwise
+// returns an error.
 std::optional<InputError> join(AppState& state, Script script) {
   if (state.derived().refusal || !state.derived().placement ||
       state.work.document().vertices != script.of.vertices)
@@ -24,7 +24,7 @@ std::optional<InputError> join(AppState& state, Script script) {
   const bool begins = !walkthrough_is_open(state);
   open_walkthrough(state);
   conclude(state);
-  if (!walkthrough_is_open(state)) return std::nullopt;  // and a notice says why
+  if (!walkthrough_is_open(state)) return std::nullopt;  // a notice explains why
   begin_script(state, std::move(script));
   if (begins) go_to_step(state, step_of(state, 0));
   state.view.walkthrough.of_lesson = true;
@@ -58,7 +58,7 @@ std::optional<InputError> open_lesson(AppState& state, const std::string& text,
   }
   script.preview = start == LessonStart::preview;
   const std::optional<std::uint32_t> first = find_step(*trace, script.lesson.steps[0].address);
-  of_it->placement = trace->placement;  // with balanced robots, what their search came to
+  of_it->placement = trace->placement;  // for balanced robots, with the result of their search
   of_it->document.shown.step = first;
   of_it->trace = std::move(trace).value();
   const std::optional<Script>& former = state.view.walkthrough.script;

@@ -1,4 +1,4 @@
-// What the page shows first: a link, the work of the last visit, or a sample.
+// The first content of the page: a link, the work of the last visit, or a sample.
 #pragma once
 
 #include <string>
@@ -8,17 +8,16 @@
 
 namespace evenlift::view {
 
-// What the address and the browser's storage hold; each may be empty, and any may be damaged.
+// The contents of the address and the browser's storage. Each may be empty or damaged.
 struct LastVisit {
   std::string_view link;   // the address's fragment
-  std::string_view work;   // the document that was placed last, as a link or a text
-  std::string_view draft;  // a link of what was being edited when it was refused
+  std::string_view work;   // the last placed document, as a link or a text
+  std::string_view draft;  // a link of a document that was refused while being edited
 };
 
-// Opens the link. Without a link that can be read, opens the work, with its draft as a further step
-// of undo; without work that can be read, the sample. Undo leads from a link back to the work,
-// which is not placed before that. Returns why the link could not be read, or nothing. Costs one
-// placement.
+// Opens the link. Without a readable link, opens the work, with its draft as a further step of
+// undo; without readable work, the sample. Undo leads from a link back to the work, which is placed
+// only then. Returns why the link could not be read, or an empty text. Costs one placement.
 std::string open_page(AppState& state, const LastVisit& visit, std::string_view sample);
 
 }  // namespace evenlift::view

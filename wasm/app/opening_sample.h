@@ -1,5 +1,5 @@
-// The sample that the page opens on, in the program itself so that it is there at once; the others
-// come as a file beside it. Made from assets/polygons by the build.
+// The first sample, embedded in the program so that it is available at once; the others come in a
+// separate file. The build makes it from assets/polygons.
 #pragma once
 
 #include <string_view>

@@ -8,7 +8,7 @@
 namespace evenlift::view {
 namespace {
 
-// Takes over what was read, if it was a value.
+// Takes over the value that was read, if valid.
 template <class Value, class Read>
 std::optional<InputError> take(Setting setting, const Read& read, Value& value) {
   if (!read) return setting_error(setting);

@@ -1,4 +1,4 @@
-// Settings as text: what window.evenlift.set() passes, and what the browser keeps.
+// Settings as text, as window.evenlift.set() passes them and the browser keeps them.
 #pragma once
 
 #include <optional>
@@ -11,22 +11,22 @@
 
 namespace evenlift::view {
 
-// What set() can change.
+// The values that set() can change.
 struct Changeable {
   Document document;
-  LoadModel load_model = LoadModel::plan;  // whose loads are shown
+  LoadModel load_model = LoadModel::plan;  // the model of the shown loads
   std::optional<std::uint64_t> failed =
-      {};  // the robot that fails, from 1, or 0 for none; nothing if
-           // that stays
+      {};  // the robot that fails, from 1, or 0 for none; unchanged without a value
 };
 
-// Makes the changes of `lines`, each a line `name=value` as settings.h reads it. The first line
-// that cannot be read is the error. What only place() can judge is not checked here. O(bytes).
+// Applies the changes in `lines`, each a line `name=value` in the syntax of settings.h. Returns an
+// error for the first line that cannot be read. Checks that need place() are not made here.
+// O(bytes).
 Result<Changeable> with_settings(Changeable given, std::string_view lines);
 
-// The preferences that the browser keeps besides the document, as `name=value` lines; and back.
-// What cannot be read keeps its default, as another version of the page may have written it.
-// O(bytes).
+// The preferences that the browser keeps apart from the document, as `name=value` lines; and back.
+// A line that cannot be read keeps its default, since another version of the page may have written
+// it. O(bytes).
 struct Kept {
   bool motion = true;
 };

@@ -31,7 +31,7 @@
 namespace evenlift::view {
 namespace {
 
-// Opens the steps of the object itself, if none are open.
+// Opens the object's own steps, if none are open.
 void open_own_steps(AppState& state, std::optional<std::uint32_t> at = std::nullopt) {
   if (!walkthrough_is_open(state)) state.view.walkthrough.of_lesson = false;
   open_walkthrough(state, at);
@@ -96,7 +96,7 @@ struct Applier {
   void operator()(const Undo&) const { undo(state); }
   void operator()(const Redo&) const { redo(state); }
 
-  // Other units are told, since no number changes with them.
+  // A notice reports new units, since they change no number.
   void operator()(const SetShown& c) const {
     const Units before = shown(state).units, &now = c.shown.units;
     change_shown(state, shown(state), c.shown, c.live);
@@ -141,7 +141,7 @@ struct Applier {
   void operator()(const HoverFigure& c) const { state.view.walkthrough.hovered = c.figure; }
   void operator()(const Explain& c) const {
     state.view.card.ask(c.of);
-    // What a finger pressed may have been a vertex beside it.
+    // A finger may have pressed a vertex beside it.
     if (c.of && state.session.screen.touch) state.view.hover = {};
   }
   void operator()(const ShowInLesson& c) const {
@@ -157,7 +157,7 @@ struct Applier {
     if (c.on && !walkthrough_is_open(state)) put_teams_back(state);
     if (c.on) {
       open_own_steps(state);
-      conclude(state);  // which finds out whether there are steps
+      conclude(state);  // finds out whether there are steps
     }
     set_presenting(state, c.on && walkthrough_is_open(state));
   }
@@ -165,7 +165,7 @@ struct Applier {
   void operator()(const TypeEdge& c) const { type_edge(state, c); }
   void operator()(const WithdrawEdge&) const { withdraw_edge(state); }
   void operator()(const SetSnap& c) const {
-    // Where no bar shows it, a notice does.
+    // If no bar shows the change, a notice does.
     if (state.view.tool == Tool::parts && !state.view.selected && !(c.snap == state.view.snap)) {
       const bool grid = c.snap.grid != state.view.snap.grid, on = grid ? c.snap.grid : c.snap.axis;
       std::string words =
@@ -183,7 +183,7 @@ struct Applier {
     begin_edit(state, false, Edit::comparison);
     state.work.second_method = second;
     state.view.hover = state.view.held = {};
-    emit(state, DocumentChanged{});  // there is one more step of undo to be kept
+    emit(state, DocumentChanged{});  // there is another step of undo to keep
   }
   void operator()(const Fail& c) const {
     const Derived& facts = state.derived();
@@ -289,8 +289,8 @@ struct Applier {
   void operator()(const AddStep& c) const {
     state.work.history.add(c.redo, c.step);
     if (c.redo || !is_other_object(c.step.edit)) return;
-    // The last step that opened something says whether a lesson did, and from where on undo leaves
-    // it.
+    // The last step that opened something determines whether a lesson is open, and how far undo
+    // must go to leave it.
     Walkthrough& walk = state.view.walkthrough;
     walk.of_lesson = walk.trace && (walk.script || c.step.edit == Edit::lesson_opened);
     if (walk.script) walk.script->depth = state.work.history.depth();

@@ -43,7 +43,7 @@ bool named(const CanvasView& view, std::optional<std::uint32_t> team) {
          hover.second == view.second && team == hover.index;
 }
 
-// The lifting base; after a change the old one fades out while the new one fades in.
+// The lifting base. After a change, the old one fades out while the new one fades in.
 void draw_hull(const Painter& painter, const CanvasView& view, const Shape& shape) {
   const Theme& theme = view.theme;
   const float come = view.scene.progress;
@@ -51,18 +51,19 @@ void draw_hull(const Painter& painter, const CanvasView& view, const Shape& shap
     painter.fill_convex(view.scene.hull_before, theme.hull.at(1 - come));
     painter.outline(view.scene.hull_before, theme.hull_outline.at(1 - come), 2);
   }
-  // Where the robots that are left cannot carry the object, it falls without any push.
+  // If the remaining robots cannot carry the object, it falls even without a press.
   const bool holds = view.placement->loads.has_value();
   const Colour fill = holds ? theme.hull : theme.amber_on_object.at(0.16f),
                outline = holds ? theme.hull_outline : theme.amber_on_object;
-  // Under the heat map the base is only outlined: its own green would mix with the map's colours.
+  // Under the heat map the lifting base is only outlined: its own green would mix with the map's
+  // colours.
   if (!view.scene.shows_heat()) painter.fill_convex(shape.points, fill.at(come));
   painter.outline(shape.points, outline.at(come), 2);
 }
 
 void draw_object(const Painter& painter, const CanvasView& view, const Shape& shape) {
   const RowFill rows = view.scene.triangles.empty() ? painter.rows(shape.points) : RowFill{};
-  // A picture that was traced is seen through the object.
+  // A traced picture is visible through the object.
   const Colour object = view.theme.object.at(view.state.work.backdrop ? 0.6f : 1);
   painter.fill(shape.points, view.scene.triangles, object);
   painter.fill(rows, object);
@@ -71,10 +72,10 @@ void draw_object(const Painter& painter, const CanvasView& view, const Shape& sh
 
 void draw_chord(const Painter& painter, const CanvasView& view, const Shape& shape) {
   const Theme& theme = view.theme;
-  // More chords are thin and faint: else the object could not be seen.
+  // More chords than this are thin and faint, since they would hide the object.
   constexpr std::size_t many = 60;
   const std::size_t teams = view.placement->teams.size();
-  // What joins a balanced robot with C is no chord.
+  // A line between a balanced robot and C is not a chord.
   const bool balanced = view.placement->settings.method == Method::balanced,
              thin = balanced || teams > many;
   const float width = thin ? 1.0f : 2.0f;
@@ -111,11 +112,11 @@ void draw_shape(const Painter& painter, const CanvasView& view, const Shape& sha
       break;
     case Role::robot:
     case Role::centre_of_mass:
-      break;  // marks: they come on top, and do not grow with the view
+      break;  // marks: they are drawn on top, and do not grow with the zoom
   }
 }
 
-// The candidate or team that is pointed at while teams may stand anywhere in their ranges.
+// The hovered candidate or team while teams may stand anywhere in their ranges.
 std::optional<Chord> pointed_chord(const CanvasView& view) {
   const Pick named = view.state.view.held.kind == Pick::Kind::robot ? view.state.view.held
                                                                     : marked_part(view.state);
@@ -124,7 +125,7 @@ std::optional<Chord> pointed_chord(const CanvasView& view) {
   return chord_of_part(placement, named);
 }
 
-// Where its robots may stand: a soft double wedge from C to both edges.
+// Its robots' ranges: a soft double wedge from C to both edges.
 void draw_range(const Painter& painter, const CanvasView& view) {
   const std::optional<Chord> chord = pointed_chord(view);
   if (!chord) return;
@@ -146,7 +147,7 @@ void draw_range(const Painter& painter, const CanvasView& view) {
   }
 }
 
-// Among many candidates the marked one is a whole line, as a marked chord is.
+// Among many candidates the marked one is a solid line, like a marked chord.
 void draw_marked_candidate(const Painter& painter, const CanvasView& view) {
   const Pick marked = marked_part(view.state);
   if (marked.kind != Pick::Kind::candidate || marked.second != view.second) return;
@@ -164,7 +165,7 @@ void draw_picture(const Painter& painter, const CanvasView& view) {
   draw_marked_candidate(painter, view);
 }
 
-// The outline of a document that is refused, and the place of its fault.
+// The outline of a refused document, and the place of its fault.
 void draw_refused(const Painter& painter, const AppState& state, const Theme& theme) {
   const Points& vertices = state.work.document().vertices;
   painter.outline(vertices, theme.amber, 2);

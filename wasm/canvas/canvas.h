@@ -1,4 +1,4 @@
-// The drawing: ground, picture, numbers, grips.
+// The drawing: background, picture, numbers, grips.
 #pragma once
 
 #include "picture/scene.h"
@@ -7,8 +7,8 @@
 
 namespace evenlift::view {
 
-// Draws into Dear ImGui's background, under every panel.
-// `second` is the scene of the method that is compared.
+// Draws into Dear ImGui's background, under every panel. `second` is the scene of the compared
+// method.
 void draw_canvas(const AppState& state, const Scene& scene, const Scene& second,
                  const Layout& layout);
 

@@ -19,7 +19,7 @@
 namespace evenlift::view {
 namespace {
 
-constexpr std::size_t most_valued = 12;  // more numbers than that would hide the drawing
+constexpr std::size_t most_valued = 12;  // more numbers would hide the drawing
 
 void draw_chord(const Painter& painter, const Chord& chord, Colour colour, float width) {
   painter.line(chord.r1.position, chord.r2.position, colour, width);
@@ -29,7 +29,7 @@ bool knows_candidate(const Walkthrough& walk, std::size_t c) {
   return walk.known.merged || walk.trace->first_source_of_candidate[c] < walk.known.sources;
 }
 
-// The chords of the rays so far, until they have become candidates.
+// The chords of the rays so far, until they become candidates.
 void draw_rays(const Painter& painter, const CanvasView& view) {
   const Walkthrough& walk = view.state.view.walkthrough;
   if (walk.known.merged || walk.known.rays == 0) return;
@@ -53,8 +53,8 @@ void draw_candidates(const Painter& painter, const CanvasView& view) {
   }
 }
 
-// Writes a text on a chord, at the first place along it where it covers none of the texts written
-// `before`, if there is one.
+// Writes a text on a chord, at the first place along it that is clear of the texts `before`, if
+// there is one.
 void draw_value(const Painter& painter, const CanvasView& view, const Figure& figure,
                 const std::string& text, std::vector<Rect>& before) {
   constexpr SharesOfLine off_middle = {0.75, 0.25, 0.87, 0.13, 0.63, 0.37};
@@ -70,7 +70,7 @@ void draw_value(const Painter& painter, const CanvasView& view, const Figure& fi
             text);
 }
 
-// What is written beside a chord: its load ratio, or which of several even chords it is.
+// The text beside a chord: its load ratio, or its number among several even chords.
 std::string value_of(const Figure& figure, bool balanced) {
   if (figure.points.size() != 2) return {};
   if (figure.kind == FigureKind::even_chord) return std::to_string(figure.item.value_or(0) + 1);
@@ -83,7 +83,7 @@ void draw_values(const Painter& painter, const CanvasView& view, Occupied& occup
   const Walkthrough& walk = view.state.view.walkthrough;
   if (walk.ask && walk.trace->balanced()) return;  // the choices have numbers of their own
   std::vector<std::pair<const Figure*, std::string>> valued;
-  const auto has_value = [&](const Figure& figure) {  // the end that is chosen is drawn twice
+  const auto has_value = [&](const Figure& figure) {  // the chosen end is drawn twice
     return std::any_of(valued.begin(), valued.end(), [&](const auto& before) {
       const Points& p = before.first->points;
       return p == figure.points || p == Points{figure.points[1], figure.points[0]};
@@ -94,14 +94,14 @@ void draw_values(const Painter& painter, const CanvasView& view, Occupied& occup
         !text.empty() && !has_value(figure))
       valued.emplace_back(&figure, std::move(text));
   if (valued.size() > most_valued) return;
-  constexpr double mark = 13;  // pixels from C to the rim of its mark, and a little more
+  constexpr double mark = 13;  // pixels from C to slightly beyond the rim of its mark
   const Vec2 c = view.camera.to_screen(view.placement->centre_of_mass);
   std::vector<Rect> before = {{c.x() - mark, c.y() - mark, c.x() + mark, c.y() + mark}};
   for (const auto& [figure, text] : valued) draw_value(painter, view, *figure, text, before);
   for (const Rect& taken : before) occupied.box(taken);
 }
 
-// What is drawn of the step itself, which the names of its parts should not cover.
+// The step's own drawings, which the names of its parts should not cover.
 void add_lines_of_step(const CanvasView& view, Occupied& occupied) {
   for (const Figure& figure : view.state.view.walkthrough.figures)
     if (figure.points.size() == 2)
@@ -109,7 +109,7 @@ void add_lines_of_step(const CanvasView& view, Occupied& occupied) {
                     view.camera.to_screen(figure.points[1]));
 }
 
-// What a question about even chords is about: the place where one robot comes, and M.
+// The subject of a question about even chords: the place that one robot would take, and M.
 void draw_asked_completion(const Painter& painter, const CanvasView& view, const Ask& ask) {
   if (ask.question.kind != QuestionKind::even_chord) return;
   const BalancedDetail& balanced = *ask.detail.balanced;
@@ -117,7 +117,7 @@ void draw_asked_completion(const Painter& painter, const CanvasView& view, const
   draw_middle(painter, view, balanced.middle);
 }
 
-// Where robots would come if one came to the place that was asked about.
+// The places that the robots would take if one stood at the place in question.
 void draw_asked_places(const Painter& painter, const CanvasView& view) {
   for (const Vec2& place : view.state.view.walkthrough.asked_places)
     draw_ring(painter, place, view.theme.amber_on_object);
@@ -140,7 +140,7 @@ void draw_names_of_choices(const Painter& painter, const CanvasView& view, const
     const ImVec2 text = text_size(Face::strong_label, name_of_choice(ask, choice));
     requests.push_back({at, away / std::max(away.norm(), 1e-9), Vec2(text.x + 10, text.y + 4)});
   }
-  if (ask.question.kind == QuestionKind::even_chord)  // it is about M, which has a name beside it
+  if (ask.question.kind == QuestionKind::even_chord)  // it concerns M, which has a name beside it
     occupied.disc(view.camera.to_screen(ask.detail.balanced->middle), 24);
   const auto places = place_labels(requests, occupied, reach + 3, 1000);
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -153,7 +153,7 @@ void draw_names_of_choices(const Painter& painter, const CanvasView& view, const
   }
 }
 
-// What one has guessed, if it was wrong.
+// The user's wrong guess.
 void draw_wrong_guess(const Painter& painter, const CanvasView& view) {
   const std::optional<Answered>& answered = view.state.view.walkthrough.answered;
   if (!answered || answered->guess == answered->ask.question.answer) return;
@@ -163,12 +163,12 @@ void draw_wrong_guess(const Painter& painter, const CanvasView& view) {
              view.theme.amber_on_object, 3);
 }
 
-// After a guess the numbers stay, so that one finds the answer and what one has guessed.
+// After a guess the numbers stay, so that the user finds the answer and the guess.
 void draw_answered(const Painter& painter, const CanvasView& view, double reach,
                    Occupied& occupied) {
   const std::optional<Answered>& answered = view.state.view.walkthrough.answered;
   if (!answered) return;
-  // Where the step itself draws no even chords, the numbers would name nothing.
+  // If the step itself draws no even chords, the numbers would refer to nothing.
   if (answered->ask.question.kind == QuestionKind::even_chord)
     for (const std::uint32_t choice : answered->ask.choices)
       draw_chord(painter,
@@ -178,7 +178,8 @@ void draw_answered(const Painter& painter, const CanvasView& view, double reach,
   draw_names_of_choices(painter, view, answered->ask, reach, occupied);
 }
 
-// Where the words speak of candidates by their numbers, the best of them have these in the drawing.
+// Where the words refer to candidates by number, the best of them have these numbers in the
+// drawing.
 void draw_ranked(const Painter& painter, const CanvasView& view, double reach, Occupied& occupied) {
   const Walkthrough& walk = view.state.view.walkthrough;
   const std::optional<TeamScores>& scores = walk.detail.scores;
@@ -190,7 +191,7 @@ void draw_ranked(const Painter& painter, const CanvasView& view, double reach, O
   draw_names_of_choices(painter, view, ranked, reach, occupied);
 }
 
-// The choices of a question; the one that the buttons point at is stronger.
+// The choices of a question; the one selected by the buttons is stronger.
 void draw_choices(const Painter& painter, const CanvasView& view, double reach,
                   Occupied& occupied) {
   const std::optional<Ask>& ask = view.state.view.walkthrough.ask;
@@ -211,13 +212,13 @@ void draw_choices(const Painter& painter, const CanvasView& view, double reach,
 
 namespace {
 
-// The pushes that tip are known where the last lifting base is.
+// The forces that tip are known once the last lifting base is.
 bool shows_heat(const CanvasView& view) {
   const StepKind kind = view.state.view.walkthrough.detail.step.kind;
   return view.scene.shows_heat() && (kind == StepKind::coverage || kind == StepKind::result);
 }
 
-// What the step is about, over what is known so far.
+// The step's figures, over everything known so far.
 void draw_step(const Painter& painter, const CanvasView& view) {
   const Walkthrough& walk = view.state.view.walkthrough;
   const std::vector<Team>& teams = teams_at(*walk.trace, walk.known);
@@ -258,7 +259,8 @@ void draw_walkthrough(const Painter& painter, const CanvasView& view) {
   if (walk.asked) draw_chord(painter, *walk.asked, view.theme.amber_on_object, 4);
   draw_wrong_guess(painter, view);
   draw_asked_places(painter, view);
-  // As far out as if a robot stood at each end: what is nearer to some would tell the answer.
+  // As far out as if a robot stood at each end: numbers nearer to some ends would give the answer
+  // away.
   const double reach = static_cast<double>(mark_radius(view.placement->teams));
   Occupied occupied = occupied_by_marks(view, reach);
   draw_values(painter, view, occupied);

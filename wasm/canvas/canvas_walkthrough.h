@@ -1,4 +1,5 @@
-// The picture of a step of the walkthrough: what is known after it, and on top the step's figures.
+// The picture of a step of the walkthrough: everything known after it and, on top, the step's
+// figures.
 #pragma once
 
 #include "picture/canvas_view.h"

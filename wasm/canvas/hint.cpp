@@ -21,7 +21,7 @@ std::string hint_of_walkthrough(const AppState& state) {
   return "Click a chord, or anywhere in the object: why not this one?";
 }
 
-// A drag moves the vertex even where a robot stands on it, until the card of the robot is open.
+// A drag moves the vertex even if a robot stands on it, unless the robot's card is open.
 std::string hint_of_vertex(const AppState& state, std::size_t i) {
   const Points& vertices = state.work.document().vertices;
   if (i >= vertices.size()) return {};
@@ -61,7 +61,7 @@ std::string hint_of_doubt(const AppState& state) {
          " · drag away from it for a doubt";
 }
 
-// While one of them fails.
+// The hint while a robot fails.
 std::string hint_of_failing(const Failure& failure, const Pick& at, const Units& units) {
   const std::size_t team = failure.placement.teams.front().robots.size(),
                     robot = at.index * team + static_cast<std::size_t>(at.end);
@@ -157,7 +157,8 @@ std::string hint(const AppState& state) {
 }
 
 std::string shown_hint(const AppState& state, const Layout& layout) {
-  // A phone has neither the room nor the wheel that it speaks of; a notice stands in its place.
+  // A phone has neither the room for the hint nor the wheel that it mentions; a notice appears in
+  // its place.
   if (!state.session.notice.text.empty() || state.session.screen.foot > 0 ||
       state.session.screen.window_left > 0 || state.session.screen.window_right > 0 ||
       state.session.screen.window_foot > 0 || !layout.wide || state.session.screen.finger ||
@@ -178,7 +179,7 @@ void draw_hint(ImDrawList& list, const AppState& state, const Layout& layout, co
   if (text.empty()) return;
   const ImVec2 size = text_size(Face::label, text);
   const double width = static_cast<double>(size.x);
-  // Beside the tools of the view, not under them.
+  // Beside the view tools, not under them.
   const double left = std::max(layout.free.middle().x() - width / 2, layout.tools.right + 22);
   const double top = state.session.screen.height - layout.margin - 24;
   list.AddRectFilled(vec(left - 10, top - 5),

@@ -1,4 +1,4 @@
-// The line at the foot of the canvas: what is under the pointer, and what can be done with it.
+// The line at the foot of the canvas: the part under the pointer, and its possible uses.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace evenlift::view {
 
-// Empty if there is nothing to say.
+// Empty without a hint.
 std::string hint(const AppState& state);
 
-// As much of it as there is room for beside the tools of the view: its last parts go first.
+// The hint as far as there is room beside the view tools; its last parts are dropped first.
 std::string shown_hint(const AppState& state, const Layout& layout);
 
 void draw_hint(ImDrawList& list, const AppState& state, const Layout& layout, const Theme& theme);

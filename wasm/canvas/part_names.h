@@ -1,4 +1,4 @@
-// The names of what a step of the walkthrough speaks of.
+// The names of the parts in a step of the walkthrough.
 #pragma once
 
 #include "picture/canvas_view.h"
@@ -7,8 +7,8 @@
 
 namespace evenlift::view {
 
-// Writes "edge 4" or "vertex 1" beside each part that the step is about, outside of the polygon,
-// and "C" beside the centre of mass, all clear of what is occupied. O(vertices) for each of them.
+// Writes "edge 4" or "vertex 1" beside each part of the step, outside the polygon, and "C" beside
+// the centre of mass, all clear of occupied places. O(vertices) for each of them.
 void draw_part_names(const Painter& painter, const CanvasView& view, Occupied& occupied);
 
 }  // namespace evenlift::view

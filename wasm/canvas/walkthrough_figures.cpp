@@ -19,7 +19,7 @@ void draw_area(const Painter& painter, const Points& points, Colour fill, Colour
   if (width > 0) painter.outline(points, line, width);
 }
 
-// With what a figure is drawn.
+// Everything for drawing a figure.
 struct Brush {
   const Painter& painter;
   const CanvasView& view;
@@ -42,8 +42,7 @@ void draw_outline(const Brush& brush, const Figure& figure) {
   brush.painter.outline(figure.points, brush.colour, brush.width);
 }
 
-// An area in the same colour as its outline, if it has one, but as light as it takes to see what is
-// below.
+// An area in the same colour as its outline, if any, but light enough to show what is below.
 template <int percent>
 void draw_light_area(const Brush& brush, const Figure& figure) {
   draw_area(brush.painter, figure.points, brush.colour.at(percent / 100.0f), brush.colour,
@@ -103,7 +102,7 @@ void draw_free_turns(const Brush& brush, const Figure& figure) {
                        brush.colour, clockwise);
 }
 
-// An arrow that ends so many pixels before what is drawn over its end.
+// An arrow that ends this number of pixels before its end, to spare what is drawn there.
 void draw_way(const Brush& brush, const Points& p, double before_end) {
   const Vec2 tail = brush.view.camera.to_screen(p[0]),
              way = brush.view.camera.to_screen(p[1]) - tail;
@@ -124,7 +123,7 @@ void draw_slide(const Brush& brush, const Figure& figure) {
     brush.painter.arrow(tail, tail + way / length(way) * arrow_length, brush.colour, brush.width);
 }
 
-// From C to a robot: an arrow where the arms are what the step is about, otherwise a thin line.
+// From C to a robot: an arrow if the step is about the arms, otherwise a thin line.
 void draw_arm(const Brush& brush, const Figure& figure) {
   const Points& p = figure.points;
   if (brush.view.state.view.walkthrough.detail.step.kind == StepKind::many)
@@ -133,7 +132,7 @@ void draw_arm(const Brush& brush, const Figure& figure) {
     brush.painter.line(p[0], p[1], brush.colour, 1);
 }
 
-// The arms laid end to end, each with its head.
+// The arms laid end to end, each with an arrowhead.
 void draw_sum(const Brush& brush, const Figure& figure) {
   const Points& p = figure.points;
   for (std::size_t i = 0; i < p.size(); ++i)
@@ -146,7 +145,7 @@ void draw_middle(const Brush& brush, const Figure& figure) {
   draw_middle(brush.painter, brush.view, figure.points[0]);
 }
 
-// A robot that fits, or that does not.
+// For a robot that fits, or that does not.
 Brush for_robot(const Brush& brush, const Figure& figure) {
   Brush own = brush;
   if (figure.item) own.colour = brush.theme().amber;
@@ -165,7 +164,7 @@ void draw_body(const Brush& brush, const Figure& figure) {
   brush.painter.list().AddCircle(middle, radius, colour.packed(), 64, brush.width);
 }
 
-// It is drawn with all that is known.
+// The figure is drawn with the rest of the picture.
 void draw_elsewhere(const Brush&, const Figure&) {}
 
 struct Look {

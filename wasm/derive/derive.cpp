@@ -31,7 +31,7 @@ class Derivation {
             state.view.card.number};
   }
 
-  // Each stage looks at what those before it changed.
+  // Each stage considers the changes of the preceding stages.
   void run() {
     const bool untraced = facts_.trace == nullptr;
     place();
@@ -50,7 +50,7 @@ class Derivation {
 
  private:
   bool at_rest() const { return now_.haste == Haste::at_rest; }
-  // A drag has ended, after which what it left out is done.
+  // A drag has ended, so postponed work is due.
   bool comes_to_rest() const { return at_rest() && before_.haste == Haste::drag; }
 
   void place();
@@ -71,10 +71,10 @@ class Derivation {
   Basis before_, now_;
   Effects& effects_;
   bool placed_ = false;  // the document was placed, or refused
-  bool robots_ = false;  // other robots may stand in the first picture
-  bool second_ = false;  // or in the second one
-  bool told_ = false;    // their loads were told anew
-  bool fails_ = false;   // another robot fails, or none
+  bool robots_ = false;  // the robots of the first picture may have changed
+  bool second_ = false;  // and those of the second picture
+  bool told_ = false;    // the loads were computed again
+  bool fails_ = false;   // another robot fails, or no robot does any more
 };
 
 void Derivation::place() {
@@ -105,8 +105,8 @@ void Derivation::take_found() {
   (first ? robots_ : second_) |= taken == Taken::other_robots;
 }
 
-// Traces the placement while a step is shown; during a drag of a search for balanced robots only
-// the start.
+// Traces the placement while a step is shown; during a drag, only the start of a search for
+// balanced robots.
 void Derivation::trace() {
   facts_.untraced.clear();
   if (!now_.shown.step) return facts_.trace.reset();
@@ -124,7 +124,8 @@ void Derivation::trace() {
   }
   ++facts_.traces;
   facts_.trace = std::make_shared<const Trace>(std::move(trace).value());
-  // Balanced robots: the trace has searched to the end, so nobody need go on with it.
+  // For balanced robots, the trace has completed the search, so no other search needs to continue
+  // it.
   const Placement& found = facts_.trace->placement;
   if (!facts_.trace->balanced() || !found.search_ended || facts_.placement->search_ended) return;
   end_search(facts_, effects_);
@@ -154,7 +155,7 @@ void Derivation::place_second() {
   second_ = true;
 }
 
-// Nobody reads during a drag how many teams a capacity needs, or what the best ratio is.
+// During a drag, the number of teams for a capacity and the best ratio can wait.
 void Derivation::plan() {
   facts_.plan_due |= now_.shown.capacity != before_.shown.capacity;
   if (facts_.refusal || !facts_.placement) return;
@@ -199,7 +200,8 @@ void Derivation::let_fail() {
   effects_.push_back(SummaryChanged{});
 }
 
-// The card stays with a robot that is moved by hand, and otherwise goes with other robots.
+// The card stays with a robot that is moved by hand, and otherwise disappears when the robots
+// change.
 void Derivation::explain() {
   const std::optional<Pick>& of = state_.view.card.of;
   if (now_.card != before_.card) {

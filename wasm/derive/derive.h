@@ -1,4 +1,4 @@
-// What follows from the document and from what somebody looks at. Nothing else writes
+// Derives everything that follows from the document and the view. No other code writes
 // AppState::derived().
 #pragma once
 
@@ -6,11 +6,11 @@
 
 namespace evenlift::view {
 
-// Brings the facts up to date, once after each batch of commands: what differs from the basis of
-// the last time (state/derived.h) is computed anew, and what follows from that. During a drag what
-// would hold it up waits for its end. Takes what the commands brought along (AppState::given), and
-// asks the browser to search or to announce; it changes nothing else. One placement at most for the
-// document, and one for the second method; O(overlays) if nothing is out of date.
+// Brings the facts up to date, once after each batch of commands: derives again only what differs
+// from the last basis (state/derived.h), and what follows from it. During a drag, slow work waits
+// for the end of the drag. Uses the values that the commands passed on (AppState::given), and asks
+// the browser to search or to announce; changes nothing else. Costs at most one placement for the
+// document and one for the second method; O(overlays) if nothing is out of date.
 void derive(AppState& state);
 
 }  // namespace evenlift::view

@@ -38,7 +38,7 @@ Outlook outlook_of(const Placement& placement, const Failure& failure, double co
   return outlook;
 }
 
-// Whether it takes a millisecond or two at most, so that it can be done in each picture of a drag.
+// Whether it takes a millisecond or two at most, so that each frame of a drag can do it.
 bool is_quick(const Placement& placement) {
   return count_robots(placement.teams) <= 16 && placement.vertices().size() <= 2000;
 }

@@ -11,7 +11,7 @@
 namespace evenlift::view {
 namespace {
 
-// The candidates if any load ratio were good enough.
+// The candidates if any load ratio met the minimum.
 Result<std::vector<Candidate>> all_candidates(const Placement& placement) {
   const Polygon& polygon = placement.polygon;
   if (!placement.stands) return find_candidates(polygon, placement.centre_of_mass, 0);
@@ -20,7 +20,7 @@ Result<std::vector<Candidate>> all_candidates(const Placement& placement) {
   return std::move(found->candidates);
 }
 
-// The document by the second method, with as many robots.
+// The document by the second method, with the same number of robots.
 Document by_second_method(const Derived& facts, Method second) {
   Document document = facts.placed;
   document.moved = {};
@@ -42,7 +42,7 @@ std::optional<double> best_ratio_if_none(const Placement& placement) {
   if (!any || any->empty()) return std::nullopt;
   double best = 0;
   for (const Candidate& c : *any) best = std::max(best, c.chord.ratio);
-  // Two decimals, as the slider has, and none of them too many.
+  // Rounded down to two decimals, like the slider's values.
   return std::floor(best * 100) / 100;
 }
 

@@ -1,6 +1,6 @@
-// Robots as text, from the page to the search for balanced robots and back, bit for bit: for each
-// an edge and two coordinates, with spaces between all of them. And how many it takes if any one
-// may fail: their number and what one bears at most, or only how many were tried.
+// Robots as text, bit for bit, between the page and the search for balanced robots: an edge and two
+// coordinates for each robot, all separated by spaces. Also the text of a plan for failures: the
+// number of robots and the greatest load of one of them, or only the number of robots tried.
 #pragma once
 
 #include <optional>
@@ -16,14 +16,14 @@ namespace evenlift::view {
 
 std::string robots_text(const std::vector<LiftingPoint>& robots);
 
-// The robots; nothing if there are not `number` of them, if one is on no edge of the polygon, or if
-// the text is another. O(bytes).
+// The robots; nothing if there are not exactly `number` of them, if one is not on an edge of the
+// polygon, or if the text has another form. O(bytes).
 std::optional<std::vector<LiftingPoint>> read_robots(std::string_view text, std::size_t number,
                                                      const Polygon& polygon);
 
 std::string plan_text(const FailurePlan& plan);
 
-// Nothing if the text is another. O(bytes).
+// Nothing if the text has another form. O(bytes).
 std::optional<FailurePlan> read_plan(std::string_view text);
 
 }  // namespace evenlift::view

@@ -10,28 +10,28 @@
 namespace evenlift::view {
 namespace {
 
-// Ends a search that found no robots at all. Returns false if there were some before.
+// Ends a search that found no robots at all. Returns false if there were robots before.
 bool find_none(Placement& placement) {
   if (!placement.teams.empty()) return false;
   placement.search_ended = true;
   return true;
 }
 
-// The balanced placement on the screen: the first, the second, or none.
+// The balanced placement on the screen: the first, the second, or null.
 std::optional<Placement>* balanced(Derived& facts) {
   for (std::optional<Placement>* placement : {&facts.placement, &facts.second})
     if (*placement && (*placement)->settings.method == Method::balanced) return placement;
   return nullptr;
 }
 
-// As read_setting() takes it; nothing of a setting that has no text.
+// In the form that read_setting() reads; empty for a setting without a text.
 std::string line(Setting setting, const Document& document) {
   const std::string text = text_of(setting, document);
   return text.empty() ? text : std::string(name(setting)) + '=' + text + '\n';
 }
 
-// What robots and their loads depend on, for the object that is placed; the goal is the one in
-// force.
+// The settings on which robots and their loads depend, for the placed object; the goal is the
+// effective one.
 std::string settings_text(const Derived& facts, Settings settings) {
   settings.goal = goal_of(settings);
   const Document document{{}, facts.placed.centre_of_mass, std::move(settings)};

@@ -1,30 +1,30 @@
-// The search for balanced robots: the picture shows its start at once, and what it finds later as
-// long as it is about the document on the screen.
+// The search for balanced robots. The picture shows its start at once, and later results as long as
+// they belong to the document on the screen.
 #pragma once
 
 #include "state/state.h"
 
 namespace evenlift::view {
 
-// Ends the search, since the robots on the screen are others now; a new one is due.
+// Ends the search, because other robots are on the screen now; a new search is due.
 void drop_search(Derived& facts, Effects& effects);
 
-// Ends it for good, since the robots on the screen are its last ones.
+// Ends the search for good, because its last robots are on the screen.
 void end_search(Derived& facts, Effects& effects);
 
-// Begins the search that is due. O(n) if one is.
+// Begins the search that is due, if any. O(n) if one is.
 void begin_search(Derived& facts, Effects& effects);
 
-// Begins to count how many balanced robots it takes so that each can bear the `capacity` if any one
-// may fail, if that is not known, once those on the screen have settled. O(1) if there is nothing
-// to begin.
+// Once the robots on the screen have settled, begins to count the balanced robots needed so that
+// each can carry the `capacity` if any one may fail, unless the count is known. O(1) if there is
+// nothing to begin.
 void begin_count(Derived& facts, const std::optional<double>& capacity, Effects& effects);
 
-// Forgets how many it takes, and ends the count.
+// Forgets the number of robots needed, and ends the count.
 void drop_count(Derived& facts, Effects& effects);
 
-// Takes over robots that the search of this number found, or how many were counted (robots_text.h).
-// Changes nothing if that search is not the one under way or the text is wrong.
+// Takes over the robots or the count that the search with this number found (robots_text.h).
+// Changes nothing if that search is not the present one, or if the text is invalid.
 enum class Taken : std::uint8_t { nothing, count, same_robots, other_robots };
 Taken take(Derived& facts, const Given::Found& found);
 

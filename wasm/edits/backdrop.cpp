@@ -14,10 +14,10 @@ namespace {
 
 void show_all_of_it(AppState& state) {
   state.view.camera = fitting_camera(state);
-  state.view.camera_follows = true;  // cards come and go beside it
+  state.view.camera_follows = true;  // cards appear and disappear beside it
 }
 
-// Where a point of the picture comes to when the picture is scaled.
+// Maps a point of the picture when the picture is scaled.
 struct Scaled {
   Vec2 low;
   double factor;

@@ -1,4 +1,4 @@
-// What a change of settings changes.
+// The effects of a change of settings.
 #pragma once
 
 #include "evenlift/document.h"
@@ -9,11 +9,12 @@ namespace evenlift::view {
 // Whether robots stand at the same places with both. O(bytes).
 bool stand_alike(const Settings& a, const Settings& b);
 
-// The edit of the setting that differs, if it is only one. The documents have the same vertices.
+// The edit of the differing setting, if only one differs. The documents have the same vertices.
 // O(bytes).
 Edit edit_between(const Document& before, const Document& after);
 
-// What is shown, with what differs between two others, but the step, as in the second. O(bytes).
+// `shown` with every value, except the step, that differs between `before` and `after` taken from
+// `after`. O(bytes).
 Shown with_changes(const Shown& shown, const Shown& before, const Shown& after);
 
 }  // namespace evenlift::view

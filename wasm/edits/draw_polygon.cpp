@@ -66,7 +66,7 @@ void add_point(AppState& state, const Vec2& at) {
   Points& points = state.view.drawing.points;
   if (!points.empty() && points.back() == at) return;
   points.push_back(at);
-  // The next edge begins here, wherever the cursor was: a finger has none between two taps.
+  // The next edge begins here, wherever the cursor was: a finger has no cursor between two taps.
   state.view.drawing.last_cursor = at;
   if (state.view.drawing.cursor) state.view.drawing.cursor = at;
   state.view.drawing.undone.clear();

@@ -10,11 +10,11 @@
 
 namespace evenlift::view {
 
-// Takes another tool, and forgets what was drawn.
+// Switches to another tool, and forgets the drawn points.
 void take_tool(AppState& state, Tool tool);
 
-// After a change of the placed vertices: what was typed of the next edge, and whether the shape can
-// be closed, is forgotten.
+// After a change of the placed vertices: forgets the typed values of the next edge, and whether the
+// shape can be closed.
 void renew_drawing(AppState& state);
 
 void add_point(AppState& state, const Vec2& at);
@@ -23,14 +23,13 @@ void take_point_back(AppState& state);
 void put_point_back(AppState& state);
 void set_draw_cursor(AppState& state, const SetDrawCursor& cursor);
 
-// Takes over what was typed of the next edge, and moves the cursor there.
+// Takes over the typed values of the next edge, and moves the cursor there.
 void type_edge(AppState& state, const TypeEdge& typed);
 
-// Forgets what was typed of the next edge: it ends again where the pointer is, or else is not
-// begun.
+// Forgets the typed values of the next edge: it ends at the pointer again, or has not begun.
 void withdraw_edge(AppState& state);
 
-// Opens the polygon that was drawn, with the present settings.
+// Opens the drawn polygon with the present settings.
 void finish_drawing(AppState& state);
 
 }  // namespace evenlift::view

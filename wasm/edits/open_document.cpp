@@ -9,7 +9,7 @@
 namespace evenlift::view {
 namespace {
 
-// Forgets what belonged to the former document.
+// Forgets everything about the former document.
 void forget_former(AppState& state) {
   if (state.view.tool == Tool::draw) state.view.tool = Tool::parts;
   state.view.drawing = {};
@@ -43,7 +43,7 @@ void open(AppState& state, Opened opened, Edit edit) {
   begin_edit(state, false, edit);
   ++state.session.opened;
   if (edit == Edit::lesson_opened)
-    state.work.second_method.reset();  // a lesson has the whole picture
+    state.work.second_method.reset();  // a lesson uses the whole picture
   show_opened(state, std::move(opened));
 }
 

@@ -1,4 +1,4 @@
-// Opens documents in place of the one that is open.
+// Opens documents in place of the open one.
 #pragma once
 
 #include <optional>
@@ -12,14 +12,14 @@ namespace evenlift::view {
 // Opens a document as one step of undo.
 void open(AppState& state, Opened opened, Edit edit = Edit::opened);
 
-// The same without a step of undo: for a lesson that is being written, say.
+// Opens a document without a step of undo, such as a lesson that is being written.
 void show_opened(AppState& state, Opened opened);
 
 // Opens the first document of the page. There is nothing to undo, unless `work` is given: an older
-// document, which undo opens and which is not placed before that.
+// document, which undo opens, and which is placed only then.
 void start_with(AppState& state, Opened opened, const std::optional<Document>& work);
 
-// Goes on with a document that was refused while it was edited; this is one step of undo.
+// Continues with a document that was refused while it was edited; this is one step of undo.
 void resume_draft(AppState& state, Document draft);
 
 }  // namespace evenlift::view

@@ -7,7 +7,8 @@
 namespace evenlift::view {
 namespace {
 
-// Times the view that fits. Larger ones would make screen coordinates unfit for floats.
+// As multiples of the fitting scale. A larger zoom would make screen coordinates too large for
+// floats.
 constexpr double largest_zoom = 1000, smallest_zoom = 0.25;
 
 }  // namespace
@@ -42,8 +43,8 @@ void zoom_view(AppState& state, const Vec2& about, double factor) {
 }
 
 void frame_view(AppState& state) {
-  // A polygon that is being drawn must not move under the hand; a picture may until its first
-  // vertex is traced.
+  // A polygon must not move while the user draws it; a picture may move until its first vertex is
+  // traced.
   const bool drawn =
       state.view.tool == Tool::draw && !(state.work.backdrop && state.view.drawing.points.empty());
   if (!state.view.camera_follows || state.work.edit_open || drawn) return;

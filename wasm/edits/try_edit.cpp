@@ -14,14 +14,14 @@
 namespace evenlift::view {
 namespace {
 
-// Whether the edit leaves the placement as it is.
+// Whether the edit leaves the placement unchanged.
 bool places_nothing(const AppState& state, const Document& edited) {
   return !state.derived().refusal && edited.vertices == state.work.document().vertices &&
          edited.centre_of_mass == state.work.document().centre_of_mass &&
          edited.settings == settings(state);
 }
 
-// Opens the walkthrough of teams where they were found, at this step.
+// Opens the walkthrough at this step, with the teams at their original places.
 std::optional<InputError> try_to_open(AppState& state, std::uint32_t step, const Units& units) {
   Result<Placement> found = *state.derived().placement;
   if (!state.work.document().moved.teams.empty()) {
@@ -68,7 +68,7 @@ std::optional<InputError> try_edit(AppState& state, const Document& edited, std:
   if (places_nothing(state, edited)) {
     if (auto problem = check_robot(*state.derived().placement, failed)) return problem;
     const Shown before = shown(state);
-    // This may leave a lesson, after which other settings are in force.
+    // This may leave a lesson, and so restore other settings.
     if (auto problem = try_step(state, edited.shown)) return problem;
     change_shown(state, before, edited.shown);
     return std::nullopt;
@@ -77,7 +77,7 @@ std::optional<InputError> try_edit(AppState& state, const Document& edited, std:
   if (!placement) return placement.error();
   if (auto problem = check_robot(*placement, failed)) return problem;
   std::optional<Trace> trace;
-  // A step that is open follows the edit; another one must be there.
+  // An open step follows the edit; any other step must exist.
   if (edited.shown.step && edited.shown.step != shown(state).step) {
     Result<Trace> made = compute_trace(*placement, edited.shown.units);
     if (!made) return made.error();

@@ -1,4 +1,4 @@
-// Edits that may be refused as a whole: those of scripts and of the table of vertices.
+// Edits that may be refused as a whole: by scripts, and in the table of vertices.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 
 namespace evenlift::view {
 
-// Takes over an edited document as one step of undo; or says why it is refused, and changes
-// nothing. If only the step of the walkthrough or overlays differ, that is no edit; and nothing is
-// placed if only what is shown differs. It is also refused if the placement has no robot with the
-// number `failed`, from 1.
+// Takes over an edited document as one step of undo, or returns why it is refused and changes
+// nothing. It is not an edit if only the walkthrough's step or overlays differ, and nothing is
+// placed if only shown values differ. The document is also refused if its placement has no robot
+// with the number `failed`, from 1.
 std::optional<InputError> try_edit(AppState& state, const Document& edited,
                                    std::uint64_t failed = 0);
 

@@ -13,7 +13,7 @@
 namespace evenlift::view {
 namespace {
 
-// A change of the picture's scale is undone with what was traced on it.
+// Undoing a change of the picture's scale also undoes its effect on everything traced on it.
 void recall_backdrop(AppState& state, const std::optional<Backdrop>& picture) {
   if (state.work.backdrop && picture && picture->picture == state.work.backdrop->picture)
     state.work.backdrop = picture;
@@ -21,7 +21,7 @@ void recall_backdrop(AppState& state, const std::optional<Backdrop>& picture) {
     state.work.backdrop->traced = false;
 }
 
-// Shows a document of the history in place of the one that is open.
+// Shows a document of the history in place of the open one.
 void show_recalled(AppState& state, History::Recalled recalled) {
   const bool other_shape =
       recalled.document.vertices.size() != state.work.document().vertices.size();
@@ -38,7 +38,7 @@ void show_recalled(AppState& state, History::Recalled recalled) {
   state.work.second_method = shown(state).step ? std::nullopt : recalled.beside.second_method;
 }
 
-// Undo and redo. Those who cannot see what changed are told.
+// Undo and redo, announced for users who cannot see the change.
 void step_back(AppState& state, History::Recalled recalled, const char* what) {
   Walkthrough& walk = state.view.walkthrough;
   Shown& former = recalled.document.shown;
@@ -49,24 +49,24 @@ void step_back(AppState& state, History::Recalled recalled, const char* what) {
     walk.aside.reset();
     walk.of_lesson = false;
   } else {
-    // Neither the step of the walkthrough nor the overlays are undone, unless that leaves a lesson:
-    // then the former ones come back.
+    // The walkthrough's step and the overlays are not undone, unless that leaves a lesson: then the
+    // former ones return.
     former = seen_as(former, shown(state));
   }
-  // A lesson would show teams elsewhere.
+  // A lesson would show the teams at other places.
   if (!recalled.document.moved.teams.empty()) former.step.reset();
   show_recalled(state, std::move(recalled));
   announce(state, what + in_words(edit) + ".");
 }
 
-// What was open before the lesson, if one is open.
+// The document before the lesson, if a lesson is open.
 std::optional<History::Recalled> before_lesson(AppState& state) {
   if (!in_lesson(state) || state.session.screen.embed) return std::nullopt;
   return state.work.history.leave_lesson(state.work.document(), beside(state.work));
 }
 
-// Says that what was open before the lesson is back. Who edited something in the lesson reads how
-// that comes back.
+// Announces that what was open before the lesson is back. After an edit in the lesson, the message
+// explains how to return to it.
 void tell_of_return(AppState& state, bool edited) {
   const std::string back = "What was open before the lesson is back.";
   if (edited)
@@ -104,7 +104,7 @@ void leave_walkthrough(AppState& state) {
   close_walkthrough(state);
   state.view.walkthrough.of_lesson = false;
   if (!before) return;
-  // Step by step begins where it was left on what is open now.
+  // Step by step continues at the restored document's own step.
   Walkthrough& walk = state.view.walkthrough;
   walk.at = before->document.shown.step.value_or(0);
   walk.all_steps = false;

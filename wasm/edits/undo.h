@@ -1,4 +1,4 @@
-// Undo and redo, and the way out of a lesson, which leads back as undo does.
+// Undo and redo, and leaving a lesson, which leads back in the same way.
 #pragma once
 
 #include "state/state.h"
@@ -8,16 +8,15 @@ namespace evenlift::view {
 void undo(AppState& state);
 void redo(AppState& state);
 
-// Closes the walkthrough. After a lesson what was open before it comes back, with its settings and
-// its undo. If something was edited in the lesson, leaving it is a step of undo, and a notice says
-// so. In an <iframe> the lesson's object stays, as nothing was open before it.
+// Closes the walkthrough. After a lesson, restores what was open before it, with settings and undo.
+// If the user edited something in the lesson, leaving it is a step of undo, and a notice explains
+// that. In an <iframe> the lesson's object stays, since nothing was open before it.
 void leave_walkthrough(AppState& state);
 
-// Leaves the lesson that is open, if one is, for another one that is opened at once: nothing is
-// placed or shown.
+// Leaves the open lesson, if any, because another one opens at once: nothing is placed or shown.
 void leave_lesson_for_another(AppState& state);
 
-// Forgets a selection of, or a grip on, a vertex that no longer exists. O(1).
+// Forgets a selected or held vertex that no longer exists. O(1).
 void drop_stale_picks(AppState& state);
 
 }  // namespace evenlift::view

@@ -10,14 +10,14 @@
 namespace evenlift::view {
 namespace {
 
-// The edge on whose tip the object balances.
+// The knife edge on which the object balances.
 void draw_tip(const Painter& painter, const ImVec2& tip, const Theme& theme, Colour colour) {
   const ImVec2 left(tip.x - 9, tip.y + 15), right(tip.x + 9, tip.y + 15);
   painter.list().AddTriangle(tip, left, right, theme.object.packed(), 5);
   painter.list().AddTriangleFilled(tip, left, right, colour.packed());
 }
 
-// A circle of dashes, as long as candidates have them.
+// A circle of dashes with the length of candidates' dashes.
 void draw_dashed_circle(ImDrawList& list, ImVec2 at, float radius, Colour colour) {
   const int dashes = std::clamp(static_cast<int>(radius * 0.6f), 12, 120);
   const float turn = 2 * 3.14159265f / static_cast<float>(dashes);

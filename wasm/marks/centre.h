@@ -1,4 +1,4 @@
-// The centre of mass, and how far it may be off.
+// Draws the centre of mass, and its possible error.
 #pragma once
 
 #include "picture/canvas_view.h"
@@ -7,8 +7,7 @@ namespace evenlift::view {
 
 void draw_centre(const Painter& painter, const CanvasView& view);
 
-// How far the centre of mass may be off before the object tips; and, as a ring with a grip, within
-// which distance it is known.
+// The tipping distance; and the C uncertainty as a ring with a grip.
 void draw_halo(const Painter& painter, const CanvasView& view);
 
 }  // namespace evenlift::view

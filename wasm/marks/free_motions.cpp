@@ -12,7 +12,7 @@
 namespace evenlift::view {
 namespace {
 
-// What an arrow means, beside the point in direction `along` from it.
+// The meaning of an arrow, written in direction `along` from the point.
 void draw_name(const Painter& painter, const CanvasView& view, const Vec2& at, const Vec2& along,
                Colour colour, const std::string& name, Occupied& occupied) {
   const ImVec2 text = text_size(Face::strong_label, name);
@@ -24,14 +24,14 @@ void draw_name(const Painter& painter, const CanvasView& view, const Vec2& at, c
   draw_text(list, Face::strong_label, vec(place->left + 6, place->top + 3), colour, name);
 }
 
-// A load may cross a chord, but not hide an arrow.
+// A load may cross a chord, but must not hide an arrow.
 void keep_clear(const Segment& arrow, Occupied& occupied) {
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0})
     occupied.disc(arrow.from + share * (arrow.to - arrow.from), 6);
 }
 
 // From the middle of the window to the nearest point of a convex region, in pixels; nothing if a
-// part of it is seen there.
+// part of it is visible.
 std::optional<Vec2> way_out_of_sight(const CanvasView& view, const Rect& window,
                                      const Points& region) {
   Points seen;
@@ -46,7 +46,7 @@ std::optional<Vec2> way_out_of_sight(const CanvasView& view, const Rect& window,
   return clip(std::move(seen), box).empty() ? std::optional(way) : std::nullopt;
 }
 
-// What of the window the tools of the view do not cover either: they stand at the foot, on a phone
+// The part of the window that is also clear of the view tools, which are at the foot, or on a phone
 // at the right.
 Rect without_tools(const CanvasView& view) {
   Rect window = view.uncovered();
@@ -58,8 +58,8 @@ Rect without_tools(const CanvasView& view) {
   return window;
 }
 
-// An arrow at the edge of the window that points to a region beyond it; nothing where there is no
-// such region, or no room.
+// An arrow at the edge of the window that points to a region beyond it; nothing without such a
+// region or without room.
 std::optional<Segment> arrow_to_region(const CanvasView& view, const Rect& window,
                                        const Points& region) {
   constexpr double from_edge = 22, arrow = 44;
@@ -67,7 +67,7 @@ std::optional<Segment> arrow_to_region(const CanvasView& view, const Rect& windo
       region.empty() ? std::nullopt : way_out_of_sight(view, window, region);
   const Vec2 room(window.width() / 2 - from_edge, window.height() / 2 - from_edge);
   if (!way || !(room.x() > arrow) || !(room.y() > arrow)) return std::nullopt;
-  // To the edge of the room, wherever the way leaves it.
+  // To the edge of the available area, on the way to the region.
   const double share = std::min(room.x() / std::max(std::abs(way->x()), 1e-9),
                                 room.y() / std::max(std::abs(way->y()), 1e-9));
   const Vec2 head = window.middle() + share * *way;

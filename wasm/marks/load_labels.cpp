@@ -17,14 +17,14 @@
 namespace evenlift::view {
 namespace {
 
-// Where the picture is drawn and nothing lies over it.
+// The part of the picture that nothing covers.
 Rect free_window(const CanvasView& view) {
   const Rect uncovered = view.uncovered();
   return {uncovered.left + 4, uncovered.top + view.layout.caption + 4, uncovered.right - 4,
           uncovered.bottom - 4};
 }
 
-// The box of the coverage's text, in pixels; nothing if it is not shown or there is no room for it.
+// The box of the coverage's text, in pixels; nothing if it is hidden or has no room.
 std::optional<Rect> coverage_box(const CanvasView& view) {
   const CoveragePlace& place = view.scene.coverage;
   const bool wanted = shown(view.state).overlays.lifting_base && view.placement->loads;
@@ -43,13 +43,13 @@ Rect about(const Vec2& middle, double reach) {
   return {middle.x() - reach, middle.y() - reach, middle.x() + reach, middle.y() + reach};
 }
 
-// Of a robot with a size, in pixels.
+// The radius of a sized robot, in pixels.
 double body_radius(const CanvasView& view) {
   return view.placement->stands->robot().radius * view.camera.scale;
 }
 
-// The chord of the team or candidate that is pointed at. Balanced robots have none, and one that
-// fails leaves its partner alone.
+// The chord of the hovered team or candidate. Balanced robots have no chords, and a failed robot
+// leaves its partner alone.
 std::optional<Chord> pointed_chord(const CanvasView& view) {
   const Pick at = marked_part(view.state);
   const Placement& placement = *view.placement;
@@ -72,10 +72,10 @@ Occupied occupied_by_marks(const CanvasView& view, double reach) {
   Occupied occupied(free_window(view));
   occupied.box(view.layout.tools);
   if (view.layout.wide && !view.state.view.presenting && view.state.session.screen.foot == 0 &&
-      view.state.session.screen.window_foot == 0)  // the hint beside the tools (canvas/hint.cpp)
+      view.state.session.screen.window_foot == 0)  // the hint is beside the tools (canvas/hint.cpp)
     occupied.box({view.layout.tools.right, view.layout.tools.top, view.layout.free.right,
                   view.layout.tools.bottom});
-  // The cards that come and go over the drawing, where they were in the last frame.
+  // The temporary cards over the drawing, at their places of the last frame.
   for (const Control& control : controls())
     if (control.card == "tool bar" || control.card == "notice") occupied.box(control.window);
   for (const Team& team : placement.teams) {
@@ -141,7 +141,7 @@ std::vector<LoadLabel> load_labels(const CanvasView& view, const RobotSize& size
                           body ? body_radius(view) + 4 : 0});
     }
   }
-  // A label may cross a line where there are few of them; of many only those are shown that fit.
+  // Among few lines, a label may cross one; among many, only labels that fit are shown.
   const auto places =
       place_labels(requests, occupied, static_cast<double>(size.ring) + 4, few ? 60 : 8);
   std::vector<LoadLabel> labels;

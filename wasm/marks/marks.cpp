@@ -25,7 +25,7 @@
 namespace evenlift::view {
 namespace {
 
-// A ring to take hold of, or a dot; nothing where they would be so close that they hide the shape.
+// A ring as a grip, or a dot; nothing if they would be so close that they hide the shape.
 void draw_vertices(const Painter& painter, const CanvasView& view) {
   const AppState& state = view.state;
   const Theme& theme = view.theme;
@@ -66,7 +66,7 @@ void draw_edge_offer(const Painter& painter, const CanvasView& view) {
   painter.list().AddCircle(at, 5, theme.accent.packed(), 24, 1.5f);
 }
 
-// Where the robot that is dragged cannot go, up to where it is wanted.
+// The path that is closed to the dragged robot, up to where it should go.
 void draw_closed_stretch(const Painter& painter, const CanvasView& view) {
   const AppState& state = view.state;
   const auto robot = static_cast<std::size_t>(state.view.held.end);
@@ -85,7 +85,7 @@ void draw_closed_stretch(const Painter& painter, const CanvasView& view) {
             closed_in_words(placement, team * placement.teams[team].robots.size() + robot));
 }
 
-// How hard a push under the pointer must be to tip the object.
+// The least press down at the pointer that tips the object.
 void draw_push(const Painter& painter, const CanvasView& view) {
   const Pick& hover = view.state.view.hover;
   const Placement& placement = *view.placement;
@@ -102,7 +102,7 @@ void draw_push(const Painter& painter, const CanvasView& view) {
       safe ? "A push down here does not tip it"
            : "Tips if pushed down with " +
                  load_in_words(force, placement.settings.weight, shown(view.state).units);
-  // The box has the panel's colour, on which the lifting base's dark green could not be read.
+  // The box has the panel's colour, on which the lifting base's dark green would be illegible.
   draw_word(painter.list(), Vec2(static_cast<double>(at.x), static_cast<double>(at.y)),
             view.uncovered(), view.theme, safe ? view.theme.text : view.theme.amber, text);
 }
@@ -128,7 +128,7 @@ void draw_reason(const Painter& painter, const CanvasView& view) {
     return;
   }
   Rect window = view.uncovered();
-  for (const Control& control : controls())  // the vertex's bar, where it was in the last frame
+  for (const Control& control : controls())  // the vertex's bar, at its place of the last frame
     if (control.card == "tool bar" && control.window.left < window.right)
       window.top = std::max(window.top, control.window.bottom);
   draw_word(painter.list(), view.camera.to_screen(spot), window, view.theme, view.theme.amber,
@@ -137,7 +137,7 @@ void draw_reason(const Painter& painter, const CanvasView& view) {
 
 constexpr float gap_in_caption = 10;
 
-// What a method came to: its loads, and so many of its coverage and whether the object can move.
+// The result of a method: its loads and, by `further`, its coverage and whether the object is held.
 std::string result_in_words(const Placement& placement, const Units& units, std::size_t further) {
   if (!placement.loads) return "no team";
   const LoadSummary& loads = *placement.loads;
@@ -152,7 +152,8 @@ std::string name_in_caption(const Placement& placement) {
          count_of(count_robots(placement.teams), "robot", "robots");
 }
 
-// How much further both captions have room for: what only one of them said could not be compared.
+// The number of further facts that fit in both captions: a fact in only one of them could not be
+// compared.
 std::size_t further_in_captions(const CanvasView& view, float room) {
   const Units& units = shown(view.state).units;
   const auto fits = [&](const Placement& placement, std::size_t further) {
@@ -169,8 +170,8 @@ std::size_t further_in_captions(const CanvasView& view, float room) {
   return further;
 }
 
-// The method's name and result over its picture, while two methods are compared: two lines, or on a
-// narrow screen one.
+// The method's name and result over its picture, while two methods are compared: two lines, or one
+// on a narrow screen.
 void draw_caption(const Painter& painter, const CanvasView& view) {
   if (!view.placement) return;
   const bool wide = view.layout.wide;
@@ -178,14 +179,14 @@ void draw_caption(const Painter& painter, const CanvasView& view) {
   const std::string name = name_in_caption(*view.placement);
   const Face face = wide ? Face::strong : Face::strong_label;
   const ImVec2 title = text_size(face, name);
-  const float beside = title.x + gap_in_caption;  // where the result begins in the same line
+  const float beside = title.x + gap_in_caption;  // where the result begins in a single line
   const std::string result =
       result_in_words(*view.placement, shown(view.state).units, further_in_captions(view, room));
   const ImVec2 text = text_size(Face::label, result);
   const float width = (wide ? std::max(title.x, text.x) : beside + text.x) + 24;
   const double height = wide ? 46 : 28;
   double top = view.window.top + view.layout.caption - height;
-  for (const Control& control : controls())  // below the tool's bar, where it was in the last frame
+  for (const Control& control : controls())  // below the tool's bar, at its place of the last frame
     if (control.card == "tool bar" && control.window.left < view.layout.free.right)
       top = std::max(top, control.window.bottom + 6);
   const ImVec2 low = vec(view.window.middle().x() - static_cast<double>(width) / 2, top);
@@ -198,7 +199,7 @@ void draw_caption(const Painter& painter, const CanvasView& view) {
   draw_text(painter.list(), Face::label, result_at, view.theme.second_text, result);
 }
 
-// While edges are marked: their numbers, for those who type them. An edge that is short has no room
+// The numbers of edges while the user marks no-go edges, for typing them. A short edge has no room
 // for one.
 void draw_numbers_to_type(const Painter& painter, const CanvasView& view) {
   constexpr double least = 44, reach = 14;  // pixels: of an edge, and of a robot's mark
@@ -224,7 +225,7 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
   const AppState& state = view.state;
   if (walkthrough_is_open(state) && view.current() && !view.second) {
     draw_vertices(painter, view);
-    draw_centre(painter, view);  // nobody takes it here: a robot close to it must be seen
+    draw_centre(painter, view);  // it cannot be grabbed here, and must not hide robots
     draw_robots_of_walkthrough(painter, view);
     return;
   }

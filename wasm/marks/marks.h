@@ -1,4 +1,4 @@
-// What is drawn on a picture at a fixed size: grips, robots, the centre of mass, numbers.
+// Draws everything that has a fixed size on a picture: grips, robots, the centre of mass, numbers.
 #pragma once
 
 #include "picture/canvas_view.h"

@@ -27,8 +27,9 @@ void draw_robots(const Painter& painter, const CanvasView& view) {
     draw_slide(painter, view, nullptr);
     draw_far_regions(painter, view, nullptr);
   }
-  // Discs of one team have its number; balanced robots, which are a single team, one each, and so
-  // do all while one of them fails, since words then speak of single robots.
+  // The discs of a team's robots have the team's number. Balanced robots, which the code keeps as a
+  // single team, have numbers of their own; so do all robots while one fails, since messages then
+  // name single robots.
   const std::optional<Explanation>& card = view.state.derived().explanation;
   const auto is_explained = [&](std::size_t robot) {
     return card && !view.second && card->robot == robot;

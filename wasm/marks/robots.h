@@ -1,4 +1,4 @@
-// The robots of a placement, with what they bear.
+// Draws the robots of a placement and their loads.
 #pragma once
 
 #include "picture/canvas_view.h"

@@ -25,7 +25,7 @@ bool has_few_bodies(const Placement& placement) {
   return placement.stands && placement.stands->has_body() && count_robots(placement.teams) <= most;
 }
 
-// A body that is smaller than the robot's mark would only peek out behind it.
+// A body smaller than the robot's mark would be hidden behind it.
 bool is_drawn(const CanvasView& view) {
   const double radius = view.placement->stands->robot().radius * view.camera.scale;
   return radius >= static_cast<double>(mark_radius(view.placement->teams));
@@ -37,7 +37,8 @@ void draw_body(const Painter& painter, const CanvasView& view, const PlacedRobot
   const Theme& theme = view.theme;
   const Vec2 inward = robot.contact - robot.stand;
   const double way = length(inward);
-  // In the dark a robot is as dark as the ground; what surrounds its disc surrounds its body, too.
+  // In the dark theme a robot is as dark as the background, so the ring around its disc also
+  // surrounds its body.
   if (way > 0 && size.reach > 0) {
     painter.line(robot.stand, robot.contact, theme.robot_ring, 4);
     painter.line(robot.stand, robot.contact, theme.robot, 2);
@@ -49,7 +50,7 @@ void draw_body(const Painter& painter, const CanvasView& view, const PlacedRobot
     painter.fill_convex(hand, theme.robot.at(0.35f));
     painter.outline(hand, theme.robot_ring, 1.5f);
   }
-  // An arm that reaches beyond the mark leads to a body, however small.
+  // An arm that extends beyond the mark leads to a body, however small.
   const bool reaches =
       size.reach > 0 &&
       way * view.camera.scale > static_cast<double>(mark_radius(view.placement->teams));

@@ -1,4 +1,4 @@
-// Where robots of a size stand, and what of the boundary they cannot use.
+// The stands of robots with a size, and the unusable parts of the boundary.
 #pragma once
 
 #include <optional>
@@ -9,20 +9,20 @@
 
 namespace evenlift::view {
 
-// What of the boundary cannot be used: grey, or amber where it was marked. For placements of robots
-// with a size, or with marks. O(parts).
+// The unusable parts of the boundary: grey, or amber for no-go parts. For placements of robots with
+// a size, or with no-go parts. O(parts).
 void draw_unusable(const Painter& painter, const Placement& placement, const Theme& theme);
 
-// The robots whose bodies are drawn, since they are larger than a robot's mark; none of very many.
-// O(robots).
+// The robots with a drawn body, because it is larger than a robot's mark; empty for very many
+// robots. O(robots).
 std::vector<PlacedRobot> drawn_bodies(const CanvasView& view);
 
-// What of the boundary cannot be used, grey, or amber where it was marked; then the bodies, arms
-// and hands of the robots to scale, beneath their marks. Without a size nothing. O(parts + robots).
+// The unusable parts, then the bodies, arms and hands of the robots to scale, beneath their marks.
+// Without a size, no bodies. O(parts + robots).
 void draw_stands(const Painter& painter, const CanvasView& view);
 
-// Why nobody can stand at the place of an edge that is pointed at; nothing where somebody can, or
-// where the placement is not that of the document. O(log n).
+// Why no robot can stand at the hovered place of an edge; nothing if one can, or if the placement
+// is not the document's. O(log n).
 std::optional<WhyUnusable> why_unusable(const AppState& state, const Pick& at);
 
 // Writes that reason at the pointer.

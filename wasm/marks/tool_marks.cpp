@@ -15,8 +15,8 @@
 namespace evenlift::view {
 namespace {
 
-// The chain with the edge under way. While the pointer is in the fields of the bar, the edge that
-// they tell of stays.
+// The chain with its unfinished edge. While the pointer is in the fields of the bar, the edge that
+// they describe stays.
 Points chain_with_cursor(const AppState& state, bool closing) {
   const Drawing& drawing = state.view.drawing;
   const std::optional<Vec2>& end =
@@ -59,7 +59,7 @@ void draw_chain(const Painter& painter, const AppState& state, const Theme& them
   }
 }
 
-// The vertices that are placed; a press on the first one would close the shape.
+// The placed vertices; a press on the first one would close the shape.
 void draw_placed(const Painter& painter, const AppState& state, const Theme& theme, bool closing) {
   const Drawing& drawing = state.view.drawing;
   const Pick& named =
@@ -90,7 +90,7 @@ std::string closing_words(const AppState& state) {
   return state.session.screen.touch ? "Tap to close the shape" : "Click to close the shape";
 }
 
-// The centre of mass that the shape would have if it were closed now.
+// The centre of mass of the shape if it were closed now.
 void draw_centroid(const Painter& painter, const Theme& theme, const Points& chain) {
   if (const std::optional<Vec2> centroid = centroid_of(chain))
     draw_centre_mark(painter.list(), painter.at(*centroid), 8, theme.second_text, theme.panel);
@@ -121,7 +121,7 @@ void draw_drawing(const Painter& painter, const AppState& state, const Theme& th
   const Points chain = chain_with_cursor(state, closing);
   const std::set<std::size_t> crossed = crossed_edges(chain);
   draw_chain(painter, state, theme, chain, crossed);
-  // What would close it now.
+  // The closing edge.
   if (!closing && chain.size() >= 3) painter.dashes(chain.back(), chain.front(), theme.quiet, 1.2f);
   draw_placed(painter, state, theme, closing);
   std::set<std::size_t> named = crossed;
@@ -161,7 +161,7 @@ void draw_frame_grips(const Painter& painter, const AppState& state, const Theme
   const ImVec2 low = vec(frame.left, frame.top), high = vec(frame.right, frame.bottom);
   const bool held = state.view.held.kind == Pick::Kind::frame && state.work.edit_open;
   if (held && state.view.held.index == static_cast<std::size_t>(FrameGrip::turn)) {
-    // The frame turns along; it is upright again when the knob is let go.
+    // The frame turns with the polygon; it is upright again after the knob is released.
     const Points corners = turned_frame(state);
     for (std::size_t i = 0; i < 4; ++i)
       list.AddLine(vec(corners[i]), vec(corners[(i + 1) % 4]), theme.accent.at(0.6f).packed(),

@@ -1,4 +1,4 @@
-// What the tools show: the polygon that is being drawn, and the frame for moving, turning and
+// The drawings of the tools: the polygon that is being drawn, and the frame for moving, turning and
 // scaling.
 #pragma once
 
@@ -17,8 +17,8 @@ struct NumberedEdge {
   Vec2 a, b;
   std::size_t edge;
 };
-// The numbers of edges, on them, as messages and settings count edges: from 1. They cover neither
-// each other nor, as far as there is room on their edges, what is in the boxes `before`, in pixels.
+// The numbers of edges, on them, counted from 1 as in messages and settings. They cover neither
+// each other nor, if their edges have room, the boxes `before`, in pixels.
 void draw_edge_numbers(const Painter& painter, const Theme& theme, Colour colour,
                        const std::vector<NumberedEdge>& edges, std::vector<Rect> before = {});
 

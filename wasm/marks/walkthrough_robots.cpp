@@ -12,7 +12,7 @@
 namespace evenlift::view {
 namespace {
 
-// Where a robot stood: its disc, hollow and with its number.
+// A former place of a robot: its disc, hollow and with its number.
 void draw_left(const Painter& painter, const CanvasView& view, const Figure& figure) {
   const ImVec2 at = painter.at(figure.points[0]);
   painter.list().AddCircleFilled(at, 11, view.theme.object.packed(), 32);
@@ -23,8 +23,8 @@ void draw_left(const Painter& painter, const CanvasView& view, const Figure& fig
             view.theme.amber_on_object, number);
 }
 
-// The robots that stay where they are while a question is asked about the others. A ring is where
-// one of these comes (canvas_walkthrough.cpp).
+// The robots that stay while a question concerns the others. A ring marks a possible place of the
+// others (canvas_walkthrough.cpp).
 void draw_rest_of_question(const Painter& painter, const CanvasView& view) {
   const BalancedDetail& balanced = *view.state.view.walkthrough.ask->detail.balanced;
   const RobotSize size = robot_size((balanced.robots.size() + 1) / 2);
@@ -69,7 +69,7 @@ std::vector<LoadLabel> loads_of_walkthrough(const CanvasView& view) {
   if (asks_of_other_robots(view.state) || !walk.detail.balanced ||
       (chapter != Chapter::loads && chapter != Chapter::grasp))
     return {};
-  // Somebody may have moved the robots of the document by hand.
+  // The user may have moved the document's robots by hand.
   CanvasView found = view;
   found.placement = &walk.trace->placement;
   return planned_load_labels(found, robot_size((walk.detail.balanced->robots.size() + 1) / 2));

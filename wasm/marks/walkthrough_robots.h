@@ -8,7 +8,7 @@
 
 namespace evenlift::view {
 
-// What is written beside the robots once all loads are known. Names keep clear of it
+// The text beside the robots once all loads are known. Names keep clear of it
 // (canvas_walkthrough.cpp).
 std::vector<LoadLabel> loads_of_walkthrough(const CanvasView& view);
 

@@ -1,6 +1,5 @@
-// The search for balanced robots, as a WebAssembly module of its own that web/page/search_loop.js
-// runs in a worker, or between pictures where there is none. It uses the core and nothing of the
-// view.
+// The search for balanced robots, as a separate WebAssembly module. web/page/search_loop.js runs it
+// in a worker or, without workers, between frames. It uses the core and nothing of the view.
 #include <emscripten/emscripten.h>
 
 #include <algorithm>
@@ -24,12 +23,11 @@ namespace {
 
 struct Task {
   BalancedProblem problem;
-  std::optional<BalancedSearch>
-      search;  // nothing before the start, and if there is no set of robots
+  std::optional<BalancedSearch> search;  // nothing before the start, and if no set of robots exists
   bool started = false;
-  std::optional<Placement> counted = {};  // with a capacity; then nothing is searched for
+  std::optional<Placement> counted = {};  // with a capacity; then there is no search
   double capacity = 0;
-  std::optional<FailurePlan> plan = {};  // the count, once it is made
+  std::optional<FailurePlan> plan = {};  // the count, once completed
 };
 std::optional<Task>& task() {
   static std::optional<Task> the_task;
@@ -87,17 +85,17 @@ bool has_ended(const Task& task) { return task.started && (!task.search || task.
 extern "C" {
 
 // Begins the search for a polygon in the thesis's format, with settings as lines `name=value`, from
-// these robots (derive/robots_text.h), or from its start if there are none; with a capacity among
-// them the count of those that it takes if any one may fail. Returns 0 if one of the texts is
-// wrong.
+// these robots (derive/robots_text.h), or from its start without robots. If the settings include a
+// capacity, begins instead the count of the robots needed if any one may fail. Returns 0 if one of
+// the texts is invalid.
 EMSCRIPTEN_KEEPALIVE int balanced_begin(const char* polygon, const char* settings,
                                         const char* robots) {
   evenlift::task() = evenlift::read_task(polygon, settings, robots);
   return evenlift::task() ? 1 : 0;
 }
 
-// Goes on for so many milliseconds, or until the search ends; the start may take longer, and a
-// count is made at one go. Returns whether it has ended.
+// Continues for this number of milliseconds, or until the search ends; the start may take longer,
+// and a count is made in one call. Returns whether it has ended.
 EMSCRIPTEN_KEEPALIVE int balanced_go_on(double milliseconds) {
   if (!evenlift::task()) return 1;
   evenlift::Task& task = *evenlift::task();
@@ -112,7 +110,7 @@ EMSCRIPTEN_KEEPALIVE int balanced_go_on(double milliseconds) {
   return evenlift::has_ended(task) ? 1 : 0;
 }
 
-// The robots by now, or how many were counted; nothing if there are none.
+// The present robots, or the number of robots counted; empty without any.
 EMSCRIPTEN_KEEPALIVE const char* balanced_robots() {
   const std::optional<evenlift::Task>& task = evenlift::task();
   if (task && task->plan) return evenlift::hand_over(evenlift::view::plan_text(*task->plan));

@@ -1,4 +1,4 @@
-// The experiment for the page, as a WebAssembly module of its own that
+// The experiment for the page, as a separate WebAssembly module that
 // web/experiment/experiment_worker.js loads. It uses the core and nothing of the view.
 #include <emscripten/emscripten.h>
 
@@ -44,7 +44,7 @@ experiment::PolygonResult refused(const std::string& set, const std::string& nam
   return result;
 }
 
-// The result of a polygon, or why there is none; if a method is given, only for that one.
+// The result of a polygon, or why there is none; for one method if one is given.
 experiment::PolygonResult measured(const std::string& set, const std::string& name,
                                    const char* text, std::optional<Method> only) {
   const Result<Import> import = read_shapes(text);
@@ -77,7 +77,7 @@ std::uint32_t whole_or_none(double value, std::uint32_t most) {
 }
 
 // The results by set and polygon. Results of one polygon that were measured method by method are
-// joined.
+// merged.
 std::vector<experiment::PolygonResult> take_collected() {
   std::vector<experiment::PolygonResult> parts = std::exchange(collected(), {}), whole;
   experiment::sort_results(parts);
@@ -102,8 +102,8 @@ std::vector<experiment::PolygonResult> take_collected() {
 
 extern "C" {
 
-// Sets the settings of all measurements from now on. Returns which setting is out of range, or
-// nothing.
+// Sets the settings of all later measurements. Returns the name of the setting that is out of
+// range, or an empty text.
 EMSCRIPTEN_KEEPALIVE const char* experiment_begin(double min_ratio, double samples, double weight,
                                                   const char* weight_unit, double most_teams,
                                                   double most_balanced) {
@@ -118,7 +118,7 @@ EMSCRIPTEN_KEEPALIVE const char* experiment_begin(double min_ratio, double sampl
   return hand_over(error ? error->message : "");
 }
 
-// Measures a polygon, with all methods or the one named, and returns its part as text
+// Measures a polygon, with all methods or the named one, and returns its part as text
 // (evenlift/experiment/results.h).
 EMSCRIPTEN_KEEPALIVE const char* experiment_measure(const char* set, const char* name,
                                                     const char* text, const char* method) {
@@ -140,8 +140,8 @@ EMSCRIPTEN_KEEPALIVE int experiment_add(const char* text) {
   return part ? 1 : 0;
 }
 
-// The results of the parts that were added, as JSON (outputs_json): averages over sets, or the
-// results of a single polygon. Then there are no parts again.
+// The results of the added parts, as JSON (outputs_json): averages over sets, or the results of a
+// single polygon. Clears the parts.
 EMSCRIPTEN_KEEPALIVE const char* experiment_results(int one_polygon) {
   using namespace evenlift;
   std::vector<experiment::PolygonResult> results = take_collected();

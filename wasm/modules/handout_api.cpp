@@ -1,5 +1,5 @@
-// Steps of the algorithm as plain data for a printed page (web/windows/handout.js), as a
-// WebAssembly module of its own that is loaded when it is first asked for.
+// Steps of the algorithm as plain data for a printed page (web/windows/handout.js), as a separate
+// WebAssembly module, loaded on first use.
 #include <emscripten/emscripten.h>
 
 #include <algorithm>
@@ -27,11 +27,10 @@ using view::hand_over;
 
 namespace {
 
-// More than this nobody prints, and nobody sees.
+// More would be neither printed nor visible.
 constexpr std::size_t most_candidates = 400, most_figures = 400;
 
-// The steps of a lesson, with the teacher's words. Those that this trace does not have are left
-// out.
+// The steps of a lesson, with the teacher's words, without steps that this trace lacks.
 struct Stop {
   std::uint32_t step;
   std::string words;
@@ -59,7 +58,7 @@ std::string in_json(const Points& points) {
 
 Points ends_of(const Chord& chord) { return {chord.r1.position, chord.r2.position}; }
 
-// What is known at a step: the background of its picture.
+// Everything known at a step: the background of its picture.
 struct Known {
   Points base;
   std::vector<std::string> candidates, teams;  // chords
@@ -78,7 +77,7 @@ Known known_at(const Paper& paper, const Trace& trace, const StepDetail& detail)
   return all;
 }
 
-// What the step is about.
+// The figures of the step.
 std::vector<Figure> figures_on_paper(const Trace& trace, const StepDetail& detail) {
   std::vector<Figure> shown = figures(trace, detail);
   std::erase_if(shown, [](const Figure& figure) {
@@ -146,16 +145,16 @@ std::string handout(std::string_view link, std::string_view lesson_text) {
 
 extern "C" {
 
-// The steps of a lesson, whose text this is, for a link's document; without a lesson its main ones.
-// Places are those on the paper:
+// The steps of the lesson with this text, for a link's document; without a lesson, the main steps.
+// Places are on the paper:
 //   width, height, disc     of a picture; the radius of a robot
 //   polygon, centre
 //   steps                   chapter, caption, formula, in_words (the teacher's), and the picture:
-//     base, candidates, teams   what is known by then
-//     figures                   what the step is about: kind, number, points; a radius is `value` long
-//     robots, words             those known by then; what is written into the picture: text, at
+//     base, candidates, teams   known at this step
+//     figures                   of the step: kind, number, points; a radius is `value` long
+//     robots, words             the robots known at this step; the text in the picture: text, at
 //   question, answer        of a lesson that has them
-//   problem                 a sentence, instead of all of it
+//   problem                 a sentence, instead of all the above
 EMSCRIPTEN_KEEPALIVE const char* handout_steps(const char* link, const char* lesson) {
   return evenlift::hand_over(evenlift::handout(link, lesson));
 }

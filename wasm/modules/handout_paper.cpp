@@ -16,22 +16,22 @@
 namespace evenlift {
 namespace {
 
-constexpr std::size_t most_lines = 60;  // more of them cannot be kept clear
+constexpr std::size_t most_lines = 60;  // text cannot be kept clear of more
 constexpr std::size_t most_ratios = 8;  // more numbers would hide the drawing
-constexpr double letter = 0.6;          // width of a letter, at most, in heights
-constexpr double beside = 0.75;         // along a chord, where its load ratio stands
+constexpr double letter = 0.6;          // greatest width of a letter, as a fraction of its height
+constexpr double beside = 0.75;         // place of the load ratio along a chord
 
 Box around(const Vec2& middle, double reach) {
   return {middle - Vec2(reach, reach), middle + Vec2(reach, reach)};
 }
 
-// Bytes that begin a letter of UTF-8.
+// The number of bytes that begin a UTF-8 character.
 std::size_t letters(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-// Collects what is to be written and what is in the way.
+// Collects the words to write and the obstacles.
 class Words {
  public:
   Words(const Paper& paper, const Trace& trace)
@@ -71,7 +71,7 @@ class Words {
     add_ratios(figures);
   }
 
-  // The numbers of candidates that the caption compares, beyond their ends.
+  // The numbers of the candidates that the caption compares, beyond their ends.
   void add_ranked(const TeamScores& scores) {
     for (const std::uint32_t c : best_ranked(scores)) {
       const Vec2 end = paper_(placement_.candidates[c].chord.r2.position);
@@ -94,7 +94,7 @@ class Words {
     texts_.push_back(std::move(text));
   }
 
-  // Beside an edge or its image on the side that is not the object's; otherwise away from C.
+  // Beside an edge or its image, on the side away from the object; otherwise away from C.
   void add_name(const Figure& figure) {
     std::string name = figure.kind == FigureKind::middle ? "M" : part_name(figure);
     if (name.empty()) return;
@@ -110,8 +110,8 @@ class Words {
     add(std::move(name), around(middle, 1), away);
   }
 
-  // Of the chords that a step compares. An end of the sections that is chosen is among the figures
-  // twice.
+  // Adds the ratios of the chords that a step compares. The chosen end of the sections is among the
+  // figures twice.
   void add_ratios(const std::vector<Figure>& figures) {
     std::vector<const Figure*> chords;
     for (const Figure& figure : figures) {

@@ -1,5 +1,5 @@
-// Drawings and tables as polygons, for the page: a WebAssembly module of its own that
-// web/kit/import.js loads when somebody opens a text that the program itself does not read. It uses
+// Drawings and tables as polygons, for the page: a separate WebAssembly module, which
+// web/kit/import.js loads when the user opens a text that the program itself does not read. It uses
 // the core and nothing of the view.
 #include <emscripten/emscripten.h>
 
@@ -20,16 +20,16 @@ namespace {
 using namespace evenlift;
 using view::hand_over;
 
-// So many points show a shape in a small picture.
+// This number of points shows a shape in a small picture.
 constexpr std::size_t most_points = 512;
 
-// What was read last.
+// The last import.
 Import& imported() {
   static Import last;
   return last;
 }
 
-// An empty shape if there is none with this index.
+// An empty shape if the index is invalid.
 const ImportedShape& shape(int index) {
   static const ImportedShape none;
   const auto at = static_cast<std::size_t>(index);
@@ -40,8 +40,9 @@ const ImportedShape& shape(int index) {
 
 extern "C" {
 
-// Reads a text, with the distance between curves and edges, or 0 for the usual one. Returns why it
-// was refused, or nothing; then the functions below tell what it holds, until the next text.
+// Reads a text. `tolerance` is the distance between curves and edges, or 0 for the default. Returns
+// why the text was refused, or an empty text; then the functions below return its contents, until
+// the next text.
 EMSCRIPTEN_KEEPALIVE const char* import_read(const char* text, double tolerance) {
   ImportOptions options;
   if (tolerance != 0) options.tolerance = tolerance;
@@ -64,8 +65,8 @@ EMSCRIPTEN_KEEPALIVE const char* import_notes() {
 
 EMSCRIPTEN_KEEPALIVE int import_count() { return static_cast<int>(imported().shapes.size()); }
 
-// Of the shape with this index, from 0: its name, all in words, the distance between its edges and
-// its curves (0 without curves), and its outline as [[x, y], …], thinned out for a small picture.
+// For the shape with this index, from 0: its name, its description, the distance between its edges
+// and its curves (0 without curves), and its outline as [[x, y], …], thinned for a small picture.
 EMSCRIPTEN_KEEPALIVE const char* import_name(int index) { return hand_over(shape(index).name); }
 EMSCRIPTEN_KEEPALIVE const char* import_describe(int index) {
   return hand_over(describe(shape(index)));
@@ -82,8 +83,8 @@ EMSCRIPTEN_KEEPALIVE const char* import_outline(int index) {
   return hand_over(json::array(points));
 }
 
-// What the program opens: a link if the text brought settings or a unit of lengths, which are
-// wanted and fit into one; else the polygon in the thesis's format.
+// The text that the program opens: a link if the import has settings or a unit of length, these are
+// requested, and they fit into one; otherwise the polygon in the thesis's format.
 EMSCRIPTEN_KEEPALIVE const char* import_text(int index, int with_settings) {
   const Document& document = shape(index).document;
   const bool has_unit = document.shown.units.length != LengthUnit::none;

@@ -1,5 +1,5 @@
-// How far the greedy choice of teams is from the best one, for the window that
-// web/windows/optimum.js shows. It is part of the module of the experiment, which runs in a worker.
+// Compares the greedy choice of teams with the best one, for the window in web/windows/optimum.js.
+// Part of the experiment's module, which runs in a worker.
 #include <emscripten/emscripten.h>
 
 #include <algorithm>
@@ -28,8 +28,8 @@ struct Compared {
   Shown shown;
   Placement greedy, best;
   Optimum optimum;
-  double seconds = 0;    // the time that it could take
-  bool stopped = false;  // the time was over
+  double seconds = 0;    // the time limit
+  bool stopped = false;  // the time ran out
 };
 std::optional<Compared>& last() {
   static std::optional<Compared> compared;
@@ -40,7 +40,7 @@ std::string problem(const std::string& text) {
   return json::object({{"problem", json::text(text)}});
 }
 
-// As many teams by a method that chooses among candidates, where it finds them.
+// The same number of teams, by a method that chooses among candidates.
 Document with_teams(Document document) {
   Settings& settings = document.settings;
   if (settings.method == Method::balanced)
@@ -121,10 +121,10 @@ std::string as_json(const Compared& compared, Method asked) {
 
 extern "C" {
 
-// Compares the teams of a link with the best choice of as many, for so many seconds at most.
-// Returns {"rows", "said"}: rows of a name, the coverage, the loads, whether the robots hold the
-// object, and the candidates taken; and sentences; or {"problem"} with why there is nothing to
-// compare.
+// Compares the teams of a link with the best choice of the same number, within this number of
+// seconds. Returns {"rows", "said"}: rows with a name, the coverage, the loads, whether the robots
+// hold the object, and the chosen candidates; and sentences; or {"problem"} with the reason if
+// there is nothing to compare.
 EMSCRIPTEN_KEEPALIVE const char* optimum_compare(const char* link, double seconds) {
   using namespace evenlift;
   last().reset();
@@ -138,8 +138,8 @@ EMSCRIPTEN_KEEPALIVE const char* optimum_compare(const char* link, double second
   return hand_over(as_json(*last(), document->settings.method));
 }
 
-// The picture of the greedy choice, or of the best one, as SVG; call only after optimum_compare()
-// had rows.
+// The picture of the greedy choice, or of the best one, as SVG. Precondition: optimum_compare()
+// returned rows.
 EMSCRIPTEN_KEEPALIVE const char* optimum_picture(int best) {
   using namespace evenlift;
   const std::optional<Compared>& compared = last();

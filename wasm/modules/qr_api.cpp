@@ -1,5 +1,4 @@
-// QR codes (web/windows/qr.js), as a WebAssembly module of its own that is loaded when it is first
-// asked for.
+// QR codes (web/windows/qr.js), as a separate WebAssembly module, loaded on first use.
 #include <emscripten/emscripten.h>
 #include <qrcodegen.h>
 
@@ -13,8 +12,8 @@
 extern "C" {
 
 // A text as a QR code: a line of 0 and 1 (dark) for each row of modules, without the quiet zone.
-// Nothing if it is too long. The generator chooses version and mask, and as much error correction
-// as the version has room for.
+// Empty if the text is too long. The generator chooses the version, the mask, and the strongest
+// error correction that fits that version.
 EMSCRIPTEN_KEEPALIVE const char* qr_code(const char* text) {
   static std::array<std::uint8_t, qrcodegen_BUFFER_LEN_MAX> code, work;
   if (!qrcodegen_encodeText(text, work.data(), code.data(), qrcodegen_Ecc_LOW,

@@ -1,4 +1,4 @@
-// Each function calls the one of its name in web/page/bindings.js.
+// Each function calls the function with its name in web/page/bindings.js.
 #include "page/browser.h"
 
 #include <emscripten/emscripten.h>
@@ -80,7 +80,7 @@ void carry_out(const Effects& effects) {
 }
 
 void show_cursor(Cursor cursor) {
-  // As style sheets name them.
+  // Their names in style sheets.
   constexpr const char* names[] = {"default",  "pointer", "crosshair",   "copy",       "grab",
                                    "grabbing", "move",    "nesw-resize", "nwse-resize"};
   static_assert(std::size(names) == static_cast<std::size_t>(Cursor::end_of_cursors));

@@ -1,6 +1,6 @@
-// What the page's own windows (web/windows) ask of the program: samples, coordinates, files. Edits
-// are commands, so each is one step of undo. A function that may refuse returns a sentence that
-// says why, or an empty text.
+// Functions for the page's own windows (web/windows): samples, coordinates, files. Edits are
+// commands, so each is one step of undo. A function that may refuse returns the reason as a
+// sentence, or an empty text.
 #include <emscripten/emscripten.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ std::string open_with_these_settings(std::string_view text) {
   return {};
 }
 
-// A coordinate as the formats write it; or nothing, and `problem` says why it is none.
+// A coordinate as the formats write it; otherwise nothing, with the reason in `problem`.
 std::optional<double> coordinate(std::string_view text, std::string& problem) {
   constexpr std::string_view blank = " \t\n\r";
   const std::size_t first = text.find_first_not_of(blank);
@@ -68,7 +68,7 @@ std::string points_json(const Points& points, std::size_t from, std::size_t to) 
   return json::array(all);
 }
 
-// As page_outline() gives it.
+// In the form of page_outline().
 std::string outline_of(const Result<Document>& document) {
   if (!document) return {};
   const Result<Polygon> polygon = Polygon::create(document->vertices);
@@ -103,19 +103,19 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_sample(const char* text) {
 }
 
 // The outline of a polygon's text for a small picture: {"centre": [x, y], "vertices": [[x, y], …]}.
-// Nothing if the text cannot be read.
+// Empty if the text cannot be read.
 EMSCRIPTEN_KEEPALIVE const char* page_outline(const char* text) {
   return hand_over(outline_of(read_polygon(text)));
 }
 
-// The outline that the open polygon had when it was opened or drawn, before all edits since;
-// nothing if it was too large for a link then.
+// The outline of the open polygon when it was opened or drawn, before all later edits; empty if it
+// was too large for a link at that time.
 EMSCRIPTEN_KEEPALIVE const char* page_origin() {
   AppState& state = app().state;
   std::optional<std::string> before;
   for (std::size_t i = 0;; ++i) {
     std::optional<History::Kept> step = state.work.history.kept(false, i);
-    if (step && step->edit == Edit::lesson_left) {  // before the lesson the same polygon was open
+    if (step && step->edit == Edit::lesson_left) {  // the same polygon was open before the lesson
       i = state.work.history.lesson_opened(i + 1).value_or(i);
       step = state.work.history.kept(false, i);
     } else if (!step || is_other_object(step->edit)) {
@@ -142,8 +142,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_vertices(int first, int count) {
   return hand_over(points_json(vertices, from, to));
 }
 
-// The centre of mass [x, y]: the one that was given, or the last centroid; and whether it was
-// given.
+// The centre of mass [x, y]: the given one, or the last centroid; and whether it was given.
 EMSCRIPTEN_KEEPALIVE const char* page_centre() {
   const AppState& state = app().state;
   return hand_over(json::pair(
@@ -153,7 +152,7 @@ EMSCRIPTEN_KEEPALIVE int page_centre_is_given() {
   return app().state.work.document().centre_of_mass ? 1 : 0;
 }
 
-// Why the polygon is refused, or nothing.
+// Why the polygon is refused, or empty.
 EMSCRIPTEN_KEEPALIVE const char* page_refusal() {
   const AppState& state = app().state;
   return hand_over(state.derived().refusal ? sentence(*state.derived().refusal) : std::string());
@@ -192,7 +191,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_weight_unit() {
   return hand_over(std::string(name(shown(app().state).units.weight)));
 }
 
-// Whether robots are points that may stand anywhere: they have no size, and no edge is marked.
+// Whether robots are points that may stand anywhere: they have no size, and there are no no-go
+// edges.
 EMSCRIPTEN_KEEPALIVE int page_robots_are_points() {
   return stands_anywhere(app().state.derived().placed.settings) ? 1 : 0;
 }
@@ -224,7 +224,7 @@ EMSCRIPTEN_KEEPALIVE void page_select_vertex(int vertex) {
   carry_out({select});
 }
 
-// -1 for none.
+// -1 without one.
 EMSCRIPTEN_KEEPALIVE int page_selected_vertex() { return index_of(app().state.view.selected); }
 EMSCRIPTEN_KEEPALIVE int page_hovered_vertex() {
   const AppState& state = app().state;
@@ -241,7 +241,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_geojson() {
   return hand_over(evenlift::write_geojson(app().state.derived().placed));
 }
 
-// Says why there is no link; nothing if there is one.
+// Why there is no link; empty if there is one.
 EMSCRIPTEN_KEEPALIVE const char* page_link_problem() {
   const Result<std::string> link = evenlift::encode_link(last_good(app().state));
   return hand_over(link ? std::string() : sentence(link.error()));
@@ -249,7 +249,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_link_problem() {
 
 // --- Keys
 
-// The actions that have a key of their own: [{"group", "key", "label"}, …].
+// The actions with a key of their own: [{"group", "key", "label"}, …].
 EMSCRIPTEN_KEEPALIVE const char* page_keys() {
   std::vector<std::string> keys;
   for (const Action* action : key_list(app().state.session.screen.embed))

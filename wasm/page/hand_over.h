@@ -6,7 +6,7 @@
 
 namespace evenlift::view {
 
-// Keeps the text alive for JavaScript until the next one is handed over.
+// Keeps the text alive for JavaScript until the next call.
 inline const char* hand_over(std::string text) {
   static std::string kept;
   kept = std::move(text);

@@ -1,4 +1,4 @@
-// What the page's windows ask of lessons.
+// Functions for the page's windows about lessons.
 #include <emscripten/emscripten.h>
 
 #include <algorithm>
@@ -24,15 +24,15 @@ namespace json = evenlift::json;
 
 extern "C" {
 
-// The sample that a ready-made lesson names; the text of its polygon is passed to
-// page_open_lesson(). Nothing if the lesson has a link instead, or cannot be read.
+// The sample that a lesson names; the text of its polygon is passed to page_open_lesson(). Empty if
+// the lesson has a link instead, or cannot be read.
 EMSCRIPTEN_KEEPALIVE const char* page_lesson_polygon(const char* text) {
   const evenlift::Result<evenlift::Lesson> lesson = evenlift::parse_lesson(text);
   return hand_over(lesson ? lesson->polygon : std::string());
 }
 
-// Opens a lesson (LessonStart: 0 anew, 1 join, 2 preview). Returns why it cannot be opened, or
-// nothing.
+// Opens a lesson (LessonStart: 0 anew, 1 join, 2 preview). Returns why it cannot be opened, or an
+// empty text.
 EMSCRIPTEN_KEEPALIVE const char* page_open_lesson(const char* text, const char* polygon,
                                                   int start) {
   const std::optional<evenlift::InputError> problem =
@@ -42,8 +42,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_lesson(const char* text, const char* 
   return hand_over({});
 }
 
-// For each step of this lesson whether the algorithm takes it on the open polygon. Nothing if it
-// cannot be traced, or if the lesson cannot be read.
+// For each step of this lesson, whether the algorithm takes it on the open polygon. Empty if there
+// is no trace, or if the lesson cannot be read.
 EMSCRIPTEN_KEEPALIVE const char* page_steps_that_exist(const char* text) {
   const evenlift::Result<evenlift::Lesson> lesson = evenlift::parse_lesson(text);
   const evenlift::Result<evenlift::Trace> trace =
@@ -55,13 +55,13 @@ EMSCRIPTEN_KEEPALIVE const char* page_steps_that_exist(const char* text) {
   return hand_over(json::array(found));
 }
 
-// Goes to a stop of the lesson that is open, from 0.
+// Goes to a stop of the open lesson, from 0.
 EMSCRIPTEN_KEEPALIVE void page_go_to_stop(int stop) {
   carry_out({GoToStep{step_of(app().state, static_cast<std::uint32_t>(std::max(stop, 0)))}});
 }
 
-// Opens the walkthrough of the open document at the step where it was left; or, with `predict`, as
-// a challenge from its first step.
+// Opens the walkthrough of the open document at the step where the user left it; or, with
+// `predict`, as a challenge from its first step.
 EMSCRIPTEN_KEEPALIVE void page_begin_walkthrough(int predict) {
   carry_out({OpenWalkthrough{}});
   Commands commands{LeaveScript{}, SetPredict{predict != 0}};
@@ -72,11 +72,11 @@ EMSCRIPTEN_KEEPALIVE void page_begin_walkthrough(int predict) {
   carry_out(std::move(commands));
 }
 
-// Whether it is shown before a room, and how much larger all is then.
+// Whether presentation mode is on, and its enlargement.
 EMSCRIPTEN_KEEPALIVE int page_presenting() { return app().state.view.presenting ? 1 : 0; }
 EMSCRIPTEN_KEEPALIVE double page_zoom() { return app().state.session.screen.zoom; }
 
-// The reader left full screen.
+// The user left full screen.
 EMSCRIPTEN_KEEPALIVE void page_end_presenting() {
   if (app().state.view.presenting) carry_out({SetPresenting{false}});
 }
@@ -88,16 +88,17 @@ EMSCRIPTEN_KEEPALIVE int page_walkthrough_is_open() {
   return walkthrough_is_open(app().state) ? 1 : 0;
 }
 
-// 0 if no ready-made lesson is open, 1 if one is but its polygon was edited since, otherwise 2.
+// 0 if no lesson is open, 1 if one is open but its polygon was edited since, otherwise 2.
 EMSCRIPTEN_KEEPALIVE int page_script() {
   const AppState& state = app().state;
   return !state.view.walkthrough.script ? 0 : script_is_true(state) ? 2 : 1;
 }
 
-// What is played: {"at", "count", "guesses", "right", "step", "told", "passed"}: the position from
-// 0, the number of stops, the guesses and how many of them were right, the number of the step, how
-// many choices were shown without a question since three of their kind had been asked, and how many
-// questions nobody guessed. Nothing if no walkthrough is open.
+// The progress of the walkthrough: {"at", "count", "guesses", "right", "step", "told", "passed"}:
+// the position from 0; the number of stops; the number of guesses, and of right guesses; the number
+// of the step; the number of choices shown without a question, because three questions of their
+// kind had been asked; and the number of questions without a guess. Empty if no walkthrough is
+// open.
 EMSCRIPTEN_KEEPALIVE const char* page_lesson() {
   const AppState& state = app().state;
   if (!walkthrough_is_open(state)) return hand_over({});
@@ -112,8 +113,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_lesson() {
                                  {"passed", std::to_string(guesses.passed_over())}}));
 }
 
-// The question at the end of the lesson that is open, and its answer, in paragraphs with "\n"
-// between them. Nothing without one.
+// The question at the end of the open lesson, and its answer, in paragraphs separated by "\n".
+// Empty without a question.
 EMSCRIPTEN_KEEPALIVE const char* page_lesson_question() {
   const std::optional<Script>& script = app().state.view.walkthrough.script;
   return hand_over(script ? script->lesson.question : std::string());

@@ -1,13 +1,13 @@
-// The start of the page, and its frames: SDL2 gives the events, Emscripten WebGL 2, and Dear ImGui
-// draws. A frame is drawn only if something asked for one. Dear ImGui's own backend for SDL2 is not
-// used: it reads where the mouse is and not where it was pressed, draws at whole CSS pixels, and
-// contains code for gamepads.
+// Starts the page and makes its frames: SDL2 provides the events, Emscripten WebGL 2, and Dear
+// ImGui draws. A frame is drawn only on request. Dear ImGui's own backend for SDL2 is not used: it
+// reads the place of the mouse and not of the press, draws at whole CSS pixels, and contains code
+// for gamepads.
 //
-// All input is handled in the order in which it came, however long a frame takes. The pointer's
-// events wait in one queue (sdl_input.h) and are handled in passes: a pass lets the pointer act on
-// the drawing and on the panels, up to its next press or release. A frame makes as many passes as
-// the input needs, and draws the last one. A key or a call is answered at once; before that, the
-// waiting passes are made without a picture (page_catch_up).
+// All input is handled in order, however long a frame takes. The pointer's events wait in one queue
+// (sdl_input.h) and are handled in passes: in a pass the pointer acts on the drawing and on the
+// panels, up to its next press or release. A frame makes as many passes as the input needs, and
+// draws the last one. A key or a call is handled at once; the waiting passes come first, without a
+// picture (page_catch_up).
 #include <SDL.h>
 #include <emscripten/emscripten.h>
 #include <emscripten/html5.h>
@@ -33,12 +33,12 @@
 namespace evenlift::view {
 namespace {
 
-// Dear ImGui needs three frames after an input: what a click opens is measured in the second frame,
-// and the pointer hovers over it in the third.
+// Dear ImGui needs three frames after an input: whatever a click opens is measured in the second
+// frame, and the pointer hovers over it in the third.
 constexpr int frames_after_input = 3;
 
 struct Page {
-  SDL_Window* window = nullptr;  // none without WebGL 2
+  SDL_Window* window = nullptr;  // null without WebGL 2
   WebglRenderer renderer;
   SdlInput input;
   int canvas_width = 0, canvas_height = 0;  // device pixels
@@ -46,12 +46,12 @@ struct Page {
   int frames_due = 0;
   bool frame_scheduled = false;
   bool context_lost = false;
-  bool passing = false;  // a pass is under way: calls that it makes to the page may call back
-  int passes_due = 0;    // until the panels stand as they will be: no press is dealt with before
+  bool passing = false;  // a pass is under way: its calls to the page may call back
+  int passes_due = 0;    // until the panels are laid out; no press is handled before
   double fonts_for_ratio = 0;
   double last_frame_at = 0;  // seconds
   double frames = 0;
-  double press_time = 0;  // of the press that the browser is telling of: page_press()
+  double press_time = 0;  // of the press that the browser is reporting: page_press()
   int press_clicks = 0;
   Cursor cursor = Cursor::arrow;
 };
@@ -68,9 +68,9 @@ void ask_for_frames(int count) {
   schedule();
 }
 
-// SDL_PollEvent() itself puts a sentinel into the queue; a frame for that would cause the next one.
-// SDL gives an event the time at which it received it, and a slow frame delays that. So a press
-// keeps the time at which it was made, and the browser's count of clicks.
+// SDL_PollEvent() itself puts a sentinel into the queue, which must not cause another frame. SDL
+// gives an event the time of its receipt, which a slow frame delays. So a press keeps its original
+// time and the browser's count of clicks.
 int SDLCALL on_event(void*, SDL_Event* event) {
   if (event->type == SDL_MOUSEBUTTONDOWN)
     event->button.clicks = static_cast<Uint8>(std::clamp(page.press_clicks, 0, 255));
@@ -87,8 +87,8 @@ void load_fonts_for(double ratio) {
   page.fonts_for_ratio = ratio;
 }
 
-// Characters that a text needs and the fonts lack: fetches larger fonts, once; or rasterises more
-// of them before the next picture, and says which characters no font has.
+// For characters that a text needs and the fonts lack: fetches larger fonts, once; or rasterises
+// more characters before the next frame, and reports those that no font has.
 void find_letters() {
   if (!letters_are_due()) return;
   if (letters_are_here()) {
@@ -103,7 +103,8 @@ void find_letters() {
   }
 }
 
-// SDL resizes the canvas to CSS pixels, or not at all; the page knows the exact device pixels.
+// SDL resizes the canvas to CSS pixels, or not at all; the page knows the exact number of device
+// pixels.
 void fit_canvas() {
   int width = 0, height = 0;
   emscripten_get_canvas_element_size("#canvas", &width, &height);
@@ -144,11 +145,11 @@ void show_cursor() {
   browser::show_cursor(wanted);
 }
 
-// What a press opens is measured in the next pass, and can be pressed in the one after.
+// Whatever a press opens is measured in the next pass, and can be pressed in the following one.
 constexpr int passes_after_change = 2;
 void panels_change() { page.passes_due = passes_after_change; }
 
-// Makes one pass. Draws, if it may, when no input is left. Returns whether it drew.
+// Makes one pass. Draws when no input is left, if allowed. Returns whether it drew.
 bool pass(bool may_draw) {
   App& a = app();
   page.passing = true;
@@ -180,7 +181,7 @@ void draw() {
   if (!page.window || page.passing || page.context_lost || page.canvas_width <= 0 ||
       !a.state.derived().placement)
     return;
-  // Not every browser reports at once that the window was moved to another screen.
+  // Some browsers report late that the window was moved to another screen.
   if (emscripten_get_device_pixel_ratio() != a.state.session.screen.css_ratio)
     browser::measure_screen();
   take_input();
@@ -194,7 +195,7 @@ void draw() {
   if (page.frames_due > 0) schedule();
 }
 
-// Before the first frame there are no panels yet that could be pressed.
+// Before the first frame there are no panels to press.
 void catch_up() {
   if (page.passing || page.frames == 0) return;
   take_input();
@@ -213,18 +214,19 @@ bool make_webgl_context() {
   return context > 0 && emscripten_webgl_make_context_current(context) == EMSCRIPTEN_RESULT_SUCCESS;
 }
 
-// Returns whether there is a canvas to draw on. All calls but those about it work without one, too.
+// Returns whether there is a canvas to draw on. Without one, all calls except those about it still
+// work.
 bool start() {
   if (!make_webgl_context()) return false;
   SDL_SetHint(SDL_HINT_EMSCRIPTEN_KEYBOARD_ELEMENT, "#canvas");
-  SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");  // sdl_input.cpp tells fingers apart itself
+  SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");  // sdl_input.cpp distinguishes fingers itself
   if (SDL_Init(SDL_INIT_VIDEO) != 0) return false;
   page.window = SDL_CreateWindow("evenlift", 0, 0, 1280, 800, 0);
   if (!page.window) return false;
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
-  io.ConfigInputTextCursorBlink = false;  // it would draw for ever
+  io.ConfigInputTextCursorBlink = false;  // a blinking cursor would draw for ever
   io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
   page.renderer.start();
   return true;
@@ -251,7 +253,7 @@ EMSCRIPTEN_KEEPALIVE void page_resize(double width, double height, double ratio,
   page.canvas_height = device_height;
   SDL_SetWindowSize(page.window, static_cast<int>(std::lround(width)),
                     static_cast<int>(std::lround(height)));
-  // Draws at once, as the browser would show the old frame stretched until the next one.
+  // Draws at once, since the browser would show the old frame stretched until the next one.
   if (page.frames > 0) draw();
   ask_for_frames(frames_after_input);
 }
@@ -261,8 +263,8 @@ EMSCRIPTEN_KEEPALIVE void page_pinch(double x, double y, double factor) {
   ask_for_frames(frames_after_input);
 }
 
-// The WebGL context was lost, or is back. It lost everything that it held, so when it is back the
-// renderer starts again and gets the fonts again.
+// The WebGL context was lost, or has returned. A returned context is empty, so the renderer
+// restarts and receives the fonts again.
 EMSCRIPTEN_KEEPALIVE void page_context(int lost) {
   if (page.context_lost == (lost != 0)) return;
   page.context_lost = lost != 0;
@@ -276,12 +278,12 @@ EMSCRIPTEN_KEEPALIVE void page_context(int lost) {
   }
 }
 
-// Whether there is a canvas to draw on. Without, the page shows page_svg() after each page_frame().
+// Whether there is a canvas to draw on. If not, the page shows page_svg() after each page_frame().
 EMSCRIPTEN_KEEPALIVE int page_draws() { return page.window ? 1 : 0; }
 
 EMSCRIPTEN_KEEPALIVE double page_frames() { return page.frames; }
 
-// Draws the frame that was scheduled; and asks for one after some time.
+// page_frame() draws the scheduled frame; page_wake() requests one when a delay ends.
 EMSCRIPTEN_KEEPALIVE void page_frame() {
   if (page.context_lost) return;
   page.frame_scheduled = false;
@@ -293,8 +295,8 @@ EMSCRIPTEN_KEEPALIVE void page_wake() { ask_for_frames(1); }
 // Handles all input so far. web/page/program.js calls it before each call except page_frame().
 EMSCRIPTEN_KEEPALIVE void page_catch_up() { catch_up(); }
 
-// Announces the press that SDL will receive next: when it was made, in milliseconds, and how many
-// presses in one place it is; 0 if the browser does not count them.
+// Announces the press that SDL will receive next: its time in milliseconds, and its count among the
+// presses in one place; 0 if the browser does not count them.
 EMSCRIPTEN_KEEPALIVE void page_press(double time, int clicks) {
   page.press_time = time;
   page.press_clicks = clicks;
@@ -307,8 +309,8 @@ static void lay_out_panels() {
   while (page.passes_due > 0);
 }
 
-// Does what was asked of controls and lays all of them out, so that page_controls() has them before
-// the next picture.
+// Carries out the requests to controls and lays all controls out, so that page_controls() has them
+// before the next frame.
 EMSCRIPTEN_KEEPALIVE void page_lay_out() {
   panels_change();
   lay_out_panels();
@@ -327,8 +329,8 @@ EMSCRIPTEN_KEEPALIVE void page_letters(const unsigned char* regular, int regular
   browser::request_frame();
 }
 
-// The place of a control of the panels, as JSON; nothing if no control of that
-// name is shown. In CSS pixels.
+// The place of a control of the panels, as JSON, in CSS pixels; empty if no control with that name
+// is shown.
 EMSCRIPTEN_KEEPALIVE const char* page_control(const char* name) {
   lay_out_panels();
   const std::vector<Control>& all = controls();
@@ -338,9 +340,9 @@ EMSCRIPTEN_KEEPALIVE const char* page_control(const char* name) {
                                       : place_json(found->place, app().state.session.screen.zoom));
 }
 
-// Does with a control what a pointer would: 0 presses it, 1 chooses the choice number `value`, 2
-// moves it to `value`, 3 scrolls its card until it is seen, 4 moves it to `value` and confirms
-// that, and 5 takes back what was typed in it.
+// Does what a pointer would do with a control: 0 presses it, 1 selects the choice number `value`, 2
+// moves it to `value`, 3 scrolls its card until the control is visible, 4 moves it to `value` and
+// confirms that, and 5 withdraws the typed text.
 EMSCRIPTEN_KEEPALIVE void page_ask_control(int what, const char* card, const char* name,
                                            double value) {
   if (what < 0 || what > static_cast<int>(ControlRequest::withdraw)) return;

@@ -48,7 +48,7 @@ std::string link_or_nothing(const Document& document) {
   return link ? std::move(link).value() : std::string();
 }
 
-// A method by its number from 1; 0 is none.
+// A method by its number from 1; nothing for 0.
 std::optional<Method> method_of(int number) {
   if (number < 1 || number > static_cast<int>(std::size(all_methods))) return std::nullopt;
   return all_methods[number - 1];
@@ -104,7 +104,7 @@ extern "C" {
 
 // --- Start
 
-// Returns why the link could not be read, or nothing.
+// Returns why the link could not be read, or an empty text.
 EMSCRIPTEN_KEEPALIVE const char* page_start(const char* fragment, const char* work,
                                             const char* draft, int embed) {
   AppState& state = app().state;
@@ -134,7 +134,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_state() {
                                   failing(state) != nullptr));
 }
 
-// Returns why it was refused, or nothing.
+// Returns why the text was refused, or an empty text.
 EMSCRIPTEN_KEEPALIVE const char* page_load(const char* text) {
   Result<Opened> document = read_document(text);
   if (!document) return hand_over(sentence(document.error()));
@@ -142,7 +142,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_load(const char* text) {
   return no_error();
 }
 
-// The same for the fragment of an address, which is a link or empty.
+// Like page_load(), for the fragment of an address, which is a link or empty.
 EMSCRIPTEN_KEEPALIVE const char* page_open_link(const char* fragment) {
   Result<Opened> document = read_link(fragment);
   if (!document) return hand_over(sentence(document.error()));
@@ -150,7 +150,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_link(const char* fragment) {
   return no_error();
 }
 
-// `changes` has a line `name=value` for each setting. Makes all changes; or none, and returns why.
+// `changes` has a line `name=value` for each setting. Makes all changes; or makes none and returns
+// why.
 EMSCRIPTEN_KEEPALIVE const char* page_set(const char* changes) {
   AppState& state = app().state;
   const Result<Changeable> changed =
@@ -169,8 +170,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_set(const char* changes) {
 EMSCRIPTEN_KEEPALIVE const char* page_link() {
   return hand_over(link_or_nothing(last_good(app().state)));
 }
-// A link without the step of a lesson, so that a challenge begins at its beginning; any other text
-// as it is.
+// Removes the step from a link, so that a challenge starts at its beginning; returns any other text
+// unchanged.
 EMSCRIPTEN_KEEPALIVE const char* page_without_step(const char* text) {
   Result<Document> document = evenlift::decode_link(text);
   if (!document || !document->shown.step) return hand_over(text);
@@ -212,14 +213,14 @@ EMSCRIPTEN_KEEPALIVE double page_world_y(double x, double y) {
 
 // --- The page around the canvas
 
-// The link of a document that is refused; nothing if it is not refused.
+// The link of a refused document; empty if it is not refused.
 EMSCRIPTEN_KEEPALIVE const char* page_draft() {
   const AppState& state = app().state;
   return hand_over(state.derived().refusal ? link_or_nothing(state.work.document())
                                            : std::string());
 }
 
-// The polygon that is being drawn, as text to be kept; and back.
+// The polygon that is being drawn, as text for storage; and back.
 EMSCRIPTEN_KEEPALIVE const char* page_drawing() {
   return hand_over(drawing_text(app().state.view.drawing));
 }
@@ -242,7 +243,7 @@ EMSCRIPTEN_KEEPALIVE void page_preferences(int dark, int reduced_motion, int coa
   carry_out({SetPreferences{dark != 0, reduced_motion != 0, coarse_pointer != 0}});
 }
 
-// The preferences that the browser keeps besides the document; and back.
+// The preferences that the browser keeps apart from the document; and back.
 EMSCRIPTEN_KEEPALIVE const char* page_kept() {
   const AppState& state = app().state;
   return hand_over(kept_text({state.view.motion}));
@@ -252,8 +253,9 @@ EMSCRIPTEN_KEEPALIVE void page_keep(const char* lines) {
   carry_out({KeepMotion{read_kept(lines).motion}});
 }
 
-// The step that so many undos, or redos, lead to, to be kept: {"edit", "method", "link"}, where the
-// method 0 is none, and a document that is too large has no link. Nothing if there is no such step.
+// A step of the history for storage, as History::kept() counts it: {"edit", "method", "link"},
+// where method 0 means none, and a document that is too large has no link. Empty if there is no
+// such step.
 EMSCRIPTEN_KEEPALIVE const char* page_kept_step(int redo, int index) {
   const std::optional<History::Kept> kept =
       app().state.work.history.kept(redo != 0, static_cast<std::size_t>(std::max(index, 0)));
@@ -265,8 +267,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_kept_step(int redo, int index) {
                     {"link", json::text(kept->link)}}));
 }
 
-// The method that the document is compared with, counted from 1, or 0; to be kept. And back, which
-// is no step of undo.
+// The number of the method that the document is compared with, from 1, or 0 without one, for
+// storage; and back, which is not a step of undo.
 EMSCRIPTEN_KEEPALIVE int page_compared() {
   const std::optional<evenlift::Method>& method = app().state.work.second_method;
   return method ? static_cast<int>(*method) + 1 : 0;
@@ -275,29 +277,29 @@ EMSCRIPTEN_KEEPALIVE void page_compare(int method) {
   if (const auto second = method_of(method)) carry_out({KeepComparison{*second}});
 }
 
-// And the steps back: begins a history anew, or adds the newest step to be undone or redone.
+// Restores the kept steps: starts a new history, or adds the newest step to undo or redo.
 EMSCRIPTEN_KEEPALIVE void page_forget_steps() { carry_out({ForgetSteps{}}); }
 EMSCRIPTEN_KEEPALIVE void page_add_step(int redo, int edit, int method, const char* link) {
   carry_out({AddStep{redo != 0, {static_cast<Edit>(edit), {method_of(method), {}}, link}}});
 }
 
-// How much of the canvas a window of the page covers at its left, at its right and at its foot, in
+// The part of the canvas that a window of the page covers at its left, its right and its foot, in
 // CSS pixels.
 EMSCRIPTEN_KEEPALIVE void page_cover(double left, double right, double foot) {
   carry_out({CoverScreen{left, right, foot}});
 }
 
-// Where a card may stand at the foot of the drawing. It does not depend on whether there is one.
+// The place for a card at the foot of the drawing. Independent of whether there is a card.
 EMSCRIPTEN_KEEPALIVE const char* page_card_seat() {
   return hand_over(in_css_pixels(card_seat(app().state)));
 }
 
-// Where a list is open, which a card would cover; or nothing.
+// The place of the open list, which a card would cover; empty if none is open.
 EMSCRIPTEN_KEEPALIVE const char* page_open_list() {
   return hand_over(open_list() ? in_css_pixels(*open_list()) : std::string());
 }
 
-// Makes room for a card of this height there; 0 ends that.
+// Makes room for a card of this height there; 0 undoes that.
 EMSCRIPTEN_KEEPALIVE void page_make_room(double height) {
   const Screen before = app().state.session.screen;
   app().commands.push_back(MakeRoom{height});
@@ -306,7 +308,7 @@ EMSCRIPTEN_KEEPALIVE void page_make_room(double height) {
   if (now.foot != before.foot || now.card != before.card) browser::request_frame();
 }
 
-// A picture lies behind the canvas, at these polygon coordinates; without width there is none.
+// Puts a picture behind the canvas at these polygon coordinates; without a width, removes it.
 EMSCRIPTEN_KEEPALIVE void page_backdrop(double left, double bottom, double width, double height) {
   if (width > 0 && height > 0)
     carry_out({LayPicture{{left, bottom}, {left + width, bottom + height}}});
@@ -314,7 +316,7 @@ EMSCRIPTEN_KEEPALIVE void page_backdrop(double left, double bottom, double width
     carry_out({TakePictureAway{}});
 }
 
-// Where it lies now: {"left", "bottom", "width"}, or nothing.
+// Its present place: {"left", "bottom", "width"}, or empty.
 EMSCRIPTEN_KEEPALIVE const char* page_backdrop_place() {
   const std::optional<Backdrop>& picture = app().state.work.backdrop;
   if (!picture) return hand_over({});
@@ -323,25 +325,25 @@ EMSCRIPTEN_KEEPALIVE const char* page_backdrop_place() {
                                  {"width", json::number(picture->width())}}));
 }
 
-// Makes it so wide. Returns why it cannot be, or nothing.
+// Gives the picture this width. Returns why that is impossible, or an empty text.
 EMSCRIPTEN_KEEPALIVE const char* page_scale_backdrop(double width) {
   const std::string problem = scale_picture(app().state, width);
   carried_out();
   return hand_over(problem);
 }
 
-// Whether presses go to that picture, whose scale is being set.
+// Whether presses go to the picture, because its scale is being set.
 EMSCRIPTEN_KEEPALIVE void page_measuring(int on) { carry_out({SetMeasuring{on != 0}}); }
 
 EMSCRIPTEN_KEEPALIVE void page_notice(const char* text, int problem) {
   carry_out({ShowNotice{{problem ? Notice::Kind::problem : Notice::Kind::info, text}}});
 }
 
-// It was there long enough to be read.
+// The notice has been shown long enough to read it.
 EMSCRIPTEN_KEEPALIVE void page_end_notice() { carry_out({EndNotice{}}); }
 
-// Handles a key, as KeyboardEvent.key names it. Returns whether the page used it; if not, it is the
-// browser's.
+// Handles a key, named as in KeyboardEvent.key. Returns whether the page used it; if not, the
+// browser handles it.
 EMSCRIPTEN_KEEPALIVE int page_key(const char* name, int command, int shift) {
   App& a = app();
   const Action* action = action_for(a.state, {name, command != 0, shift != 0});

@@ -1,23 +1,23 @@
 // The functions that web/page calls: window.evenlift, the address bar, keys. All text is UTF-8; a
-// text that is returned stays valid until the next call.
+// returned text stays valid until the next call.
 #pragma once
 
 #include "app/app.h"
 
 namespace evenlift::view {
 
-// The one page.
+// The only page.
 App& app();
 
-// Carries out the commands since, and what they ask of the browser. Returns whether there were any;
-// then another frame is due.
+// Carries out the pending commands, and their requests to the browser. Returns whether there were
+// any, in which case another frame is due.
 bool settle();
 
-// Carries out these commands at once, as if a button had asked for them.
+// Carries out these commands at once, as if from a button.
 void carry_out(Commands commands);
 
-// Does what follows after a function that changed the state in place of a command, since it may
-// refuse to.
+// Call after a function that changed the state in place of a command because it may refuse: does
+// everything that follows a command.
 void carried_out();
 
 }  // namespace evenlift::view

@@ -26,7 +26,7 @@ void SdlInput::take(const Screen& screen) {
           queue_.push_back({What::leave, Vec2(0, 0)});
         break;
       default:
-        break;  // keys come by way of page_key()
+        break;  // keys arrive through page_key()
     }
   }
 }
@@ -70,7 +70,7 @@ void SdlInput::take_finger(const SDL_Event& event, const Screen& screen) {
   fingers_.erase(finger);
   if (!two_fingers_) {
     queue_.push_back({What::up, at, true});
-    queue_.push_back({What::leave, at, true});  // nothing hovers where no finger is
+    queue_.push_back({What::leave, at, true});  // a lifted finger hovers over nothing
   }
   if (fingers_.empty()) two_fingers_ = false;
 }
@@ -101,7 +101,7 @@ void SdlInput::pinch(const Vec2& at, double factor) {
   queue_.push_back(pinch);
 }
 
-// The browser counts the clicks of a mouse, with the settings of the system; nobody counts taps.
+// The browser counts the clicks of a mouse by the system's settings, but not the taps of a finger.
 bool SdlInput::is_second(const Event& press) const {
   if (!press.touch) return press.clicks > 0 && press.clicks % 2 == 0;
   return pressed_time_ && press.time - *pressed_time_ <= 450 &&
@@ -167,7 +167,7 @@ void SdlInput::feed(bool laid_out, double zoom) {
                   gone ? -FLT_MAX : static_cast<float>(at_.y() / zoom));
   const float wheel = wheel_ ? wheel_->wheel : 0;
 #if IMGUI_VERSION_NUM >= 18700
-  io.ConfigInputTrickleEventQueue = false;  // feed() itself parts what does not go together
+  io.ConfigInputTrickleEventQueue = false;  // feed() itself separates conflicting events
   io.AddMousePosEvent(at.x, at.y);
   io.AddMouseButtonEvent(0, down_);
   io.AddMouseWheelEvent(0, wheel);

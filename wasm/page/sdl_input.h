@@ -1,4 +1,5 @@
-// SDL's events as one pointer and gestures of two fingers. Only this file and main.cpp use SDL.
+// Converts SDL's events to one pointer and two-finger gestures. Only this file and main.cpp use
+// SDL.
 #pragma once
 
 #include <SDL.h>
@@ -13,16 +14,15 @@ namespace evenlift::view {
 
 class SdlInput {
  public:
-  // Takes all waiting events.
+  // Takes over all waiting events.
   void take(const Screen& screen);
 
-  // Passes the pointer's next events to Dear ImGui in the order in which they came, up to the next
-  // press, release or turn of the wheel, as it would lose a second one in the same pass. A press
-  // waits until the panels are `laid_out`. Dear ImGui's pixels are `zoom` CSS pixels large. Call
-  // before ImGui::NewFrame().
+  // Passes the pointer's next events to Dear ImGui in order, up to the next press, release or wheel
+  // turn, since Dear ImGui would lose a second one in the same pass. A press waits until the panels
+  // are `laid_out`. Dear ImGui's pixels are `zoom` CSS pixels large. Call before ImGui::NewFrame().
   void feed(bool laid_out, double zoom);
 
-  // Two fingers on a trackpad, which browsers report as a wheel.
+  // A trackpad's two fingers, which browsers report as a wheel.
   void pinch(const Vec2& at, double factor);
 
   // The pointer in this pass, in the same pixels. Call after ImGui::NewFrame().
@@ -37,10 +37,10 @@ class SdlInput {
     What what;
     Vec2 at;
     bool touch = false;
-    Uint32 time = 0;            // of a finger's press: when it was made, milliseconds
-    int clicks = 0;             // of a mouse's press: how many there were in one place
+    Uint32 time = 0;            // of a finger's press, in milliseconds
+    int clicks = 0;             // of a mouse's press: the number of presses in one place
     float wheel = 0;            // steps
-    Vec2 moved = Vec2::Zero();  // of a pinch: its middle
+    Vec2 moved = Vec2::Zero();  // of a pinch: the movement of its middle
     double factor = 1;
   };
   struct Finger {
@@ -55,18 +55,18 @@ class SdlInput {
   bool ends_pass(const Event& next, bool laid_out) const;
   void deal_with(const Event& event);
 
-  std::vector<Event> queue_;  // short: what came since the last frame
+  std::vector<Event> queue_;  // short: only events since the last frame
   std::vector<Finger> fingers_;
-  // Here all places are in CSS pixels.
+  // From here on, all places are in CSS pixels.
   Vec2 at_ = Vec2(-1e6, -1e6);
   bool down_ = false, touch_ = false;
   Vec2 pressed_at_ = Vec2::Zero();
-  std::optional<Uint32> pressed_time_;  // none: a finger's next press is a first one
+  std::optional<Uint32> pressed_time_;  // nothing: a finger's next press is a first one
   bool two_fingers_ = false;  // until all are lifted: the last finger of a pinch drags nothing
   Vec2 pinch_middle_ = Vec2::Zero();
   double pinch_spread_ = 1;
 
-  // What this pass has dealt with.
+  // The events that this pass has processed.
   bool dragged_ = false, ended_ = false, second_press_ = false;
   std::optional<Event> wheel_, pinch_;  // several in a row count as one
 };

@@ -9,8 +9,8 @@ namespace {
 // The attributes of a vertex, by their locations in the shader.
 enum : GLuint { position, texture_position, colour, to_clip_space };
 
-// to_clip_space holds a scale (x, y) and an offset (z, w). It is the same for all vertices: an
-// attribute without an array, because the location of a uniform would have to be asked for.
+// to_clip_space holds a scale (x, y) and an offset (z, w), the same for all vertices. It is an
+// attribute without an array, because the location of a uniform would have to be queried.
 constexpr const char* vertex_shader = R"(#version 300 es
 precision highp float;
 layout(location = 0) in vec2 position;
@@ -26,7 +26,7 @@ void main() {
 }
 )";
 
-// The texture unit of a sampler is 0 unless somebody sets it.
+// The texture unit of a sampler is 0 by default.
 constexpr const char* fragment_shader = R"(#version 300 es
 precision highp float;
 uniform sampler2D image;
@@ -48,7 +48,7 @@ GLuint link_program() {
   for (const GLuint shader :
        {compile(GL_VERTEX_SHADER, vertex_shader), compile(GL_FRAGMENT_SHADER, fragment_shader)}) {
     glAttachShader(program, shader);
-    glDeleteShader(shader);  // lives on as long as the program
+    glDeleteShader(shader);  // stays alive as long as the program
   }
   glLinkProgram(program);
   return program;
@@ -81,10 +81,10 @@ void destroy(ImTextureData& texture) {
   const GLuint name = texture.TexID;
   glDeleteTextures(1, &name);
   texture.SetTexID(ImTextureID_Invalid);
-  texture.SetStatus(ImTextureStatus_Destroyed);  // made anew if Dear ImGui still wants it
+  texture.SetStatus(ImTextureStatus_Destroyed);  // created again if Dear ImGui still needs it
 }
 
-// Does what Dear ImGui asks for: creates a texture, updates a part of one, or removes one.
+// Handles a request of Dear ImGui: creates a texture, updates part of one, or removes one.
 void answer(ImTextureData& texture) {
   switch (texture.Status) {
     case ImTextureStatus_WantCreate:
@@ -119,7 +119,7 @@ void draw_list(const ImDrawList& list, const ImDrawData& frame, int height) {
                GL_STREAM_DRAW);
   const ImVec2 origin = frame.DisplayPos, scale = frame.FramebufferScale;
   for (const ImDrawCmd& command : list.CmdBuffer) {
-    IM_ASSERT(command.UserCallback == nullptr);  // evenlift adds none
+    IM_ASSERT(command.UserCallback == nullptr);  // evenlift adds no callbacks
     const ImVec4& clip = command.ClipRect;       // CSS pixels, y down
     const float left = (clip.x - origin.x) * scale.x, top = (clip.y - origin.y) * scale.y;
     const float right = (clip.z - origin.x) * scale.x, bottom = (clip.w - origin.y) * scale.y;
@@ -151,7 +151,7 @@ void WebglRenderer::start() {
 #if IMGUI_VERSION_NUM >= 19200
   ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
   ImGuiPlatformIO& platform = ImGui::GetPlatformIO();
-  platform.Renderer_TextureMaxWidth = platform.Renderer_TextureMaxHeight = 4096;  // every device
+  platform.Renderer_TextureMaxWidth = platform.Renderer_TextureMaxHeight = 4096;  // all devices
 #else
   fonts_ = make_texture();
 #endif
@@ -196,8 +196,7 @@ void WebglRenderer::draw(ImDrawData& frame, const Colour& ground) {
   const ImVec4 clear = ground.vec();
   glViewport(0, 0, width, height);
   glDisable(GL_SCISSOR_TEST);
-  // What is seen through a ground that is not opaque comes with its colours multiplied by their
-  // opacity.
+  // A background that is not opaque needs its colours multiplied by their opacity.
   glClearColor(clear.x * clear.w, clear.y * clear.w, clear.z * clear.w, clear.w);
   glClear(GL_COLOR_BUFFER_BIT);
   glEnable(GL_SCISSOR_TEST);

@@ -1,8 +1,7 @@
-// Draws what Dear ImGui made of a frame, with WebGL 2.
+// Draws a frame of Dear ImGui with WebGL 2.
 //
-// Nothing else draws on the canvas. So the state that never changes is set once, nothing is put
-// back after a frame, and WebGL is asked nothing: an answer would have to wait for the graphics
-// processor.
+// Nothing else draws on the canvas. So constant state is set once, nothing is restored after a
+// frame, and no WebGL state is queried: an answer would have to wait for the graphics processor.
 #pragma once
 
 #include <GLES3/gl3.h>
@@ -14,18 +13,18 @@ namespace evenlift::view {
 
 class WebglRenderer {
  public:
-  // Makes what drawing needs in the current WebGL context, and tells Dear ImGui what the renderer
-  // can do. Call it after ImGui::CreateContext(), and again when a lost WebGL context is back.
+  // Creates the resources in the current WebGL context, and registers the renderer's features with
+  // Dear ImGui. Call it after ImGui::CreateContext(), and again when a lost WebGL context returns.
   void start();
 
-  // Gives up everything that the WebGL context held. Call it when the context is lost.
+  // Drops all resources of the WebGL context. Call it when the context is lost.
   void stop();
 
-  // Hands the font atlas to the graphics processor. Call it after start() and after every change
-  // of the atlas, before ImGui::NewFrame(). From 1.92 on Dear ImGui itself asks for its textures.
+  // Uploads the font atlas to the graphics processor. Call it after start() and after every change
+  // of the atlas, before ImGui::NewFrame(). From 1.92 on Dear ImGui requests its textures itself.
   void upload_fonts();
 
-  // Draws a whole frame on the given ground. In time proportional to the vertices and indices.
+  // Draws a whole frame on the given background. O(vertices + indices).
   void draw(ImDrawData& frame, const Colour& ground);
 
  private:

@@ -11,7 +11,7 @@ namespace evenlift::view {
 
 namespace {
 
-// Whether what the action takes in hand is in hand; nothing for the others.
+// Whether the action's tool or state is active; nothing for other actions.
 std::optional<bool> is_on(ActionId id, const AppState& state) {
   if (id == ActionId::draw) return state.view.tool == Tool::draw;
   if (id == ActionId::transform) return state.view.tool == Tool::transform;

@@ -1,5 +1,5 @@
-// What an action (actions.h) is pressed by, if it can be pressed now: a button with its icon, and
-// its name and key on hovering; or a row of an open list.
+// The button of an enabled action (actions.h): with its icon, and its name and key on hovering; or
+// a row of an open list.
 #pragma once
 
 #include "actions/actions.h"
@@ -12,7 +12,7 @@ void action_button(const Ui& ui, ActionId id, float size);
 // With the action's name beside the icon.
 void named_action_button(const Ui& ui, ActionId id, float size);
 
-// A row of the list that is open, with the key where there may be a keyboard.
+// A row of the open list, with the key if there may be a keyboard.
 void action_row(const Ui& ui, ActionId id);
 
 }  // namespace evenlift::view

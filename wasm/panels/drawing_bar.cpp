@@ -47,21 +47,21 @@ bool word_button(const Ui& ui, const char* label, bool enabled, bool strong = fa
   return flat_button(ui, label, label, word_button_width(ui, label), enabled, strong);
 }
 
-// How wide a row of such buttons is.
+// The width of a row of such buttons.
 float row_width(const Ui& ui, std::initializer_list<const char*> labels) {
   float width = -gap;
   for (const char* label : labels) width += gap + word_button_width(ui, label);
   return width;
 }
 
-// What a bar below the toolbar may hold beside its own margins.
+// The width for a bar below the toolbar, without its own margins.
 float room_of_bar(const Ui& ui) {
   return static_cast<float>(std::min(ui.layout.toolbar.right, ui.layout.free.right) -
                             ui.layout.toolbar.left) -
          16;
 }
 
-// The fields of the next edge, and how wide they are with their names.
+// The widths of the next edge's fields, including their names.
 struct FieldWidths {
   float length, angle;
 };
@@ -94,7 +94,7 @@ void draw_drawing_bar(const Ui& ui) {
   if (roomy) ImGui::SameLine(0, 12);
   const FieldWidths fields = roomy ? roomy_fields : small_fields;
   if (some) return draw_edge_fields(ui, fields.length, fields.angle);
-  // The bar is as large before the first vertex, so that it does not come to lie over that.
+  // The bar has its full size before the first vertex, so that it will not cover that vertex.
   constexpr char hint[] = "Each vertex can be moved as you draw.";
   const ImVec2 at = ImGui::GetCursorScreenPos(), text = text_size(Face::label, hint);
   ImGui::Dummy(ImVec2(std::max(text.x, width_of(fields)), ui.control()));
@@ -102,7 +102,7 @@ void draw_drawing_bar(const Ui& ui) {
             ImVec2(at.x, at.y + (ui.control() - text.y) / 2), ui.theme.second_text, hint);
 }
 
-// The names of the buttons that turn and scale: as long as there is room for.
+// The names of the buttons that turn and scale, as long as there is room for.
 struct WholeNames {
   const char *right, *left, *larger, *smaller;
 };
@@ -146,7 +146,7 @@ void draw_edge_fields(const Ui& ui, float length_width, float angle_width) {
   const Drawing& drawing = ui.state.view.drawing;
   const Vec2 from = drawing.points.back();
   const Edge edge = edge_between(from, drawing.cursor.value_or(drawing.last_cursor.value_or(from)));
-  // Under a finger, and until the pointer moves, nothing says where the next edge leads.
+  // Under a finger, and until the pointer moves, the next edge has no direction.
   const bool begun = edge.length > 0;
   const Asked length = typed_field(ui, {"edge length", "Length", true},
                                    drawing.length ? plain(*drawing.length)
@@ -161,8 +161,8 @@ void draw_edge_fields(const Ui& ui, float length_width, float angle_width) {
                                   angle_width);
   if (length.moved) ui.push(TypeEdge{length.moved, {}, length.pressed});
   if (angle.moved) ui.push(TypeEdge{{}, angle.moved, angle.pressed});
-  // Enter where nothing was typed: it places the edge whose other number was typed, or else does
-  // what it does on the drawing.
+  // Enter in an empty field places the edge if its other number was typed; otherwise it acts as on
+  // the drawing.
   const bool entered = (length.pressed && !length.moved) || (angle.pressed && !angle.moved);
   if (entered && (drawing.length || drawing.degrees))
     ui.push(TypeEdge{{}, {}, true});
@@ -178,8 +178,8 @@ bool vertex_is_on_sheet(const AppState& state) {
 
 namespace {
 
-// Below the toolbar of a low screen the vertex's buttons would cover robots: there they stand on
-// the foot of the panel.
+// On a low screen the vertex's buttons below the toolbar would cover robots, so they are at the
+// foot of the panel.
 bool vertex_is_over_panel(const AppState& state) {
   const Layout places = layout(state);
   return state.view.tool == Tool::parts && state.view.selected && places.wide && places.low &&
@@ -207,7 +207,7 @@ bool has_tool_bar(const AppState& state) {
   if (!places.wide && state.view.sheet == Sheet::full) return false;  // the drawing is covered
   if (state.view.tool != Tool::parts) return true;
   const bool held = state.view.held.kind != Pick::Kind::none;
-  // On a low screen it would cover robots while one asks about them.
+  // On a low screen the bar would cover the robots that the card explains.
   return state.view.selected && !held && !vertex_is_on_sheet(state) &&
          !(state.derived().explanation && places.low);
 }
@@ -225,7 +225,7 @@ void draw_snap_choices(const Ui& ui) {
 
 void draw_tool_bar(const Ui& ui) {
   const AppState& state = ui.state;
-  // What is drawn below the panels keeps off the bar from the next picture on.
+  // From the next frame on, everything below the panels avoids the bar.
   const bool shown = has_tool_bar(state);
   if ((in_last_frame("has tool bar", shown, shown) != 0) != shown) ui.push(LayOutAgain{});
   if (!shown) return;

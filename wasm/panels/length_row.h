@@ -1,4 +1,4 @@
-// Rows of the panels in which a setting that is a length goes up and down, or is typed.
+// Panel rows that step a setting that is a length up and down, or take a typed value.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,14 @@ namespace evenlift::view {
 struct LengthRow {
   Setting setting;
   const char *label, *about, *spoken;
-  // Of one that has a usual value: its member, and what that is.
+  // For a setting with a default: its member, and the name of the default.
   std::optional<double> Settings::*member = nullptr;
   const char* usual = nullptr;
 };
 void draw_length(const Ui& ui, const LengthRow& row);
 
-// How large the object is; and the first step of a length from 0: a round number of about a
-// hundredth of that.
+// The size of the object; and the first step of a length from 0: a round number near a hundredth of
+// the size.
 double size_of_object(const AppState& state);
 double first_length(double size_of_object);
 

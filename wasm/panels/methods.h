@@ -1,4 +1,4 @@
-// The selection methods in words for people.
+// The selection methods in readable words.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// How much one robot can carry, and how many robots are needed for that.
+// The capacity of one robot, and the number of robots needed for it.
 #include <algorithm>
 #include <cmath>
 
@@ -29,7 +29,7 @@ double stepped(double value, int by) {
 
 namespace {
 
-// Who is overloaded and how many robots are needed: always as high as it can be, so that nothing
+// The overloaded robots and the number of robots needed, in a constant height, so that nothing
 // below moves.
 void draw_need(const Ui& ui) {
   const CapacityPlan* plan = ui.state.derived().plan ? &*ui.state.derived().plan : nullptr;
@@ -41,8 +41,8 @@ void draw_need(const Ui& ui) {
   Settings changed = now;
   if (plan && now.method == Method::balanced) changed.robots = plan->team_size;
   if (plan && now.method != Method::balanced) changed.teams = plan->teams;
-  // Fewer would do for the loads, but may tip or slide; and how many are needed while one fails is
-  // not known.
+  // Fewer robots would do for the loads, but may tip or slide; and the number needed while one
+  // fails is unknown.
   const bool can_take =
       plan && plan->possible && !(changed == now) && !failing(ui.state) && is_overloaded(ui.state);
   const std::string label =

@@ -1,4 +1,4 @@
-// What happens if one robot fails: a sign for each of them, which a press lets fail.
+// The effect of each robot's failure: a sign for each robot; a press on it lets the robot fail.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -14,13 +14,13 @@ namespace {
 
 constexpr float caption_height = 16, least_height = 42, widest_place = 48;
 
-// A disc if the others carry the object, a triangle if they do not do so well, a cross if it falls.
-// Where there is room for a line only, the worse it is the longer the line.
+// A disc if the others carry the object, a triangle if they do so less well, a cross if it falls.
+// With room for a line only, a longer line means a worse result.
 void draw_sign(const Theme& theme, ImDrawList& list, ImVec2 at, float reach, Mood mood) {
   const bool good = mood == Mood::good, falls = mood == Mood::falls;
   const ImU32 colour = (good ? theme.hull_outline : falls ? theme.red : theme.amber).packed();
   if (reach < 3.5f) {
-    // All are as wide: else some would look darker.
+    // All have the same width: otherwise some would look darker.
     const float half = good    ? 2.5f
                        : falls ? 9.0f
                                : 5.5f,
@@ -40,7 +40,7 @@ void draw_sign(const Theme& theme, ImDrawList& list, ImVec2 at, float reach, Moo
   }
 }
 
-// A robot of which it is not known yet what happens if it fails.
+// A robot with an unknown result.
 void draw_unknown(const Theme& theme, ImDrawList& list, ImVec2 at, float reach) {
   list.AddRectFilled(ImVec2(at.x - std::min(reach, 3.0f), at.y - 1),
                      ImVec2(at.x + std::min(reach, 3.0f), at.y + 1), theme.quiet.packed());
@@ -67,7 +67,7 @@ void draw_signs(const Ui& ui, const RowOfPlaces& row, std::size_t count) {
   }
 }
 
-// The robots that have a sign: none where there are too many, and while the result is not shown.
+// The number of robots with a sign: 0 for too many robots, and while the result is not shown.
 std::size_t signs(const AppState& state) {
   if (!state.derived().placement || state.derived().refusal || state.view.tool == Tool::draw)
     return 0;
@@ -82,7 +82,7 @@ const char* caption(const AppState& state, std::size_t count) {
   return many ? "If one robot fails: too many robots to look at each" : "";
 }
 
-// Under a finger the signs of many robots are small: these buttons go from one to the next.
+// For a finger the signs of many robots are too small: these buttons step from one to the next.
 void draw_steps(const Ui& ui, ImVec2 at, std::size_t count, std::optional<std::size_t> now) {
   const float size = ui.control();
   ImGui::SetCursorScreenPos(at);

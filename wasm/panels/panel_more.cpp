@@ -1,6 +1,5 @@
-// Settings that are seldom needed, behind a row that opens them: where teams may stand and what
-// they are for, which loads are shown, how well the centre of mass is known, units, and how
-// balanced robots keep apart and what they survive.
+// Seldom-used settings, behind a row that opens them: the teams' free positions and goal, the model
+// of the shown loads, the C uncertainty, units, and the clearance and survival of balanced robots.
 #include <algorithm>
 #include <string>
 
@@ -23,7 +22,7 @@ constexpr Choice models[] = {{"As planned", "each robot's force is controlled"},
                              {"At worst", "unequal heights, or it bends"}};
 static_assert(std::size(models) == std::size(all_load_models));
 
-// A text in a block of so many lines, so that nothing below moves when it changes.
+// A text in a block of this number of lines, so that nothing below moves when it changes.
 void draw_block(const Ui& ui, const std::string& text, std::size_t lines) {
   text_block_of(Face::label, ui.theme.second_text, text, ImGui::GetContentRegionAvail().x, lines);
 }

@@ -34,13 +34,13 @@ constexpr Overlay overlays[] = {
      "How far the centre of mass may be off before the object tips (Shift+C)"},
 };
 
-// Why a method has nothing of this kind to show; nothing where it has.
+// Why this overlay is always empty for the method; null if it is not.
 const char* why_none(Method method, const Overlay& overlay) {
   const bool weighs = method != Method::balanced || overlay.shown != &Overlays::candidates;
   return weighs ? nullptr : "Balanced robots are not chosen among candidate chords";
 }
 
-// In place of chords.
+// Whether the overlay shows the lines of balanced robots in place of chords.
 bool shows_lines(Method method, const Overlay& overlay) {
   return overlay.shown == &Overlays::chords && method == Method::balanced;
 }
@@ -49,8 +49,7 @@ const char* label_of(Method method, const Overlay& overlay) {
   return shows_lines(method, overlay) ? "Lines" : overlay.label;
 }
 
-// Whether it is shown, but there is nothing of it here: an object that is held has no points to
-// turn about.
+// Whether the overlay is shown but empty: a held object, for example, has no points to turn about.
 bool is_empty(const Placement& placement, const Overlay& overlay) {
   const Closure& closure = placement.closure;
   return (overlay.shown == &Overlays::clockwise && !closure.clockwise.exists) ||
@@ -73,7 +72,7 @@ void draw_heat_key(const Ui& ui) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   constexpr int bands = 7;
   const float each = width / bands, top = low.y + 20;
-  float written = low.x - 4;  // where the last number ends
+  float written = low.x - 4;  // end of the last number
   draw_text(list, Face::label, ImVec2(low.x, low.y), ui.theme.second_text,
             "A push that tips it, in " + weight_unit(ui.state));
   for (int i = 0; i < bands; ++i) {
@@ -87,7 +86,7 @@ void draw_heat_key(const Ui& ui) {
                                     settings(ui.state).weight;
     const std::string text = last ? "none" : plain(force);
     const ImVec2 size = text_size(Face::tiny, text);
-    // Each level stands at the border between two bands; the last one is a word.
+    // Each level is at the border between two bands; the last one is a word.
     const float x = last ? left + (each - size.x) / 2 : left + each - size.x / 2;
     if (i + 2 == bands || x < written + 4) continue;
     written = x + size.x;

@@ -34,7 +34,7 @@ void draw_play(const Ui& ui, float size) {
 void draw_chapters(const Ui& ui, ImVec2 low, ImVec2 high, std::size_t parts) {
   const float knob = knob_radius(ui), from = low.x + knob, to = high.x - knob;
   const float y = (low.y + high.y) / 2;
-  if (to - from < 16 * static_cast<float>(parts)) return;  // they would be all that is seen
+  if (to - from < 16 * static_cast<float>(parts)) return;  // only marks would be visible
   for (std::size_t i = 1; i < parts; ++i) {
     const float x = from + (to - from) * static_cast<float>(i) / static_cast<float>(parts);
     ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x - 1, y - 8), ImVec2(x + 1, y + 8),
@@ -42,7 +42,7 @@ void draw_chapters(const Ui& ui, ImVec2 low, ImVec2 high, std::size_t parts) {
   }
 }
 
-// Each chapter is as wide as the others; the knob moves within its own.
+// All chapters have the same width; the knob moves within its own.
 void draw_timeline(const Ui& ui, float width) {
   const Timeline now = timeline(ui.state);
   const std::vector<ChapterPart> parts = chapter_parts(ui.state);
@@ -107,7 +107,7 @@ void draw_switches(const Ui& ui) {
   if (switch_chip(ui, "All steps", shows_all(walk))) ui.push(ShowAllSteps{!shows_all(walk)});
 }
 
-// What a row has no room for.
+// Everything that does not fit in a row.
 void draw_menu(const Ui& ui) {
   if (!begin_choices(ui, "player menu", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), 0))
     return;
@@ -126,7 +126,7 @@ void draw_menu(const Ui& ui) {
   end_choices(ui);
 }
 
-// At the right end of the row: the way out of it.
+// The button that leaves, at the right end of the row.
 void draw_leave(const Ui& ui, float size) {
   if (ui.state.session.screen.embed) {
     if (icon_button(ui, "out", Icon::open_out, true, "Open in evenlift", size)) ui.push(OpenPage{});
@@ -141,8 +141,7 @@ void draw_leave(const Ui& ui, float size) {
 
 }  // namespace
 
-// One row, where room is precious: the timeline between the buttons that are pressed most, and a
-// menu for the others.
+// One row, for little room: the timeline between the most used buttons, and a menu with the others.
 void draw_player_row(const Ui& ui) {
   const float width = ImGui::GetContentRegionAvail().x;
   const bool leaves = ui.state.session.screen.embed || ui.state.view.presenting || !ui.layout.wide;
@@ -166,7 +165,7 @@ void draw_player_row(const Ui& ui) {
   ImGui::PopStyleVar();
 }
 
-// Timeline, buttons and switches; what does not fit is in a menu.
+// Timeline, buttons and switches; a menu has those that do not fit.
 void draw_player(const Ui& ui) {
   const float width = ImGui::GetContentRegionAvail().x, size = ui.control();
   const float needed = 7 * size + 12 +

@@ -1,4 +1,4 @@
-// The size of the robots and what they may not touch, behind a row that opens it.
+// The size of the robots and their no-go edges, behind a row that opens them.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -28,7 +28,7 @@ constexpr LengthRow rows[] = {
     {Setting::robot_gap, "Gap", "That stays free between two robots", "Gap between two robots"},
 };
 
-// Up to a tenth of the object, which few places have room for; more can be typed.
+// Up to a tenth of the object, for which few places have room; the user can type more.
 void draw_radius(const Ui& ui) {
   Settings changed = settings(ui.state);
   const double radius = changed.robot.radius, size = size_of_object(ui.state),
@@ -49,7 +49,7 @@ void draw_radius(const Ui& ui) {
   if (moved.released) ui.push(EndEdit{});
 }
 
-// Typed for those who do not paint them.
+// Typed no-go edges, as an alternative to the brush.
 void draw_marks_row(const Ui& ui) {
   const float width =
       labelled(ui, "No-go edges", "Edges that must not be touched, such as 3,5:0.25-0.75; or none");
@@ -61,7 +61,7 @@ void draw_marks_row(const Ui& ui) {
     action(ActionId::mark).run(ui.state, ui.commands);
 }
 
-// What is marked, and how much of the boundary is left.
+// The no-go edges, and the usable part of the boundary.
 std::string left_in_words(const Placement& placement) {
   std::string marked = no_go_in_words(placement.settings.no_go);
   if (!marked.empty()) marked += ' ';
@@ -87,7 +87,7 @@ void draw_size_rows(const Ui& ui) {
 }  // namespace
 
 void draw_robot_size(const Ui& ui) {
-  // The row stays where the method has no use for it, so that what is below does not move.
+  // The row stays for methods that do not use it, so that nothing below moves.
   const bool useful = takes_sizes(settings(ui.state).method);
   const bool open = useful && ui.state.view.robot_open;
   const float head = ImGui::GetCursorPosY();

@@ -1,5 +1,5 @@
-// The settings: method, teams, minimum load ratio, weight, and those that only some methods or
-// shapes have.
+// The settings: method, teams, minimum load ratio, weight, and those that exist only for some
+// methods or shapes.
 #include <algorithm>
 #include <cmath>
 
@@ -30,7 +30,7 @@ void draw_method(const Ui& ui) {
   ui.push(SetMethod{methods[*chosen].method});
 }
 
-// Why the minimum load ratio does not count; nothing where it does.
+// Why the minimum load ratio has no effect; null if it has one.
 const char* why_no_ratio(Method method) {
   if (method == Method::balanced)
     return "Balanced robots can all bear the same: the ratio is always 1";
@@ -106,7 +106,7 @@ void draw_centre(const Ui& ui) {
     ui.push(ReleaseCentre{});
 }
 
-// Puts robots that somebody moved back.
+// Moves robots that the user moved by hand back to their original places.
 void draw_reset(const Ui& ui, float width) {
   ImGui::SameLine(0, 8);
   if (flat_button(ui, "reset robots", "Reset", width)) ui.push(ResetRobots{});
@@ -132,7 +132,7 @@ void draw_robots_stepper(const Ui& ui) {
 
 }  // namespace
 
-// What robots are for, and how firm a hold is firm.
+// The robots' goal, and the least margin of a hold.
 void draw_goal(const Ui& ui) {
   Settings changed = settings(ui.state);
   constexpr Choice goals[] = {{"Cover", "most of the object inside the base"},
@@ -144,7 +144,7 @@ void draw_goal(const Ui& ui) {
                                    : "Whether teams are exchanged until they hold the object");
   const auto chosen = dropdown(ui, "goals", "Goal", goals, static_cast<std::size_t>(now), width);
   if (chosen && *chosen != static_cast<std::size_t>(now)) {
-    changed.goal.reset();  // the usual goal needs not be kept
+    changed.goal.reset();  // the default goal need not be kept
     const auto wanted = static_cast<Goal>(*chosen);
     if (goal_of(changed) != wanted) changed.goal = wanted;
     ui.push(SetSettings{changed});
@@ -193,7 +193,7 @@ void draw_teams_stepper(const Ui& ui) {
 
 void draw_settings(const Ui& ui) {
   draw_method(ui);
-  // On a narrow screen the closed sheet has this stepper already.
+  // On a narrow screen the closed sheet already has this stepper.
   if (ui.layout.wide) draw_teams_stepper(ui);
   draw_ratio(ui);
   draw_weight(ui);

@@ -10,7 +10,7 @@
 namespace evenlift::view {
 namespace {
 
-constexpr std::size_t most_rows = 60;  // more is for the JSON
+constexpr std::size_t most_rows = 60;  // the JSON has more
 
 // A row: a disc at the left, bars to both sides of the middle, two numbers at the right.
 struct Columns {
@@ -18,7 +18,7 @@ struct Columns {
   float text;  // room for a load beside its bar
 };
 
-// What a robot bears, without its unit, as it is shown.
+// The shown load of a robot, without its unit.
 std::string load_text(const Ui& ui, std::size_t number) {
   const Failure* failure = failing(ui.state);
   if (failure && failure->robot == number) return "fails";
@@ -61,7 +61,7 @@ void draw_heading(const Ui& ui, const Columns& c) {
   ImGui::Dummy(ImVec2(1, line_height(Face::label)));
 }
 
-// The load of a robot as a bar, which is fainter from the least of a range on, and as a number.
+// The load of a robot as a number and a bar, which is fainter beyond the least load of a range.
 void draw_bar(const Ui& ui, const Columns& c, float y, std::size_t number, int side) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Outlook& outlook = shown_outlook(ui.state);
@@ -85,7 +85,7 @@ void draw_bar(const Ui& ui, const Columns& c, float y, std::size_t number, int s
             text);
 }
 
-// The disc with which a row begins.
+// The disc at the beginning of a row.
 void draw_number(const Ui& ui, const Columns& c, float y, const std::string& number) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddCircleFilled(ImVec2(c.left + 11, y), 10, ui.theme.robot.packed(), 24);
@@ -95,7 +95,7 @@ void draw_number(const Ui& ui, const Columns& c, float y, const std::string& num
             number);
 }
 
-// What a row says, for those who cannot see it: "Team 2: loads 15.2 and 18.1 kg, length 320, ratio
+// The text of a row for users who cannot see it: "Team 2: loads 15.2 and 18.1 kg, length 320, ratio
 // 0.84".
 std::string team_row_in_words(const Ui& ui, std::size_t index) {
   const Team& team = ui.state.derived().placement->teams[index];
@@ -131,7 +131,7 @@ bool draw_row(const Ui& ui, const Columns& c, std::size_t index) {
   return hovered;
 }
 
-// A line through all bars at the mean load: a longer bar means more than the mean.
+// A line through all bars at the mean load: a longer bar exceeds the mean.
 void draw_even_share(const Ui& ui, const Columns& c, float top, float bottom) {
   const Placement& placement = shown_placement(ui.state);
   if (!placement.loads) return;

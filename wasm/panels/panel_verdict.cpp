@@ -1,4 +1,4 @@
-// The verdict: a large sentence, and an icon that says the same without words.
+// The verdict: a large sentence, and an icon with the same meaning.
 #include <algorithm>
 #include <iterator>
 #include <string>
@@ -36,8 +36,7 @@ Sign sign_of(const Theme& theme, Mood mood) {
   return {Icon::draw, theme.accent};
 }
 
-// The headline and what else is said, in the first of these sizes, from large to small, in which
-// the room holds both.
+// The faces of the headline and of the other words: the largest pair that fits.
 struct Sizes {
   Face headline, rest;
 };
@@ -46,8 +45,8 @@ constexpr Sizes sizes[] = {{Face::verdict, Face::text},
                            {Face::strong, Face::text},
                            {Face::strong, Face::label}};
 
-// As high whatever the result is: three lines of each beside the drawing, in a sheet two and three;
-// the headline alone.
+// The height is constant whatever the result: three lines of each beside the drawing, two and three
+// in a sheet; the headline alone.
 constexpr float after_sign = 32, below_headline = 4;
 constexpr float beside_drawing = 152, in_sheet = 124, headline_alone = 64;
 
@@ -55,14 +54,14 @@ void draw_sign(const Ui& ui, Mood mood, ImVec2 middle) {
   const Sign sign = sign_of(ui.theme, mood);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddCircleFilled(middle, 11, sign.disc.packed(), 32);
-  // A tick says that all is as asked for. While a robot fails that is not the question: there the
-  // sign is that of the row below.
+  // A tick means that the goal is reached. While a robot fails that question does not arise: the
+  // sign has the shape used in the row below.
   if (!failing(ui.state) || mood != Mood::good)
     draw_icon(list, sign.icon, middle, 15, ui.theme.panel);
 }
 
-// Where no chord is even enough: a way to the best that there is, in the room that the verdict
-// leaves.
+// If no chord meets the minimum ratio: a button for the best ratio there is, in the space that the
+// verdict leaves.
 void draw_lower_ratio(const Ui& ui, double best) {
   const ImVec2 below = ImGui::GetCursorScreenPos();
   const std::string label = "Lower the ratio to " + fixed(best, 2);
@@ -82,7 +81,7 @@ void draw_mood(const Ui& ui, const Verdict& v) {
     ImGui::GetWindowDrawList()->AddCircle(middle, 14, ui.theme.accent.packed(), 32, 1.5f);
 }
 
-// The tip of the verdict, whose words are between these corners.
+// The tip of the verdict, with its words between these corners.
 void draw_presumed(const Ui& ui, ImVec2 low, ImVec2 high) {
   if (!ImGui::IsWindowHovered() || !ImGui::IsMouseHoveringRect(low, high)) return;
   const std::string text = presumed_in_words(ui.state);
@@ -94,7 +93,7 @@ void draw_in(const Ui& ui, float height, const Verdict& v, const std::string& re
   draw_mood(ui, v);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
-  // The fold button of the side panel stands to the right of the headline.
+  // The fold button of the side panel is to the right of the headline.
   const float beside = width - after_sign - (ui.layout.wide ? ui.control() - 8 : 0);
   const auto height_of_headline = [&](Face face) {
     return height_of(face, broken_lines(face, v.headline, beside)) + below_headline;
@@ -121,13 +120,13 @@ void draw_in(const Ui& ui, float height, const Verdict& v, const std::string& re
   draw_presumed(ui, at, ImVec2(at.x + after_sign + beside, at.y + height));
 }
 
-// What is wrong comes first.
+// Problems come first.
 std::string rest_of(const Ui& ui, const Verdict& v) {
   return overload_in_brief(ui.state) + v.detail;
 }
 
 void draw_failures_below(const Ui& ui) {
-  // The words may fill their room.
+  // The words may fill their whole area.
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (ui.layout.wide ? 12 : 8));
   draw_failures(ui);
 }
@@ -175,7 +174,7 @@ void draw_embedded_verdict(const Ui& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Verdict v = verdict(ui.state);
   draw_sign(ui, v.mood, ImVec2(at.x + 8 + 11, at.y + height / 2));
-  // What is not as asked for is said, too; an overload first, since there may be no room for all.
+  // Also mentions unmet requirements; an overload first, since there may not be room for all.
   const std::string text =
       v.mood == Mood::good ? v.headline : overload_in_brief(ui.state) + v.headline + " " + v.detail;
   const float left = 8 + 22 + 10, room = width - left - button - 8;

@@ -1,5 +1,5 @@
-// The walkthrough beside the drawing: what the step is about, in words, numbers and code, and the
-// questions that the learner asks or is asked.
+// The walkthrough beside the drawing: the step in words, numbers and code, and the questions from
+// and to the learner.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -21,7 +21,7 @@
 namespace evenlift::view {
 namespace {
 
-constexpr std::size_t most_shown = 12;  // of the history
+constexpr std::size_t most_shown = 12;  // of the preceding steps
 constexpr float code_height = 210;
 constexpr std::size_t most_ranked = 10;  // candidates
 
@@ -41,7 +41,7 @@ void draw_box(Colour ground, Colour colour, Face face, const std::string& text) 
   ImGui::Dummy(ImVec2(width, high.y - at.y));
 }
 
-// The faces in which a step is told.
+// The faces for the texts of a step.
 struct Faces {
   Face words, second, strong, formula, label;
 };
@@ -66,7 +66,7 @@ std::string choice_name(const Ask& ask, std::uint32_t choice) {
   return choice == 0 ? "The first end" : "The second end";
 }
 
-// The buttons stand beside each other where height is precious.
+// The buttons are beside each other if height is scarce.
 void draw_choices(const Ui& ui, const Ask& ask, bool beside) {
   const float width = full_width(), gap = 6;
   if (ask.choices.size() <= 3) {
@@ -126,7 +126,7 @@ void draw_words(const Ui& ui, const Faces& faces) {
                walk.script ? ui.theme.second_text : ui.theme.text, walk.caption);
 }
 
-// The formula, and what its letters stand for.
+// The formula, and the meaning of its letters.
 void draw_formula(const Ui& ui, const Faces& faces) {
   const Walkthrough& walk = ui.state.view.walkthrough;
   if (walk.formula.empty()) return;
@@ -152,16 +152,16 @@ void draw_walkthrough_step(const Ui& ui) {
              walk.script ? 0 : button);
   text_line(Face::label, ui.theme.second_text, "Step " + place_in_words(ui.state));
   draw_words(ui, in_panel);
-  if (!asks_of_other_robots(ui.state)) draw_formula(ui, in_panel);  // it is of another M
+  if (!asks_of_other_robots(ui.state)) draw_formula(ui, in_panel);  // it concerns another M
   draw_left_out(ui, in_panel);
   draw_answers(ui, in_panel);
   draw_question(ui, in_panel);
   ImGui::PopStyleVar();
 }
 
-// The same in a box of constant height, in which what is longer scrolls: in a closed sheet, an
-// <iframe>, or before a room. A question takes the place of the words, and its buttons stand below
-// the box unless that would leave less than two lines.
+// The same in a box of constant height, in which longer text scrolls: in a closed sheet, in an
+// <iframe>, or in presentation mode. A question replaces the words, and its buttons are below the
+// box unless that would leave less than two lines.
 void draw_walkthrough_briefly(const Ui& ui, float height) {
   const Walkthrough& walk = ui.state.view.walkthrough;
   constexpr float little = 120;
@@ -195,8 +195,8 @@ void draw_walkthrough_briefly(const Ui& ui, float height) {
 
 namespace {
 
-// A bar of `share` (0 .. 1) of the width between the two points, which are at its left and right
-// end.
+// A bar with the length `share` (0 .. 1) of the width between the two points, which are at the left
+// and right end.
 void draw_bar(const Ui& ui, ImVec2 from, ImVec2 to, double share, Colour colour) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float width = (to.x - from.x) * static_cast<float>(std::clamp(share, 0.0, 1.0));
@@ -205,7 +205,7 @@ void draw_bar(const Ui& ui, ImVec2 from, ImVec2 to, double share, Colour colour)
                      3);
 }
 
-// A candidate at a place of the ranking; if it is pointed at, the drawing shows how it is measured.
+// A candidate in the ranking; while it is hovered, the drawing shows its measurement.
 void draw_ranked(const Ui& ui, const TeamScores& scores, std::size_t place, double best) {
   const std::uint32_t c = scores.ranking[place];
   const Score& score = scores.of_candidate[c];
@@ -276,7 +276,7 @@ void draw_walkthrough_ranking(const Ui& ui) {
               "and " + std::to_string(scores.ranking.size() - most_ranked) + " more");
 }
 
-// In a box that scrolls to its current line, so that the caption above stays where it is.
+// In a box that scrolls to its current line, so that the caption above does not move.
 void draw_walkthrough_code(const Ui& ui) {
   const Walkthrough& walk = ui.state.view.walkthrough;
   const auto lines = pseudo_code(settings(ui.state));
@@ -304,7 +304,7 @@ void draw_walkthrough_history(const Ui& ui) {
   const std::size_t from = visited.size() - 1;
   for (std::size_t i = from; i-- > 0 && from - i <= most_shown;) {
     const Visited& v = visited[i];
-    // Numbered as on the timeline; a step that it does not have stands without a number.
+    // Numbered as on the timeline; a step that is not on it has no number.
     const auto position = position_of(ui.state, v.step);
     const std::string number = position ? std::to_string(*position + 1) : std::string("–");
     const std::string text = number + "  " + v.caption;

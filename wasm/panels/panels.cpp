@@ -18,8 +18,7 @@ bool compares(const AppState& s) {
   return s.derived().second.has_value() && s.work.second_method.has_value();
 }
 
-// Top to bottom. What is set stands above what results, so that no control moves when a result
-// changes.
+// Top to bottom. Settings are above results, so that no control moves when a result changes.
 constexpr Panel side_panel[] = {
     {"verdict", draw_verdict, false},   {"settings", draw_settings, false},
     {"overlays", draw_overlays, false}, {"comparison", draw_comparison, true, compares},
@@ -55,7 +54,8 @@ void draw_sections(const Ui& ui, std::size_t first) {
   const std::span<const Panel> panels = sections(ui.state);
   for (std::size_t i = first; i < panels.size(); ++i) {
     if (panels[i].shown && !panels[i].shown(ui.state)) continue;
-    // Beside a shape that is being drawn, the results of the former one would be taken for its own.
+    // Beside a shape that is being drawn, the results of the former one would be mistaken for its
+    // own.
     if (panels[i].of_result && ui.state.view.tool == Tool::draw) continue;
     if (i > first) rule(ui);
     ImGui::PushID(panels[i].name);
@@ -84,14 +84,14 @@ void draw_close_button(const Ui& ui) {
   ImGui::SetCursorScreenPos(at);
 }
 
-// Whoever opens a document, or begins or leaves a lesson, sees the head of the panel.
+// After the user opens a document, or begins or leaves a lesson, the panel shows its head.
 void begin_at_head(const Ui& ui) {
   const int shown = 2 * ui.state.session.opened + (walkthrough_is_open(ui.state) ? 1 : 0);
   if (in_last_frame("shows", shown, shown) != shown) ImGui::SetScrollY(0);
 }
 
-// The verdict stays in sight while what is below it scrolls, so that whoever changes a setting sees
-// what follows.
+// The verdict stays visible while the rest scrolls, so that the effect of a changed setting is
+// visible.
 void draw_verdict_and_rest(const Ui& ui) {
   draw_verdict(ui);
   rule(ui);
@@ -108,7 +108,7 @@ void draw_verdict_and_rest(const Ui& ui) {
 }
 
 void draw_side_panel(const Ui& ui) {
-  // So high that most settings have room below the verdict.
+  // High enough for most settings below the verdict.
   constexpr double least_height = 560;
   const bool lesson = walkthrough_is_open(ui.state),
              stays = !lesson && ui.layout.panel.height() >= least_height;
@@ -136,8 +136,8 @@ void draw_rail(const Ui& ui) {
 
 constexpr float handle_height = 24;
 
-// The sheet so many steps further open than now; without a half it is closed or open as far as it
-// goes.
+// The state of the sheet after opening it `by` steps further; without a half-open state, it is
+// closed or fully open.
 Sheet opened_further(const AppState& state, int by) {
   auto wanted = static_cast<Sheet>(std::clamp(static_cast<int>(state.view.sheet) + by, 0, 2));
   if (wanted == Sheet::half && !has_half_sheet(state))
@@ -171,7 +171,7 @@ void draw_grip(const Ui& ui) {
                      ui.theme.quiet.packed(), 2);
 }
 
-// What the step says, in what room there is, and below it one row of buttons.
+// The step's words in the available space, and below them one row of buttons.
 void draw_step_and_row(const Ui& ui) {
   constexpr float gap = 4;
   draw_walkthrough_briefly(ui, ImGui::GetContentRegionAvail().y - ui.control() - gap);
@@ -179,8 +179,8 @@ void draw_step_and_row(const Ui& ui) {
   draw_player_row(ui);
 }
 
-// What is selected, or the next edge while one draws, stands where the teams are otherwise: over
-// the drawing it would cover that.
+// The selected vertex, or the next edge while drawing, takes the place of the teams: over the
+// drawing its buttons would cover it.
 void draw_row_below_verdict(const Ui& ui) {
   if (vertex_is_on_sheet(ui.state)) return draw_vertex_buttons(ui);
   if (ui.state.view.tool != Tool::draw || ui.state.view.drawing.points.empty())
@@ -190,8 +190,8 @@ void draw_row_below_verdict(const Ui& ui) {
   draw_edge_fields(ui, width, width);
 }
 
-// Where there is little height, as above a keyboard: the row stands at the foot, and the failures
-// can be had by pulling the sheet up.
+// With little height, for example above a keyboard, the row is at the foot, and the failures appear
+// only when the sheet is pulled up.
 void draw_low_sheet(const Ui& ui) {
   draw_verdict_words(ui);
   ImGui::SetCursorPosY(ImGui::GetWindowHeight() - ImGui::GetStyle().WindowPadding.y - ui.control());
@@ -201,7 +201,7 @@ void draw_low_sheet(const Ui& ui) {
 void draw_closed_sheet(const Ui& ui) {
   if (walkthrough_is_open(ui.state))
     return ui.layout.brief ? draw_player_row(ui) : draw_step_and_row(ui);
-  constexpr double too_low = 8;  // so many pixels of the row's margin may be missing
+  constexpr double too_low = 8;  // number of pixels of the row's margin that may be missing
   if (!ui.layout.brief && ui.state.session.closed_sheet_height > ui.layout.panel.height() + too_low)
     return draw_low_sheet(ui);
   draw_verdict(ui);
@@ -212,7 +212,7 @@ void draw_closed_sheet(const Ui& ui) {
   if (std::abs(height - ui.state.session.closed_sheet_height) > 0.5) ui.push(MeasureSheet{height});
 }
 
-// What the result is, or the player, stays in sight while what is below it scrolls.
+// The verdict or the player stays visible while the rest scrolls.
 void draw_open_sheet(const Ui& ui) {
   const bool lesson = walkthrough_is_open(ui.state);
   if (lesson)
@@ -245,8 +245,8 @@ void draw_sheet(const Ui& ui) {
   end_card(ui);
 }
 
-// The player at the foot of the drawing; in an <iframe> and before a room it also says what the
-// step shows.
+// The player at the foot of the drawing; in an <iframe> and in presentation mode it also has the
+// step's words.
 void draw_floating_player(const Ui& ui) {
   const bool tells = ui.state.session.screen.embed || ui.state.view.presenting;
   begin_card(ui, "player", ui.layout.player,
@@ -292,7 +292,7 @@ void draw_panels(const AppState& state, Commands& commands) {
   const bool list_open =
       ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   if (list_open != state.session.list_open) ui.push(ListIsOpen{list_open});
-  // A finger hovers over nothing.
+  // A finger cannot hover.
   const bool hovers = ImGui::GetIO().WantCaptureMouse && !state.session.screen.touch;
   if (hovers && !(row == state.view.hover)) ui.push(SetHover{row});
 }

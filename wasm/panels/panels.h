@@ -10,23 +10,23 @@ struct Panel {
   const char* name;
   void (*draw)(const Ui&);
   bool of_result;                            // shows the last good placement
-  bool (*shown)(const AppState&) = nullptr;  // always, if there is none
+  bool (*shown)(const AppState&) = nullptr;  // null: always
 };
 
 void draw_panels(const AppState& state, Commands& commands);
 
 // The sections, each in its own file.
-void draw_verdict(const Ui& ui);          // all of it, always as high
-void draw_headline(const Ui& ui);         // its first sentence, always as high
-void draw_verdict_words(const Ui& ui);    // all its sentences, always as high
-void draw_verdict_details(const Ui& ui);  // all but the first, and what is left if a robot fails
+void draw_verdict(const Ui& ui);          // the whole verdict, of constant height
+void draw_headline(const Ui& ui);         // its first sentence, of constant height
+void draw_verdict_words(const Ui& ui);    // all its sentences, of constant height
+void draw_verdict_details(const Ui& ui);  // all but the first, and what remains if a robot fails
 void draw_embedded_verdict(
-    const Ui& ui);  // in an <iframe> without a lesson: the result, and the way to the page
-void draw_failures(const Ui& ui);  // below the verdict, always as high
+    const Ui& ui);  // in an <iframe> without a lesson: the result, and the link to the page
+void draw_failures(const Ui& ui);  // below the verdict, of constant height
 void draw_settings(const Ui& ui);
 void draw_teams_stepper(const Ui& ui);
 void draw_capacity(const Ui& ui);
-void draw_goal(const Ui& ui);  // of a method that has one
+void draw_goal(const Ui& ui);  // for a method that has one
 void draw_robot_size(const Ui& ui);
 void draw_more(const Ui& ui);  // settings that are seldom needed
 void draw_compare(const Ui& ui);
@@ -35,10 +35,10 @@ void draw_overlays(const Ui& ui);
 void draw_teams(const Ui& ui);
 void draw_numbers(const Ui& ui);
 
-// The value one step up or down, in steps that suit its size: 100 goes by tens, 12 by ones.
+// The value one step up or down, in steps that suit its size: 100 changes by tens, 12 by ones.
 double stepped(double value, int by);
 
-// Those of the lesson.
+// The sections of the walkthrough.
 void draw_walkthrough_step(const Ui& ui);
 void draw_walkthrough_briefly(const Ui& ui, float height);
 void draw_walkthrough_ranking(const Ui& ui);
@@ -47,16 +47,17 @@ void draw_walkthrough_history(const Ui& ui);
 void draw_player(const Ui& ui);
 void draw_player_row(const Ui& ui);
 
-// What floats by itself.
+// The floating cards.
 void draw_toolbar(const Ui& ui);
 void draw_tool_bar(const Ui& ui);
-// Whether the toolbar's menu has what the tool's bar has no room for, and its rows there.
+// Whether the toolbar's menu has the snap choices that do not fit in the tool's bar, and its rows
+// for them.
 bool snaps_in_menu(const Ui& ui);
 void draw_snap_choices(const Ui& ui);
-// The next edge's length and angle, to be typed; while at least one vertex is drawn.
+// Fields for the next edge's length and angle, while at least one vertex is drawn.
 void draw_edge_fields(const Ui& ui, float length_width, float angle_width);
-// What can be done with the selected vertex; and whether these buttons stand on the closed sheet of
-// a narrow screen, not in a bar over the drawing.
+// Buttons for the selected vertex; and whether they are on the closed sheet of a narrow screen
+// instead of a bar over the drawing.
 void draw_vertex_buttons(const Ui& ui);
 bool vertex_is_on_sheet(const AppState& state);
 void draw_view_tools(const Ui& ui);

@@ -70,7 +70,7 @@ Verdict of_drawing(const AppState& state) {
               : press + " the first one to close the shape."};
 }
 
-// Where each of the balanced robots stands.
+// The places of the balanced robots.
 std::string balanced_in_words(const Placement& placement) {
   std::string text = " " + count_of(count_robots(placement.teams), "robot", "robots") + " of " +
                      std::to_string(placement.settings.robots) +
@@ -83,8 +83,8 @@ std::string balanced_in_words(const Placement& placement) {
   return text;
 }
 
-// What each of the others bears while a robot fails; of many nothing, since nobody could listen to
-// it.
+// The loads of the others while a robot fails; empty for many, since the list would be too long to
+// listen to.
 std::string loads_while_failing(const Failure& failure, const Units& units) {
   constexpr std::size_t most = 24;
   const std::vector<LoadRange>& loads = failure.outlook.loads;
@@ -226,7 +226,7 @@ std::string summary(const AppState& state) {
           std::to_string(placement.requested_teams) + " asked for, method " +
           std::string(name(settings.method)) + ", minimum load ratio " + plain(settings.min_ratio) +
           ".";
-  // A list of a hundred teams is no use when it is read out; the JSON has them all.
+  // A list of a hundred teams would be too long to listen to; the JSON has them all.
   const std::size_t named = std::min<std::size_t>(placement.teams.size(), 12);
   const int decimals = coordinate_decimals(placement.vertices());
   for (std::size_t i = 0; i < named; ++i) {
@@ -266,7 +266,7 @@ std::string news(const AppState& state) {
   if (state.view.tool == Tool::transform)
     lines += "The whole shape is in hand: arrow keys move it, [ and ] turn it, { and } scale it.\n";
   if (state.view.tool == Tool::draw) lines += news_of_drawing(state);
-  // Elsewhere a notice tells it.
+  // Elsewhere a notice reports it.
   const bool bar = state.view.tool != Tool::parts || state.view.selected;
   if (bar && state.view.snap.grid) lines += "Points snap to the grid.\n";
   if (bar && state.view.snap.axis) lines += "Points snap to the axis.\n";

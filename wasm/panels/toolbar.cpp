@@ -1,4 +1,4 @@
-// The cards over the drawing: the bar at the top, the tools of the view, the notice.
+// The cards over the drawing: the bar at the top, the view tools, the notice.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -26,11 +26,11 @@ void wordmark(const Ui& ui, float height) {
   ImGui::Dummy(ImVec2(wordmark_width(), height));
 }
 
-// A button of the toolbar. What does not fit is in its menu, the last ones first.
+// A button of the toolbar. Buttons that do not fit are in its menu, the last ones first.
 struct Part {
   ActionId id;
   bool named;         // has its name beside it, if there is room
-  bool begins_group;  // a line parts it from the one before
+  bool begins_group;  // a line separates it from the preceding one
 };
 constexpr Part parts[] = {
     {ActionId::samples, true, false},  {ActionId::draw, true, false},
@@ -39,7 +39,7 @@ constexpr Part parts[] = {
     {ActionId::open, true, false},     {ActionId::save, true, false},
 };
 
-// How the toolbar is drawn, from the widest to the narrowest.
+// The looks of the toolbar, from the widest to the narrowest.
 struct Look {
   bool wordmark, names, dividers;
   std::size_t shown;  // of `parts`
@@ -85,7 +85,7 @@ void divider(const Ui& ui, float height, bool drawn) {
 
 bool has_tools(const Ui& ui) { return ui.layout.tools.width() > 0; }
 
-// What has no room elsewhere, and what is asked for seldom.
+// Actions without room elsewhere, and seldom-used ones.
 void draw_menu(const Ui& ui, const Look& look) {
   if (!begin_choices(ui, "menu", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), 0)) return;
   for (std::size_t i = look.shown; i < std::size(parts); ++i) action_row(ui, parts[i].id);
@@ -126,7 +126,7 @@ void draw_toolbar(const Ui& ui) {
   end_card(ui);
 }
 
-// The zoom in per cent of the view that fits; a press goes back to that.
+// The zoom as a percentage of the fitting view; a press restores that view.
 void draw_zoom(const Ui& ui) {
   const std::string zoom = zoom_in_words(ui.state);
   const auto [low, high, pressed, hovered] = pressable_row(
@@ -164,7 +164,7 @@ void draw_view_tools(const Ui& ui) {
   end_card(ui);
 }
 
-// The way back to an object that was moved out of the window, or whose outline is all around it.
+// The button back to an object that was moved out of the window, or that surrounds it completely.
 void draw_way_back(const Ui& ui) {
   if (ui.state.view.camera_follows || ui.state.view.tool == Tool::draw ||
       !ui.state.derived().placement)
@@ -186,7 +186,7 @@ void draw_notice(const Ui& ui) {
   if (notice.text.empty()) return;
   const bool problem = notice.kind == Notice::Kind::problem;
   const Rect& seat = ui.layout.notice;
-  // In large letters a long one would cover half of a phone's drawing.
+  // In large letters a long notice would cover half of a phone's drawing.
   const Face face = ui.layout.wide ? Face::text : Face::label;
   const float text =
       std::min(text_size(face, notice.text).x, static_cast<float>(seat.width()) - 84);

@@ -1,4 +1,4 @@
-// The card that answers "why here?" beside what was pressed.
+// The card that answers "why here?" beside the pressed part.
 #include <algorithm>
 #include <string>
 
@@ -13,7 +13,7 @@
 namespace evenlift::view {
 namespace {
 
-constexpr double widest = 320, away = 26;  // pixels from what it is about
+constexpr double widest = 320, away = 26;  // pixels from the explained part
 
 Vec2 spot_of(const Ui& ui, const Explanation& explanation) {
   Vec2 at = ui.state.view.camera.to_screen(explanation.of.at);
@@ -27,8 +27,8 @@ Vec2 spot_of(const Ui& ui, const Explanation& explanation) {
 // cover the object.
 struct CardPlace {
   Rect rect;
-  bool at_bottom;      // the card stands on the bottom of the rectangle
-  bool fills = false;  // and is as high as it
+  bool at_bottom;      // at the bottom of the rectangle
+  bool fills = false;  // and as high as the rectangle
 };
 CardPlace place_of(const Ui& ui, const Vec2& spot) {
   const Rect& free = ui.layout.free;
@@ -36,10 +36,10 @@ CardPlace place_of(const Ui& ui, const Vec2& spot) {
                top = free.top + margin, bottom = free.bottom - margin;
   const bool low = spot.y() >= free.middle().y();
   if (!ui.layout.wide) {
-    constexpr double least = 240;  // what does not fit scrolls
+    constexpr double least = 240;  // longer text scrolls
     const double foot = ui.state.session.screen.height - 4;
     const double head =
-        std::max(spot.y() + away, free.bottom);  // the loads above the sheet stay in sight
+        std::max(spot.y() + away, free.bottom);  // the loads above the sheet stay visible
     return {{left, std::clamp(head, top, foot - least), right, foot}, true, true};
   }
   if (ui.layout.low && ui.state.view.panel_open) return {ui.layout.panel, false, true};
@@ -48,7 +48,7 @@ CardPlace place_of(const Ui& ui, const Vec2& spot) {
       spot.x() < ui.state.view.camera.to_screen(ui.state.derived().placement->centre_of_mass).x();
   const double before = spot.x() - away - width, behind = spot.x() + away;
   const bool at_left = outward_left ? before >= left : behind + width > right;
-  // As far as there is room, beyond the body of a robot that has a size.
+  // As far as there is room, beyond the body of a sized robot.
   const RobotSize& robot = settings(ui.state).robot;
   const double body = ui.state.view.camera.scale * (robot.reach + 2 * robot.radius);
   const double x =
@@ -73,7 +73,7 @@ void draw_row(const Ui& ui, const Explanation::Row& row) {
   ImGui::Dummy(ImVec2(width, fits ? line : 2 * line));
 }
 
-// While a robot fails: what holds then of the one that the card is about.
+// While a robot fails: the resulting state of the card's robot.
 void draw_failing(const Ui& ui, const Failure& failure, std::size_t robot) {
   if (failure.robot == robot) {
     text_block(Face::label, ui.theme.text, failure_words(ui.state, robot));
@@ -89,7 +89,7 @@ void draw_failing(const Ui& ui, const Failure& failure, std::size_t robot) {
   draw_row(ui, {"Robot " + std::to_string(failure.robot + 1), "fails"});
 }
 
-// Lets the robot of the card fail, or brings it back.
+// Lets the robot of the card fail, or restores it.
 void draw_fail_button(const Ui& ui, std::size_t robot, float width) {
   const Failure* failure = failing(ui.state);
   const bool failed = failure && failure->robot == robot;
@@ -97,7 +97,7 @@ void draw_fail_button(const Ui& ui, std::size_t robot, float width) {
     ui.push(Fail{failed ? std::nullopt : std::optional<std::size_t>(robot)});
 }
 
-// What one can do about it: below each other, or where height is precious beside each other.
+// The possible actions: below each other, or beside each other if height is scarce.
 void draw_buttons(const Ui& ui, const Explanation& explanation, bool in_a_row) {
   constexpr float gap = 6, padding = 16;
   const bool can_fail = explanation.robot && !walkthrough_is_open(ui.state);
@@ -140,7 +140,7 @@ void draw_why_card(const Ui& ui) {
   if (icon_button(ui, "close explanation", Icon::close, true, "Close (Esc)", ui.control()))
     ui.push(Explain{});
   ImGui::SetCursorScreenPos(after);
-  // Where the card has a height of its own the words scroll, and the buttons stay in sight.
+  // In a card of fixed height the words scroll, and the buttons stay visible.
   if (place.fills)
     begin_scrolling_box(ui, "words", ImGui::GetContentRegionAvail().y - ui.control() - 8);
   draw_words(ui, explanation);

@@ -1,4 +1,4 @@
-// One of the pictures on the canvas: the placement, or beside it that of a second method.
+// One of the pictures on the canvas: the placement, or beside it the second method's placement.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ struct CanvasView {
   const Camera& camera;
   Rect window;  // the part of the canvas for this picture
   bool second;  // whether it shows the second method
-  // What of the window nothing lies over for long: there words can be read.
+  // The part of the window that nothing covers for long, so that text there is legible.
   Rect uncovered() const {
     const Rect& free = layout.free;
     return {std::max(free.left, window.left), std::max(free.top, window.top),

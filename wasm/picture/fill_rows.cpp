@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t most_spans = 400000;
 
-// A bit for each pixel: whether there is an odd number of crossings with the outline between the
-// previous pixel of its row and it.
+// A bit for each pixel: whether the outline crosses the row an odd number of times between the
+// preceding pixel and this one.
 class Crossings {
  public:
   Crossings(const Rect& window, double pixel)
@@ -63,7 +63,7 @@ class Crossings {
     return at;
   }
 
-  // The first of `count` pixels whose middle is at `offset` or to the right of it.
+  // The first of `count` pixels with its middle at `offset` or to the right of it.
   std::int64_t middle_after(double offset, std::int64_t count) const {
     return static_cast<std::int64_t>(
         std::clamp(std::ceil(offset / pixel_ - 0.5), 0.0, static_cast<double>(count)));

@@ -1,5 +1,5 @@
-// Fills a large polygon row by row of device pixels. Triangles would be too many, and take too long
-// to find, for a frame; the size of this result is bounded by the window.
+// Fills a large polygon row by row of device pixels. Triangles would be too many for a frame and
+// take too long to compute; the size of this result is bounded by the window.
 #pragma once
 
 #include <vector>
@@ -17,9 +17,9 @@ struct RowFill {
   float height = 1;  // of a row
 };
 
-// The part of the polygon that the window shows, by the even-odd rule at the middle of each pixel.
-// `pixel` is the size of a device pixel. If there would be more than a few hundred thousand spans,
-// the rows are coarser. O(n + pixels + rows that the edges cross).
+// The visible part of the polygon, by the even-odd rule at the middle of each pixel. `pixel` is the
+// size of a device pixel. If there would be more than a few hundred thousand spans, the rows are
+// coarser. O(n + pixels + rows that the edges cross).
 RowFill fill_rows(const Points& polygon, const Camera& camera, const Rect& window, double pixel);
 
 }  // namespace evenlift::view

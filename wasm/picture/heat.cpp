@@ -10,18 +10,18 @@
 namespace evenlift::view {
 namespace {
 
-// A side of the lifting base. Distances beyond it are in units of the distance of the centre of
-// mass inside it.
+// A side of the lifting base. The unit of distances beyond it is the distance of the centre of mass
+// inside it.
 struct Side {
   Vec2 a, along;
   double within;
   double beyond(const Vec2& p) const { return -cross(along, p - a) / within; }
 };
 
-// A base with thousands of corners is as good as round: not all of its sides are needed.
+// A base with thousands of corners is practically round: not all of its sides are needed.
 constexpr std::size_t most_sides = 1000;
 
-// The sides that some vertex lies beyond; the others cut nothing off.
+// The sides with a vertex beyond them; the others cut nothing off.
 std::vector<Side> cutting_sides(const Placement& placement) {
   std::vector<Side> sides;
   const Points& hull = placement.lifting_base;
@@ -37,14 +37,14 @@ std::vector<Side> cutting_sides(const Placement& placement) {
   return sides;
 }
 
-// The part of a convex polygon that lies at most `most` beyond the side. `spare` is memory.
+// Clips a convex polygon to its part at most `most` beyond the side. `spare` is memory for reuse.
 void cut(Points& area, const Side& side, double most, Points& spare) {
   clip(
       area, [&](const Vec2& p) { return most - side.beyond(p); }, spare);
   area.swap(spare);
 }
 
-// A rectangle that holds all of the polygon with room to spare, counter-clockwise.
+// A rectangle with ample room around the polygon, counter-clockwise.
 Points frame_around(const Points& polygon) {
   const Box box = bounding_box(polygon);
   const Vec2 low = box.low - box.size(), high = box.high + box.size();

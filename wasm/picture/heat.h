@@ -1,5 +1,5 @@
-// The force that tips the object, as a heat map: outside the lifting base, how hard a push at each
-// point must be to tip it.
+// The force that tips the object, as a heat map: for each point outside the lifting base, the least
+// press down there that tips the object.
 #pragma once
 
 #include <vector>
@@ -9,20 +9,22 @@
 
 namespace evenlift::view {
 
-// The part of the polygon where only a push of at least `share` times the weight tips the object,
-// as triangles: three points each. The innermost band has an infinite share: no push there tips it.
+// The part of the polygon where only a press down of at least `share` times the weight tips the
+// object, as triangles: three points each. The innermost band has an infinite share: no press down
+// there tips the object.
 struct HeatBand {
   double share = 0;
   std::vector<Vec2> triangles;
   // For a polygon that is filled by rows: a convex region, counter-clockwise. The band is its part
-  // inside the polygon. If it is empty, the band is all of the polygon.
+  // inside the polygon. An empty region means the whole polygon.
   Points region;
 };
 
-// The bands from the outermost (share 0, all of the polygon) inwards; each is painted over the one
-// before. `triangles` are the polygon's, from triangulate(), or none. A band is an intersection of
-// half-planes: the sides of the lifting base, moved outwards (algorithm.md, Stability).
-// O(levels n h), where h sides of the lifting base have some of the polygon beyond them.
+// The bands from the outermost (share 0, the whole polygon) inwards; each is painted over the
+// preceding one. `triangles` are the polygon's, from triangulate(), or empty. A band is an
+// intersection of half-planes: the sides of the lifting base, moved outwards (algorithm.md,
+// Stability). O(levels n h), where h is the number of sides of the lifting base with a part of the
+// polygon beyond them.
 std::vector<HeatBand> heat_bands(const Placement& placement,
                                  const std::vector<std::uint32_t>& triangles);
 

@@ -22,8 +22,7 @@ Vec2 turned(const Vec2& v, double degrees) {
   return {v.x() * c - v.y() * s, v.x() * s + v.y() * c};
 }
 
-// The middle of a box of `size` that lies in direction `u` and just clears a disc of radius
-// `reach`.
+// The middle of a box of `size` in direction `u` that just clears a disc of radius `reach`.
 Vec2 beside(const Vec2& robot, const Vec2& u, const Vec2& size, double reach) {
   const double x = std::abs(u.x()) * size.x() / 2, y = std::abs(u.y()) * size.y() / 2;
   return robot + u * (reach + x + y);
@@ -41,8 +40,8 @@ double away(const Vec2& a, const Vec2& b, const Vec2& p) {
   return length(p - nearest_on_segment(a, b, p));
 }
 
-// The room about p: its distance to what the number must not cover; 0 outside of the object or
-// base.
+// The room about p: its distance to everything that the number must not cover; 0 outside the object
+// or the lifting base.
 double clearance(const Placement& placement, const Vec2& p) {
   if (!inside_convex(placement.lifting_base, p) || !inside(placement.vertices(), p)) return 0;
   double room = length(p - placement.centre_of_mass);
@@ -92,7 +91,7 @@ void Occupied::box(const Rect& taken) {
 }
 
 void Occupied::disc(const Vec2& middle, double radius) {
-  // Of a disc that is far larger than the window only the rows within it have cells.
+  // For a disc far larger than the window, only the rows within the window have cells.
   const double first = std::max(-radius, window_.top - middle.y() - cell),
                last = std::min(radius, window_.bottom - middle.y() + cell);
   const int rows = static_cast<int>(std::ceil((last - first) / cell));
@@ -105,7 +104,7 @@ void Occupied::disc(const Vec2& middle, double radius) {
 }
 
 void Occupied::line(const Vec2& a, const Vec2& b) {
-  const std::optional<PartOfSegment> part = part_within(window_, a, b);  // only this has cells
+  const std::optional<PartOfSegment> part = part_within(window_, a, b);  // only this part has cells
   if (!part) return;
   const double share = part->to - part->from;
   const Vec2 along = b - a;
@@ -144,7 +143,7 @@ std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& r
   for (std::size_t i = 0; i < requests.size(); ++i) {
     const LabelRequest& request = requests[i];
     int fewest = most_crossed + 1;
-    // The nearer ring first; the farther one only if it covers fewer lines.
+    // Tries the nearer ring first; the farther one only if it covers fewer lines.
     for (const double farther : {0.0, 9.0}) {
       for (const double turn : turns) {
         if (fewest == 0) break;
@@ -164,7 +163,7 @@ std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& r
 }
 
 CoveragePlace place_coverage(const Placement& placement, const Vec2& before) {
-  // With more than this there is no room for a number anyway, and the search would take long.
+  // Beyond this there is no room for a number anyway, and the search would take long.
   if (placement.lifting_base.size() < 3 || placement.teams.size() > 40 ||
       placement.vertices().size() > 400)
     return {};

@@ -12,14 +12,15 @@
 namespace evenlift::view {
 namespace {
 
-constexpr double margin = 40;  // pixels beyond the window that are still drawn: widths, fringes
+constexpr double margin = 40;  // pixels beyond the window that are still drawn: line widths,
+                               // fringes
 
 // Dear ImGui keeps 40 bytes for each point on the stack while it draws a line, and a polygon may
-// have a million points. So lines are drawn in pieces of at most this many points.
+// have a million points. So lines are drawn in pieces of at most this number of points.
 constexpr std::size_t most_at_once = 4096;
 
-// Of a polygon with more points than this only those are drawn that can be told apart: those
-// farther from each other than this share of a device pixel.
+// For a polygon with more points than this, only distinguishable points are drawn: those farther
+// apart than this share of a device pixel.
 constexpr std::size_t few = 2048;
 constexpr double same_spot = 0.25;
 
@@ -90,7 +91,7 @@ void Painter::heat(const std::vector<HeatBand>& bands, const RowFill& rows,
 }
 
 void Painter::triangles(const std::vector<Vec2>& corners, Colour colour) const {
-  // In pieces, as Dear ImGui's indices may have 16 bits.
+  // In pieces, since Dear ImGui's indices may have 16 bits.
   constexpr std::size_t most = 3 * 4096;
   const ImVec2 uv = ImGui::GetFontTexUvWhitePixel();
   const ImU32 packed = colour.at(strength_).packed();
@@ -139,8 +140,8 @@ void Painter::outline(const Points& polygon, Colour colour, float width, bool cl
   for (const Vec2& p : polygon) screen.push_back(camera_.to_screen(p));
   const ImU32 packed = colour.at(strength_).packed();
   const std::size_t n = screen.size();
-  // Dear ImGui thins two lines out towards a sharp corner, so there the line is parted, and its
-  // ends get a round joint.
+  // Dear ImGui thins two lines towards a sharp corner, so the line is split there, and its ends get
+  // a round joint.
   const auto is_sharp = [&](std::size_t i) {
     if (!closed && (i == 0 || i + 1 == n)) return false;
     const Vec2 in = screen[i] - screen[(i + n - 1) % n], out = screen[(i + 1) % n] - screen[i];
@@ -163,7 +164,8 @@ void Painter::outline(const Points& polygon, Colour colour, float width, bool cl
   list_.PathClear();
 }
 
-// Draws pieces that each begin where the last one ended, and leaves out what is beside the window.
+// Draws pieces that each begin where the preceding one ended, and leaves out parts beside the
+// window.
 void Painter::long_outline(const Points& polygon, Colour colour, float width, bool closed) const {
   const ImU32 packed = colour.at(strength_).packed();
   const double least = least_step();
@@ -173,7 +175,7 @@ void Painter::long_outline(const Points& polygon, Colour colour, float width, bo
   for (std::size_t i = 1; i <= edges; ++i) {
     const Vec2 next = camera_.to_screen(polygon[i == polygon.size() ? 0 : i]);
     if (i < edges && length(next - last) < least) continue;
-    // Dear ImGui draws a join of two lines that turn back as a spike, so there the line is parted.
+    // Dear ImGui draws a sharply reversing join as a spike, so the line is split there.
     const bool back = dot(last - before, next - last) < 0;
     before = last;
     if (seen(last, next)) {
@@ -236,7 +238,8 @@ void Painter::candidate(const Vec2& a, const Vec2& b, Colour colour, std::size_t
 
 void Painter::region(const Points& counter_clockwise, Colour fill, Colour line_colour,
                      bool rising) const {
-  // Both regions may have shrunk to the same place: one is seen beside or through the other.
+  // Both regions may have shrunk to the same place: one remains visible beside or through the
+  // other.
   if (counter_clockwise.size() == 1) {
     list_.AddCircle(at(counter_clockwise[0]), rising ? 6.0f : 9.0f, line_colour.packed(), 24, 2);
   } else if (counter_clockwise.size() == 2) {

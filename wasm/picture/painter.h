@@ -14,12 +14,12 @@
 
 namespace evenlift::view {
 
-// Dashes are slow to draw by the ten thousand: more lines than this are not dashed.
+// Tens of thousands of dashes are slow to draw: more lines than this are not dashed.
 inline constexpr std::size_t most_dashed = 300;
 
 class Painter {
  public:
-  // `strength` below 1 fades everything: the result is no longer current.
+  // `strength` below 1 fades everything: the result is out of date.
   Painter(ImDrawList& list, const Camera& camera, const Rect& window, float strength = 1)
       : list_(list), camera_(camera), window_(window), strength_(strength) {}
 
@@ -28,38 +28,37 @@ class Painter {
 
   void fill(const Points& polygon, const std::vector<std::uint32_t>& triangles,
             Colour colour) const;
-  // Fills the part of a large polygon that the window shows by rows; if `within` is given, only the
-  // part inside this convex area.
+  // Fills the visible part of a large polygon by rows; with `within`, only the part inside this
+  // convex area.
   RowFill rows(const Points& polygon) const;
   void fill(const RowFill& rows, Colour colour, const Points& within = {}) const;
   void triangles(const std::vector<Vec2>& corners, Colour colour) const;
-  // The heat map, by its triangles or, of a large polygon, by rows.
+  // The heat map, by its triangles or, for a large polygon, by rows.
   void heat(const std::vector<HeatBand>& bands, const RowFill& rows, const Theme& theme) const;
   void fill_convex(const Points& counter_clockwise, Colour colour) const;
   void outline(const Points& polygon, Colour colour, float width, bool closed = true) const;
   void line(const Vec2& a, const Vec2& b, Colour colour, float width) const;
   void dashes(const Vec2& a, const Vec2& b, Colour colour, float width) const;
-  // A candidate's chord, one of `count`: dashed; or a thin line where there are more than
-  // most_dashed of them.
+  // A candidate's chord, one of `count`: dashed, or a thin line for more than most_dashed chords.
   void candidate(const Vec2& a, const Vec2& b, Colour colour, std::size_t count) const;
-  // A region of rotation centres, which may have shrunk to a segment or a point.
+  // A region of rotation centres, which may be as small as a segment or a point.
   void region(const Points& counter_clockwise, Colour fill, Colour line, bool rising) const;
   // An arrow between two points on the screen, in pixels.
   void arrow(const Vec2& tail, const Vec2& head, Colour colour, float width) const;
-  // Hatches with lines at +45° (rising) or −45°. They are fixed to the plane and move with it.
+  // Hatches with lines at +45° (rising) or −45°. The lines are fixed to the plane and move with it.
   void hatch_convex(const Points& counter_clockwise, bool rising, Colour colour) const;
 
  private:
-  // The part of a convex area, in pixels, that the window shows, clockwise on the screen.
+  // The visible part of a convex area, in pixels, clockwise on the screen.
   Points clipped(const Points& counter_clockwise) const;
-  // The part of a segment near the window; false if there is none.
+  // Reduces a segment to its part near the window; returns false if there is none.
   bool clip(Vec2& a, Vec2& b) const;
-  // Whether the window may show something of a segment. O(1).
+  // Whether a part of the segment may be visible. O(1).
   bool seen(const Vec2& a, const Vec2& b) const;
   void long_outline(const Points& polygon, Colour colour, float width, bool closed) const;
-  // Points that are closer together than this, in pixels, look like one.
+  // Points closer together than this look like one, in pixels.
   double least_step() const;
-  // The left and right end of a convex area in each of the rows.
+  // The left and right end of a convex area in each row.
   std::vector<std::pair<float, float>> reach(const Points& convex, float row_height) const;
 
   ImDrawList& list_;

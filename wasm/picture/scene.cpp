@@ -25,7 +25,7 @@ Points hull_of(const std::vector<Shape>& shapes) {
   return hull == shapes.end() ? Points() : hull->points;
 }
 
-// A change of the teams is animated, except during a drag.
+// Animates a change of the teams, except during a drag.
 void begin_motion(Scene& scene, const AppState& state, const std::vector<Shape>& before,
                   double now) {
   scene.progress = 1;
@@ -43,7 +43,7 @@ void begin_motion(Scene& scene, const AppState& state, const std::vector<Shape>&
   scene.progress = 0;
 }
 
-// Computes what depends on the placement, and not on the overlays.
+// Computes everything that depends on the placement, and not on the overlays.
 void follow_anew(Scene& scene, const AppState& state, const Placement& placement,
                  const std::vector<Shape>& before, double now) {
   const bool same_polygon = !before.empty() && before[0].points == placement.vertices();
@@ -61,7 +61,7 @@ void follow_anew(Scene& scene, const AppState& state, const Placement& placement
 }  // namespace
 
 void follow(Scene& scene, const AppState& state, const Placement& placement, double now) {
-  // Even while the document is refused its overlays are shown, with the last good placement.
+  // Even for a refused document, the present overlays are shown, with the last good placement.
   const Overlays& overlays = shown(state).overlays;
   const bool anew = scene.revision != state.derived().revision;
   if (anew || !(scene.overlays == overlays)) {

@@ -1,4 +1,4 @@
-// What the canvas draws of a placement, kept from frame to frame: the picture's shapes, the object
+// The canvas's drawing of a placement, kept from frame to frame: the picture's shapes, the object
 // as triangles, the heat map, and the progress of an animation.
 #pragma once
 
@@ -22,20 +22,20 @@ inline constexpr std::size_t most_single_robots = 400;
 struct Scene {
   std::uint64_t revision = 0;
   Overlays overlays;
-  std::vector<Shape> shapes;             // of the last good placement, as the overlays ask
-  std::vector<std::uint32_t> triangles;  // of its polygon; none if it is filled by rows
-  std::vector<HeatBand> heat;            // once it has been asked for
+  std::vector<Shape> shapes;             // of the last good placement, by the overlays
+  std::vector<std::uint32_t> triangles;  // of its polygon; empty if it is filled by rows
+  std::vector<HeatBand> heat;            // computed on first request
   bool shows_heat() const { return overlays.tipping && !heat.empty(); }
-  CoveragePlace coverage;  // where coverage is written, if there is room
+  CoveragePlace coverage;  // where the coverage appears, if there is room
 
-  // The animation of a change: what was there before, and when it changed.
+  // The animation of a change: the former state, and the time of the change.
   Points hull_before, robots_before;
   double changed_at = -1;  // seconds
   float progress = 1;      // 0 .. 1
 };
 
-// Brings the scene up to date with the placement. Costs nothing while the document stays the same,
-// and one pass over the shapes when only the overlays change. `now` is in seconds.
+// Brings the scene up to date with the placement. Costs nothing while the document is unchanged,
+// and one pass over the shapes if only the overlays change. `now` is in seconds.
 void follow(Scene& scene, const AppState& state, const Placement& placement, double now);
 
 // Whether a robot stood at this point before the change.

@@ -6,7 +6,7 @@
 namespace evenlift::view {
 namespace {
 
-// A vertex in the ring of those that are left, and in the list sorted along the Z-order curve.
+// A vertex in the ring of the remaining ones, and in the list sorted along the Z-order curve.
 struct Node {
   Vec2 at;
   std::uint32_t vertex = 0, previous = 0, next = 0;
@@ -57,7 +57,7 @@ class Ears {
         --left;
         without_ear = 0;
         i = nodes_[ear.next]
-                .next;  // not the neighbour at once: slivers would fan out of one vertex
+                .next;  // not the direct neighbour: slivers would fan out from one vertex
       } else {
         ++without_ear;
         i = nodes_[i].next;
@@ -82,7 +82,7 @@ class Ears {
     }
     const double size = std::max(high.x() - low_.x(), high.y() - low_.y());
     to_grid_ = size > 0 ? 32767 / size : 0;
-    // Position on the curve and index in one integer, so that integers are sorted.
+    // Position on the curve and index in one integer, which sorts fast.
     std::vector<unsigned long long> order(nodes_.size());
     for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
       nodes_[i].z = z_of(nodes_[i].at);
@@ -111,7 +111,7 @@ class Ears {
       return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0 &&
              turn(nodes_[p.previous], p, nodes_[p.next]) <= 0;
     };
-    // Whatever lies in the triangle's box lies between its corners' places on the curve.
+    // All points in the triangle's box are between its corners' places on the curve.
     for (std::int64_t k = b.z_next; k >= 0 && at(k).z <= z_high; k = at(k).z_next) {
       if (blocks(at(k))) return false;
     }

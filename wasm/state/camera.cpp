@@ -39,7 +39,7 @@ Camera fit(const Points& points, const Rect& room) {
   if (points.empty()) return camera;
   const Box box = bounding_box(points);
   camera.centre = box.middle();
-  // An edit may pass through a shape without extent; it is shown as if it had some.
+  // An edit may pass through a shape without extent; it is shown with a minimal extent.
   const double width = std::max(box.size().x(), 1e-9), height = std::max(box.size().y(), 1e-9);
   camera.scale =
       std::min(std::max(room.width(), 40.0) / width, std::max(room.height(), 40.0) / height);
@@ -52,7 +52,7 @@ Camera zoom(const Camera& camera, const Vec2& about, double factor, double small
   zoomed.centre = camera.to_world(about);
   zoomed.anchor = about;
   zoomed.scale = std::clamp(camera.scale * factor, smallest, largest);
-  // Back to the old anchor, which is where the next fit or resize expects the centre.
+  // Back to the old anchor, where the next fit or resize expects the centre.
   zoomed.centre = zoomed.to_world(camera.anchor);
   zoomed.anchor = camera.anchor;
   return zoomed;

@@ -1,4 +1,4 @@
-// From polygon coordinates to pixels of the canvas (y down there) and back.
+// Converts polygon coordinates to canvas pixels (y points down) and back.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace evenlift::view {
 
-// A rectangle in pixels, origin at the canvas's top left.
+// A rectangle in pixels; the origin is the canvas's top left corner.
 struct Rect {
   double left = 0, top = 0, right = 0, bottom = 0;
   double width() const { return right - left; }
@@ -22,8 +22,8 @@ struct Rect {
   }
 };
 
-// The part of the segment from a to b in a rectangle, its edge included, as shares of the way from
-// a; nothing if there is none. O(1).
+// The part of the segment from a to b that is in a rectangle (boundary included), as fractions of
+// the way from a; nothing if they do not meet. O(1).
 struct PartOfSegment {
   double from = 0, to = 1;
 };
@@ -41,25 +41,25 @@ struct Camera {
 // The camera that shows all points within `room`, as large as possible. O(n).
 Camera fit(const Points& points, const Rect& room);
 
-// Zooms so that the point under `about` (pixels) stays there. `smallest` and `largest` bound
-// the scale.
+// Zooms and keeps the point under `about` (pixels) in place. `smallest` and `largest` bound the
+// scale.
 Camera zoom(const Camera& camera, const Vec2& about, double factor, double smallest,
             double largest);
 
 Camera pan(const Camera& camera, const Vec2& pixels);
 
-// The distance between the dots of the grid: 1, 2 or 5 times a power of ten, at least 22 CSS
-// pixels.
+// The spacing of the grid's dots: 1, 2 or 5 times a power of ten, at least 22 CSS pixels.
 double grid_step(const Camera& camera);
 
 // The dot nearest to `world`.
 Vec2 nearest_dot(const Camera& camera, const Vec2& world);
 
-// The coordinates nearest to `world` with only as many decimals as a pixel needs. So what is
-// dragged gets readable numbers, and links stay short.
+// The coordinates nearest to `world` with no more decimals than a pixel needs. Dragged things get
+// readable coordinates, and links stay short.
 Vec2 rounded_to_pixels(const Camera& camera, const Vec2& world);
 
-// The same with two more decimals, so that what is turned or scaled keeps its shape.
+// Like rounded_to_pixels(), with two more decimals, so that turned or scaled shapes keep their
+// form.
 Vec2 rounded_finely(const Camera& camera, const Vec2& world);
 
 }  // namespace evenlift::view

@@ -1,5 +1,5 @@
-// What a person, a key or another page can ask for. A command is data; update.h applies it between
-// two frames.
+// Everything that the user, a key or another page can ask for. A command is data; update.h applies
+// it between two frames.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@
 
 namespace evenlift::view {
 
-// Edits of the document. Each is one step of undo; live edits that follow each other are one step
-// together, until EndEdit. MoveVertex and MoveCentre are always live.
+// Edits of the document. Each is one step of undo; consecutive live edits form one step, until
+// EndEdit. MoveVertex and MoveCentre are always live.
 struct SetSettings {
   Settings settings;
   bool live = false;
@@ -51,24 +51,24 @@ struct EndEdit {};
 struct Undo {};
 struct Redo {};
 
-// Moves a balanced robot along the outline, and its neighbours follow; or a team along its range,
-// with the robot. It is always live.
+// Moves a balanced robot along the outline, and its neighbours follow; or moves a team, with the
+// robot, along its range. Always live.
 struct MoveRobot {
-  std::size_t robot;  // its number, team after team
+  std::size_t robot;  // counted team after team
   Vec2 to;            // the robot goes to the nearest point of the outline
 };
-struct ResetRobots {};  // back to where they were found
+struct ResetRobots {};  // back to where the method placed them
 
-// What the search of this number found (Given::Found); it is told without `robots` that it cannot
-// go on.
+// The result of the search with this number (Given::Found). Without `robots`, the search cannot
+// continue.
 struct TakeRobots {
   std::uint64_t number;
   std::optional<std::string> robots;
   bool ended = true;
 };
 
-// The other commands change neither the polygon nor its placement.
-// What is shown: one step of undo, unless only overlays differ.
+// The other commands change neither the polygon nor its placement. SetShown changes what is shown:
+// one step of undo, unless only overlays differ.
 struct SetShown {
   Shown shown;
   bool live = false;
@@ -83,14 +83,14 @@ SetShown showing(const AppState& state, Value Shown::*member, std::type_identity
 struct SetTool {
   Tool tool;
 };
-struct GripPolygon {};  // remembers the polygon as it is, for SetPolygon
+struct GripPolygon {};  // remembers the present polygon for SetPolygon
 struct AddPoint {
   Vec2 at;
 };
 struct TakePointBack {};
 struct PutPointBack {};
-struct FinishDrawing {};  // opens the polygon that was drawn, or says what is wrong with it
-struct MovePoint {        // one that is placed
+struct FinishDrawing {};  // opens the drawn polygon, or reports its error
+struct MovePoint {        // a placed point
   std::size_t point;
   Vec2 to;
 };
@@ -99,23 +99,23 @@ struct SetDrawCursor {
   std::optional<Vec2> pointer;  // in pixels, if the pointer moved it
   bool by_keys = false;
 };
-// The next edge's length and its angle in degrees, as typed; what is not given stays. Places its
-// end if asked for.
+// The typed length of the next edge and its typed angle in degrees; a missing value stays. On
+// request, also places the edge's end.
 struct TypeEdge {
   std::optional<double> length, degrees;
   bool place = false;
 };
-struct WithdrawEdge {};  // forgets what was typed of it
+struct WithdrawEdge {};  // forgets the typed length and angle
 struct SetSnap {
   Snap snap;
 };
-struct OpenWalkthrough {};  // at the step where it was left
+struct OpenWalkthrough {};  // at the step where the user left it
 struct CloseWalkthrough {};
 struct GoToStep {
   std::uint32_t step;
 };
 struct MoveSteps {
-  int by;  // stops of the ready-made lesson, if there is one
+  int by;  // stops of the lesson, if one is open
 };
 struct MoveChapters {
   int by;
@@ -136,7 +136,7 @@ struct PointAtChoice {
   std::size_t choice;  // an index into Ask::choices
 };
 struct AskWhy {
-  std::optional<Vec2> at;  // nothing takes the question back
+  std::optional<Vec2> at;  // without a place, withdraws the question
 };
 struct Measure {
   std::uint32_t candidate;
@@ -144,27 +144,27 @@ struct Measure {
 struct HoverFigure {
   std::optional<std::size_t> figure;
 };
-// Opens the card that says why a robot stands where it does, or a candidate was not taken; with
-// nothing, closes it.
+// Opens the card that explains why a robot stands where it does or why a candidate was not chosen;
+// without a part, closes it.
 struct Explain {
   std::optional<Pick> of;
 };
 struct ShowInLesson {
   std::uint32_t step;
 };
-struct LeaveScript {};  // the walkthrough goes on without a lesson's words
-// Shows the walkthrough to a room: the drawing and a large caption, in full screen.
+struct LeaveScript {};  // continues the walkthrough without the lesson's words
+// Presentation mode: the drawing and a large caption, in full screen.
 struct SetPresenting {
   bool on;
 };
-// Shows all steps of the trace, or only the main ones; a lesson is left.
+// Shows all steps of the trace, or only the main ones, and leaves the lesson.
 struct ShowAllSteps {
   bool all;
 };
 struct Compare {
   std::optional<Method> method;
 };
-// Lets a robot fail, by its number from 0; with nothing, all of them work again.
+// Lets a robot fail, by its number from 0; without a number, all robots work again.
 struct Fail {
   std::optional<std::size_t> robot;
 };
@@ -187,7 +187,7 @@ struct SetCamera {
   Camera camera;
 };
 struct FitView {};
-// Zooms about a place on the screen, or about the middle of the room for the polygon.
+// Zooms about a place on the screen; without one, about the middle of the area for the polygon.
 struct ZoomView {
   double factor;
   std::optional<Vec2> about{};
@@ -201,7 +201,7 @@ struct SetMoreOpen {
 struct SetRobotOpen {
   bool open;
 };
-// The brush begins on a marked place, which it then erases, or on one that it marks.
+// A stroke of the brush that begins on a no-go part erases; any other marks.
 struct SetErases {
   bool erases;
 };
@@ -220,7 +220,7 @@ struct MeasureNotice {
   double height;
 };
 struct CopyLink {};
-// Begins to type in the field of a control.
+// Begins typing in the field of a control.
 struct TypeValue {
   const char* control;
 };
@@ -228,32 +228,33 @@ struct OpenDialog {
   Dialog dialog;
 };
 struct OpenPage {};     // of an <iframe>, in a new tab
-struct LayOutAgain {};  // something on a panel moved, so what is there is drawn once more
+struct LayOutAgain {};  // part of a panel moved, so another frame is needed
 struct ShowNotice {
   Notice notice;
 };
-struct EndNotice {};  // unless it says that something went wrong
+struct EndNotice {};  // unless it reports a problem
 
-// What the page around the view tells of itself, or kept of the last visit. Nothing of it is a step
-// of undo.
+// Facts from the page around the view, or kept from the last visit. These commands are not steps of
+// undo.
 struct SetCanvas {
   double css_width, css_height, css_ratio;
 };
 struct SetPreferences {
   bool dark, reduced_motion, finger;
 };
-struct SetTouch {  // the pointer is a finger now, or no more
+struct SetTouch {  // whether the pointer is a finger now
   bool on;
 };
-// A window of the page covers so much at the left, at the right and at the foot, in CSS pixels.
+// A window of the page covers this much of the canvas at the left, at the right and at the foot, in
+// CSS pixels.
 struct CoverScreen {
   double left, right, foot;
 };
-// A card of the page stands at the foot of the drawing, so high in CSS pixels; 0 for none.
+// A card of the page is at the foot of the drawing. Its height is in CSS pixels; 0 means no card.
 struct MakeRoom {
   double height;
 };
-// A picture lies behind the drawing, to be traced.
+// Puts a picture behind the drawing, for tracing.
 struct LayPicture {
   Vec2 low, high;
 };

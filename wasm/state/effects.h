@@ -1,5 +1,5 @@
-// What the view asks of the browser, as values: commands and what follows from them say it, and
-// page carries it out afterwards, in this order (page/effects.cpp).
+// The view's requests to the browser, as values. Commands and derive() append them, and
+// page/browser.cpp carries them out afterwards, in order.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace evenlift::view {
 
-// The page's own windows. They are HTML, so that text can be typed, files chosen, and lists read
-// out.
+// The page's own windows. They are HTML, so that users can type text and choose files, and screen
+// readers can read lists.
 enum class Dialog : std::uint8_t {
   samples,
   open,
@@ -25,7 +25,7 @@ enum class Dialog : std::uint8_t {
   glossary,
   welcome,
   optimum,
-  end_of_dialogs  // no dialog: it stays the last and counts them, so that each needs its name
+  end_of_dialogs  // not a dialog; it stays last and counts them, so that each must have a name
 };
 
 // The forms of the mouse pointer over the canvas.
@@ -39,27 +39,27 @@ enum class Cursor : std::uint8_t {
   move,
   resize_rising,
   resize_falling,
-  end_of_cursors  // no cursor, likewise
+  end_of_cursors  // not a cursor; counts them
 };
 
-// The document changed. The page updates the address bar, the storage and the live region at most a
-// few times a second.
+// The document changed. The page updates the address bar, the storage and the live region, at most
+// a few times a second.
 struct DocumentChanged {};
 
-// What is selected, in hand or compared changed, and with it only the text for those who cannot see
-// the canvas.
+// The selection, the held part or the comparison changed, and with it only the summary for users
+// who cannot see the canvas.
 struct SummaryChanged {};
 
-// The preferences changed, which the browser keeps besides the document (page_kept()).
+// The preferences changed. The browser keeps them apart from the document (page_kept()).
 struct PreferencesChanged {};
 
-// Reads out a text to those who cannot see the canvas.
+// Reads a text to users who cannot see the canvas.
 struct Announce {
   std::string text;
 };
 
-// Copies the page's address with this link to the clipboard. The page says in a notice whether that
-// worked, and what the link holds.
+// Copies the page's address with this link to the clipboard. A notice of the page reports success
+// or failure, and the link's contents.
 struct CopyAddress {
   std::string link;
 };
@@ -68,13 +68,13 @@ struct ShowDialog {
   Dialog dialog;
 };
 
-// Gives the focus to the field of a control, once it is laid out.
+// Gives the focus to the field of a control once the field is laid out.
 struct FocusField {
   std::string control;
 };
 
-// Shows the page in full screen, or in its window again. When the reader leaves full screen, the
-// page says so with page_end_presenting().
+// Shows the page in full screen, or returns it to its window. When the user leaves full screen, the
+// page calls page_end_presenting().
 struct ShowFullScreen {
   bool on;
 };
@@ -82,25 +82,26 @@ struct ShowFullScreen {
 // Opens the page of an <iframe> in a new tab.
 struct ShowPage {};
 
-// Goes on with the search of this number for balanced robots, beside the page, and ends what was
-// under way. The problem is a polygon in the thesis's format, settings as lines `name=value`, and
-// the robots at the start (robots_text.h). page_take_robots() gets what is found. With a capacity
-// among the settings it is only counted how many robots it takes if any one may fail.
+// Continues the search with this number for balanced robots, in the background, and ends any
+// earlier one. The problem is a polygon in the thesis's format, settings as lines `name=value`, and
+// the starting robots (robots_text.h). Results arrive through page_take_robots(). If the settings
+// have a capacity, the search only counts the robots needed if any one may fail.
 struct BeginSearch {
   std::uint64_t number;
   std::string polygon, settings, robots;
 };
 struct EndSearch {};
 
-// Asks for another frame, now or after so many seconds. Only the last request for a later frame
-// counts, and it can be dropped.
+// Requests another frame, now or after this number of seconds. Only the last request for a later
+// frame counts, and it can be dropped.
 struct NextFrame {};
 struct FrameAfter {
   double seconds;
 };
 struct DropFrameAfter {};
 
-// Ends the notice after so many seconds; none takes that back. Only the last one counts.
+// Ends the notice after this number of seconds; without a number, cancels that. Only the last
+// request counts.
 struct EndNoticeAfter {
   std::optional<double> seconds;
 };

@@ -1,4 +1,4 @@
-// A part of the drawing, and the answer to "why here?" about one that somebody pressed.
+// A part of the drawing, and the answer to "why here?" about the part that the user pressed.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace evenlift::view {
 
-// What the pointer is over, or holds.
+// The part under the pointer, or the held part.
 struct Pick {
   enum class Kind : std::uint8_t {
     none,
@@ -24,13 +24,13 @@ struct Pick {
     object,
     frame,
     ground,
-    doubt  // the grip of the ring within which the centre of mass is known
+    doubt  // the grip of the ring that shows the C uncertainty
   };
   Kind kind = Kind::none;
-  std::size_t index = 0;   // of the vertex, edge, team or candidate; of the frame its grip
+  std::size_t index = 0;   // of the vertex, edge, team or candidate, or of the frame's grip
   int end = 0;             // of a robot: 0 for r1, 1 for r2
   Vec2 at = Vec2::Zero();  // in polygon coordinates; on an edge or chord, its nearest point
-  bool second = false;     // whether it is in the picture of the second method
+  bool second = false;     // in the picture of the second method
   bool operator==(const Pick&) const = default;
 };
 
@@ -39,8 +39,8 @@ struct Explanation {
   struct Row {
     std::string label, value;
   };
-  Pick of;                           // what it is about
-  std::optional<std::size_t> robot;  // that it is about, in the first picture: its number from 0
+  Pick of;                           // the part that it explains
+  std::optional<std::size_t> robot;  // the explained robot, in the first picture: its number from 0
   std::string title;
   std::vector<Row> rows;
   std::string reason;

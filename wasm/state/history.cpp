@@ -9,7 +9,7 @@
 namespace evenlift::view {
 namespace {
 
-// By its number: what it did, or the setting that it changed.
+// By number: a text, or the changed setting.
 using What = std::variant<const char*, Setting>;
 constexpr What edits[] = {"opened a polygon",
                           "drew a polygon",
@@ -39,7 +39,7 @@ constexpr What edits[] = {"opened a polygon",
                           "opened a lesson"};
 static_assert(std::size(edits) == edit_count);
 
-// A number that only another version of the page knows is said to be of some settings.
+// A number that only another version of the page knows is described as a change of some settings.
 What what_of(Edit edit) {
   const auto number = static_cast<std::size_t>(edit);
   if (number < edit_count) return edits[number];
@@ -92,7 +92,7 @@ Document History::recall(const Entry& entry) {
   return document;
 }
 
-// The edit leads from one document to the other, so it goes along in both directions.
+// The edit leads from one document to the other, so it is kept in both directions.
 History::Recalled History::step(std::vector<Entry>& from, std::vector<Entry>& to,
                                 const Document& now, const Beside& beside) {
   const Edit edit = from.back().edit;

@@ -8,38 +8,38 @@ namespace evenlift::view {
 namespace {
 
 constexpr double panel_width = 360, rail_width = 48;
-// Below these heights the tools of the view would cover the object; they are in the toolbar's menu.
+// Below these heights the view tools would cover the object; they are then in the toolbar's menu.
 constexpr double least_height_for_tools = 480, least_height_beside_sheet = 640;
-// A picture with less than this height is helped by a sheet that says only the most important.
+// With less height for the picture, the sheet shows only the most important facts.
 constexpr double least_room = 165;
-constexpr double knob = 36;           // above or below the frame of the whole, to turn it
-constexpr double caption_above = 34;  // of one of two pictures above each other
-// A sheet with its handle and the row of the player, or the headline of the verdict and one row
+constexpr double knob = 36;           // above or below the frame around the polygon, to turn it
+constexpr double caption_above = 34;  // of the lower or upper of two pictures
+// A sheet with its handle and the player's row, or with the verdict's headline and one row
 // (panels.cpp).
 constexpr double brief_row = 88, brief_verdict = 152;
-// Before a room: with less height, a card has no place below the words; and what of the height the
-// words keep.
+// In presentation mode: with less height, a card has no place below the words; and the words' share
+// of the height.
 constexpr double least_height_for_both = 480, share_of_words = 0.45;
 
 // A bar with one row of controls.
 double bar_height(const Layout& l) { return l.control + 2 * l.bar_padding; }
 
-// What the bar of a tool takes below the toolbar, with its margins.
+// The height of a tool's bar below the toolbar, with its margins.
 double tool_bar_height(const Layout& l) { return l.control + 24; }
 
 // Room around the polygon for robots and their loads.
 Rect room_in(const Rect& free, double beside, double above, double below) {
-  constexpr double little = 150;  // where loads find room at the sides only
+  constexpr double little = 150;  // with less height, loads are placed only at the sides
   const double x = std::min(beside, free.width() / 6),
                most = free.height() / (free.height() < little ? 6 : 4);
   return {free.left + x, free.top + std::min(above, most), free.right - x,
           free.bottom - std::min(below, most)};
 }
 
-// A window at the left takes its width from the drawing, one at the right what it covers beyond the
-// panel, and one at the foot its height.
+// A window at the left or at the foot takes its size from the drawing; a window at the right takes
+// only what it covers beyond the panel.
 void make_room_for_window(Layout& l, const Screen& screen) {
-  constexpr double least = 135;  // of the width, which stays the drawing's
+  constexpr double least = 135;  // width that the drawing keeps
   const double most = std::max(0.0, l.free.width() - least);
   const double left = std::min(screen.window_left, most);
   const double beyond_panel = l.free.right - (screen.width - screen.window_right);
@@ -54,7 +54,7 @@ void make_room_for_window(Layout& l, const Screen& screen) {
   l.free.bottom = std::min(l.free.bottom, screen.height - screen.window_foot);
 }
 
-// Two pictures share the free room above a card at its foot; each has a caption at its top.
+// Two pictures share the free area above a card at its foot; each has a caption at its top.
 void split(Layout& l, const Screen& screen, bool compared, double beside, double above,
            double below) {
   make_room_for_window(l, screen);
@@ -75,7 +75,7 @@ void split(Layout& l, const Screen& screen, bool compared, double beside, double
   l.room = room_in(below_caption, beside * 0.8, above, l.wide ? below : below * 0.8);
 }
 
-// Puts the player at the foot of the free room, and the tools of the view above it.
+// Puts the player at the foot of the free area, and the view tools above it.
 void seat_player(Layout& l, double right, double height) {
   l.player = {l.margin, l.free.bottom - l.margin - height, right, l.free.bottom - l.margin};
   l.tools.top -= height + l.margin;
@@ -83,7 +83,7 @@ void seat_player(Layout& l, double right, double height) {
   l.free.bottom -= height + l.margin;
 }
 
-// One card at the foot: what the step says and one row of buttons, or else what the result is. Its
+// One card at the foot: the step's words and one row of buttons, or otherwise the result. Its
 // height is the same at every step.
 Layout embedded(const AppState& state) {
   const Screen& screen = state.session.screen;
@@ -102,14 +102,14 @@ Layout embedded(const AppState& state) {
   return l;
 }
 
-// Before a room a card stands below the words, so that the drawing keeps its size.
+// In presentation mode a card is below the words, so that the drawing keeps its size.
 bool seats_card_below_words(const AppState& state) {
   const Screen& screen = state.session.screen;
   return state.view.presenting && screen.width > screen.height &&
          screen.height >= least_height_for_both;
 }
 
-// Before a room: the drawing, and the words beside it, or below it on an upright screen.
+// Presentation mode: the drawing with the words beside it, or below it on an upright screen.
 Layout presenting(const AppState& state) {
   const Screen& screen = state.session.screen;
   Layout l;
@@ -152,18 +152,19 @@ Layout wide(const AppState& state) {
     seat_player(l, l.panel.left - l.margin, (l.low ? 1 : 2) * l.control + 24);
   if (state.view.tool == Tool::transform) l.free.top += tool_bar_height(l) + knob;
   if (state.view.tool == Tool::mark && (l.low || state.work.second_method))
-    l.free.top += tool_bar_height(l);  // the boundary is wanted, and so are captions
-  // The corners of a frame stand farther out than robots, and clear of the tools of the view.
+    l.free.top += tool_bar_height(l);  // the boundary must be visible, and so must captions
+  // The corners of a frame are farther out than robots, and clear of the view tools.
   const double below = state.view.tool == Tool::transform ? 108 : 84;
   split(l, screen, state.work.second_method.has_value(), 88, 68, below);
   return l;
 }
 
-// A sheet that leaves the drawing its room.
+// A sheet that leaves enough room for the drawing.
 double half_sheet_height(const Screen& screen) { return screen.height * 0.47; }
 
 double closed_sheet_height(const AppState& state) {
-  // In a lesson the same at every step, so that the drawing stands still; longer words scroll.
+  // The height is the same at every step of a walkthrough, so that the drawing does not move;
+  // longer words scroll.
   const double height = walkthrough_is_open(state) ? 296 : state.session.closed_sheet_height;
   return std::min(height, half_sheet_height(state.session.screen));
 }
@@ -172,12 +173,12 @@ bool has_bar(const AppState& state) {
   return state.view.tool == Tool::transform || state.view.tool == Tool::mark;
 }
 
-// Besides the drawing there is a card at its foot, a bar above it, or a second picture.
+// A card at the drawing's foot, a bar above it, or a second picture takes part of the space.
 bool asks_for_room(const AppState& state) {
   return state.session.screen.foot > 0 || has_bar(state) || state.work.second_method;
 }
 
-// What a closed sheet of this height leaves of a narrow screen to one picture.
+// The height that a closed sheet of this height leaves for one picture on a narrow screen.
 double room_above(const Layout& l, const AppState& state, double sheet) {
   const Screen& screen = state.session.screen;
   double room = screen.height - bar_height(l) - 2 * l.margin - sheet - screen.foot;
@@ -200,27 +201,25 @@ Layout narrow(const AppState& state) {
   if (state.view.sheet == Sheet::half) height = most;
   if (state.view.sheet == Sheet::full) height = screen.height - bar_height(l) - 3 * l.margin;
   l.panel = {0, screen.height - height, screen.width, screen.height};
-  // A sheet that is pulled up to the top ends above a card of the page, which stands at the foot of
-  // the screen then.
+  // A fully open sheet ends above a card of the page, which is then at the foot of the screen.
   if (state.view.sheet == Sheet::full && screen.card > 0)
     l.panel.bottom -= std::min(screen.card + 2 * l.margin, height / 2);
   l.toolbar = {l.margin, l.margin, screen.width - l.margin, l.margin + bar_height(l)};
-  // A sheet that is pulled up to the top covers the drawing for a moment; the drawing does not
-  // move.
+  // A fully open sheet covers the drawing for a moment; the drawing does not move.
   const double below = std::min(height, most);
   l.free = {0, l.toolbar.bottom, screen.width, screen.height - below};
   if (has_bar(state)) l.free.top += tool_bar_height(l);
   const double tools_height = 3 * 44 + 2 * 2 + 4;
   l.tools = {screen.width - l.margin - 48, l.panel.top - l.margin - tools_height,
              screen.width - l.margin, l.panel.top - l.margin};
-  // Beside a sheet that is pulled up, or over one of two pictures, they would cover robots; a
-  // window would cover them.
+  // Beside an open sheet, or over one of two pictures, the view tools would cover robots; a window
+  // would cover the tools.
   l.low = screen.height < least_height_beside_sheet;
   if (l.low || state.view.sheet != Sheet::closed || state.work.second_method ||
       screen.window_foot > 0)
     l.tools = {l.tools.right, l.tools.bottom, l.tools.right, l.tools.bottom};
   split(l, screen, state.work.second_method.has_value(), 60, 52, 52);
-  // Beside the tools: a corner of the frame is no use under them.
+  // Left of the tools: a corner of the frame cannot be grabbed under them.
   if (state.view.tool == Tool::transform && l.tools.height() > 0)
     l.room.right = std::max(l.room.middle().x(), l.tools.left - 54);
   return l;
@@ -230,7 +229,7 @@ Layout in_mode(const AppState& state) {
   const Screen& screen = state.session.screen;
   if (state.view.presenting) return presenting(state);
   if (screen.embed) return embedded(state);
-  // A phone on its side is wide, too: a sheet would leave nothing of the drawing.
+  // A phone on its side also counts as wide: a sheet would leave no room for the drawing.
   const bool side = screen.width >= 900 || (screen.width >= 640 && screen.width > screen.height);
   return side ? wide(state) : narrow(state);
 }
@@ -243,9 +242,9 @@ bool has_half_sheet(const AppState& state) {
 
 namespace {
 
-// Where a card of the page may stand; see card_seat().
+// The place for a card of the page; see card_seat().
 Rect seat_of_card(const AppState& state, const Layout& l) {
-  constexpr double least = 520;  // beside the tools of the view
+  constexpr double least = 520;  // width beside the view tools
   const double left = l.free.left + l.margin, right = l.free.right - l.margin;
   if (seats_card_below_words(state)) {
     const double height = state.session.screen.height;
@@ -267,8 +266,9 @@ Rect inset(const Rect& r, double by) {
   return {r.left + by, r.top + by, r.right - by, r.bottom - by};
 }
 
-// Where it covers neither a bar nor what is being drawn nor, before a room, the words; above a card
-// of the page. On a sheet that is pulled up to the top, at its foot: the verdict is at its head.
+// The notice covers no bar, nothing that is being drawn and, in presentation mode, no words; it is
+// above a card of the page. On a fully open sheet it is at the foot, since the verdict is at the
+// head.
 Rect seat_of_notice(const AppState& state, const Layout& l) {
   constexpr double gap = 8, least_height = 100, widest = 560;
   if (!l.wide && state.view.sheet == Sheet::full && !state.view.presenting &&
@@ -282,8 +282,8 @@ Rect seat_of_notice(const AppState& state, const Layout& l) {
   return {middle - half, head, middle + half, std::max(foot, head + least_height)};
 }
 
-// A notice of several lines would cover robots at the foot of the lower picture: the polygon makes
-// room for it. Where that is not enough, the notice goes down over the closed sheet.
+// A notice of several lines would cover robots at the foot of the lower picture, so the polygon
+// makes room for it. If that is not enough, the notice moves down over the closed sheet.
 void make_room_for_notice(const AppState& state, Layout& l) {
   if (state.session.notice.text.empty()) return;
   constexpr double robot = 16;
@@ -297,7 +297,7 @@ void make_room_for_notice(const AppState& state, Layout& l) {
   const double made = std::min(covered, l.room.height() * (over_sheet ? 0.4 : 0.75));
   l.room.bottom -= made;
   if (!over_sheet) return;
-  // It covers the sheet's handle only, or all of its first sentence.
+  // Over the sheet, it covers only the handle, or the whole first sentence.
   constexpr double handle = 28, first_sentence = 104;
   double down = covered - made;
   if (down > handle) down = std::max(down, first_sentence);
@@ -317,26 +317,25 @@ Layout layout(const AppState& state) {
 
 namespace {
 
-// How far robots with a size stand out beyond the object. Where they are larger than it, they may
-// be cut off.
+// How far sized robots extend beyond the object. Robots larger than the object may be cut off.
 double stands_out(const Settings& settings, double size) {
   const RobotSize& robot = settings.robot;
   if (!takes_sizes(settings.method) || !(robot.radius > 0)) return 0;
   return std::min(2 * robot.radius + robot.reach, size);
 }
 
-// For a picture that is traced: below the bar of the drawing tool, which has a second row on a
+// The area for a traced picture: below the bar of the drawing tool, which has a second row on a
 // narrow screen (drawing_bar.cpp).
 Rect room_for_backdrop(const Layout& l) {
   const double rows = l.wide || l.low ? 1 : 2, bar = 8 + rows * (l.control + 8) + 8;
   Rect room = l.room;
-  if (!l.wide)  // there are no loads beside it yet
+  if (!l.wide)  // no loads are beside the picture yet
     room = {l.free.left + l.margin, l.free.top, l.free.right - l.margin, l.free.bottom - l.margin};
   room.top = std::min(std::max(room.top, l.free.top + bar + l.margin), room.bottom - 1);
   return room;
 }
 
-// All of the picture is seen, as large as it can be clear of the tools of the view.
+// Shows the whole picture, as large as possible clear of the view tools.
 Camera camera_of_backdrop(const Backdrop& picture, const Layout& l) {
   const Rect room = room_for_backdrop(l);
   const Points box{picture.low, picture.high};

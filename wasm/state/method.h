@@ -1,4 +1,4 @@
-// What changes with the method besides itself.
+// The other settings that change when the method changes.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace evenlift::view {
 
-// How many teams are placed; of balanced robots two count as one. 3 if nothing is placed.
+// The number of teams placed, counting two balanced robots as one team; 3 if nothing is placed.
 inline std::uint32_t placed_teams(const std::optional<Placement>& placement) {
   if (!placement) return 3;
   return std::max<std::uint32_t>(1, static_cast<std::uint32_t>(count_robots(placement->teams) / 2));
@@ -18,14 +18,14 @@ inline std::uint32_t placed_teams(const AppState& state) {
   return placed_teams(state.derived().placement);
 }
 
-// Whether a method looks for places, for robots of a size; to the others robots are points.
+// Whether a method considers the robots' size; for the others, robots are points.
 inline bool takes_sizes(Method method) {
   return method == Method::balanced || selects_candidates(method);
 }
 
 // The settings with another method. Settings that the new method does not support are reset: "max"
-// to `teams`, the goal, the robots' size, and what they must not touch. A goal of balanced robots
-// is reset for teams, too.
+// to `teams`, the goal, the robots' size, and the no-go edges. For teams, a goal of balanced robots
+// is also reset.
 inline Settings with_method(Settings settings, Method method, std::uint32_t teams) {
   const bool balanced = method == Method::balanced;
   if (!settings.teams && !selects_candidates(method) && !balanced) settings.teams = teams;
@@ -39,8 +39,8 @@ inline Settings with_method(Settings settings, Method method, std::uint32_t team
   return settings;
 }
 
-// What a method has no use for is set aside, and is there again with the next method that has.
-// Balanced robots have a goal of their own.
+// Settings that a method does not support are set aside, and return with the next method that
+// supports them. Balanced robots have a goal of their own.
 struct WithMethod {
   Settings settings;
   SetAside aside;
@@ -63,7 +63,7 @@ inline WithMethod with_method(const Settings& now, Method method, std::uint32_t 
   return {std::move(settings), std::move(aside)};
 }
 
-// Balanced robots: how few there may be.
+// The fewest balanced robots that the settings allow.
 inline std::uint32_t fewest_robots(const Settings& settings) {
   return settings.survive == 0 ? least_robots : 2 * settings.survive + 3;
 }

@@ -8,7 +8,7 @@ namespace evenlift::view {
 
 namespace {
 
-// Long enough to be read twice, at 15 letters a second.
+// Long enough to read the text twice, at 15 letters a second.
 double reading_time(const std::string& text) {
   return 4 + 2 * static_cast<double>(text.size()) / 15;
 }
@@ -20,7 +20,7 @@ void emit(AppState& state, Effect effect) { state.session.effects.push_back(std:
 void announce(AppState& state, std::string text) { emit(state, Announce{std::move(text)}); }
 
 void show(AppState& state, Notice notice) {
-  // What is refused again is told again, but not for each point of a drag.
+  // A repeated refusal is announced again, but not for each point of a drag.
   const bool again = notice.kind == Notice::Kind::problem && !state.work.edit_open;
   if (again || notice.text != state.session.notice.text) announce(state, notice.text);
   state.session.notice = std::move(notice);

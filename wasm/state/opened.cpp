@@ -17,22 +17,22 @@ Result<Opened> opened(Result<Document> document) {
   return view::opened(std::move(document).value());
 }
 
-// The check of a polygon is spared if it is known.
+// Skips the check of a known polygon.
 Result<Placement> placed(const Document& document, const Polygon* known) {
   if (known && known->vertices() == document.vertices)
     return place(*known, document.centre_of_mass, document.settings, Effort::start, document.moved);
   return place(document, Effort::start);
 }
 
-// t teams are exchanged among K candidates in 0.1 to 5 microseconds times t^3 K, and 1.6 times as
-// long in the browser (docs/performance.md).
+// Swaps of t teams among K candidates take 0.1 to 5 microseconds times t^3 K, and 1.6 times that in
+// the browser (docs/performance.md).
 double exchange_cost(const Placement& placement) {
   const auto teams = static_cast<double>(placement.teams.size());
   return teams * teams * teams * static_cast<double>(placement.candidates.size());
 }
 constexpr double most_in_a_drag = 50e3, most_at_rest = 1e6;
 
-// The teams that are to hold, as the metric selects them.
+// The teams of the goal *hold*, as the metric selects them.
 Placement not_exchanged(Placement selected, const Settings& settings) {
   selected.settings = settings;
   selected.goal_reached = !selected.teams.empty() && selected.closure.form_closure;
@@ -78,7 +78,7 @@ CapacityPlan compute_plan(const Placement& placement, double capacity) {
 Computed computed() { return so_far; }
 
 Result<Opened> opened(Document document) {
-  // A lesson shows teams where they were found.
+  // A lesson shows teams at their original places.
   if (document.shown.step) document.moved.teams.clear();
   Result<Placement> placement = compute_placement(document);
   if (!placement) return placement.error();
@@ -88,7 +88,7 @@ Result<Opened> opened(Document document) {
 Result<Opened> opened_after(Document polygon, const Document& before) {
   polygon.settings = before.settings;
   polygon.shown = before.shown;
-  // A step, a length and edges are those of the former polygon.
+  // A step, a length and edges belong to the former polygon.
   polygon.shown.step.reset();
   for (const SettingRow& row : all_settings())
     if (row.changes == Changes::shown && row.is_length) read_setting(row.setting, "0", polygon);

@@ -1,5 +1,5 @@
-// A document together with its placement. A document is validated by placing it, so both are done
-// at once, and the placement is carried along to where it is shown: nothing is computed twice.
+// A document together with its placement. Placing a document validates it, so both happen at once;
+// the placement is then passed on to where it is shown, so that nothing is computed twice.
 #pragma once
 
 #include <cstdint>
@@ -15,43 +15,44 @@ namespace evenlift::view {
 struct Opened {
   Document document;
   Placement placement;
-  std::optional<Trace> trace;  // if it was needed for a check
+  std::optional<Trace> trace;  // if a check needed it
 };
 
-// Places the document, or says why it is refused. Costs as much as place().
+// Places the document, or returns why it is refused. Costs the same as place().
 Result<Opened> opened(Document document);
 
-// The same for another polygon, with all of the document before that is not about its own polygon.
+// Like opened(), for another polygon. Everything that does not concern the polygon comes from
+// `before`.
 Result<Opened> opened_after(Document polygon, const Document& before);
 
-// Reads and places the document of a link; and of a link or a polygon's text. Returns the first
-// error, if there is one.
+// Reads and places a document: from a link, or from a link or a polygon's text. Returns the first
+// error.
 Result<Opened> read_link(std::string_view link);
 Result<Opened> read_document(std::string_view text);
 
 // Like read_document(), but does not place it.
 Result<Document> parse_document(std::string_view text);
 
-// How soon a placement is wanted. Teams that are to hold are exchanged among all candidates, which
-// can take seconds among very many of them. Where that would hold up the page, the teams stay as
-// the metric selects them, and `search_ended` of the placement is false: during a drag where it
-// takes more than about a twentieth of a second, and at rest where it takes more than some seconds.
+// How urgently a placement is needed. Teams with the goal *hold* are improved by swaps among all
+// candidates, which can take seconds if there are very many. Where swaps would hold up the page,
+// the teams stay as the metric selects them, and the placement's `search_ended` is false. The limit
+// is about a twentieth of a second during a drag, and some seconds at rest.
 enum class Haste : std::uint8_t { at_rest, drag };
 
 // The view computes placements and traces only through these two functions. They count, so that a
-// test can check that an action computes one placement, and none if it changes only the picture.
-// With a placement of the same vertices their check is spared. Balanced robots are those of the
-// start: a search goes on from there (search.h), unless their whole search is traced.
+// test can check that an action computes one placement, and none if it changes only the picture. A
+// known placement of the same vertices saves checking them. Balanced robots are the start of a
+// search, which continues from there (search.h), unless the whole search is traced.
 Result<Placement> compute_placement(const Document& document,
                                     const std::optional<Placement>& before = std::nullopt,
                                     Haste haste = Haste::at_rest);
 
-// Whether its teams are to hold, but were left as the metric selects them. O(1).
+// Whether its teams should be swapped until they hold, but are as the metric selects them. O(1).
 bool waits_for_exchange(const Placement& placement);
 Result<Trace> compute_trace(const Placement& placement, const Units& units,
                             HistoryLength length = HistoryLength::whole);
 
-// How many teams a capacity needs; counted, too. Costs as much as plan_capacity().
+// The number of teams that a capacity needs; also counted. Costs the same as plan_capacity().
 CapacityPlan compute_plan(const Placement& placement, double capacity);
 
 struct Computed {

@@ -8,8 +8,8 @@
 namespace evenlift::view {
 namespace {
 
-// Before a room the screen counts as one of about this size, whose letters are read from the last
-// row.
+// In presentation mode the screen counts as about this large, so that its letters are legible from
+// the last row.
 constexpr double room_width = 880, room_height = 500;
 
 void measure_screen(AppState& state) {

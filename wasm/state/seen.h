@@ -1,4 +1,4 @@
-// What is seen of the polygon through the camera.
+// The part of the polygon that the camera shows.
 #pragma once
 
 #include <string>
@@ -10,13 +10,13 @@ namespace evenlift::view {
 // Whether no panel covers the centre of mass.
 bool centre_is_shown(const AppState& state);
 
-// Whether the camera shows all vertices, and not much smaller than they could be. O(n).
+// Whether the camera shows all vertices, and not much smaller than possible. O(n).
 bool well_shown(const AppState& state);
 
-// "125 %" of the view that fits. O(vertices).
+// For example "125 %" of the fitting view. O(vertices).
 std::string zoom_in_words(const AppState& state);
 
-// Whether any part of the polygon's outline crosses what nothing covers of the canvas. O(vertices).
+// Whether any part of the polygon's outline crosses the uncovered part of the canvas. O(vertices).
 bool outline_is_seen(const AppState& state);
 
 }  // namespace evenlift::view

@@ -1,5 +1,4 @@
-// What somebody looks at, and with which tool in hand: it is neither saved with the document nor
-// undone.
+// The user's present view and tool: neither saved with the document nor undone.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +14,11 @@
 
 namespace evenlift::view {
 
-// How far the sheet of a narrow screen is pulled up.
+// The position of a narrow screen's sheet.
 enum class Sheet : std::uint8_t { closed, half, full };
 
-// What a press on the drawing does: it takes hold of a vertex or the centre of mass, places a
-// vertex, takes hold of the whole polygon, or marks what no robot may touch.
+// The effect of a press on the drawing: grabs a vertex or the centre of mass, places a vertex,
+// grabs the whole polygon, or marks a no-go part.
 enum class Tool : std::uint8_t { parts, draw, transform, mark };
 
 // The polygon being drawn, vertex by vertex.
@@ -27,29 +26,29 @@ struct Drawing {
   Points points;
   Points undone;                    // redo brings back its last point first
   std::optional<Vec2> cursor;       // where the next vertex would go
-  std::optional<Vec2> last_cursor;  // and where it was last, when the pointer is elsewhere
-  std::optional<Vec2> pointer;      // where the pointer was then, in pixels
+  std::optional<Vec2> last_cursor;  // its last place, for when the pointer is elsewhere
+  std::optional<Vec2> pointer;      // the pointer's place at that time, in pixels
   bool by_keys = false;  // the cursor was moved by keys; it stays until the pointer moves
   std::optional<double> length, degrees;  // of the next edge, as typed
   bool checked = false;                   // whether `refusal` is known
-  std::optional<InputError> refusal;      // why the shape cannot be closed as it is
+  std::optional<InputError> refusal;      // why the present shape cannot be closed
 };
 
-// The polygon as it was when somebody took hold of it to move, turn or scale it.
+// The polygon when the user grabbed it to move, turn or scale it.
 struct PolygonGrip {
   Points vertices;
   std::optional<Vec2> centre_of_mass;
 };
 
-// What points snap to while they are dragged or drawn.
+// The snap targets of points that are dragged or drawn.
 struct Snap {
   bool grid = false;  // the dots of the grid
   bool axis = false;  // the horizontal and the vertical through a neighbouring point
   bool operator==(const Snap&) const = default;
 };
 
-// What somebody asked for: by its number another time is told from the same. It ends with the next
-// other robots.
+// A request of the user. The number distinguishes a repeated request from an old one. A request
+// ends when the robots change.
 template <class What>
 struct Wanted {
   std::optional<What> of;
@@ -69,26 +68,25 @@ struct View {
   std::optional<std::size_t> selected;  // vertex
   Pick hover, held;
   std::optional<LiftingPoint>
-      closed_to;           // where the robot that is dragged is wanted, if the others
-                           // cannot follow it there
-  bool erases = false;     // what the brush does to marks while it is held
-  bool measuring = false;  // two points of the picture behind are asked for, to set its scale
+      closed_to;           // where the dragged robot should go, if the others cannot follow
+  bool erases = false;     // what the brush does while it is held
+  bool measuring = false;  // the user chooses two points of the backdrop, to set its scale
 
-  LoadModel load_model = LoadModel::plan;  // whose loads are shown
-  Wanted<std::size_t> fails;               // the robot that is to fail, by its number from 0
-  Wanted<Pick> card;                       // what the card explains
+  LoadModel load_model = LoadModel::plan;  // the model of the shown loads
+  Wanted<std::size_t> fails;               // the robot that should fail, by its number from 0
+  Wanted<Pick> card;                       // the part that the card explains
   Walkthrough walkthrough;
-  bool presenting = false;  // the walkthrough is shown to a room
+  bool presenting = false;  // presentation mode
 
   Camera camera;
-  bool camera_follows = true;  // the view fits its window until somebody pans or zooms
-  bool fit_due = true;         // the view is to be fitted when no drag is under way
-  Rect fitted;                 // the room that the view was fitted to
+  bool camera_follows = true;  // the view fits its window until the user pans or zooms
+  bool fit_due = true;         // the view must be fitted once no drag is under way
+  Rect fitted;                 // the area that the view was fitted to
   bool motion = true;          // changes are animated, except with reduced motion
 
   bool panel_open = true;
-  bool more_open = false;   // the part of the settings that is seldom needed
-  bool robot_open = false;  // the part of the settings about the robots' size
+  bool more_open = false;   // the seldom-used settings are open
+  bool robot_open = false;  // the settings of the robots' size are open
   Sheet sheet = Sheet::closed;
 };
 

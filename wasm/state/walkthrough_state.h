@@ -1,6 +1,5 @@
-// Three words are kept apart. A lesson is a teacher's text (evenlift/lesson.h). The walkthrough
-// shows the algorithm step by step. A script is a lesson whose stops were found in the
-// walkthrough's trace.
+// Three terms: a lesson is a teacher's text (evenlift/lesson.h). The walkthrough shows the
+// algorithm step by step. A script is a lesson whose stops were found in the walkthrough's trace.
 //
 // This is data; walkthrough/walkthrough.h changes it.
 #pragma once
@@ -20,27 +19,27 @@
 
 namespace evenlift::view {
 
-// One stop of a lesson: the step that it shows, and the teacher's words for it.
+// One stop of a lesson: its step, and the teacher's words for it.
 struct Stop {
   std::uint32_t step;
   std::string words;
 };
 struct Script {
   Lesson lesson;
-  std::vector<Stop> stops;   // those whose address is in the trace; at least one
-  std::size_t position = 0;  // the stop that is shown, or was shown last
-  Document of;               // what the lesson was written for
-  std::size_t depth = 0;     // edits in the history when it was opened; undoing more leaves it
+  std::vector<Stop> stops;   // those with an address in the trace; at least one
+  std::size_t position = 0;  // the present or last stop
+  Document of;               // the lesson's own document
+  std::size_t depth = 0;     // edits in the history at its opening; undoing more leaves it
   bool preview = false;      // it is being written
 };
 
-// A question to the learner about a choice that the next step will show.
+// A question to the learner about a choice that the next step shows.
 struct Ask {
   std::uint32_t step;  // the step that shows the answer
   StepDetail detail;
   Question question;
   std::string text;
-  std::vector<std::uint32_t> choices;  // ends of the pair, candidates, even chords, or teams
+  std::vector<std::uint32_t> choices;  // ends of the edge pair, candidates, even chords, or teams
   std::size_t pointed = 0;             // index of the choice that the buttons point at
 };
 
@@ -55,15 +54,15 @@ struct Visited {
   std::string caption;
 };
 
-// Guesses since the lesson began. Only the first one at each step counts.
+// Guesses since the walkthrough began. Only the first one at each step counts.
 struct Guesses {
   std::vector<std::uint32_t> steps;
   std::uint32_t right = 0;
   // By QuestionKind: the steps of its questions.
   std::array<std::vector<std::uint32_t>, question_kind_count> asked;
-  std::vector<std::uint32_t> told;  // choices that were shown without a question
+  std::vector<std::uint32_t> told;  // choices shown without a question
 
-  // How many questions nobody guessed.
+  // The number of questions without a guess.
   std::size_t passed_over() const {
     std::size_t all = 0;
     for (const std::vector<std::uint32_t>& of_kind : asked) all += of_kind.size();
@@ -73,11 +72,11 @@ struct Guesses {
 
 struct Walkthrough {
   std::shared_ptr<const Trace> trace;  // of the placement, while the walkthrough is open
-  std::uint64_t traced = 0;            // which one that is (Derived::traces)
-  std::uint32_t at = 0;                // the step that is shown; kept when it is closed
+  std::uint64_t traced = 0;            // its number (Derived::traces)
+  std::uint32_t at = 0;                // the present step; kept when the walkthrough is closed
   std::vector<std::uint32_t> main;     // evenlift/main_steps.h
   bool all_steps = false;              // otherwise only the main ones are shown
-  bool resumes = false;                // it is opened where it was left
+  bool resumes = false;                // reopens where it was left
   StepDetail detail;
   Progress known;
   std::vector<Figure> figures;            // of the step
@@ -85,11 +84,11 @@ struct Walkthrough {
   std::vector<Figure> gained;             // what the metric measures for it
   Points base;                            // the lifting base as known at this step
   std::string caption, formula;
-  std::vector<Visited> visited;  // steps seen before, the newest last
+  std::vector<Visited> visited;  // preceding steps, the newest last
 
   bool playing = false;
   double speed = 1;
-  std::optional<double> turn_at;  // seconds: when the next step is due
+  std::optional<double> turn_at;  // when the next step is due, in seconds
 
   bool predict = false;
   std::optional<Ask> ask;
@@ -99,15 +98,14 @@ struct Walkthrough {
   Guesses guesses;
 
   std::optional<Chord> asked;  // "why not this one?"
-  Points asked_places;  // "why no robot here?": where robots would come, the place itself first
+  Points asked_places;         // "why no robot here?": where the robots would go, this place first
   std::string why;
-  bool why_taken = false;  // it is a team
+  bool why_taken = false;  // the chord belongs to a team
 
   std::optional<std::size_t> hovered;  // index of the figure under the pointer
   std::optional<Script> script;
-  std::optional<Script>
-      aside;               // while all steps are shown instead: the script to which one comes back
-  bool of_lesson = false;  // it was opened as a lesson; counts only while it is open: in_lesson()
+  std::optional<Script> aside;  // the script to return to, while all steps are shown instead
+  bool of_lesson = false;       // opened as a lesson; valid only while open: in_lesson()
 };
 
 }  // namespace evenlift::view

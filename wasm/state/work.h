@@ -1,4 +1,4 @@
-// What somebody works on: the document with its undo, and what undo brings back with it.
+// The user's work: the document with its undo, and what undo restores with it.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,7 @@
 
 namespace evenlift::view {
 
-// What the robots' size, the edges that must not be touched and the goal were before a method that
-// has no use for them.
+// The robots' size, the no-go edges and the goal before a method that does not support them.
 struct SetAside {
   std::optional<RobotSize> robot;
   std::optional<std::vector<EdgePart>> no_go;
@@ -19,30 +18,30 @@ struct SetAside {
 };
 
 struct Work {
-  // What is being edited; it may be refused.
+  // The edited document; it may be refused.
   const Document& document() const { return document_; }
-  // For a change on which the robots' places may depend: the document is placed anew.
+  // For a change that may affect the robots' places: the document is placed again.
   Document& edit() {
     ++edits_;
     return document_;
   }
   // For a change of what is shown, which places nothing.
   Shown& show() { return document_.shown; }
-  std::uint64_t edits() const { return edits_; }  // how often it was edited
+  std::uint64_t edits() const { return edits_; }  // the number of edits
 
   History history;
-  bool edit_open = false;               // a drag is under way; it will be one step of undo
+  bool edit_open = false;               // a drag is under way, which becomes one step of undo
   std::optional<Method> second_method;  // the method shown beside the document's
   SetAside aside;
   std::optional<Backdrop> backdrop;
-  std::uint32_t pictures = 0;  // that were laid behind since the start
+  std::uint32_t pictures = 0;  // the number of pictures put behind the drawing since the start
 
  private:
   Document document_;
   std::uint64_t edits_ = 0;
 };
 
-// What undo keeps beside the document.
+// The state that undo keeps in addition to the document.
 inline Beside beside(const Work& work) { return {work.second_method, work.backdrop}; }
 
 }  // namespace evenlift::view

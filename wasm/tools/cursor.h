@@ -1,4 +1,4 @@
-// What the mouse pointer looks like over the drawing, so that it can be seen what a press would do.
+// The shape of the mouse pointer over the drawing, which shows what a press would do.
 #pragma once
 
 #include "state/effects.h"

@@ -34,15 +34,14 @@ bool fold_back(const Vec2& a, const Vec2& b, const Vec2& c) {
   return sign(orient(a, b, c)) == 0 && dot_of_differences(b, a, b, c) > 0;
 }
 
-// Moves the value to the nearer of two lines, if that is within reach.
+// Moves the value to the nearer of two lines, if within reach.
 void pull(double& value, double first, double second, double reach) {
   const double nearer = std::abs(value - first) <= std::abs(value - second) ? first : second;
   if (std::abs(value - nearer) <= reach) value = nearer;
 }
 
-// How many units of rounding a length of 1 has: a million, divided by the least power of ten that
-// is at least the size. It takes no logarithm of the library, so that a typed edge has the same
-// bits everywhere.
+// The number of rounding units in a length of 1: a million divided by the least power of ten that
+// is at least the size. Without a library logarithm, a typed edge has the same bits everywhere.
 double units_of_rounding(double size) {
   double above = 1, below = 1;
   while (above < size) above *= 10;
@@ -142,7 +141,7 @@ std::vector<std::pair<std::size_t, std::size_t>> crossings(const Points& chain) 
   for (std::size_t j = 1; j + 1 < chain.size(); ++j) {
     if (fold_back(chain[j - 1], chain[j], chain[j + 1])) pairs.emplace_back(j - 1, j);
     for (std::size_t i = 0; i + 1 < j; ++i) {
-      // A closed chain's last edge ends where its first begins.
+      // The last edge of a closed chain ends where the first begins.
       if (i == 0 && j + 2 == chain.size() && chain.front() == chain.back()) continue;
       if (meet(chain[i], chain[i + 1], chain[j], chain[j + 1])) pairs.emplace_back(i, j);
     }

@@ -11,7 +11,7 @@ namespace {
 
 double distance(const Vec2& a, const Vec2& b) { return length(a - b); }
 
-// The nearest of what was offered within reach; of two as near, the later.
+// The nearest part offered within reach; in a tie, the later one.
 struct Nearest {
   double reach;
   Pick pick = {};
@@ -66,7 +66,7 @@ Pick edge_at(const AppState& state, const Vec2& screen) {
 }
 
 Pick chord_at(const AppState& state, const Placement& placement, const Vec2& screen) {
-  if (placement.settings.method == Method::balanced) return {};  // they have none
+  if (placement.settings.method == Method::balanced) return {};  // balanced robots have no chords
   Nearest nearest{6};
   const std::vector<Team>& teams = placement.teams;
   const Vec2 world = state.view.camera.to_world(screen);
@@ -97,7 +97,7 @@ Pick candidate_at(const AppState& state, const Placement& placement, const Vec2&
 
 namespace {
 
-// Whether the card about this robot is open.
+// Whether this robot's card is open.
 bool is_asked_about(const AppState& state, const Pick& pick) {
   if (pick.kind != Pick::Kind::robot || !state.derived().explanation ||
       state.derived().explanation->of.second)
@@ -165,7 +165,7 @@ Pick pick(const AppState& state, const Vec2& screen, bool second) {
     const auto away = [&](const Pick& p) {
       return distance(state.view.camera.to_screen(p.at), screen);
     };
-    // On a vertex the robot whose card is open comes first: so it can be taken there.
+    // On a vertex, the robot with the open card comes first, so that the user can grab it there.
     const bool first = !second && is_asked_about(state, robot) && can_take_robot(state, robot);
     if (robot.kind != Pick::Kind::none &&
         (found.kind == Pick::Kind::none || first || away(robot) < away(found)))

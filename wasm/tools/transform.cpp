@@ -11,13 +11,13 @@
 namespace evenlift::view {
 namespace {
 
-// The polygon turns about its centroid, which stays in its place however often it turns.
+// The polygon turns about its centroid, which stays in place through any number of turns.
 Vec2 pivot(const Points& polygon) {
   const std::optional<Vec2> centroid = centroid_of(polygon);
   return centroid ? *centroid : bounding_box(polygon).middle();
 }
 
-// The polygon as it was when it was taken hold of, with every point mapped.
+// The grabbed polygon with every point mapped.
 template <class Map>
 SetPolygon mapped(const PolygonGrip& grip, Map map) {
   SetPolygon polygon;
@@ -53,7 +53,8 @@ constexpr double beyond = 30;  // pixels from the polygon to its frame
 Vec2 knob_place(const AppState& state, const Rect& frame) {
   constexpr double stalk = 28;
   const Layout places = layout(state);
-  // Above the picture layout() keeps room for it on a wide screen, but for a caption.
+  // On a wide screen, layout() keeps room above the picture for the knob, unless a caption is
+  // there.
   const bool has_room = places.wide && places.caption == 0;
   const double top = places.first.top + places.caption - (has_room ? stalk : 0),
                x = frame.middle().x();
@@ -104,7 +105,7 @@ Points turned_frame(const AppState& state) {
                  {high.x() + beyond, low.y() + beyond},
                  {low.x() - beyond, low.y() + beyond}};
   for (Vec2& corner : corners) {
-    const Vec2 d = corner - about;  // y points down, so the sense is reversed
+    const Vec2 d = corner - about;  // y points down, so the direction is reversed
     corner = about + Vec2(d.x() * c + d.y() * s, d.y() * c - d.x() * s);
   }
   return corners;
@@ -156,7 +157,7 @@ SetPolygon dragged_polygon(const AppState& state, FrameGrip held, const Vec2& fr
     const Vec2 about = state.view.camera.to_screen(pivot(grip.vertices));
     const Vec2 a = from - about, b = to - about;
     const double lengths = length(a) * length(b);
-    // On the screen y points down, so the sense is reversed.
+    // On the screen y points down, so the direction is reversed.
     const Vec2 turn = lengths > 0 ? Vec2(Vec2(dot(a, b), -cross(a, b)) / lengths) : Vec2(1, 0);
     polygon = turned(state, grip, turn);
   } else {

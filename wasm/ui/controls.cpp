@@ -16,7 +16,7 @@ struct Request {
   ControlRequest what;
   std::string card, name;
   double value;
-  int passes = 0;  // since it was asked
+  int passes = 0;  // since the request
 };
 
 struct Listed {
@@ -24,13 +24,13 @@ struct Listed {
   std::string card;
   bool on_list = false;
   std::optional<Rect> open_list;
-  std::vector<Request> requests;  // in the order in which they were asked
+  std::vector<Request> requests;  // in order
 };
 Listed listed;
 
 Rect rectangle(ImVec2 low, ImVec2 high) { return {low.x, low.y, high.x, high.y}; }
 
-// The first request for this control, which is then done.
+// Removes and returns the first request for this control.
 std::optional<Request> taken_request(const Control& control) {
   std::vector<Request>& all = listed.requests;
   const auto found = std::find_if(all.begin(), all.end(), [&](const Request& request) {
@@ -42,7 +42,7 @@ std::optional<Request> taken_request(const Control& control) {
   return request;
 }
 
-// What has no bound has none in JSON either.
+// JSON has no infinity, so a missing bound is null.
 std::string number_json(double value) {
   return std::isfinite(value) ? json::number(value) : "null";
 }
@@ -77,7 +77,7 @@ std::string control_json(const Control& c, double zoom) {
 void begin_controls() {
   listed.of_pass.clear();
   listed.open_list.reset();
-  // What was asked of a control that is not laid out any more is forgotten.
+  // Requests to controls that are no longer laid out expire.
   for (Request& request : listed.requests) ++request.passes;
   std::erase_if(listed.requests, [](const Request& request) { return request.passes > 4; });
 }
@@ -145,7 +145,7 @@ std::string controls_json(double zoom) {
 }
 
 void ask_control(ControlRequest what, std::string card, std::string name, double value) {
-  // What was typed so far is replaced by what is typed now.
+  // A newly typed value replaces the earlier one.
   std::erase_if(listed.requests, [&](const Request& request) {
     return request.what == ControlRequest::move && request.card == card && request.name == name;
   });

@@ -1,4 +1,4 @@
-// The page's two fonts: assets/fonts, made part of the program by cmake/Embed.cmake; or larger ones
+// The page's two fonts: assets/fonts, which cmake/Embed.cmake embeds in the program; or larger ones
 // that the page fetched.
 #pragma once
 
@@ -14,7 +14,7 @@ struct FontData {
 FontData regular_font();
 FontData semibold_font();
 
-// From now on these are the two fonts; see letters.h.
+// Replaces the two fonts; see letters.h.
 void give_fonts(std::vector<unsigned char> regular, std::vector<unsigned char> semibold);
 
 }  // namespace evenlift::view

@@ -1,5 +1,5 @@
-// The levels of the heat map: forces that tip the object, in units of its weight. Between two
-// levels lies a band.
+// The levels of the heat map: forces that tip the object, in units of its weight. A band is the
+// part between two levels.
 #pragma once
 
 namespace evenlift::view {

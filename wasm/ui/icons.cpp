@@ -18,7 +18,7 @@ constexpr float stroke_width = 1.7f, dot_radius = 1.35f;
 struct Point {
   std::int16_t x, y;
 };
-// Points one after another; a single one is a dot.
+// Consecutive points; a single one is a dot.
 struct Stroke {
   std::int16_t first, count;
   bool closed;

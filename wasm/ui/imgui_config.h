@@ -1,26 +1,26 @@
-// Dear ImGui as evenlift uses it. Every file that includes imgui.h sees this one, by
+// Dear ImGui's configuration. Every file that includes imgui.h includes this file through
 // IMGUI_USER_CONFIG.
 #pragma once
 
-// Only today's names, so that the view builds with the versions to come as well.
+// Only current names, so that the view also builds with future versions.
 #define IMGUI_DISABLE_OBSOLETE_FUNCTIONS
 #define IMGUI_DISABLE_OBSOLETE_KEYIO
 
-// The page shows neither the demo nor the debugging windows; without them it is smaller.
+// The page shows neither the demo nor the debugging windows; it is smaller without them.
 #define IMGUI_DISABLE_DEMO_WINDOWS
 #define IMGUI_DISABLE_DEBUG_TOOLS
 
-// A comb of 1,000 vertices has 45,000 candidates: more corners than 16 bits count.
+// A comb of 1,000 vertices has 45,000 candidates: more corners than 16 bits can count.
 #define ImDrawIdx unsigned int
 
-// The name that OpenGL gives a texture.
+// The type of OpenGL's texture names.
 #define ImTextureID unsigned int
 
-// Files are the browser's business, and a page has no file system.
+// The browser handles files, and a page has no file system.
 #define IMGUI_DISABLE_FILE_FUNCTIONS
 
-// wasm/ui/fonts.cpp always gives fonts. From 1.92 on this leaves out the one that Dear ImGui would
-// fall back to; earlier versions have no switch for it.
+// wasm/ui/fonts.cpp always provides fonts. From 1.92 on this omits Dear ImGui's default font;
+// earlier versions have no switch for it.
 #define IMGUI_DISABLE_DEFAULT_FONT
 
-// IM_ASSERT stays assert(): on where assertions are on, gone in the released page.
+// IM_ASSERT stays assert(): active where assertions are, absent in the released page.

@@ -13,7 +13,7 @@ namespace {
 // font lacks take no room.
 constexpr ImWchar always[] = {0x20, 0xFF, 0x2009, 0x203A, 0x2212, 0x2265};
 
-// Characters are rasterised by blocks of so many, as a text seldom needs one alone.
+// Characters are rasterised in blocks of this size, since a text seldom needs one alone.
 constexpr unsigned block = 0x80;
 constexpr unsigned beyond = 0x10000;  // Dear ImGui's characters have 16 bits
 
@@ -29,8 +29,7 @@ struct Decoded {
   std::size_t bytes;
 };
 
-// The character at the beginning of a text in UTF-8 that is not empty; what is no UTF-8 counts byte
-// by byte.
+// The first character of a non-empty UTF-8 text; invalid UTF-8 is decoded byte by byte.
 Decoded decode(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned first = byte(0);

@@ -82,8 +82,7 @@ constexpr Theme dark = {
     .shadow = {0x000000, 0.35f},
 };
 
-// The size of letters as people name it, in pixels. Dear ImGui counts a font's whole line, which is
-// higher than that.
+// The usual size of letters, in pixels. Dear ImGui counts a font's whole line, which is higher.
 struct FaceSpec {
   bool semibold;
   float letters;
@@ -122,12 +121,12 @@ const Theme& theme(const AppState& state) { return state.session.screen.dark ? d
 void load_fonts(double ratio) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
 #if IMGUI_VERSION_NUM >= 19200
-  // Since this version Dear ImGui itself rasterises characters, for the scale of the framebuffer.
+  // Since this version Dear ImGui itself rasterises characters for the scale of the framebuffer.
   static_cast<void>(ratio);
   if (!atlas.Fonts.empty()) return;
   const float density = 1;
 #else
-  // Finer ones cannot be told apart, and could be too many for one texture.
+  // A higher density makes no visible difference, and could need too large a texture.
   const float density = static_cast<float>(std::min(ratio, 4.0));
 #endif
   atlas.Clear();
@@ -137,7 +136,7 @@ void load_fonts(double ratio) {
     config.FontDataOwnedByAtlas = false;
     config.OversampleH = density > 1.5f ? 1 : 2;
     const FontData data = faces[i].semibold ? semibold_font() : regular_font();
-    // The atlas only reads what it does not own.
+    // The atlas only reads data that it does not own.
     loaded[i] = atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(data.bytes), data.size,
                                            size(static_cast<Face>(i)) * density, &config, ranges);
 #if IMGUI_VERSION_NUM < 19200

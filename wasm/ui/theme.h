@@ -1,4 +1,4 @@
-// Colours by role, light and dark, and the faces of type.
+// Colours by role, light and dark, and the typefaces.
 #pragma once
 
 #include <imgui.h>
@@ -21,10 +21,10 @@ struct Colour {
 struct Theme {
   Colour ground, dots;
   Colour object, object_outline;
-  Colour panel, panel_line, well;   // well: the ground of a control
-  Colour text, second_text, quiet;  // quiet: lines and icons that are off
+  Colour panel, panel_line, well;   // well: the background of a control
+  Colour text, second_text, quiet;  // quiet: lines, and icons that are off
   Colour hull, hull_outline, hull_text;
-  Colour heat[7];  // from where a light push tips the object to where none does
+  Colour heat[7];  // from parts that a light press down tips, to parts that none tips
   Colour clockwise, clockwise_line, counter, counter_line;
   Colour robot, robot_ring, robot_track, robot_text;
   Colour chord, candidate;
@@ -37,35 +37,35 @@ struct Theme {
 
 const Theme& theme(const AppState& state);
 
-// The colour of the heat map where a push of `share` of the weight tips the object; infinity if
-// none does.
+// The colour of the heat map where a press down of `share` of the weight tips the object; infinity
+// if none does.
 Colour heat_colour(const Theme& theme, double share);
 
-// Letters in pixels: tiny 11, label 13, text 15, verdict and large 20; all but label, text and
-// large are semibold. The last is no face: it counts them.
+// Letter sizes in pixels: tiny 11, label 13, text 15, verdict and large 20; all but label, text and
+// large are semibold. The last value is not a face: it counts them.
 enum class Face { tiny, label, strong_label, text, strong, verdict, large, end_of_faces };
 
-// Rasterises the faces for a device-pixel ratio; call before a frame, and upload the font texture
-// afterwards (Dear ImGui from 1.92 on does both by itself).
+// Rasterises the faces for a device-pixel ratio. Call it before a frame, and upload the font
+// texture afterwards (Dear ImGui from 1.92 on does both itself).
 void load_fonts(double ratio);
 
-// For widgets: everything until pop_face() is written in this face.
+// For widgets: all text until pop_face() has this face.
 void push_face(Face face);
 void pop_face();
 
 // For drawing.
 ImFont* font(Face face);
 float size(Face face);         // of a line of the font, as Dear ImGui counts
-float line_height(Face face);  // from one line of a text to the next, in whole pixels
+float line_height(Face face);  // the distance between lines of a text, in whole pixels
 ImVec2 text_size(Face face, std::string_view text, float wrap_width = 0);
 void draw_text(ImDrawList& list, Face face, ImVec2 at, Colour colour, std::string_view text,
                float wrap_width = 0);
 
-// Dear ImGui's own widgets in the theme's colours and measures.
+// Applies the theme's colours and measures to Dear ImGui's own widgets.
 void apply_style(const AppState& state, double control_height);
 
-// Makes anti-aliasing as wide as one device pixel instead of one pixel, so that thin lines are
-// as sharp as the screen allows.
+// Makes anti-aliasing one device pixel wide instead of one pixel, so that thin lines are as sharp
+// as the screen allows.
 void sharpen(ImDrawList& list, const AppState& state);
 
 }  // namespace evenlift::view

@@ -1,4 +1,4 @@
-// What every panel is given: the state, which it reads, and the commands, to which it adds.
+// The input of every panel: the state, which it reads, and the commands, to which it adds.
 #pragma once
 
 #include "state/command.h"
@@ -13,7 +13,7 @@ struct Ui {
   const Theme& theme;
   const Layout& layout;
   Commands& commands;
-  Pick& row;  // what the row names over which the pointer is
+  Pick& row;  // the part that the hovered row names
 
   void push(Command command) const { commands.push_back(std::move(command)); }
   float control() const { return static_cast<float>(layout.control); }

@@ -1,4 +1,4 @@
-// Points for Dear ImGui, which has them in floats.
+// Points for Dear ImGui, which stores them as floats.
 #pragma once
 
 #include <imgui.h>

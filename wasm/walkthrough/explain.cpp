@@ -23,7 +23,7 @@ void add_chord(Explanation& explanation, const Chord& chord, const Units& units)
   explanation.rows.push_back({"Load ratio", ratio_in_words(chord.ratio)});
 }
 
-// The last exchange that moved the team, if one did.
+// The last swap that moved the team, if any.
 std::optional<std::uint32_t> swap_of(const Trace& trace, std::uint32_t team) {
   if (!trace.exchanges) return std::nullopt;
   const std::vector<Exchange>& exchanges = trace.exchanges->exchanges;
@@ -34,7 +34,7 @@ std::optional<std::uint32_t> swap_of(const Trace& trace, std::uint32_t team) {
   return std::nullopt;
 }
 
-// What the choice of team `team` says about itself.
+// Adds the facts about the choice of team `team`.
 void add_choice(Explanation& explanation, const Trace& trace, std::uint32_t team) {
   if (const auto swap = swap_of(trace, team)) {
     explanation.step = swap;
@@ -54,7 +54,7 @@ void add_choice(Explanation& explanation, const Trace& trace, std::uint32_t team
   explanation.reason = why_here_text(trace, *detail.scores);
 }
 
-// The step at which the candidate was found.
+// The step that found the candidate.
 std::optional<std::uint32_t> step_of_candidate(const Trace& trace, std::uint32_t candidate) {
   const std::uint32_t source = trace.source_of_candidate[candidate];
   if (trace.placement.candidates[candidate].kind == CandidateKind::range) {
@@ -78,7 +78,7 @@ void explain_team(Explanation& explanation, const ShownPlacement& of, const Pick
     const auto end = static_cast<std::size_t>(pick.end);
     const std::size_t robot = 2 * pick.index + end;
     if (!pick.second) explanation.robot = robot;
-    // The disc says the team, and what is said of failures the robot.
+    // The disc shows the team's number, and messages about failures name the robot's number.
     explanation.title = "Team " + number(pick.index) + ": robot " + number(robot) + " of " +
                         std::to_string(count_robots(placement.teams));
     explanation.rows.push_back({"It carries", with_weight_unit(words.loads[end], units) + of_all});
@@ -94,7 +94,8 @@ void explain_team(Explanation& explanation, const ShownPlacement& of, const Pick
   if (trace) add_choice(explanation, *trace, static_cast<std::uint32_t>(pick.index));
 }
 
-// A balanced robot: what it bears, and that the centroid of all is why.
+// Explains a balanced robot: its load, and that the centroid of all robots is the reason for its
+// place.
 void explain_balanced(Explanation& explanation, const ShownPlacement& of, const Pick& pick) {
   const Placement& placement = of.placement;
   const auto robot = static_cast<std::size_t>(pick.end);
@@ -137,8 +138,8 @@ Explanation explain(const AppState& state, const Pick& pick) {
     explain_balanced(explanation, of, pick);
     return explanation;
   }
-  // A placement whose trace would be too long is explained by its numbers alone.
-  const bool moved = !pick.second && by_hand(state);  // and not where the algorithm put them
+  // A placement with too long a trace is explained by its numbers alone.
+  const bool moved = !pick.second && by_hand(state);  // the algorithm did not put it there
   std::optional<Result<Trace>> made;
   if (!moved) made = compute_trace(placement, of.shown.units);
   const Trace* trace = made && *made ? &**made : nullptr;
@@ -146,7 +147,7 @@ Explanation explain(const AppState& state, const Pick& pick) {
     explain_candidate(explanation, of, pick, trace);
   else
     explain_team(explanation, of, pick, trace);
-  if (pick.second) explanation.step.reset();  // the walkthrough is the first picture's
+  if (pick.second) explanation.step.reset();  // the walkthrough belongs to the first picture
   return explanation;
 }
 

@@ -14,10 +14,10 @@
 namespace evenlift::view {
 namespace {
 
-constexpr std::size_t most_offered = 6;  // choices of a question
+constexpr std::size_t most_offered = 6;  // choices offered per question
 
-// Whether there is nothing to guess: one candidate only, or two ends that are as even as each
-// other, or that look like one.
+// Whether there is nothing to guess: only one candidate, or two ends that show the same load ratio
+// or look like one point.
 bool is_trivial(const Trace& trace, const Ask& asked) {
   if (asked.question.kind != QuestionKind::nearer_end) return asked.choices.size() < 2;
   constexpr double apart = 1.0 / 80;  // of the object's size
@@ -27,8 +27,8 @@ bool is_trivial(const Trace& trace, const Ask& asked) {
          ratio_in_words(pair.ends[0].ratio) == ratio_in_words(pair.ends[1].ratio);
 }
 
-// The answer and some others, as far apart in their order as possible: of very many choices nobody
-// could tell one from the next in the drawing.
+// The answer and some other choices, as far apart in their order as possible: among very many
+// choices, neighbours look the same in the drawing.
 std::vector<std::uint32_t> some_of(const std::vector<std::uint32_t>& choices,
                                    std::uint32_t answer) {
   const std::size_t n = choices.size();
@@ -42,7 +42,8 @@ std::vector<std::uint32_t> some_of(const std::vector<std::uint32_t>& choices,
   return some;
 }
 
-// Whether the question is one of the few of its kind; if not, the choice is told.
+// Whether the question is among the first of its kind; otherwise the choice is shown without a
+// question.
 bool may_ask(Walkthrough& walk, const Ask& asked) {
   std::vector<std::uint32_t>& steps =
       walk.guesses.asked[static_cast<std::size_t>(asked.question.kind)];
@@ -58,7 +59,7 @@ bool may_ask(Walkthrough& walk, const Ask& asked) {
   return false;
 }
 
-// Any choice but the answer: what is offered first must not give it away.
+// Any choice but the answer: the first choice offered must not give the answer away.
 std::size_t first_offered(const Ask& asked) {
   const std::size_t n = asked.choices.size();
   const auto answer = static_cast<std::size_t>(
@@ -67,7 +68,7 @@ std::size_t first_offered(const Ask& asked) {
   return n < 2 ? 0 : (answer + 1 + asked.step % (n - 1)) % n;
 }
 
-// What is asked about the choice that this step shows, if it is not trivial.
+// The question about the choice at this step, unless it is trivial.
 std::optional<Ask> question_of(const Trace& trace, std::uint32_t step) {
   Ask asked;
   asked.step = step;
@@ -76,15 +77,15 @@ std::optional<Ask> question_of(const Trace& trace, std::uint32_t step) {
   if (!question) return std::nullopt;
   asked.question = *question;
   asked.text = question_text(trace, asked.detail, *question);
-  // In their order, as a ranking would give the answer away.
+  // In their original order, since a ranking would give the answer away.
   asked.choices = some_of(choices(trace, asked.detail, *question), question->answer);
   if (is_trivial(trace, asked)) return std::nullopt;
   return asked;
 }
 
-// Whether any of the steps that are shown has a choice to predict.
+// Whether any shown step has a choice to predict.
 bool asks_anything(const AppState& state) {
-  if (!walkthrough_is_open(state)) return true;  // its steps are not known yet
+  if (!walkthrough_is_open(state)) return true;  // its steps are still unknown
   const Trace& trace = *state.view.walkthrough.trace;
   const std::uint32_t count = timeline(state).count;
   for (std::uint32_t at = 0; at < count; ++at) {
@@ -101,7 +102,7 @@ void ask(AppState& state, std::uint32_t step) {
   std::optional<Ask> asked = question_of(*walk.trace, step);
   if (!asked || !may_ask(walk, *asked)) return;
   asked->pointed = first_offered(*asked);
-  // What belongs to the step before would stand among the choices.
+  // Remains of the preceding step would be among the choices.
   walk.answered.reset();
   walk.verdict.clear();
   forget_why(walk);

@@ -1,4 +1,4 @@
-// What the learner is asked about the next choice, and what is said to the answer.
+// The questions to the learner about the next choice, and the response to the answer.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace evenlift::view {
 
-// Of each kind of question only the first ones are asked.
+// At most this number of questions of each kind is asked.
 inline constexpr std::size_t most_questions = 3;
 
 void set_predict(AppState& state, bool on);
@@ -16,11 +16,11 @@ void set_predict(AppState& state, bool on);
 // Asks for the choice that this step shows, if it is not trivial.
 void ask(AppState& state, std::uint32_t step);
 
-// Goes to the step of the question, and says whether the answer was right.
+// Goes to the step of the question, and reports whether the answer was right.
 void guess(AppState& state, std::uint32_t answer);
 
-// Whether a question is asked about balanced robots that the present step does not show. Then only
-// these are drawn, and the chords to choose from.
+// Whether a question concerns balanced robots that the present step does not show. Then the drawing
+// shows only these robots and the chords to choose from.
 bool asks_of_other_robots(const AppState& state);
 
 }  // namespace evenlift::view

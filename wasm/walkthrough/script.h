@@ -8,18 +8,17 @@
 
 namespace evenlift::view {
 
-// From now on only the script's stops are shown, with the teacher's words. The walkthrough of the
+// Shows only the script's stops, with the teacher's words, from now on. The walkthrough of the
 // script's document must be open.
 void begin_script(AppState& state, Script script);
 
-// Finds the stops of the script, if there is one, in the trace; without any it ends.
+// Finds the stops of the script, if there is one, in the trace; a script without stops ends.
 void find_stops(Walkthrough& walk);
 
-// Finds the stop for a step that was not reached from stop to stop.
+// Updates the script's position after a jump to any step.
 void settle_position(Walkthrough& walk);
 
-// Whether a script is open, and the polygon and its centre of mass are still those that it was
-// written for.
+// Whether a script is open, and the polygon and its centre of mass are still the script's own.
 bool script_is_true(const AppState& state);
 
 // The teacher's words for this step; empty if there are none, or while a question is asked.

@@ -58,7 +58,7 @@ double share_of(const std::vector<ChapterPart>& parts, std::uint32_t position) {
   while (i > 0 && parts[i].first > position) --i;
   const bool last = i + 1 == parts.size();
   const double within = position - parts[i].first;
-  // The last step is at the end of the timeline.
+  // The last step is at the very end of the timeline.
   const double inside = !last                ? within / parts[i].count
                         : parts[i].count > 1 ? within / (parts[i].count - 1)
                         : parts.size() > 1   ? 1.0

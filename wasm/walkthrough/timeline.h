@@ -1,5 +1,5 @@
-// The position on the timeline, which counts the steps that are shown: the main ones, all, or the
-// stops of a script.
+// The position on the timeline, which counts the shown steps: the main ones, all, or the stops of a
+// script.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +15,16 @@ struct Timeline {
 };
 Timeline timeline(const AppState& state);
 std::uint32_t step_of(const AppState& state, std::uint32_t position);
-// Nothing if the step is not among those that are shown.
+// Nothing if the step is not shown.
 std::optional<std::uint32_t> position_of(const AppState& state, std::uint32_t step);
 
-// The chapters on the timeline, each of the same width whatever its number of steps; those of a
-// script are one. Positions begin at `first`.
+// The chapters on the timeline, all of the same width, whatever their number of steps. A script is
+// one chapter. Positions begin at `first`.
 struct ChapterPart {
   std::uint32_t first = 0, count = 0;
 };
 std::vector<ChapterPart> chapter_parts(const AppState& state);
-// The share of the timeline (0 .. 1) at which a position lies, and the position that is nearest to
-// a share.
+// A position's fraction of the timeline (0 .. 1), and the position nearest to a fraction.
 double share_of(const std::vector<ChapterPart>& parts, std::uint32_t position);
 std::uint32_t position_at(const std::vector<ChapterPart>& parts, double share);
 

@@ -1,4 +1,4 @@
-// What of the walkthrough is under the pointer.
+// The part of the walkthrough under the pointer.
 #pragma once
 
 #include <cstddef>

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t most_visited = 60;
 
-// Forgets what belonged to the previous step.
+// Forgets everything about the preceding step.
 void forget_step(Walkthrough& walk) {
   walk.ask.reset();
   walk.answered.reset();
@@ -49,7 +49,7 @@ void look(Walkthrough& walk, std::uint32_t step) {
   if (scores && !scores->ranking.empty()) show_gain(walk, scores->ranking[0]);
 }
 
-// Whether the numbers of this step would answer the question that comes next.
+// Whether the numbers of this step would give away the answer to the next question.
 bool gives_answer_away(const AppState& state) {
   const Walkthrough& walk = state.view.walkthrough;
   const auto [at, count] = timeline(state);
@@ -60,7 +60,7 @@ bool gives_answer_away(const AppState& state) {
          std::find(guessed.begin(), guessed.end(), next) == guessed.end();
 }
 
-// Shows the present step, and in a challenge nothing of it that is about to be asked.
+// Shows the present step; in a challenge, without the parts that the next question asks for.
 void look_at_present(AppState& state) {
   Walkthrough& walk = state.view.walkthrough;
   look(walk, walk.at);
@@ -78,7 +78,8 @@ void remember(Walkthrough& walk) {
   if (visited.size() > most_visited) visited.erase(visited.begin());
 }
 
-// The step belongs to the document, so that links carry it; but it is no edit that could be undone.
+// The step belongs to the document, so that links carry it; but changing it is not an edit, so it
+// cannot be undone.
 void publish(AppState& state, std::optional<std::uint32_t> step) {
   state.work.show().step = step;
   emit(state, DocumentChanged{});
@@ -88,12 +89,12 @@ bool is_main(const Walkthrough& walk, std::uint32_t step) {
   return std::binary_search(walk.main.begin(), walk.main.end(), step);
 }
 
-// The last main step that is not after this one.
+// The last main step up to this one.
 std::uint32_t main_step_before(const Walkthrough& walk, std::uint32_t step) {
   return *(std::upper_bound(walk.main.begin() + 1, walk.main.end(), step) - 1);
 }
 
-// The step itself if it is shown, or else the main step before it.
+// The step itself if it is shown, or else the preceding main step.
 std::uint32_t shown_step(const Walkthrough& walk, std::uint32_t step) {
   return walk.all_steps || walk.script ? step : main_step_before(walk, step);
 }
@@ -101,7 +102,7 @@ std::uint32_t shown_step(const Walkthrough& walk, std::uint32_t step) {
 void enter(AppState& state, std::uint32_t step) {
   Walkthrough& walk = state.view.walkthrough;
   forget_step(walk);
-  state.view.selected.reset();  // the bar of a vertex would stay over the drawing
+  state.view.selected.reset();  // the bar of a vertex would remain over the drawing
   walk.at = std::min(step, walk.trace->size() - 1);
   settle_position(walk);
   if (!walk.script && !is_main(walk, walk.at)) walk.all_steps = true;
@@ -110,7 +111,7 @@ void enter(AppState& state, std::uint32_t step) {
   publish(state, walk.at);
 }
 
-// The trace is the same, and so are the step and what is asked about it.
+// The trace is the same apart from its units, so the step and its question stay.
 void tell_in_other_units(AppState& state) {
   Walkthrough& walk = state.view.walkthrough;
   walk.trace = state.derived().trace;
@@ -150,7 +151,7 @@ void follow_trace(AppState& state) {
   if (follows) {
     const std::optional<std::size_t> selected = state.view.selected;
     enter(state, shown_step(walk, nearest_step(*walk.trace, before)));
-    // A vertex that was just added stays selected, but not one that is dragged.
+    // A vertex that was just added stays selected; a dragged one does not.
     if (!state.work.edit_open) state.view.selected = selected;
     return;
   }
@@ -168,7 +169,7 @@ void open_walkthrough(AppState& state, std::optional<std::uint32_t> at) {
   state.work.second_method.reset();
   state.view.selected.reset();
   state.view.tool = Tool::parts;
-  state.view.sheet = Sheet::closed;  // which shows the step and its buttons beside the drawing
+  state.view.sheet = Sheet::closed;  // so that the step and its buttons are beside the drawing
   state.view.walkthrough.resumes = !at;
   state.work.show().step = at.value_or(state.view.walkthrough.at);
 }
@@ -226,9 +227,9 @@ void leave_script(AppState& state) {
   state.view.walkthrough.aside.reset();
   if (!state.view.walkthrough.script) return;
   state.view.walkthrough.script.reset();
-  // The step may be no main step; then all are shown around it.
+  // If the step is not a main step, all steps are shown.
   if (walkthrough_is_open(state)) enter(state, state.view.walkthrough.at);
-  emit(state, DocumentChanged{});  // the address names the lesson no more
+  emit(state, DocumentChanged{});  // the address no longer names the lesson
 }
 
 void show_all_steps(AppState& state, bool all) {

@@ -9,10 +9,11 @@ namespace evenlift::view {
 
 std::string place_in_words(const AppState& state);  // "3 of 15"
 
-// What the main steps leave out after this one: "and 208 more pairs like it"; empty if nothing.
+// The steps that the main steps leave out after this one: "and 208 more pairs like it"; empty if
+// none.
 std::string left_out_in_words(const AppState& state);
 
-// Caption, formula and question, for those who cannot see the canvas.
+// Caption, formula and question, for users who cannot see the canvas.
 std::string walkthrough_in_words(const AppState& state);
 
 }  // namespace evenlift::view

@@ -1,4 +1,4 @@
-// What all controls share: an area that can be pressed, and the entry in the list of controls.
+// The common part of all controls: a pressable area, and the entry in the list of controls.
 #pragma once
 
 #include <optional>
@@ -28,10 +28,10 @@ Control number_control(const char* id, const char* label, const char* setting,
 Control slider_control(const char* id, const char* label, double at, double low, double high,
                        double step);
 
-// One that says what is in hand stays down while `on`; without that it never does.
+// A button for a present state stays down while `on`; without a value it never does.
 using Pressed = std::optional<bool>;
 
-// A button, or a toggle where it can be on.
+// A button, or a toggle if it can be on.
 Control pressed_control(const char* id, const char* label, bool enabled, Pressed on);
 
 }  // namespace evenlift::view

@@ -1,5 +1,5 @@
-// Buttons; true when pressed. `id` is unique within its window. A disabled one is drawn faintly and
-// does nothing.
+// Buttons; true when pressed. `id` is unique within its window. A disabled button is drawn faintly
+// and does nothing.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ bool text_button(const Ui& ui, const char* id, Icon icon, const char* label, con
 float text_button_width(const char* label);  // with an icon before it
 
 // A button with its own background; a strong one stands out as the next thing to do. `spoken` is
-// its name for those who cannot see what stands beside it, if that is another one.
+// its name for users who cannot see its surroundings, if different.
 bool flat_button(const Ui& ui, const char* id, const char* label, float width, bool enabled = true,
                  bool strong = false, const char* spoken = nullptr);
 
@@ -30,7 +30,7 @@ bool toggle_button(const Ui& ui, const char* id, const char* label, const char* 
 bool switch_chip(const Ui& ui, const char* label, bool on);
 float switch_chip_width(const char* label);
 
-// A row of a list that can be pressed, at the cursor; the caller draws it.
+// A pressable row of a list, at the cursor; the caller draws it.
 struct PressableRow {
   ImVec2 low, high;
   bool pressed, hovered;

@@ -1,4 +1,4 @@
-// Cards, which float over the drawing, and how they scroll. All sizes are pixels.
+// Cards, which float over the drawing, and their scrolling. All sizes are pixels.
 #pragma once
 
 #include "state/camera.h"
@@ -6,43 +6,43 @@
 
 namespace evenlift::view {
 
-// A window without any chrome: a floating card with a soft shadow. End with end_card().
+// A window without decoration: a floating card with a soft shadow. End with end_card().
 struct CardOptions {
-  bool at_bottom = false;     // stands on the bottom of the rectangle, not at its top
-  bool fixed_height = false;  // otherwise as high as its content, at most as high as the rectangle
+  bool at_bottom = false;     // at the bottom of the rectangle instead of its top
+  bool fixed_height = false;  // otherwise as high as its content, up to the rectangle's height
   bool fixed_width = true;
   float padding = 20;
   bool scrolls = true;
-  bool stays_below = false;  // a press on it does not bring it before other cards
+  bool stays_below = false;  // a press does not bring it to the front
 };
 void begin_card(const Ui& ui, const char* id, const Rect& place, const CardOptions& options = {});
 void end_card(const Ui& ui);
 
-// Lets a finger scroll the window that is being filled, as it does everywhere else.
+// Lets a finger scroll the window being filled, as everywhere else.
 void scroll_by_finger(const Ui& ui);
 
-// Call this after laying out an item that follows the pointer: while it is held, a finger scrolls
-// nothing.
+// Call this after laying out an item that follows the pointer: while the item is held, a finger
+// scrolls nothing.
 void take_way_of_finger();
 
-// A box of constant height, in which what is longer scrolls. End with end_scrolling_box(). The
-// scroll bar lies in the padding of the card, so that the text breaks into the same lines with it
-// and without it.
+// A box of constant height, in which longer content scrolls. End with end_scrolling_box(). The
+// scroll bar is in the padding of the card, so that lines break at the same places with and without
+// it.
 void begin_scrolling_box(const Ui& ui, const char* id, float height);
 void end_scrolling_box(const Ui& ui);
 
-// What was given here in the last frame, by the window and the id; `at_first` in the first one.
+// The value passed in the last frame, by window and id; `at_first` in the first one.
 int in_last_frame(const char* id, int now, int at_first);
 
-// Call after a section that a button opens, whose head is at `head` (ImGui::GetCursorPosY() before
-// it): once it was opened, the card scrolls until all of it is seen, or as much as there is room
-// for.
+// Call after a section that a button opens, with its head at `head` (ImGui::GetCursorPosY() before
+// it). After the section opens, the card scrolls until the section is visible, as far as there is
+// room.
 void show_opened(const Ui& ui, const char* id, bool open, float head);
 
-// Whether the pointer moved so far since it was pressed that it is no press.
+// Whether the pointer has moved too far since the press for a click.
 bool is_dragged();
 
-// Whether a press was a press, and not the end of scrolling.
+// Whether a press was a click, and not the end of scrolling.
 bool tapped(const Ui& ui, bool pressed);
 
 // The shadow under a card.

@@ -7,7 +7,7 @@
 
 namespace evenlift::view {
 
-// How an overlay is drawn in the picture.
+// The symbol of an overlay, as in the picture.
 enum class Swatch : std::uint8_t {
   hull,
   clockwise,

@@ -1,4 +1,4 @@
-// A button that opens a list of choices below itself.
+// A button that opens a list of choices below it.
 #pragma once
 
 #include <optional>
@@ -11,16 +11,16 @@
 namespace evenlift::view {
 
 // The list for a popup opened with ImGui::OpenPopup(id): below `anchor_low` .. `anchor_high`, or
-// above where there is more room. If it is open returns true; then add rows and call end_choices().
+// above if there is more room. Returns true while open; then add rows and call end_choices().
 bool begin_choices(const Ui& ui, const char* id, ImVec2 anchor_low, ImVec2 anchor_high,
                    float least_width);
-// One choice, with a word about it; true when chosen.
+// One choice, with a short remark; true when chosen.
 bool choice(const Ui& ui, const std::string& label, const char* about, bool current,
             Icon icon = Icon::none, bool enabled = true);
 void end_choices(const Ui& ui);
 
-// A setting that is one of several: its button, `width` wide, and the list that a press opens.
-// Returns which was chosen.
+// A setting with several values: its button, `width` wide, and the list that a press opens. Returns
+// the chosen index.
 struct Choice {
   const char* label;
   const char* about = nullptr;

@@ -13,7 +13,7 @@ void text_line(Face face, Colour colour, const std::string& text) {
   pop_face();
 }
 
-// Dear ImGui's own wrapped text breaks lines after a decimal point, too, and has no line height.
+// Dear ImGui's own wrapped text also breaks lines after a decimal point, and has no line height.
 std::vector<std::string_view> broken_lines(Face face, std::string_view text, float width) {
   std::vector<std::string_view> lines;
   std::size_t from = 0;
@@ -86,8 +86,8 @@ void rule(const Ui& ui) {
 
 namespace {
 
-// A tip covers neither what it is about nor its neighbours: it stands beside the panel, and below
-// or above a bar.
+// A tip covers neither its control nor the neighbours: it appears beside the panel, and below or
+// above a bar.
 void place_tip(const Ui& ui, const char* text) {
   constexpr float away = 14;
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax(),
@@ -99,10 +99,10 @@ void place_tip(const Ui& ui, const char* text) {
         ImVec2(std::max(8.0f, panel - size.x - 8), pointer.y - size.y / 2));
   const auto width = static_cast<float>(ui.state.session.screen.width),
              height = static_cast<float>(ui.state.session.screen.height);
-  const bool wide = high.x - low.x > 240;  // a timeline: the tip is about where the pointer is
+  const bool wide = high.x - low.x > 240;  // a timeline: the tip belongs to the pointer's place
   const float left = wide ? pointer.x - size.x / 2 : low.x;
   const bool below = low.y < height / 2 ||
-                     ui.state.session.screen.foot > 0;  // a card of the page may stand above it
+                     ui.state.session.screen.foot > 0;  // a card of the page may appear above it
   ImGui::SetNextWindowPos(ImVec2(std::clamp(left, 8.0f, std::max(8.0f, width - size.x - 8)),
                                  below ? high.y + away : low.y - away - size.y));
 }

@@ -1,5 +1,5 @@
-// Charts of an experiment's figures, as SVG, by Observable Plot. They are drawn alike in the
-// program's report and in the page; colours and text sizes are charts.css's.
+// Charts of an experiment's figures, as SVG, by Observable Plot. The program's report and the page draw them alike;
+// charts.css sets colours and text sizes.
 import { axisX, axisY, dot, gridY, line, plot, pointer, ruleY, tip } from "@observablehq/plot";
 import { methods } from "./methods.js";
 import { inDigits, inUnit } from "./numbers.js";
@@ -91,13 +91,13 @@ export function drawChart(figure, width) {
       ),
     ],
   });
-  // Plot brings a style sheet of its own, which a page's content security policy refuses; charts.css says the same.
+  // Plot adds a style sheet of its own, which a page's content security policy refuses; charts.css has the same rules.
   svg.querySelector("style")?.remove();
   svg.setAttribute("aria-hidden", "true"); // it is read out as one picture, see follow()
   return svg;
 }
 
-// Shares begin where there is something to see (a greatest share is never below a half), all else at 0.
+// The axis of the greatest share begins at 50 % (a greatest share is never below a half), every other axis at 0.
 function span(figure, rows) {
   const values = rows.map(({ value }) => value);
   if (values.length === 0) return [0, 1];
@@ -107,7 +107,7 @@ function span(figure, rows) {
   return [0, most > 0 ? most : 1];
 }
 
-// Which line is which, for the methods that have values.
+// The lines and their names, for the methods that have values.
 export function legend(figures) {
   const used = Object.keys(methods).filter((method) =>
     figures.some(({ series }) => series.some((one) => one.method === method)),
@@ -148,7 +148,7 @@ export function legend(figures) {
   return list;
 }
 
-// Draws a figure into an element, and anew whenever its width changes.
+// Draws a figure into an element, and again whenever its width changes.
 export function follow(element, figure) {
   element.setAttribute("role", "img");
   element.setAttribute("aria-label", `Chart: ${figure.title}, by number of robots. ${figure.sentence}`);

@@ -1,5 +1,6 @@
-// The methods that an experiment compares, in the order of their series (Method in core/include/evenlift/document.h): what
-// legends call them, and the sign and dashes of their lines. Their colours are charts.css's, under the same names.
+// The methods that an experiment compares, in the order of their series (Method in core/include/evenlift/document.h):
+// their names in legends, and the sign and dashes of their lines. Their colours are in charts.css, under the same
+// names.
 export const methods = {
   area: { words: "area", sign: "circle", dashes: "none" },
   circle: { words: "circle", sign: "square", dashes: "6 3" },

@@ -1,2 +1,2 @@
-// Stands for charts.js where the page was built without what draws charts.
+// Replaces charts.js where the page was built without the library that draws charts.
 export const missing = true;

@@ -1,7 +1,8 @@
 // Numbers as the program writes them (core/include/evenlift/output/words.h).
 
-// With so many decimals: the shortest decimal that reads back to the number is rounded to the nearest, a half away from
-// zero. So 2.345 is "2.35", although its double is a little less; toFixed() would give "2.34". For sizes below 10^15.
+// With this number of decimals: the shortest decimal that reads back to the number is rounded to the nearest, a half
+// away from zero. So 2.345 is "2.35", although its double is a little less; toFixed() would give "2.34". For sizes
+// below 10^15.
 export function fixed(value, decimals) {
   const [digits, exponent = "0"] = String(Math.abs(value)).split("e");
   const units = Math.round(Number(`${digits}e${Number(exponent) + decimals}`));

@@ -1,4 +1,4 @@
-// The report of `evenlift experiment`: draws the charts from the data that stand in it.
+// The report of `evenlift experiment`: draws the charts from the data in it.
 import { follow, legend } from "./charts.js";
 
 const figures = JSON.parse(document.getElementById("figures").textContent);

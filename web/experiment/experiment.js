@@ -1,5 +1,5 @@
-// The window that compares the methods, on the open polygon or on many, as chapter 5 of the thesis does. Workers compute the
-// results; charts show them.
+// The window that compares the methods, on the open polygon or on many, as chapter 5 of the thesis does. Workers
+// compute the results; charts show them.
 import { runExperiment } from "./worker_pool.js";
 import { ensureStyles, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, download, el, number } from "../kit/elements.js";
@@ -9,7 +9,7 @@ import { ownFiles, samples, thesisLike, thisPolygon } from "./experiment_sources
 // The weight and the number of teams of an experiment: the same as in `evenlift experiment`.
 const manyPolygons = { weight: 100, weightUnit: "kg", mostTeams: 1000 };
 
-// What is missing if the algorithm can place no team on the polygon.
+// A message if the algorithm can place no team on the polygon.
 function withoutTeams({ figures }) {
   if (figures.some(({ series }) => series.some(({ method }) => method !== "balanced"))) return "";
   return (
@@ -20,7 +20,7 @@ function withoutTeams({ figures }) {
   );
 }
 
-let kept; // the last results and what they describe; closing the window does not lose them
+let kept; // the last results and what they describe; they survive closing the window
 
 const count = (n, word) => `${number(n)} ${word}${n === 1 ? "" : "s"}`;
 
@@ -31,7 +31,7 @@ export async function show(page, { start = false, source = "this" } = {}) {
     name: "experiment",
     title: "Compare methods",
     body: [el("div", { class: "scroll" }, view.form, view.problem, view.running, view.said, view.results), view.footer],
-    focus: view.form.querySelector(":checked"), // at its beginning, also where not all of it is seen; Enter compares
+    focus: view.form.querySelector(":checked"), // at its beginning, even if not all of it is visible; Enter compares
     closed: () => view.close(),
   });
   if (root) view.connect(root, start);
@@ -40,16 +40,16 @@ export async function show(page, { start = false, source = "this" } = {}) {
 // Compares the methods on the open polygon at once.
 export const curves = (page) => show(page, { start: true });
 
-// Where the form fills the window, what comes below it would not be seen to have come.
+// Where the form fills the window, new content below it would go unnoticed.
 function reveal(element) {
   const { top, height } = element.closest(".scroll").getBoundingClientRect();
   if (element.getBoundingClientRect().top > top + height * 0.7) element.scrollIntoView({ block: "start" });
 }
 
 class ExperimentWindow {
-  #polygon; // the open polygon: its text in the thesis's format, and the settings that matter
+  #polygon; // the open polygon: its text in the thesis's format, and the settings that affect it
   #files = [];
-  #stop; // stops the run that is under way
+  #stop; // stops the run under way
   #charts = []; // functions that stop the charts from following the width
 
   constructor({ program }, source) {
@@ -121,7 +121,7 @@ class ExperimentWindow {
       inputmode: "decimal",
     });
     this.ratioLabel = el("label", {}, "Minimum load ratio ", this.ratio);
-    // So many polygons give clear curves; one may ask for more.
+    // Enough polygons for clear curves; more can be chosen.
     this.most = el("input", {
       class: "field",
       type: "number",
@@ -132,7 +132,7 @@ class ExperimentWindow {
       inputmode: "numeric",
     });
     this.mostLabel = el("label", {}, "Most teams ", this.most);
-    // Those up to 12, as `evenlift experiment` measures them, take five times as long as those up to 8.
+    // Numbers up to 12, as `evenlift experiment` measures them, take five times as long as numbers up to 8.
     this.balanced = el("input", {
       class: "field",
       type: "number",
@@ -210,7 +210,7 @@ class ExperimentWindow {
     else if (kept && (!kept.of || this.#isOn(kept.of))) this.#show();
   }
 
-  // Whether results of a single polygon describe the one that is open now.
+  // Whether the results of a single polygon describe the open one.
   #isOn(of) {
     return ["text", "minRatio", "weight", "weightUnit", "points"].every((name) => of[name] === this.#polygon[name]);
   }

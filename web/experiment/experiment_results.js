@@ -6,7 +6,7 @@ import { figureTable } from "./figure_table.js";
 const wide = (label, content) =>
   el("div", { class: "wide", tabindex: "0", role: "region", "aria-label": label }, content);
 
-// Which polygons were left out, and why.
+// The polygons that were left out, and why.
 function refused({ refused: all }) {
   if (all.length === 0) return [];
   return [
@@ -68,7 +68,7 @@ function claims({ claims: { sets, rows } }) {
   ];
 }
 
-// A table of one measure of few robots, with a row for each number of them.
+// A table of one measure for few robots, with a row for each number of robots.
 function fewRobotsTable(what, rows) {
   const head = (name) => el("th", { scope: "col" }, name);
   return el(

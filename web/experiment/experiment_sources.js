@@ -20,8 +20,8 @@ const cannotBeFetched = (what) => (error) => {
   throw new Error(`${what} cannot be fetched: ${error.message}`);
 };
 
-// The open polygon, as one task for each method, so that the progress can be seen. Balanced robots,
-// which take longest, are the last.
+// The open polygon, as one task for each method, so that progress is visible. Balanced robots take longest and are
+// last.
 export function thisPolygon({ text }) {
   return Object.keys(methods).map((method) => ({
     set: "",

@@ -1,7 +1,7 @@
 // A pool of web workers that measure the polygons of an experiment.
 import { underWay } from "../page/under_way.js";
 
-// One worker of the pool: each question to it is answered in its turn.
+// One worker of the pool. It answers its questions in their order.
 class PooledWorker {
   #worker;
   #waiting = new Map();
@@ -38,7 +38,7 @@ class PooledWorker {
   }
 }
 
-// The answer of a worker of its own to one task; its work ends if `signal` aborts.
+// Answers one task in a separate worker; the work ends if `signal` aborts.
 export function askWorker(task, given, signal) {
   return underWay(askOne(task, given, signal));
 }
@@ -57,11 +57,10 @@ async function askOne(task, given, signal) {
 // One processor is left to the page. Each worker has memory of its own, so there are at most four.
 const most = () => Math.max(1, Math.min(4, (navigator.hardwareConcurrency || 2) - 1));
 
-// Carries out all tasks and returns the results (evenlift/experiment/outputs.h). A task is
-// {set, name, title, read, method}: a polygon, whose text `read()` returns or fails to return, to
-// be measured with one method, or with all if none is named. With `onePolygon` the results describe
-// a single polygon, and one worker is enough; `partly(results)` is then called with those of the
-// other tasks before the last one, which may take long. `progress(done, title)` is called after
+// Carries out all tasks and returns the results (evenlift/experiment/outputs.h). A task is {set, name, title, read,
+// method}: a polygon, measured with one method, or with all if `method` is missing. `read()` returns the polygon's text
+// or fails. With `onePolygon` the results describe a single polygon, and one worker is enough. Then `partly(results)`
+// is called with the results of all tasks but the last, which may take long. `progress(done, title)` is called after
 // each finished task. If `signal` aborts, the call fails with the signal's reason.
 export function runExperiment(tasks, options) {
   return underWay(run(tasks, options));

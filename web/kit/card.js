@@ -1,12 +1,11 @@
-// Cards of HTML over the canvas, at the foot of the drawing: not modal, so that one can go on. The
-// program says where one may stand without covering a control, and gives the polygon the room that
-// is left.
+// HTML cards over the canvas, at the bottom of the drawing. They are not modal, so work can continue. The program
+// reports where a card covers no control, and the polygon gets the remaining space.
 import { ensureStyles } from "./dialogs.js";
 import { button, el } from "./elements.js";
 
-const widest = 960; // pixels: lines that are longer are hard to read
-let open; // the card that is open; there is one at most
-const later = []; // what waits until there is none
+const widest = 960; // pixels: longer lines are hard to read
+let open; // the open card; there is at most one
+const later = []; // actions that wait until no card is open
 
 // Calls `act` once no card is open.
 export function whenNoCard(act) {
@@ -14,7 +13,7 @@ export function whenNoCard(act) {
   else act();
 }
 
-// A button that closes the card on which it stands, and then acts. Attributes are as for el().
+// A button that closes its card and then acts. Attributes are as for el().
 export function closingButton(name, attributes, act) {
   return button(name, {
     ...attributes,
@@ -25,12 +24,11 @@ export function closingButton(name, attributes, act) {
   });
 }
 
-// Shows a card of these elements, in place of one that is open. `title` is its name for those who
-// do not see it; `attributes` are further ones, as for el(). It has a cross that closes it, unless
-// a button of its own does (`cross`). `closed(byPerson)` is called when it goes.
-// Returns { root, close, seat }; seat() is for a card that has become higher or lower. Where the
-// program moves the seat, as when a panel is folded or the page is shown before a room, the card
-// follows by itself, and before a room it is larger.
+// Shows a card with these elements, replacing any open card. `title` is its name for screen readers; `attributes` are
+// further ones, as for el(). A cross closes the card, unless one of its own buttons does (`cross`). `closed(byPerson)`
+// is called when the card closes. Returns { root, close, seat }; call seat() when the card has become higher or lower.
+// The program may move the seat, for example when a panel is folded or presentation mode begins. Then the card follows
+// by itself; in presentation mode it is larger.
 export async function openCard(page, { name, title, body, closed, focus = false, cross = true, attributes = {} }) {
   await ensureStyles();
   open?.close();
@@ -83,11 +81,11 @@ export async function openCard(page, { name, title, body, closed, focus = false,
   document.body.append(root);
   seat();
   const { signal } = leave;
-  // Its words take another room once their font has come.
+  // The words need a different amount of space once their font has loaded.
   const follow = new ResizeObserver(seat);
   follow.observe(root);
   signal.addEventListener("abort", () => follow.disconnect());
-  // A list of the panels is drawn on the canvas, below this card, and yet has to be seen.
+  // The panels draw a list on the canvas, below this card, and the list must stay visible.
   const giveWay = () => {
     const list = page.program.json("page_open_list");
     const card = root.getBoundingClientRect();

@@ -1,9 +1,10 @@
-// Modules of the core, in WebAssembly, that compute beside the page's own.
+// WebAssembly modules of the core that compute beside the page's own module.
 import { Program } from "../page/program.js";
 import { underWay } from "../page/under_way.js";
 
-// Returns a function that gives the module as a Program. `load` imports it when it is first needed; if that fails, or if the
-// module stops, the next call begins anew. What cannot be loaded rejects with an Error that says so.
+// Returns a function that resolves with the module as a Program. `load` imports it when it is first needed. If that
+// fails, or if the module stops, the next call starts again. A module that cannot be loaded rejects with an Error that
+// says so.
 export function coreModule(load) {
   let starting;
   const forget = () => {

@@ -1,10 +1,10 @@
-// The frame of the page's own windows. They are HTML, so that text can be typed and lists are
-// read out. Each window is a module of its own.
+// The frame of the page's own windows. They are HTML, so that text can be typed and screen readers can read lists. Each
+// window is a module of its own.
 import { button, el } from "./elements.js";
 
 const styles = new Map();
 
-// Resolves once a style sheet is loaded: that of all windows, or one that a single window needs.
+// Resolves once a style sheet is loaded: the common one, or one that a single window needs.
 export function ensureStyles(name = "dialogs.css") {
   if (!styles.has(name)) {
     styles.set(
@@ -19,18 +19,17 @@ export function ensureStyles(name = "dialogs.css") {
   return styles.get(name);
 }
 
-// Resolves once every window that was closed is gone: the browser tells of a closing a little
-// later, and by then the next window may be asked for, whose name or focus the old one must
-// not have.
+// Resolves once every closed window is gone. Browsers report a closing a little late. By then the next window may have
+// been requested, and the old one must not keep its name or focus.
 async function windowsGone() {
   const leaving = [...document.querySelectorAll("dialog.window:not([open])")];
   await Promise.all(leaving.map((root) => new Promise((gone) => root.addEventListener("close", gone, { once: true }))));
 }
 
-// Opens a window: modal, or beside the canvas. When it is closed, its element is removed, and the
-// focus goes back to the canvas or, where there is none or a window is below, to what had it
-// before. `tools` go into its header, and `focus` gets the focus. Returns the element; or nothing
-// if the window is open already, or a modal window that it may not be `over`.
+// Opens a window: modal, or beside the canvas. Closing it removes its element and returns the focus to the canvas. If
+// there is no canvas or another window is below, the focus returns to its previous element. `tools` are added to the
+// header, and `focus` gets the focus. Returns the element; or undefined if the window is open already, or if a modal
+// window is open and `over` is false.
 export async function openWindow({ name, title, modal = true, over = false, tools = [], body, focus, closed }) {
   await ensureStyles();
   await windowsGone();
@@ -62,8 +61,8 @@ export async function openWindow({ name, title, modal = true, over = false, tool
   return root;
 }
 
-// Fades what scrolls in this element out at its foot, as long as there is more below: a
-// line that is cut there looks like a fault.
+// Fades the scrolled content of this element out at the bottom, as long as there is more below: a cut line looks like a
+// fault.
 export function fadeFoot(scroller) {
   const shade = el("div", { class: "foot-shade", "aria-hidden": "true" });
   scroller.append(shade);
@@ -78,7 +77,7 @@ export function closeWindows() {
   for (const root of document.querySelectorAll("dialog:modal")) root.close();
 }
 
-// A button that closes the window in which it stands, and then opens another with `show`.
+// A button that closes its window and then opens another with `show`.
 export function buttonTo(name, page, show) {
   return button(name, {
     onclick: ({ currentTarget }) => {
@@ -88,15 +87,16 @@ export function buttonTo(name, page, show) {
   });
 }
 
-// How much of the screen a window covers at the left, at the right and at the foot. A window that
-// covers all of it hides the drawing, which need not make room then.
+// How far a window covers the screen at the left, at the right and at the bottom, in pixels. A window that covers all
+// of it hides the drawing, which then need not make room.
 function covered(root) {
   const { left, right, top, height, width } = root.getBoundingClientRect();
   if (width >= innerWidth) return [0, 0, height >= innerHeight ? 0 : innerHeight - top];
   return left + right < innerWidth ? [right, 0, 0] : [0, innerWidth - left, 0];
 }
 
-// The drawing makes room for a window beside or below it, as long as the window is open. Returns what ends that.
+// The drawing makes room for a window beside or below it, as long as the window is open. Returns a function that ends
+// that.
 export function makeRoom(program, root) {
   const tell = () => program.call("page_cover", ...covered(root));
   const follow = new ResizeObserver(tell);
@@ -123,7 +123,7 @@ function closeOutside(root) {
   root.addEventListener("click", (event) => pressed && outside(event) && root.close());
 }
 
-// A line that says what went wrong and is read out at once. It is empty and invisible at first.
+// A line that reports a problem and is read out at once. It is empty and invisible at first.
 export function problemLine(attributes = {}) {
   const line = el("p", { class: "problem", role: "alert", ...attributes });
   return Object.assign(line, {

@@ -3,7 +3,8 @@ import { ofWindows, shared } from "./icons.js";
 
 const svgSpace = "http://www.w3.org/2000/svg";
 
-// Makes an element. Attributes `on…` are event handlers, others are as in HTML; false and undefined leave one out.
+// Makes an element. Attributes `on…` are event handlers, others are as in HTML; false and undefined leave an attribute
+// out.
 export function el(name, attributes = {}, ...children) {
   return fill(document.createElement(name), attributes, children);
 }
@@ -32,7 +33,7 @@ export function icon(name) {
   );
 }
 
-// A button with a name, perhaps with an icon. Attributes are as for el().
+// A button with a name and an optional icon. Attributes are as for el().
 export function button(name, attributes = {}, picture) {
   return el("button", { type: "button", class: "button", ...attributes }, ...(picture ? [icon(picture)] : []), name);
 }
@@ -65,7 +66,7 @@ export const unbroken = (text) => text.replace(/(?<=\d) (?=%)/g, "\u00a0");
 
 export const number = (value) => value.toLocaleString("en");
 
-// What somebody typed, in which a decimal comma is one, too; NaN if it is no number.
+// A typed number, with a decimal comma allowed; NaN for any other text.
 export function typedNumber(text) {
   return text.trim() ? Number(text.trim().replace(",", ".")) : NaN;
 }

@@ -12,7 +12,7 @@ export function fetchJson(name) {
   return fetched.get(name);
 }
 
-// Rejects with an Error whose message says why.
+// Rejects with an Error whose message gives the reason.
 export async function ask(url, options) {
   let answer;
   try {

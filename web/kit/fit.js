@@ -1,7 +1,7 @@
 // Pictures of polygons in windows.
 
-// Maps polygon coordinates, in which y goes up, into a picture of this size, so that these points fill it but for the margin.
-// Places are rounded to tenths, so that the picture stays small as text.
+// Maps polygon coordinates, with y upwards, into a picture of this size, so that these points fill it except for the
+// margin. Coordinates are rounded to tenths, so that the picture stays small as text.
 export function fitted(points, width, height, margin) {
   const low = [0, 1].map((axis) => Math.min(...points.map((p) => p[axis])));
   const high = [0, 1].map((axis) => Math.max(...points.map((p) => p[axis])));

@@ -1,13 +1,13 @@
-// Drawings, tables and results as polygons, by a module of the core that is fetched when one is opened first.
+// Reads drawings, tables and results as polygons, in a module of the core that is fetched at the first use.
 import { coreModule } from "./core_module.js";
 
 const reader = coreModule(() => import("./import_core.js"));
 
-let last; // which text the module holds
+let last; // the text that the module holds
 
-// Reads a text; `tolerance` is the distance between curves and edges, or 0 for the usual one. Returns { problem }, a
-// sentence, or { format, unit, notes, shapes }; each shape has its description in words, the tolerance that its
-// curves have (or 0), outline() for a picture, and text() for the program, which with its settings may be a link.
+// Reads a text; `tolerance` is the distance between curves and edges, or 0 for the default. Returns { problem }, a
+// message, or { format, unit, notes, shapes }. Each shape has its description in words, the tolerance of its curves (or
+// 0), outline() for a picture, and text() for the program; with settings, text() may return a link.
 export async function readShapes(text, tolerance = 0) {
   let program;
   try {
@@ -20,7 +20,7 @@ export async function readShapes(text, tolerance = 0) {
     last = me;
     return program.text("import_read", text.replaceAll("\0", "\x01"), tolerance);
   };
-  // Another text may have been read since.
+  // The module may have read another text since.
   const asked = (name, ...args) => {
     if (last !== me) read();
     return program.text(name, ...args);

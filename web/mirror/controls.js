@@ -1,6 +1,6 @@
-// The list of controls that the program gives (wasm/ui/controls.h).
+// The list of controls that the program lays out (wasm/ui/controls.h).
 
-// Whether all of the control is in the part of its card that is seen.
+// Whether all of the control is in the visible part of its card.
 export function isSeen({ place, window }) {
   return (
     place.left >= window.left &&
@@ -10,12 +10,12 @@ export function isSeen({ place, window }) {
   );
 }
 
-// The ends of a stepper whose value can be typed: the field has keys for them.
+// The plus and minus buttons of a stepper whose value can be typed: the field has keys for them.
 function isEndOf(fields, { card, name }) {
   return / [-+]$/.test(name) && fields.has(`${card}/${name.slice(0, -2)}`);
 }
 
-// Each with a `key` of its own, though a card may have two of one name.
+// Gives each control a `key` of its own, though a card may have two controls of one name.
 export function withKeys(all) {
   const fields = new Set(all.filter(({ kind }) => kind === "number").map(({ card, name }) => `${card}/${name}`));
   const seen = new Map();

@@ -1,4 +1,4 @@
-// An element for each kind of control. It keeps the control that it stands for in its entry, { element, control }.
+// An element for each kind of control. Its entry, { element, control }, links it to that control.
 import { plainValue } from "./typed.js";
 
 function button(entry, actions) {
@@ -21,7 +21,7 @@ function slider(entry, actions) {
   return element;
 }
 
-// A field with a value that is typed. It takes the pointer, so that a click or a tap begins to type.
+// A field for a typed value. It receives the pointer, so that a click or a tap begins to type.
 function field(entry, actions) {
   const element = document.createElement("input");
   element.type = "text";
@@ -36,19 +36,19 @@ function field(entry, actions) {
     element.removeAttribute("aria-invalid");
     element.select();
   };
-  // Returns whether what was typed is now in force.
+  // Returns whether the typed value is now in force.
   const commit = (confirmed = false) => {
     if (element.value === before && !(confirmed && !entry.control.setting)) return true;
     const done = actions.type(entry.control, element.value, confirmed);
     if (done) before = element.value;
-    else if (previewed) actions.withdraw(entry.control); // what is refused is not shown, either
+    else if (previewed) actions.withdraw(entry.control); // a refused value is not shown, either
     element.setAttribute("aria-invalid", String(!done));
     return done;
   };
   entry.begin = begin;
   entry.isTyped = () => element.value !== before;
-  // Enter. Whoever came here by keys goes on from here; others are back at the drawing. A number that is no setting is followed
-  // by the next one, and where nothing was typed Enter is pressed for all of them.
+  // Enter. Keyboard users continue from this field; others return to the drawing. If the number is not a setting, the
+  // next number follows. If nothing was typed, Enter confirms all of them.
   const confirm = () => {
     const { setting } = entry.control,
       untouched = !previewed && element.value === before;
@@ -85,7 +85,7 @@ function field(entry, actions) {
       entry.renew = begin;
     }
   });
-  // Over the field the wheel still moves the panel. The canvas believes that the pointer has left it.
+  // Over the field the wheel still scrolls the panel. The canvas believes that the pointer has left it.
   element.addEventListener(
     "wheel",
     (event) => {
@@ -98,7 +98,7 @@ function field(entry, actions) {
   return element;
 }
 
-// A number of the result: it is read, and does nothing.
+// A number of the result: it can be read, and does nothing.
 const text = () => document.createElement("p");
 
 const makers = { button, toggle: button, choice, slider, number: field, text };
@@ -106,7 +106,7 @@ const makers = { button, toggle: button, choice, slider, number: field, text };
 const isOfHistory = (event) =>
   (event.ctrlKey || event.metaKey) && !event.altKey && ["z", "y"].includes(event.key.toLowerCase());
 
-// One that has the focus keeps it: a browser takes it from what is disabled.
+// A focused element stays enabled: a browser takes the focus from disabled elements.
 function showEnabled({ element, control }) {
   const disabled = !control.enabled;
   element.disabled = disabled && element !== document.activeElement;
@@ -121,7 +121,7 @@ export function createElement(control, actions) {
   entry.element.addEventListener("blur", () => showEnabled(entry));
   entry.element.addEventListener("keydown", (event) => {
     if (isOfHistory(event) && !entry.isTyped?.()) {
-      // what is being typed has an undo of its own
+      // the text being typed has an undo of its own
       event.preventDefault();
       event.stopPropagation();
       entry.renew = entry.begin;
@@ -130,7 +130,7 @@ export function createElement(control, actions) {
     }
     if (event.key !== "Escape") return;
     event.stopPropagation();
-    if (control.kind !== "number") actions.escape(); // a field takes back what was typed in it, and nothing else
+    if (control.kind !== "number") actions.escape(); // a field reverts only the text that was typed in it
   });
   return entry;
 }

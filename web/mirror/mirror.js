@@ -1,12 +1,10 @@
-// The controls of the panels once more, as HTML over the canvas: each in the place of its picture,
-// and invisible until it has the focus. So keyboards and screen readers reach every control, and a
-// number is typed in a field of the browser's own.
+// The controls of the panels as HTML over the canvas. Each covers the drawn control, and is invisible until it has the
+// focus. So keyboards and screen readers reach every control, and a number is typed in a native browser field.
 import { createElement, showControl } from "./elements.js";
 import { withKeys } from "./controls.js";
 import { settingValue, typedProblem, unitOf } from "./typed.js";
 
-// Each card of the panels (begin_card() in wasm/panels), in the order of reading, with its name for
-// those who cannot see it.
+// Each card of the panels (begin_card() in wasm/panels), in reading order, with its name for screen readers.
 const cards = new Map([
   ["toolbar", "Toolbar"],
   ["bar", "Toolbar"],
@@ -30,7 +28,7 @@ function createGroup(name) {
   return group;
 }
 
-// Calls of the program: what is asked of a control (wasm/page/main.cpp).
+// The actions on a control that the program can be called with (wasm/page/main.cpp).
 const press = 0,
   choose = 1,
   move = 2,
@@ -38,8 +36,8 @@ const press = 0,
   enter = 4,
   withdraw = 5;
 
-// `field.awaited` names a field that a key asked for, or is empty. It may not be laid out yet.
-// `field.begun` is what was typed for it already.
+// `field.awaited` names a field that a key asked for, or is empty. The field may not be laid out yet. `field.begun` is
+// the text already typed for it.
 export function createMirror(program, field, notice) {
   const canvas = document.getElementById("canvas");
   const root = document.createElement("div");
@@ -50,7 +48,7 @@ export function createMirror(program, field, notice) {
   const shown = new Map(); // by key; see withKeys()
   let last = "";
 
-  // Leads back to the drawing.
+  // Returns the focus to the drawing.
   const leave = () => canvas.focus({ preventScroll: true });
 
   // The unit of a field's number; "" if it has none.
@@ -66,8 +64,8 @@ export function createMirror(program, field, notice) {
     move: ({ card, name }, value) => program.call("page_ask_control", move, card, name, value),
     reveal: ({ card, name }) => program.call("page_ask_control", reveal, card, name, 0),
     withdraw: ({ card, name }) => program.call("page_ask_control", withdraw, card, name, 0),
-    // What was typed into a field. Returns whether it is in force now; if not, a notice says why.
-    // A number that is no setting is handed to the control itself; `confirmed` says that Enter was pressed.
+    // Sets the text typed into a field. Returns whether it is in force now; if not, a notice gives the reason. A number
+    // that is not a setting goes to the control itself; `confirmed` is whether Enter was pressed.
     type(control, typed, confirmed) {
       const { setting, card, name, is_length } = control,
         unit = unitOfField(control);
@@ -90,7 +88,7 @@ export function createMirror(program, field, notice) {
       if (problem) notice(`${problem}.`, true);
       return !problem;
     },
-    // What is being typed of a number that is no setting is shown as soon as it can be one.
+    // Previews a number that is not a setting while it is being typed, as soon as the text can be one.
     preview(control, typed) {
       const { card, name, is_length } = control,
         unit = unitOfField(control),
@@ -98,7 +96,7 @@ export function createMirror(program, field, notice) {
       if (value === "" || typedProblem(typed, "", unit, is_length) || !Number.isFinite(Number(value))) return;
       if (!is_length || Number(value) > 0) program.call("page_ask_control", move, card, name, Number(value));
     },
-    // After a number that is no setting was confirmed: the first one of the card is typed next.
+    // After the confirmation of a number that is not a setting, the first such number of the card is typed next.
     next({ card }) {
       const first = [...shown.values()]
         .map(({ control }) => control)
@@ -106,19 +104,19 @@ export function createMirror(program, field, notice) {
       if (first) field.awaited = first.name;
       field.show();
     },
-    // The field begins anew, with the value that is now in force.
+    // Restarts the field with the value that is now in force.
     again(entry) {
       field.show();
       entry.begin();
     },
     key: ({ key, shiftKey }) => program.number("page_key", key, 1, shiftKey ? 1 : 0),
-    // A key that the page uses, or else the way back to the drawing.
+    // Passes Escape to the page; if the page does not use it, the focus returns to the drawing.
     escape() {
       if (!program.number("page_key", "Escape", 0, 0)) leave();
     },
   };
 
-  // Puts the elements in order without moving those that stand right, so that the focus stays.
+  // Puts the elements in order without moving those in the right place, so that the focus stays.
   function arrange(controls) {
     const at = new Map();
     for (const { key, card } of controls) {
@@ -162,7 +160,7 @@ export function createMirror(program, field, notice) {
     found.element.dispatchEvent(new Event("input"));
   }
 
-  // Call this after each picture.
+  // Call this after each frame.
   return function drawn() {
     const text = program.text("page_controls");
     if (text !== last) {

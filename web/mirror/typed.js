@@ -1,6 +1,6 @@
-// Numbers as people type them, and as the program reads them (core/include/evenlift/settings.h).
+// Numbers as users type them, and as the program reads them (core/include/evenlift/settings.h).
 
-// What a control shows, ready to be typed over: "437 kg" becomes "437", and "(12.4, −3)" "12.4, -3".
+// The value of a control, ready to be typed over: "437 kg" becomes "437", and "(12.4, −3)" "12.4, -3".
 export function plainValue(shown) {
   const text = shown.replaceAll("−", "-").replaceAll("\u00A0", " ").trim();
   if (text === "–") return ""; // nothing yet
@@ -17,7 +17,7 @@ const twoWithUnits = new RegExp(
   `^\\(?\\s*(${number})\\s*(${unit})(?:\\s*[;,]\\s*|\\s+)(${number})\\s*(${unit})\\s*\\)?$`,
 );
 
-// In mm and in kg, each as a fraction so that nothing is rounded here. 9.80665 N is what 1 kg weighs.
+// In mm and in kg, each as a fraction so that nothing is rounded here. 1 kg weighs 9.80665 N.
 const kinds = [
   { name: "length", units: { m: [1000, 1], cm: [10, 1], mm: [1, 1], in: [25.4, 1] } },
   { name: "weight", units: { kg: [1, 1], t: [1000, 1], N: [1, 9.80665], lb: [0.45359237, 1] } },
@@ -26,21 +26,21 @@ const kindOf = (unit) => kinds.find(({ units }) => Object.hasOwn(units, unit));
 
 const point = (text) => text.replace(",", ".");
 
-// The unit that the number of a field ends in, such as "mm" of "20 mm"; "" if it has none.
+// The unit at the end of a field's number, such as "mm" of "20 mm"; "" if it has none.
 export function unitOf(shown) {
   return new RegExp(`\\d\\s(${unit})$`).exec(shown)?.[1] ?? "";
 }
 
-// A number that was typed with a unit, in the unit of its field; undefined if the field has none,
-// or one of another kind.
+// Converts a number typed with a unit to the unit of its field; undefined if the field has no unit or one of another
+// kind.
 function converted(typed, from, to) {
   if (from === to) return point(typed);
   const { units } = kindOf(from);
   if (!Object.hasOwn(units, to)) return undefined;
   const [times, by] = units[from],
     [per, of] = units[to];
-  // As exact as what was typed, and nine digits at least: 200 N are 20.3943243 kg, and 20 in
-  // decimals is not 20.000000000000004.
+  // As exact as the typed number, with at least nine digits: 200 N are 20.3943243 kg, and 20 does not become
+  // 20.000000000000004.
   const digits = point(typed).replace(/e.*$/i, "").replace(/\D/g, "").replace(/^0+/, "").length;
   return String(
     Number(((Number(point(typed)) * times * of) / (by * per)).toPrecision(Math.min(12, Math.max(9, digits)))),
@@ -52,9 +52,9 @@ const tidied = (typed) => typed.replaceAll("−", "-").replaceAll("\u00A0", " ")
 const grouped = /^[-+]?[1-9]\d{0,2}(?:,\d{3})+(?:\s*[a-z]+)?$/i;
 const strange = new RegExp(`^${number}\\s*([A-Za-zµ"'′″]+)$`);
 
-// Why a number cannot be set because of how it was typed: the unit after it, or a comma that may
-// part thousands. A sentence without its full stop; "" if that is not the reason. `setting` and
-// `own` are as below; `isLength` says that the number is a length, even if it has no unit.
+// Why a number cannot be set because of how it was typed: the unit after it, or a comma that may separate thousands. A
+// sentence without its full stop; "" if that is not the reason. `setting` and `own` are as below; `isLength` marks a
+// length, even if it has no unit.
 export function typedProblem(typed, setting, own, isLength) {
   const text = tidied(typed);
   if (setting === "no_go") return "";
@@ -78,21 +78,21 @@ export function typedProblem(typed, setting, own, isLength) {
   return `“${text}” is a ${kindOf(from).name}, but this number is a ${kindOf(own).name} in ${own}`;
 }
 
-// A number may have a unit and a decimal comma; two are parted by a comma, a semicolon or a space.
-// `own` is the unit of the field, "" if it has none. What is neither the program refuses with a
-// sentence, and so a unit that the field cannot have: without it the number would be another one.
+// A number may have a unit and a decimal comma; a comma, a semicolon or a space separates two numbers. `own` is the
+// unit of the field, "" if it has none. The program refuses anything else with a message. That includes a unit that the
+// field cannot have: without it the number would mean another quantity.
 export function settingValue(typed, setting = "", own = "") {
   const text = tidied(typed);
   if (setting === "no_go") {
-    // edges: "3,5" is no number
+    // edges: "3,5" is not a number
     const apart = text.includes(";") ? text.replaceAll(",", ".").replaceAll(";", ",") : text; // "3:0,25-0,5; 27"
     const edges = apart.replaceAll(" ", "");
     if (/^(none)?$/i.test(edges)) return "none";
-    return /[a-z]/i.test(edges) ? text.trim() : edges; // what is refused is quoted as it was typed
+    return /[a-z]/i.test(edges) ? text.trim() : edges; // a refused value is quoted as it was typed
   }
-  if (setting === "teams" && text.toLowerCase() === "all") return "max"; // as the button calls it
+  if (setting === "teams" && text.toLowerCase() === "all") return "max"; // as on the button
   if (setting === "capacity" && text.toLowerCase() === "no limit") return "none";
-  const single = setting === "com" ? null : one.exec(text); // "10,20" are its two numbers
+  const single = setting === "com" ? null : one.exec(text); // here "10,20" means two numbers
   if (single) return single[2] ? (converted(single[1], single[2], own) ?? text) : point(single[1]);
   const pair = two.exec(text);
   if (pair) return `${point(pair[1])},${point(pair[2])}`;

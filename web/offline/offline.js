@@ -1,8 +1,8 @@
-// Lets the browser keep the page, so that it opens without a network, and tells of a new version. Loaded after the first
-// picture, which it must not slow.
-const betweenChecks = 3600000; // milliseconds; besides, the browser looks whenever the page is opened
+// Lets the browser keep the page, so that it opens without a network, and reports a new version. Loaded after the first
+// frame, which it must not delay.
+const betweenChecks = 3600000; // milliseconds; the browser also checks whenever the page is opened
 
-// Calls `tell` once, when a new version is there or when another tab has taken it.
+// Calls `tell` once, when a new version is available or another tab has adopted it.
 export async function keepForOffline(tell) {
   const container = navigator.serviceWorker;
   if (!container || navigator.connection?.saveData) return;
@@ -19,7 +19,7 @@ export async function keepForOffline(tell) {
   const registration = await container.register(new URL("service_worker.js", import.meta.url), {
     updateViaCache: "none",
   });
-  // Of the first version, which this page is, there is nothing to say.
+  // The first version, which is this page, needs no message.
   const look = () => registration.active && registration.waiting && newVersion();
   const follow = () => registration.installing?.addEventListener("statechange", look);
   registration.addEventListener("updatefound", follow);

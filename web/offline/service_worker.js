@@ -1,11 +1,9 @@
-// Keeps the whole page in the browser, so that it opens without a network after one visit. The
-// build writes `build` before this text (assets/offline_files.py):
-// { id, files: { NAME: SHA-256 } }, all that is in the page's folder.
+// Keeps the whole page in the browser, so that it opens without a network after one visit. The build writes `build`
+// before this text (assets/offline_files.py): { id, files: { NAME: SHA-256 } }, with all files in the page's folder.
 //
-// - What is kept is found by its hash: two versions share the files that they have in common, and
-//   nothing is fetched twice.
-// - A page keeps the version with which it was opened, as long as it is open, also when another tab
-//   has taken a newer one: windows and workers that it loads later fit the program that it runs.
+// - A kept file is found by its hash: two versions share their common files, and nothing is fetched twice.
+// - An open page keeps the version with which it was opened, even when another tab has adopted a newer one: windows and
+//   workers that it loads later fit its program.
 // - A new version is fetched whole, and checked, before any of it is used.
 const scope = new URL(self.registration.scope);
 const address = (text) => new URL(text, scope).href;
@@ -23,8 +21,8 @@ async function hashOf(bytes) {
   return [...digest].map((byte) => byte.toString(16).padStart(2, "0")).join("");
 }
 
-// The server's answer as it is kept: with its headers, of which the content security policy is one,
-// but without how it came.
+// The server's answer as it is kept: with its headers, which include the content security policy, but without its
+// content encoding and length.
 async function fetchChecked(name, hash) {
   const answer = await fetch(address(name), { cache: "no-cache" });
   if (!answer.ok) throw new Error(`${name}: ${answer.status}`);
@@ -48,8 +46,8 @@ async function keepAll() {
 
 // --- Who began with which version ----------------------------------------------------------------
 
-// What is known of it: { current, began: { CLIENT: BUILD } }. The browser ends this worker when it
-// has nothing to do, so it is kept, and read once.
+// The recorded versions: { current, began: { CLIENT: BUILD } }. The browser ends an idle worker, so they are kept, and
+// read once.
 let known;
 async function readNotes() {
   const kept = await (await open()).match(notes);
@@ -61,8 +59,8 @@ async function write(next) {
   await (await open()).put(notes, asJson(next));
 }
 
-// This version is the one that pages open from now on. Those that are open keep theirs; what nobody
-// needs any more goes.
+// Makes this version the one that new pages open. Open pages keep theirs; files that no page needs any more are
+// deleted.
 async function takeOver() {
   const { current, began } = await readNotes();
   const ids = (await self.clients.matchAll({ type: "all" })).map(({ id }) => id);
@@ -73,7 +71,7 @@ async function takeOver() {
   await self.clients.claim();
 }
 
-// Pages with an older version are closed one day; looked for when a page is opened.
+// Pages with an older version are closed eventually; each opening of a page checks for that.
 async function tidy() {
   const all = await known;
   if (Object.keys(all.began).length === 0) return;
@@ -97,8 +95,8 @@ async function removeOld(builds) {
   await Promise.all((await cache.keys()).filter(({ url }) => !needed.has(url)).map((key) => cache.delete(key)));
 }
 
-// A host that has this page no more, or another one at this address, says so when it is asked; what
-// is kept would hide it for ever.
+// A host that no longer has this page, or has another one at this address, reports so when asked; otherwise the kept
+// page would hide that for ever.
 async function leaveIfGone() {
   const { status } = await fetch(address("service_worker.js"), { method: "HEAD", cache: "no-store" });
   if (status !== 404 && status !== 410) return;
@@ -108,7 +106,7 @@ async function leaveIfGone() {
 
 // --- Answers -------------------------------------------------------------------------------------
 
-// The name in the page's folder, if it could be one of its files.
+// The name in the page's folder, if it could be one of the page's files.
 function nameOf({ method, url }) {
   const { origin, pathname } = new URL(url);
   if (method !== "GET" || origin !== scope.origin || !pathname.startsWith(scope.pathname)) return undefined;
@@ -121,7 +119,7 @@ async function answer({ request, clientId, resultingClientId }, name) {
   const all = await known;
   const older = request.mode === "navigate" ? undefined : all.began[clientId];
   if (older && resultingClientId) {
-    // a worker loads what fits the page that started it
+    // a worker loads the files that fit the page that started it
     all.began[resultingClientId] = older;
     await write(all);
   }

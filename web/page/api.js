@@ -4,9 +4,9 @@ import { idle } from "./work.js";
 // window.evenlift, the page's scripting interface (docs/page.md).
 
 // Writes the changes for set() as text for the program, which checks them (settings.h). A value that is neither a
-// number nor a word is written as JSON, which no setting accepts.
+// number nor a word is written as JSON, which every setting refuses.
 const lists = ["com", "overlays"];
-const texts = ["robot", "no_go"]; // what the program itself reads: "r=30,reach=5", "3,5:0.25-0.75"
+const texts = ["robot", "no_go"]; // as the program itself reads them: "r=30,reach=5", "3,5:0.25-0.75"
 
 function word(value) {
   const other = typeof value === "object" || (typeof value === "string" && !/^[a-zA-Z]+$/.test(value));
@@ -17,7 +17,7 @@ function written(name, value) {
   if (value === null) return name === "com" ? "centroid" : "none";
   if (Array.isArray(value) && lists.includes(name)) return value.map(word).join(",") || "none";
   if (typeof value === "string" && texts.includes(name) && /^[\w=.,:+-]+$/.test(value)) return value;
-  // A whole number this large may have been rounded by JavaScript.
+  // JavaScript may have rounded a whole number this large.
   if (name === "seed" && typeof value === "number" && !Number.isSafeInteger(value)) return "rounded";
   return word(value);
 }
@@ -48,12 +48,12 @@ function loadLesson(program, text) {
   throwIf(program.text("page_open_lesson", text, "", 0));
 }
 
-// A point as an array [x, y], as everywhere in state(), that also has x and y.
+// A point as an array [x, y], as everywhere in state(), with the members x and y added.
 function point(x, y) {
   return Object.assign([x, y], { x, y });
 }
 
-// The place of a control; null if no control of that name is shown.
+// The rectangle of a control; null if no control of that name is shown.
 const place = (control) => control && { x: control.left, y: control.top, width: control.width, height: control.height };
 
 export function createApi() {

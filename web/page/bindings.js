@@ -1,4 +1,4 @@
-// The functions of the browser that the program calls (wasm/page/browser.cpp), and those of the page that its windows call.
+// The browser functions that the program calls (wasm/page/browser.cpp), and the page functions that its windows call.
 import { readAddress, withLesson } from "./address.js";
 import { copy } from "./clipboard.js";
 import { connectDropAndPaste } from "./drop_and_paste.js";
@@ -6,7 +6,7 @@ import { createSearch } from "./search.js";
 import { underWay } from "./under_way.js";
 import { begin, end } from "./work.js";
 
-// Writings whose letters the fonts do not have, as a person calls them.
+// The everyday names of writings whose letters are not in the fonts.
 const writings = {
   Han: "Chinese characters",
   Hiragana: "Japanese letters",
@@ -19,7 +19,7 @@ const writings = {
 };
 const writingOf = Object.entries(writings).map(([script, name]) => [new RegExp(`\\p{Script=${script}}`, "u"), name]);
 
-// A character that cannot be shown, in words.
+// Describes a character that cannot be shown.
 function nameOf(character) {
   const writing = writingOf.find(([pattern]) => pattern.test(character));
   if (writing) return writing[1];
@@ -44,12 +44,12 @@ export class Bindings {
   #search;
   #program;
   #screen;
-  #page; // what windows are given
+  #page; // the page as its windows get it
   #pictures = new EventTarget();
   #alarm = 0;
   #noticeEnd = 0;
 
-  // `field.awaited` is set to the name of a field that a key asks for. Calls `onFrame` after each picture.
+  // A key that asks for a field puts its name into `field.awaited`. Calls `onFrame` after each frame.
   constructor(publisher, field, onFrame) {
     this.#publisher = publisher;
     this.#field = field;
@@ -74,8 +74,8 @@ export class Bindings {
       aboutLink: (url) => this.#aboutLink(url),
       windows: () => this.#windows(),
       notice: (text, problem) => this.#publisher.notice(text, problem),
-      announce: (text) => this.announce(text), // to those who listen: nothing is shown
-      pictures: this.#pictures, // gets an event "drawn" after each of the program's pictures
+      announce: (text) => this.announce(text), // for screen readers: nothing is shown
+      pictures: this.#pictures, // gets an event "drawn" after each frame of the program
       nameLesson: (name) => this.#publisher.nameLesson(name),
     };
     if (!embed) connectDropAndPaste(this.#page);
@@ -84,7 +84,7 @@ export class Bindings {
     });
   }
 
-  // Opens the lesson and the challenge that the address asks for; with `join`, for the document that is open.
+  // Opens the lesson and the challenge of the address; with `join`, for the open document.
   async beginLesson(join) {
     const { lesson, challenge } = readAddress();
     if (!lesson && !challenge) return;
@@ -94,7 +94,7 @@ export class Bindings {
     this.#publisher.holdLesson(false);
   }
 
-  // --- Pictures ------------------------------------------------------------------------------------------------------
+  // --- Frames --------------------------------------------------------------------------------------------------------
 
   measureScreen() {
     this.#screen?.measure();
@@ -126,7 +126,8 @@ export class Bindings {
     );
   }
 
-  // Nothing waits for that, so it is no work that is under way. Less than 0: it stays.
+  // Nothing waits for this timer, so it does not count as work under way. If `seconds` is less than 0, the notice
+  // stays.
   endNoticeAfter(seconds) {
     clearTimeout(this.#noticeEnd);
     if (seconds >= 0) this.#noticeEnd = setTimeout(() => this.#program.call("page_end_notice"), seconds * 1000);
@@ -149,7 +150,7 @@ export class Bindings {
     else if (document.fullscreenElement) document.exitFullscreen().catch(() => {});
   }
 
-  // The fonts with the letters of other languages and mathematics. Without them a "?" stands for each.
+  // The fonts with the letters of other languages and of mathematics. Without them, each such letter appears as "?".
   fetchLetters() {
     underWay(
       Promise.all(["letters-regular.otf", "letters-semibold.otf"].map(fetchBytes))
@@ -183,7 +184,7 @@ export class Bindings {
 
   announce(text) {
     const region = document.getElementById("alert");
-    // A text that does not change would not be read out again.
+    // A screen reader does not repeat a text that does not change.
     region.textContent = text && region.textContent === text ? `${text}\u00a0` : text;
   }
 
@@ -233,7 +234,7 @@ export class Bindings {
     return withLesson(url, { lesson: this.#publisher.lesson(), challenge }).href;
   }
 
-  // What the link holds or lacks, and then how long it is.
+  // First the contents and the omissions of the link, then its length.
   #aboutLink(url) {
     const ownWords = this.#program.number("page_script") && !this.#publisher.lesson();
     const lacking = [

@@ -1,4 +1,4 @@
-// Opens the files and texts that somebody drops or pastes anywhere on the page.
+// Opens files and texts that are dropped or pasted anywhere on the page.
 import { underWay } from "./under_way.js";
 
 const typesIn = "input, textarea";
@@ -15,7 +15,7 @@ export function connectDropAndPaste(page) {
     underWay(take(event.clipboardData, "pasted"));
   });
 
-  let own = false; // a text of this page is dragged: it is no polygon
+  let own = false; // a text of this page is being dragged: it is not a polygon
   addEventListener("dragstart", () => {
     own = true;
   });
@@ -55,7 +55,7 @@ async function hint(page, on) {
       textContent: "Drop to open",
     });
     document.body.append(element);
-    element.showPopover?.(); // above a window that is open
+    element.showPopover?.(); // above an open window
   } else if (element && !wanted) {
     element.remove();
   }

@@ -1,9 +1,9 @@
-// Keys, and those habits of browsers that the program's own event handling does not cover.
+// Keys, and browser behaviour that the program's own event handling does not cover.
 const root = document.documentElement;
 
-// A figure in an article is a guest there until the reader takes hold of it by a click, a tap or
-// Tab, which give it the focus; and again once the reader lets go by Esc or by going elsewhere. As
-// long as it is a guest, wheel, fingers and keys are the article's. page.css knows this class.
+// A figure in an article is a guest until the reader takes hold of it: by a click, a tap or Tab, which give it the
+// focus. It becomes a guest again when the reader presses Esc or moves elsewhere. While it is a guest, the wheel,
+// fingers and keys belong to the article. page.css uses this class.
 const isGuest = () => root.classList.contains("guest");
 
 function takeHold(canvas) {
@@ -16,11 +16,11 @@ function letGo() {
   root.classList.add("guest");
 }
 
-// `field` is the one of the mirror (web/mirror/mirror.js).
+// `field` is the mirror's field (web/mirror/mirror.js).
 export function connectInput(program, field, { embed }) {
   const canvas = document.getElementById("canvas");
   if (embed) connectGuest(canvas);
-  // Before connectKeys(), which keeps keys from those that listen later.
+  // This comes before connectKeys(), which hides keys from later listeners.
   addEventListener("keydown", (event) => event.key === "Tab" && root.classList.add("by-key"), { capture: true });
   connectKeys(program, canvas, field, { embed });
   connectPresses(program);
@@ -28,9 +28,8 @@ export function connectInput(program, field, { embed }) {
   canvas.addEventListener("pointerdown", (event) => {
     if (isGuest() && event.pointerType !== "mouse") return; // it may become a swipe
     root.classList.remove("by-key");
-    getSelection().removeAllRanges(); // as a press anywhere does elsewhere; else Ctrl+C would copy that text
-    // Preventing mousedown's default, as SDL does, also prevents the focus; and without capture a drag ends at the
-    // window's edge.
+    getSelection().removeAllRanges(); // as a press elsewhere would do; else Ctrl+C would copy that text
+    // SDL prevents the default of mousedown, and so also the focus. Without capture, a drag ends at the window's edge.
     takeHold(canvas);
     if (event.pointerType === "mouse") canvas.setPointerCapture(event.pointerId);
   });
@@ -43,7 +42,7 @@ export function connectInput(program, field, { embed }) {
       if (isGuest()) {
         event.stopImmediatePropagation();
       } else if (event.ctrlKey) {
-        // Browsers report a trackpad's pinch like this; it must not zoom the page.
+        // Browsers report a trackpad's pinch as a wheel event with Ctrl; it must not zoom the page.
         event.preventDefault();
         event.stopImmediatePropagation();
         program.call("page_pinch", event.clientX, event.clientY, Math.exp(-event.deltaY * 0.01));
@@ -56,20 +55,20 @@ export function connectInput(program, field, { embed }) {
 function connectGuest(canvas) {
   const hold = (held) => root.classList.toggle("guest", !held);
   addEventListener("focusin", () => hold(true));
-  // Of the window: the focus comes back to where it was, or goes to the article.
+  // The window's events: the focus returns to its former place, or moves to the article.
   addEventListener("focus", () => hold(document.activeElement !== document.body));
   addEventListener("blur", () => hold(false));
-  canvas.addEventListener("click", () => isGuest() && takeHold(canvas)); // of a pen, say
+  canvas.addEventListener("click", () => isGuest() && takeHold(canvas)); // from a pen, for example
   connectTaps(canvas);
 }
 
-// SDL would keep every touch from the browser. So a guest's touches do not reach it, but for a tap,
-// which takes hold of the figure and then is passed on to it.
+// SDL would hide every touch from the browser. So a guest's touches do not reach SDL. The exception is a tap: it takes
+// hold of the figure and is then passed on to it.
 const mostOfTap = 10; // CSS pixels that a finger may move
 
 function connectTaps(canvas) {
-  let withheld = false; // the fingers that are down came while it was a guest
-  let press; // of a finger that may become a tap
+  let withheld = false; // the fingers now down arrived while the figure was a guest
+  let press; // from a finger that may become a tap
   const pass = (type, touch) => {
     const touches = type === "touchstart" ? [touch] : [];
     canvas.dispatchEvent(
@@ -97,7 +96,7 @@ function connectTaps(canvas) {
       const touch = press;
       press = undefined;
       if (!touch || event.touches.length || !event.cancelable) return;
-      event.preventDefault(); // else the same would come once more, as a mouse's
+      event.preventDefault(); // else the press would arrive again, as a mouse's
       takeHold(canvas);
       for (const type of ["touchstart", "touchend"]) pass(type, touch);
     },
@@ -117,7 +116,8 @@ function connectTaps(canvas) {
   }
 }
 
-// Tells when a press was made and how many came in a row; SDL knows only when it received the event.
+// Passes on the time of a press and the number of clicks in a row; SDL knows only the time at which it received the
+// event.
 function connectPresses(program) {
   for (const type of ["mousedown", "touchstart"]) {
     addEventListener(type, (event) => program.press(event.timeStamp, event.detail), { capture: true, passive: true });
@@ -125,13 +125,13 @@ function connectPresses(program) {
 }
 
 function connectKeys(program, canvas, field, { embed }) {
-  // The field that the program named has the focus at once, so that it gets the next key,
-  // too. A digit is the first of its number.
+  // The field that the program named gets the focus at once, so that it also receives the next key. A digit becomes the
+  // first of its number.
   const beginField = (key) => {
     if (/^[\d.,]$/.test(key)) field.begun = key;
     field.show();
   };
-  // A button of the mirror leaves all keys but those of buttons to the page.
+  // A button of the mirror leaves all keys to the page, except the keys of buttons.
   const ofButton = (event) =>
     event.target.matches?.("#mirror button") && !["Enter", " ", "Escape", "Tab"].includes(event.key);
   const ours = (event) =>
@@ -142,7 +142,7 @@ function connectKeys(program, canvas, field, { embed }) {
     "keydown",
     (event) => {
       if (!ours(event)) return;
-      // SDL would keep every key from the browser, so it does not get them.
+      // SDL would hide every key from the browser, so no key reaches SDL.
       event.stopImmediatePropagation();
       if (event.altKey || event.isComposing) return;
       const command = event.ctrlKey || event.metaKey;

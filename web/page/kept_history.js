@@ -1,15 +1,14 @@
-// Undo survives a reload: the newest steps are kept in the browser, as a line `EDIT METHOD LINK` for each
-// (wasm/page/page_api.cpp), `<` before those to be undone, `>` before those to be redone, the
-// nearest first; and before them `=`, the method that the document is compared with, and its link.
-// They are kept beside the work to which they belong (publisher.js). Loaded after the first
-// picture.
+// Undo survives a reload: the browser keeps the newest steps. Each step is a line `EDIT METHOD LINK`
+// (wasm/page/page_api.cpp), preceded by `<` if undo leads to it and by `>` if redo does; the nearest steps come first.
+// A line `=` before them has the compared method and the document's link. The steps are kept beside the work to which
+// they belong (publisher.js). This module is loaded after the first frame.
 import { historyKey, lasting, ofThisTab, read, workKey, write } from "./storage.js";
 
 const mostSteps = 500;
 const mostBytes = 400000; // of some 5 MB that browsers give; the work itself needs up to 4
 const leastBytes = 1000;
 
-// The steps as lines, as many as fit.
+// The steps as lines, as long as they fit.
 function lines(program, most) {
   const all = [];
   let left = most;
@@ -19,7 +18,7 @@ function lines(program, most) {
       if (!step) break;
       const line = `${"<>"[redo]} ${step.edit} ${step.method} ${step.link}`;
       left -= line.length + 1;
-      // Beyond a polygon that is too large for a link nothing is kept.
+      // A polygon too large for a link ends the kept steps.
       if (left < 0 || (!step.link && most < Infinity)) break;
       all.push(line);
     }
@@ -31,13 +30,14 @@ const parts = (line) => line.split(" ");
 
 function restore(program, text) {
   const own = lines(program, Infinity).map(parts);
-  if (own.length === mostSteps || own.some(([, , , link]) => !link)) return; // they could not all be written and read
+  if (own.length === mostSteps || own.some(([, , , link]) => !link)) return; // not all of them could be written and
+                                                                             // read
   const kept = text
     .split("\n")
     .map(parts)
     .filter((line) => line.length === 4);
   const [past, future] = ["<", ">"].map((mark) => kept.filter(([first]) => first === mark));
-  // A polygon that was refused is opened as an edit of the last good one, which may be kept as a step already.
+  // A refused polygon is opened as an edit of the last good one, which may already be kept as a step.
   if (own.length && own.at(-1)[3] === past[0]?.[3]) past.shift();
   program.call("page_forget_steps");
   for (const [mark, edit, method, link] of [
@@ -49,14 +49,14 @@ function restore(program, text) {
   }
 }
 
-// The line of the method that the document is compared with, if there is one and it fits.
+// The line of the compared method, if there is a comparison and the line fits.
 function comparison(program, most) {
   const method = program.number("page_compared");
   const line = method ? `= ${method} ${program.text("page_link")}` : "";
   return line && line.length < most ? [line] : [];
 }
 
-// The comparison goes on if the same document is open.
+// The comparison continues if the same document is open.
 function restoreComparison(program, text) {
   const [mark, method, link] = parts(text.split("\n", 1)[0]);
   if (mark === "=" && link && link === program.text("page_link")) program.call("page_compare", Number(method));
@@ -67,7 +67,7 @@ function asText(program, most) {
   return [...compared, ...lines(program, most - compared.join().length)].join("\n");
 }
 
-// Keeps the newest steps for which there is room.
+// Keeps the newest steps that fit.
 function keep(storage, program, whole) {
   for (let most = mostBytes; most > leastBytes; most /= 4) {
     const text = most === mostBytes ? whole : asText(program, most);
@@ -76,10 +76,10 @@ function keep(storage, program, whole) {
   write(storage, historyKey, "");
 }
 
-// Puts the steps that are kept for this tab before those of this visit, and keeps them from now on.
+// Puts the kept steps of this tab before the steps of this visit, and keeps all of them from now on.
 export function keepHistory(program) {
   const before = read(ofThisTab, historyKey);
-  // If they stop the page, the next start must not find them.
+  // If these steps stop the page, the next start must not find them.
   const sources = [ofThisTab, lasting].filter((storage) => read(storage, historyKey) === before);
   for (const storage of sources) write(storage, historyKey, "");
   if (before) restore(program, before);
@@ -90,7 +90,7 @@ export function keepHistory(program) {
     if (program.stopped) return;
     const whole = asText(program, mostBytes);
     keep(ofThisTab, program, whole);
-    // The next visit goes on with the work of the tab in which something was changed last.
+    // The next visit continues the work of the tab with the latest change.
     if (read(lasting, workKey) === read(ofThisTab, workKey)) keep(lasting, program, whole);
   };
   document.addEventListener("evenlift-kept", keepAll);

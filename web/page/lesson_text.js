@@ -1,5 +1,5 @@
 // Recognizes lessons (docs/lessons.md): their first line that is not a comment is a setting. `com:` does not count, as
-// polygons have it, too.
+// polygons may have it.
 const setting = /^(title|polygon|link|teams|metric|min-ratio|weight|seed|predict)[ \t]*:/;
 const mostBytes = 65536; // core/include/evenlift/lesson.h
 
@@ -12,7 +12,7 @@ export function isLesson(text) {
   return setting.test(lines.find((line) => line && !line.startsWith("#")) ?? "");
 }
 
-// Texts go to the program as UTF-8 up to a NUL, so it would not see what comes after one.
+// The program receives texts as UTF-8 up to a NUL, so it would not see the rest.
 export function unreadable(text) {
   if (text.length > mostBytes) return "A lesson has at most 65,536 bytes";
   const at = text.search(/[\0\uFFFD]/);

@@ -38,11 +38,11 @@ function showProblem(reason, [heading, advice] = cannotRun) {
   cover.classList.remove("done", "see-through");
 }
 
-// What the page opens. A challenge begins at its beginning: the step of a link would show its
-// answer, and list it among what was looked at.
+// The text that the page opens. A challenge starts at its first step: the step of a link would show the answer and list
+// it among the answers that were looked at.
 const toOpen = (program, text) => (readAddress().challenge && text ? program.text("page_without_step", text) : text);
 
-// `say` is given a sentence about a link that is refused; after any other, `opened` is called.
+// Calls `say` with a message about a refused link, and `opened` after any other link.
 function followAddress(program, say, opened) {
   addEventListener("hashchange", () => {
     const link = location.hash.slice(1);
@@ -53,7 +53,7 @@ function followAddress(program, say, opened) {
   });
 }
 
-// A sentence about the link of the address, when something else is shown in its place.
+// A message about the link of the address, when the page shows something else in its place.
 function refusedAtStart(problem, { work } = {}) {
   return `${refused(problem)} What you see is ${work ? "what was open here last" : "a sample"}.`;
 }
@@ -72,8 +72,8 @@ async function load(bindings) {
   return program;
 }
 
-// The controls in HTML come after the first picture, which does not need them. Returns what is to
-// be called after each picture.
+// The controls in HTML are loaded after the first frame, which does not need them. Returns the function to call after
+// each frame.
 async function loadMirror(program, field, publisher) {
   const style = Object.assign(document.createElement("link"), { rel: "stylesheet", href: "mirror.css" });
   const styled = new Promise((done, fail) => Object.assign(style, { onload: done, onerror: fail }));
@@ -84,11 +84,11 @@ async function loadMirror(program, field, publisher) {
 
 let started; // the result of beginStart()
 
-// The picture is there, and the person can begin: what needs a running page is loaded and connected.
+// The first frame is drawn, and the user can begin: load and connect the parts that need a running page.
 function loadTheRest(program, bindings, { begins }) {
   for (const type of ["pointerdown", "keydown"]) addEventListener(type, workGoesOn, { capture: true, passive: true });
   if (embed) return;
-  // If this cannot be loaded, undo begins here.
+  // If this module cannot be loaded, undo starts empty.
   underWay(import("./kept_history.js").then(({ keepHistory }) => keepHistory(program)).catch(() => {}));
   underWay(import("./offline.js"))
     .then(({ keepForOffline }) => keepForOffline(() => bindings.openDialog("newVersion")))
@@ -96,8 +96,8 @@ function loadTheRest(program, bindings, { begins }) {
   if (begins && !location.search && !read(lasting, "evenlift.welcomed")) bindings.openDialog("firstVisit");
 }
 
-// Without WebGL 2 the polygon of the link is a picture that stands still. What is kept of other
-// visits stays as it is. Returns what is to be called after each change.
+// Without WebGL 2 the page shows the polygon of the link as a still picture. The kept work of other visits stays
+// unchanged. Returns the function to call after each change.
 async function startStill(program, publisher, bindings) {
   // The picture would give away the answer of a challenge.
   const still = !challenge && (await import("./still.js").catch(() => undefined));
@@ -107,7 +107,7 @@ async function startStill(program, publisher, bindings) {
     showProblem("Something went wrong while the picture was drawn.", hasStopped);
   };
   publisher.keepNothing();
-  publisher.holdLesson(true); // lessons need the canvas, and the address goes on to name its own
+  publisher.holdLesson(true); // lessons need the canvas, and the address still names its own
   const problem = program.text("page_start", location.hash.slice(1), "", "", embed ? 1 : 0);
   api.connect(program);
   publisher.connect(program);
@@ -130,8 +130,8 @@ async function start() {
   const firstPicture = new Promise((done) => {
     pictureIsThere = done;
   });
-  // The name of a field that a key asked for, until the mirror has it, and the digit that was that
-  // key. `show` brings the mirror up to date.
+  // `awaited` is the name of the field that a key asked for, until the mirror has that field; `begun` is the digit of
+  // that key. `show` updates the mirror.
   const field = { awaited: "", begun: "", show: () => {} };
   const bindings = new Bindings(publisher, field, () => {
     pictureIsThere();
@@ -156,7 +156,7 @@ async function start() {
   stopped.catch(() => {});
   if (!embed && kept.work !== started.work) publisher.forget(kept.work);
   api.connect(program);
-  // Where the link is what was open here last, no step leads from the one to the other.
+  // If the link is the document that was last open here, no step leads from one to the other.
   const before = started.work === started.fragment ? "" : started.work;
   const problem = program.text(
     "page_start",
@@ -176,7 +176,7 @@ async function start() {
     (text) => program.call("page_notice", text, 1),
     () => bindings.beginLesson(true),
   );
-  // If the document of the address is open, the lesson that it names goes on at the link's step.
+  // If the document of the address is open, the lesson that the address names continues at the link's step.
   await bindings.beginLesson(fragment !== "" && !problem && !started.problem);
   const say = started.problem || (problem && refusedAtStart(problem, started)) || (embed ? "" : whyStartedAnew());
   if (say) program.call("page_notice", say, 1);
@@ -200,13 +200,13 @@ async function start() {
     workGoesOn();
   };
   program.onStop = (error) => startAnew(error, { opening, work: publisher.stop() });
-  // Exceptions in SDL's own event handlers, which call the program.
+  // For exceptions in SDL's own event handlers, which call the program.
   addEventListener("error", ({ error }) => error instanceof WebAssembly.RuntimeError && program.stop(error));
   loadTheRest(program, bindings, { begins: !fragment && !kept.work });
 }
 
-// The program stopped while it ran. Its memory cannot be trusted any more, so the page is loaded
-// again with the document that was drawn last.
+// The program stopped while it ran. Its memory cannot be trusted any more, so the page is loaded again with the last
+// document that was drawn.
 function startAnew(error, { opening, work }) {
   console.error(error);
   if (!embed && prepareRestart({ opening, work })) location.reload();
@@ -216,7 +216,7 @@ function startAnew(error, { opening, work }) {
 function fail(error) {
   if (started?.failed?.()) {
     console.error(error);
-    return location.reload(); // without what was being opened
+    return location.reload(); // without the text that was being opened
   }
   showProblem(error.message);
   api.fail(error);

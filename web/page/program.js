@@ -1,4 +1,4 @@
-// Calls into the program: texts, bytes and numbers in, texts, JSON and numbers out.
+// Calls into the program: texts, bytes and numbers in; texts, JSON and numbers out.
 
 // The functions that open a text.
 const opening = ["page_load", "page_open_link", "page_open_sample", "page_open_lesson"];
@@ -6,7 +6,7 @@ const opening = ["page_load", "page_open_link", "page_open_sample", "page_open_l
 export class Program {
   #module;
   #stopped = false;
-  // These are called when the program stops, before a text is opened, and after each picture.
+  // Called when the program stops, before a text is opened, and after each frame.
   onStop = () => {};
   onOpening = () => {};
   onPicture = () => {};
@@ -15,9 +15,9 @@ export class Program {
     this.#module = module;
   }
 
-  // Calls a function with texts, numbers and bytes, which become an address and a number, and
-  // returns its result. Before that the program handles all earlier clicks and keys, so that
-  // everything takes effect in the order in which it was done.
+  // Calls a function with texts, numbers and bytes (passed as an address and a length) and returns its result. Before
+  // the call the program handles all earlier clicks and keys, so that everything takes effect in the order in which it
+  // was done.
   call(name, ...args) {
     if (this.#stopped) throw new Error("The page stopped, and starts anew");
     if (opening.includes(name)) this.onOpening(args[0]);
@@ -54,7 +54,7 @@ export class Program {
     return this.#module.UTF8ToString(this.call(name, ...args));
   }
 
-  // Nothing of a text that is empty.
+  // Returns null for an empty text.
   json(name, ...args) {
     const text = this.text(name, ...args);
     return text ? JSON.parse(text) : null;
@@ -64,7 +64,7 @@ export class Program {
     return this.#stopped;
   }
 
-  // Tells the program about a press before the event itself reaches it.
+  // Passes a press to the program before the event itself reaches it.
   press(time, clicks) {
     if (!this.#stopped) this.#guarded((module) => module._page_press(time, clicks));
   }

@@ -2,24 +2,23 @@ import { readAddress, withLesson } from "./address.js";
 import { historyKey, lasting, ofThisTab, read, workKey, write } from "./storage.js";
 import { begin, end, isAwaited, whenAwaited } from "./work.js";
 
-// Keeps the browser up to date with the document: the address bar and the storage at most a few
-// times a second (browsers refuse more), and the summary for screen readers when there is a pause.
+// Keeps the browser up to date with the document. The address bar and the storage are written at most a few times a
+// second (browsers refuse more), the summary for screen readers when there is a pause.
 const betweenWrites = 400;
 const beforeSpeaking = 600;
 const draftKey = "evenlift.draft";
 const drawingKey = "evenlift.drawing";
 const preferencesKey = "evenlift.preferences";
 const addressKey = "evenlift.address";
-// What belongs to a document. Each is kept twice: for this tab, which goes on with its own after a
-// reload or a crash, and for the next visit in another tab, which goes on with what was changed
-// last.
+// The parts of a document that are kept. Each is kept twice: for this tab, which continues with its own after a reload
+// or a crash, and for the next visit in another tab, which continues with the latest change.
 const documentKeys = [workKey, draftKey, drawingKey, historyKey];
 
 const mostKept = 400000; // vertices; no browser keeps a longer text
 
-// Each sentence is an element of its own, which stays as long as the sentence does, so that only
-// new ones are read out. The list of teams or robots, which is long, is there to be read but not
-// read out; nor is what holds from the start.
+// Each sentence is an element of its own, which stays as long as the sentence does, so that only new sentences are read
+// out. The list of teams or robots is long: it can be read but is not announced. The sentences of the start are not
+// announced either.
 function showSentences(root, sentences, aloud) {
   const stays = new Set(sentences);
   const before = [...root.children].filter((element) => stays.has(element.textContent) || element.remove());
@@ -38,10 +37,10 @@ function showSentences(root, sentences, aloud) {
   while (root.children.length > sentences.length) root.lastChild.remove();
 }
 
-// A browser that reloads while an address is being written may still open the one before it.
+// A browser that reloads while an address is being written may still open the previous address.
 const isReload = () => performance.getEntriesByType("navigation")[0]?.type === "reload";
 
-// Keeps the work, which is worth more than what led to it. Returns whether there was room for it.
+// Keeps the work, which matters more than the steps that led to it. Returns whether there was room for it.
 function keepWork(storage, work) {
   return write(storage, workKey, work) || (write(storage, historyKey, "") && write(storage, workKey, work));
 }
@@ -54,11 +53,11 @@ export class Publisher {
   #speakTimer = 0;
   #lesson = "";
   #held = false;
-  #changed = false; // since the start; before that the next visit goes on with what was changed elsewhere
-  #told = []; // the lines of news that were there last
+  #changed = false; // since the start; until then the next visit continues with the latest change of another tab
+  #told = []; // the lines of the last news
   #switched = new Set(); // the overlays that were shown or hidden since the start
-  #drawn = true; // whether what is to be written was drawn
-  #late = false; // it is due, and waits for its picture
+  #drawn = true; // whether the document to be written was drawn
+  #late = false; // a write is due, and waits for its frame
 
   constructor({ embed }) {
     this.#embed = embed;
@@ -72,16 +71,15 @@ export class Publisher {
     });
   }
 
-  // From now on changes are published. What was opened at the start is not a change.
+  // From now on changes are published. Opening a document at the start is not a change.
   connect(program) {
     this.#program = program;
     this.#speak({ aloud: false });
   }
 
-  // The work of this tab. A tab without any begins with a copy of what was open here last; a
-  // tab that was duplicated has a copy of the other's already. `own` says whether this tab
-  // itself wrote this fragment into the address bar; then its work is at least as new. `last`
-  // is what was open here last, in whichever tab.
+  // The work of this tab. A tab without work begins with a copy of the last document of any tab; a duplicated tab
+  // already has a copy of the other's work. `own` is whether this tab itself wrote this fragment into the address bar;
+  // then its work is at least as new. `last` is the last document, from whichever tab.
   kept(fragment) {
     if (this.#embed) return { work: "", draft: "", drawing: "", own: false, last: "" };
     if (!read(ofThisTab, workKey)) for (const key of documentKeys) write(ofThisTab, key, read(lasting, key));
@@ -97,14 +95,13 @@ export class Publisher {
     };
   }
 
-  // What is open is the work of this tab from now on, whatever other tabs do. It is what
-  // this fragment of the address stands for.
+  // Makes the open document the work of this tab, whatever other tabs do. This fragment of the address stands for it.
   adopt(fragment) {
     if (this.#embed || !this.#program) return;
     this.#keepAs(this.#program.text("page_link"), `${fragment}\n${fragment}`);
   }
 
-  // From now on nothing is kept, and what is kept stays as it is.
+  // From now on nothing is kept, and everything already kept stays unchanged.
   keepNothing() {
     this.#embed = true;
   }
@@ -115,7 +112,7 @@ export class Publisher {
       if (read(storage, workKey) === work) for (const key of documentKeys) write(storage, key, "");
   }
 
-  // The program stopped: nothing from it is kept from now on. Returns what is kept.
+  // The program stopped: from now on nothing from it is kept. Returns the kept work.
   stop() {
     this.#program = null;
     clearTimeout(this.#writeTimer);
@@ -124,7 +121,7 @@ export class Publisher {
     return this.#embed ? "" : read(ofThisTab, workKey);
   }
 
-  // Called after each picture.
+  // Call this after each frame.
   drawn() {
     this.#drawn = true;
     if (this.#late) this.#write();
@@ -135,7 +132,7 @@ export class Publisher {
     this.nameInAddress();
   }
 
-  // The address is to name what is open, once that is drawn.
+  // Puts the open document into the address, once it is drawn.
   nameInAddress() {
     if (!this.#program) return;
     this.#drawn = false;
@@ -146,7 +143,7 @@ export class Publisher {
     this.speakSoon();
   }
 
-  // The text for those who cannot see the canvas changed, and perhaps nothing else.
+  // The text for screen readers changed, and perhaps nothing else.
   speakSoon() {
     if (!this.#program) return;
     if (!this.#speakTimer) begin();
@@ -176,7 +173,7 @@ export class Publisher {
     if (this.#program && !this.#embed) write(lasting, preferencesKey, this.#program.text("page_kept"));
   }
 
-  // Goes on with a polygon that was being drawn.
+  // Continues a polygon that was being drawn.
   resumeDrawing(drawing) {
     if (drawing) this.#program.call("page_resume_drawing", drawing);
   }
@@ -186,7 +183,7 @@ export class Publisher {
     this.#program.call("page_keep", read(lasting, preferencesKey));
   }
 
-  // Sets the name that the ready-made lesson has in an address; "" if it has none.
+  // Sets the name of the ready-made lesson in an address; "" if it has none.
   nameLesson(name) {
     this.#lesson = name;
     this.nameInAddress();
@@ -197,15 +194,14 @@ export class Publisher {
     this.#held = held;
   }
 
-  // The lesson's name, while an address with it would open what is on the screen; no longer once
-  // its polygon was edited.
+  // The lesson's name, as long as an address with it would open what is on the screen. Editing its polygon ends that.
   lesson() {
     const open = this.#program.number("page_script");
     if (!open) this.#lesson = "";
     return open === 2 ? this.#lesson : "";
   }
 
-  // Writes what waits to be written; with `drawn`, only if it was drawn.
+  // Writes anything still to be written; with `drawn`, only if it was drawn.
   flush({ drawn = false } = {}) {
     if (this.#writeTimer && (this.#drawn || !drawn)) this.#write(true);
   }
@@ -219,7 +215,7 @@ export class Publisher {
     this.#program?.call("page_notice", text, problem ? 1 : 0);
   }
 
-  // A document is kept only after it was drawn, as it may stop the program; a hidden page draws nothing.
+  // A document may stop the program, so it is kept only after it was drawn. A hidden page draws nothing.
   #write(atOnce = false) {
     this.#late = !this.#drawn && !document.hidden && !atOnce;
     if (this.#late) return;
@@ -238,8 +234,7 @@ export class Publisher {
     end();
   }
 
-  // Keeps the document, and the addresses that stand for it, unless there is no room for it: then
-  // they are links like others.
+  // Keeps the document, and the addresses that stand for it. If there is no room for it, they are links like any other.
   #keepAs(link, addresses) {
     if (this.#embed) return;
     const kept = this.#keep(link);
@@ -268,7 +263,7 @@ export class Publisher {
       sentences.map((text, i) => (i ? ` ${text}` : text)),
       true,
     );
-    // Each overlay is a switch that can be asked. What is told here is that one has changed.
+    // Assistive technology can read the state of each overlay's switch. The message reports only that a switch changed.
     const news = this.#program.text("page_news").split("\n").filter(Boolean);
     const overlay = (line) => /^(?:Shown|Hidden): (.*)/.exec(line)?.[1];
     for (const line of news)

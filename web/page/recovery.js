@@ -1,4 +1,4 @@
-// The page never stays stuck. A start marks what it opens until its first picture is drawn. If the next start finds the
+// The page never gets stuck. A start marks its document until the first frame is drawn. If the next start finds the
 // mark, the page did not get that far; then it does not open that document again, but sets it aside. When the program
 // stops later, the page starts again with the last document that was drawn.
 import { lasting, ofThisTab, read, write } from "./storage.js";
@@ -28,7 +28,7 @@ export function textsAside() {
   }
 }
 
-// Keeps a text, and removes older ones if it needs their room. Returns whether that worked.
+// Keeps a text, and removes older ones if it needs their room. Returns whether the text was kept.
 function setAside(text) {
   const texts = [text, ...textsAside().filter((other) => other !== text)].slice(0, mostAside);
   while (texts.length && !write(lasting, asideKey, JSON.stringify(texts))) texts.pop();
@@ -43,8 +43,8 @@ export function forgetAside() {
 
 const keptAside = "It is kept: Save has it as a file.";
 
-// Whether another tab that is starting just now has set the mark. Locks say so. In a browser
-// without locks, two tabs that are opened at the same moment look like one that failed.
+// Checks by a lock whether another tab is starting at this moment: then a mark is that tab's, and not a failure. In a
+// browser without locks, two tabs that open at the same moment look like one that failed.
 async function holdStart() {
   if (!navigator.locks) return { alone: true, release() {} };
   return new Promise((ready) => {
@@ -61,9 +61,9 @@ async function holdStart() {
   });
 }
 
-// Leaves out what the last start did not survive. `kept` has the fragment's link and the kept
-// texts. Returns those that are to be opened, and a sentence about the others. In place of this
-// tab's own work comes what was open here last, if that is another.
+// Leaves out the documents that stopped the last start. `kept` has the fragment's link and the kept texts. Returns the
+// texts to open, and a message about the others. If this tab's own work is left out, the last document of any tab
+// replaces it, unless it is the same.
 export async function beginStart(kept) {
   const start = await holdStart();
   const failed = start.alone ? read(lasting, markKey) : noMark;
@@ -96,12 +96,12 @@ export async function beginStart(kept) {
     start.release();
     removeEventListener("pagehide", unmark);
   };
-  // A tab that is closed before its first picture has not failed: a stuck one would not receive this event.
+  // A tab that is closed before its first frame has not failed: a stuck tab would not receive this event.
   addEventListener("pagehide", unmark);
   return {
     ...opens,
     succeeded: unmark,
-    // Returns whether to start again, without what was opened.
+    // Returns whether to start again, without the document that was opened.
     failed() {
       removeEventListener("pagehide", unmark);
       start.release();
@@ -112,7 +112,7 @@ export async function beginStart(kept) {
 
 // --- The program stops -----------------------------------------------------------------------------------------------
 
-// What the page says after it started again; nothing if it did not.
+// The page's message after it started again; "" if it did not.
 export function whyStartedAnew() {
   try {
     return JSON.parse(read(ofThisTab, stoppedKey) || "{}").sentence ?? "";
@@ -121,13 +121,13 @@ export function whyStartedAnew() {
   }
 }
 
-// After some input, or when another document is opened, the restarts are counted from the beginning.
+// Resets the count of restarts, after some input or when another document is opened.
 export function workGoesOn() {
   if (read(ofThisTab, stoppedKey)) write(ofThisTab, stoppedKey, "");
 }
 
-// Call this when the program stopped. `opening` is the text that was being opened, if any; `work`
-// is what is kept. Returns whether to load the page again.
+// Call this when the program stopped. `opening` is the text that was being opened, if any; `work` is the kept work.
+// Returns whether to load the page again.
 export function prepareRestart({ opening, work }) {
   let restarts = 0;
   try {
@@ -136,7 +136,7 @@ export function prepareRestart({ opening, work }) {
     // The state belongs to another page.
   }
   if (restarts >= mostRestarts) return false;
-  // If the page stops again without any input, the reason is what is kept.
+  // If the page stops again without any input, the kept work is the reason.
   if (restarts > 0 && work) write(lasting, markKey, markOf(work));
   const aside = opening ? (setAside(opening) ? ` ${keptAside}` : " It is too large to be kept here.") : "";
   const sentence = opening

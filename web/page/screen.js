@@ -1,6 +1,6 @@
 import { begin, end } from "./work.js";
 
-// Tells the program about the canvas's size in CSS and device pixels, the person's preferences, and a lost WebGL context.
+// Reports to the program the canvas size in CSS and device pixels, the user's preferences, and a lost WebGL context.
 export function connectScreen(program) {
   const canvas = document.getElementById("canvas");
   const measure = followSize(program, canvas);
@@ -10,8 +10,8 @@ export function connectScreen(program) {
 }
 
 function followSize(program, canvas) {
-  // The exact number of device pixels; at fractional ratios rounding is only a guess. Emulated screens report CSS pixels
-  // here, so a number that differs by more than rounding is ignored.
+  // The exact number of device pixels; at fractional ratios rounding is only a guess. Emulated screens report CSS
+  // pixels here, so a number that differs by more than rounding is ignored.
   const measure = (exact) => {
     const { width, height } = canvas.getBoundingClientRect();
     if (!(width > 0 && height > 0)) return;
@@ -40,7 +40,7 @@ function followSize(program, canvas) {
   return measure;
 }
 
-// A media query for the present ratio changes when the window is moved to another screen.
+// A media query for the present ratio changes when the window moves to another screen.
 function followRatio(changed) {
   matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener(
     "change",
@@ -52,7 +52,7 @@ function followRatio(changed) {
   );
 }
 
-// Whether the page's ground, which in forced colours is the system's, is nearer to black than to white.
+// Whether the page's background is nearer to black than to white. In forced colours it is the system's.
 function groundIsDark() {
   const [red, green, blue] = getComputedStyle(document.body)
     .backgroundColor.match(/[\d.]+/g)
@@ -79,7 +79,7 @@ function followContext(program, canvas) {
   const cover = document.getElementById("cover");
   const progress = document.getElementById("progress");
   canvas.addEventListener("webglcontextlost", (event) => {
-    event.preventDefault(); // else it never comes back
+    event.preventDefault(); // else the context is never restored
     begin();
     program.call("page_context", 1);
     progress.textContent =

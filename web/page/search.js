@@ -1,19 +1,19 @@
-// The search for balanced robots, which goes on beside the page: in a worker, or where there is none in slices between
-// pictures. The page has shown the start, if that is quick, and takes over what is found. With a capacity among the settings
-// it is counted in place of that how many robots it takes if any one may fail: at one go, so only in a worker.
+// The search for balanced robots, which continues in a worker, or without workers in slices between frames. If the
+// start is quick, the page has already shown it; better results replace it. If a capacity is set, the worker computes
+// instead the number of robots needed when any one may fail. That computation cannot be sliced, so it needs a worker.
 import { Program } from "./program.js";
 import { search } from "./search_loop.js";
 import { begin, end } from "./work.js";
 
-const slice = 8; // milliseconds, where there is no worker
+const slice = 8; // milliseconds, without a worker
 
-// `call` calls the program. Returns the search: begin() ends what was under way.
+// `call` calls the program. Returns the search. begin() ends any search under way.
 export function createSearch(call) {
   let worker;
   let withoutWorker = typeof Worker !== "function";
   let wanted = 0; // the number of the search under way; 0 if there is none
   let problem;
-  let starting = false; // the worker is at the start, and listens to nobody meanwhile
+  let starting = false; // the worker is computing the start, and meanwhile receives no messages
 
   function over() {
     if (!wanted) return;

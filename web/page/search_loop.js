@@ -1,7 +1,6 @@
-// Goes on with a search for balanced robots (wasm/modules/balanced_api.cpp), slice by slice.
-// Between slices others have their turn. Calls `found(robots, ended)` when there are better robots,
-// at most so often, and at the end. `goesOn()` says whether anybody still wants to know. Throws if
-// the problem cannot be read.
+// Continues a search for balanced robots (wasm/modules/balanced_api.cpp), slice by slice. Other tasks run between
+// slices. Calls `found(robots, ended)` when there are better robots, at most once in `betweenNews` milliseconds, and at
+// the end. `goesOn()` returns whether the result is still needed. Throws if the problem cannot be read.
 const betweenNews = 100;
 
 const turn = () => new Promise((done) => setTimeout(done));

@@ -1,11 +1,11 @@
-// A worker that goes on with the search for balanced robots, so that the page stays smooth (search.js).
+// A worker that continues the search for balanced robots, so that the page stays responsive (search.js).
 import createModule from "./balanced_core.js";
 import { Program } from "./program.js";
 import { search } from "./search_loop.js";
 
 const slice = 50; // milliseconds, after which the worker listens
 const started = createModule().then((module) => new Program(module));
-let wanted = 0; // the number of the search that is wanted; 0 if none is
+let wanted = 0; // the number of the current search; 0 if there is none
 
 addEventListener("message", async ({ data: { number, problem } }) => {
   wanted = number;

@@ -1,6 +1,6 @@
 // Access to the browser's storage. It may be full or forbidden; the page works without it.
 
-// What two files of the page read and write.
+// Keys that two files of the page read and write.
 export const workKey = "evenlift.work";
 export const historyKey = "evenlift.history";
 

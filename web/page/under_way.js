@@ -1,4 +1,4 @@
-// Tells the page that something is under way until the promise is settled (work.js). Returns the promise.
+// Reports work to the page until the promise is settled (work.js). Returns the promise.
 export function underWay(promise) {
   document.dispatchEvent(new CustomEvent("evenlift-work", { detail: promise }));
   return promise;

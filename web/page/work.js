@@ -1,15 +1,15 @@
-// Counts what is under way, so that evenlift.idle() can wait for it: frames that are due, answers that are awaited, and
-// texts that are to be written. Whoever calls begin() also calls end().
+// Counts the work under way, so that evenlift.idle() can wait for it: frames that are due, answers that are awaited,
+// and texts still to be written. Match every begin() with an end().
 let open = 0;
 let waiting = [];
 
-// While somebody awaits idle(), throttled work runs at once.
+// While idle() is awaited, throttled work runs at once.
 let awaiting = 0;
 const hurries = [];
 
 export const isAwaited = () => awaiting > 0;
 
-// `hurry` is called when somebody begins to wait.
+// `hurry` is called when a wait for idle() begins.
 export function whenAwaited(hurry) {
   hurries.push(hurry);
 }
@@ -25,7 +25,8 @@ export function end() {
   for (const resolve of told) resolve();
 }
 
-// The windows are a file of their own, and with it a copy of this module: they tell by an event (under_way.js).
+// The windows are a separate file with its own copy of this module, so they report their work by an event
+// (under_way.js).
 document.addEventListener("evenlift-work", ({ detail: promise }) => {
   begin();
   promise.then(end, end);
@@ -33,12 +34,12 @@ document.addEventListener("evenlift-work", ({ detail: promise }) => {
 
 const nextTask = () => new Promise((done) => setTimeout(done));
 
-// The browser reports changed sizes and preferences with its next picture. A hidden page gets
-// no pictures: there a task takes its place.
+// The browser reports changed sizes and preferences with its next frame. A hidden page gets no frames: there a task
+// replaces it.
 const nextPicture = () =>
   document.hidden ? nextTask() : new Promise((done) => requestAnimationFrame(done)).then(nextTask);
 
-// Motions that end: what shows that something is loading goes on for ever.
+// Animations that end. A sign that something is loading runs for ever.
 function motions() {
   const ending = document
     .getAnimations()

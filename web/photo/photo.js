@@ -1,6 +1,5 @@
-// A photo or scan behind the drawing, to be traced. It lies as an image under the canvas, whose
-// ground is transparent then, and moves with the view. It is never uploaded, is in no link or file,
-// and is gone with the page.
+// A photo or scan behind the drawing, for tracing. It is an image under the canvas, whose background then becomes
+// transparent, and it moves with the view. It is never uploaded, is in no link or file, and is gone with the page.
 import { closingButton, openCard } from "../kit/card.js";
 import { closeWindows, ensureStyles } from "../kit/dialogs.js";
 import { button, el, number, typedNumber } from "../kit/elements.js";
@@ -8,14 +7,14 @@ import { twoPoints } from "./two_points.js";
 
 const mostPixels = 50e6;
 
-let photo; // { name, url, image, opacity }; where it lies is the program's to know
+let photo; // { name, url, image, opacity }; the program holds its position
 
 export function isPhoto(head, bytes) {
   const webp = head === "RIFF" && String.fromCharCode(...bytes.subarray(8, 12)) === "WEBP";
   return webp || /^(\x89PNG|\xff\xd8\xff)/.test(head);
 }
 
-// Returns why the picture cannot be shown, or nothing.
+// Returns why the picture cannot be shown, or undefined.
 export async function layBehind(page, file) {
   const url = URL.createObjectURL(file);
   const image = el("img", { id: "backdrop", alt: "", "aria-hidden": "true" });
@@ -55,7 +54,7 @@ const worldAt = (program, x, y) => [program.number("page_world_x", x, y), progra
 
 const tidy = (value) => Number(value.toPrecision(6));
 
-// Where the picture lies in the polygon's coordinates: its lower left corner, and the size of a pixel.
+// The picture's place in the polygon's coordinates: its lower left corner, and the size of a pixel.
 function lie({ program }) {
   const { left, bottom, width } = program.json("page_backdrop_place");
   return { left, bottom, unit: width / photo.image.naturalWidth };
@@ -83,8 +82,8 @@ function remove(page) {
   photo = undefined;
 }
 
-// So many pixels of the picture are so long: the picture becomes larger or smaller, with what was
-// traced on it, and is shown as a whole. Returns whether that can be.
+// Scales the picture so that this number of its pixels has this length. It becomes larger or smaller together with
+// everything traced on it, and is then shown as a whole. Returns whether that is possible.
 function scaleTo(page, label, pixels, length) {
   const width = tidy(length / pixels) * photo.image.naturalWidth;
   const problem = page.program.text("page_scale_backdrop", width);
@@ -98,8 +97,8 @@ function scaleTo(page, label, pixels, length) {
   return !problem;
 }
 
-// Between the screen and the pixels of the picture, counted from its lower left corner; and where
-// its middle is on the screen.
+// Converts between the screen and the pixels of the picture, counted from its lower left corner; also the middle of the
+// picture on the screen.
 const pixelsOf = (page) => ({
   middle() {
     return this.toScreen([photo.image.naturalWidth / 2, photo.image.naturalHeight / 2]);
@@ -120,8 +119,7 @@ const pixelsOf = (page) => ({
 
 const inMetres = { m: 1, cm: 0.01, mm: 0.001, in: 0.0254 };
 
-// A length that somebody typed, in the unit of the polygon: another unit behind it is
-// converted. Returns { length } or { problem }.
+// A typed length, in the unit of the polygon: another unit after it is converted. Returns { length } or { problem }.
 function typedLength(text, unit) {
   const typed = text.trim(),
     [, amount, of] = typed.match(/^(.*?)\s*(m|cm|mm|in)$/) ?? [];
@@ -134,7 +132,7 @@ function typedLength(text, unit) {
   return converted > 0 ? { length: converted } : { problem: `${typed} is not above 0.` };
 }
 
-// A field for a length and its button, of a class; `set` takes it over.
+// A field for a length and its button, with a CSS class; `set` applies the length.
 function lengthField(page, label, value, set, of = "") {
   const { unit } = JSON.parse(page.program.text("page_state"));
   const field = el("input", {
@@ -171,7 +169,7 @@ async function openControls(page) {
     photo.opacity = Number(opacity.value);
     image.style.opacity = photo.opacity;
   });
-  // The cards that follow each other are as high as this one: the picture stays where it is.
+  // The following cards are as high as this one, so that the picture stays in place.
   const alike = ({ root, seat }) => {
     root.style.minHeight = `${height}px`;
     seat();
@@ -219,7 +217,7 @@ async function openControls(page) {
       .querySelector("input")
       .focus({ preventScroll: true });
   };
-  // Where there is little room, the card is small until somebody wants more of it.
+  // Where there is little room, the card starts small, with a button that shows the rest.
   const more = button("More …", {
     class: "button more",
     "aria-expanded": "false",
@@ -268,7 +266,7 @@ async function openControls(page) {
 
 export const hasPhoto = () => photo !== undefined;
 
-// In the window that opens things: the picture that is there, and the way to its controls.
+// In the Open window: the present picture, and a button to its controls.
 export function photoLine(page) {
   if (!photo) return [];
   return [

@@ -1,17 +1,17 @@
-// Measures on the picture behind the drawing: two presses, which stay marked, with the line between
-// them, wherever the view goes.
+// Measures on the picture behind the drawing by two presses. Both points stay marked, with the line between them,
+// however the view moves.
 import { el, svgEl } from "../kit/elements.js";
 
 const keys = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
-const nearest = 8; // on the screen: what is pressed nearer than this to the first point is that point again
+const nearest = 8; // on the screen: a press nearer than this to the first point counts as that point
 
-// Marks that lie over the picture: show() takes one point or two, in pixels of the picture.
+// Marks over the picture: show() takes one point or two, in pixels of the picture.
 function marksOver(page, { toScreen }) {
   const svg = svgEl("svg", { id: "measured", "aria-hidden": "true" });
   let points = [];
   const draw = () => {
     const [[x1, y1], [x2, y2] = []] = points.map(toScreen);
-    // Twice: a broad light line below a dark one is seen on any picture.
+    // Twice: a broad light line below a dark one is visible on any picture.
     const lines = x2 === undefined ? [] : ["below", "above"].map((of) => svgEl("line", { x1, y1, x2, y2, class: of }));
     svg.replaceChildren(...lines, ...points.map(toScreen).map(([cx, cy]) => svgEl("circle", { cx, cy, r: 6 })));
   };
@@ -32,10 +32,10 @@ function marksOver(page, { toScreen }) {
 
 const distance = ([x1, y1], [x2, y2]) => Math.hypot(x1 - x2, y1 - y2);
 
-// Waits for presses on two points of the picture, or for Enter where arrow keys moved a ring.
-// `frame` leads from the screen to its pixels and back: { fromScreen, toScreen, middle }. Returns
-// { pixels, unmark }, the distance in pixels and what takes the marks away; nothing if somebody
-// gives up, by Esc or by what aborts `givenUp`.
+// Waits for presses on two points of the picture, or for Enter after arrow keys moved a ring. `frame` converts from the
+// screen to the pixels of the picture and back: { fromScreen, toScreen, middle }. Returns { pixels, unmark }: the
+// distance in pixels and a function that removes the marks. Returns undefined if Esc or an abort of `givenUp` ends the
+// measurement.
 export function twoPoints(page, frame, givenUp) {
   return new Promise((done) => {
     const marks = marksOver(page, frame);
@@ -46,7 +46,7 @@ export function twoPoints(page, frame, givenUp) {
       tabindex: "-1",
     });
     const leave = new AbortController();
-    let first, ring; // in pixels of the picture; where keys moved the ring, on the screen
+    let first, ring; // in pixels of the picture; the ring that keys move is in pixels of the screen
     const end = (result) => {
       leave.abort();
       sheet.remove();
@@ -95,6 +95,6 @@ export function twoPoints(page, frame, givenUp) {
     );
     givenUp.addEventListener("abort", () => end(), { signal: leave.signal });
     document.getElementById("canvas").after(sheet);
-    sheet.focus({ preventScroll: true }); // the canvas would take Esc for itself
+    sheet.focus({ preventScroll: true }); // the canvas would handle Esc itself
   });
 }

@@ -1,4 +1,4 @@
-// The page without WebGL 2: in the place of the canvas stands the SVG that Save writes. It is loaded only then.
+// The page without WebGL 2: the SVG that Save writes replaces the canvas. This module is loaded only then.
 import { ensureStyles } from "../kit/dialogs.js";
 import { button, el } from "../kit/elements.js";
 import { underWay } from "../page/under_way.js";
@@ -8,12 +8,12 @@ function described(svg) {
   return new DOMParser().parseFromString(svg, "image/svg+xml").querySelector("desc").textContent;
 }
 
-// Returns `draw`, which shows the program's present picture, and `say`, which shows a sentence above it. With `save` there is
-// a button that calls it.
+// Returns `draw`, which shows the program's present picture, and `say`, which shows a message above it. With `save`, a
+// button calls it.
 export async function showStill(program, { missing, save }) {
   await Promise.all([ensureStyles(), ensureStyles("still.css")]);
   const picture = el("img", {});
-  const verdict = el("p", { class: "verdict", "aria-hidden": "true" }); // the picture's own text says the same
+  const verdict = el("p", { class: "verdict", "aria-hidden": "true" }); // the picture's own text is the same
   const told = document.getElementById("alert");
   told.className = "problem";
   const canvas = document.getElementById("canvas");
@@ -49,7 +49,7 @@ export async function showStill(program, { missing, save }) {
       URL.revokeObjectURL(picture.src);
       picture.src = URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" }));
       picture.alt = verdict.textContent = described(svg);
-      underWay(picture.decode()).catch(() => {}); // another one may come before it is there
+      underWay(picture.decode()).catch(() => {}); // another picture may come before this one is decoded
     },
     say(text) {
       told.textContent = text;

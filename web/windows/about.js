@@ -1,4 +1,4 @@
-// What this is: version, documentation, source, licences.
+// About evenlift: version, documentation, source, licences.
 import { buttonTo, openWindow } from "../kit/dialogs.js";
 import { el } from "../kit/elements.js";
 import { ask, fetchJson } from "../kit/fetched.js";
@@ -10,7 +10,7 @@ import { show as showWelcome } from "./welcome.js";
 const link = (file, text) =>
   el("a", { href: new URL(file, import.meta.url).href, target: "_blank", rel: "noopener" }, text);
 
-// Documentation that lies beside the page (assets/docs_html.py).
+// Documentation in the page's folder (assets/docs_html.py).
 const docs = [
   ["docs-lessons.html", "How to write a lesson"],
   ["docs-page.html", "The page: links, embedding, scripting"],

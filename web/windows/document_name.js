@@ -1,13 +1,14 @@
-// What the polygon that is open is called in the names of files: after the file from which it came,
-// the sample that it is, or how many robots lift it.
+// The name of the open polygon in file names: from the file from which it came, from its sample, or from the number of
+// robots that lift it.
 import { fetchJson } from "../kit/fetched.js";
 import { ofThisTab, read, write } from "../page/storage.js";
 
 const namesKey = "evenlift.names";
 const mostNames = 8;
-const longestKept = 20000; // letters of an outline whose name is kept over a reload
+const longestKept = 20000; // letters of an outline whose name survives a reload
 
-// Two texts of the same polygon give the same outline, however they are written. `own` is that of one of them (ownOutline()).
+// Two texts of the same polygon give the same outline, however they are written. `own` is the outline of one of them
+// (ownOutline()).
 export function isSame(program, text, own) {
   const vertices = (each) =>
     each
@@ -24,8 +25,8 @@ export const ownOutline = (program) => ({
 
 // --- Opened files ----------------------------------------------------------------------------------------------------
 
-// What was opened last, the newest first, as { origin, name }: the outline that it had then, which
-// the program knows of the open polygon whatever was edited since.
+// The documents opened last, the newest first, as { origin, name }. `origin` is the outline that the document had then;
+// the program still has it for the open polygon, however it was edited since.
 let named;
 
 function names() {
@@ -39,7 +40,7 @@ function names() {
   return named;
 }
 
-// A file's name without its ending, and without what was added when it was saved here.
+// A file's name without its ending, and without the part that was added when it was saved here.
 export function stemOf(file) {
   return file
     .replace(/\.[^.]*$/, "")
@@ -50,13 +51,13 @@ export function stemOf(file) {
     .slice(0, 60);
 }
 
-// The name of the file from which the open polygon came, as stemOf() gives it; "" if it did not come from one.
+// The name of the file from which the open polygon came, as stemOf() returns it; "" if it did not come from a file.
 export function openedName(program) {
   const origin = program.text("page_origin");
   return names().find((each) => each.origin === origin)?.name ?? "";
 }
 
-// Call this when a polygon was just opened: from a file of this name (stemOf()) or, with "", from none.
+// Call this when a polygon was just opened from a file with this name (stemOf()), or with "" if there was no file.
 export function nameOpened(program, name) {
   const origin = program.text("page_origin");
   if (!origin) return;

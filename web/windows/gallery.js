@@ -116,7 +116,7 @@ function fill(program, list, samples, choose) {
 
 function connect(root, filter, list, count) {
   const shown = () => [...list.querySelectorAll("li:not([hidden]) > button")];
-  // Tab reaches only one of the samples; the arrow keys lead to the others.
+  // Tab reaches only one of the samples; arrow keys move to the others.
   const reach = (sample) => {
     for (const other of list.querySelectorAll(".sample[tabindex='0']")) other.tabIndex = -1;
     if (sample) sample.tabIndex = 0;

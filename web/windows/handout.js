@@ -1,5 +1,5 @@
-// A lesson on paper: its steps as pictures with captions, six to a page. The steps come from a module of their
-// own (wasm/modules/handout_api.cpp); handout_picture.js draws them.
+// A lesson on paper: its steps as pictures with captions, six to a page. A separate module computes the steps
+// (wasm/modules/handout_api.cpp); handout_picture.js draws them.
 import { coreModule } from "../kit/core_module.js";
 import { openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, unbroken } from "../kit/elements.js";
@@ -35,7 +35,7 @@ function figureOf(handout, step) {
   );
 }
 
-// The question at the lesson's end, and its answer upside down, so that nobody reads it by chance.
+// The question at the lesson's end. Its answer is upside down, so that it is not read by chance.
 function questionOf({ question, answer }) {
   if (!question) return [];
   return [

@@ -1,8 +1,8 @@
-// The pictures of a handout. All places are those on the paper (wasm/modules/handout_paper.h).
+// The pictures of a handout. All positions are on the paper (wasm/modules/handout_paper.h).
 import { el, svgEl } from "../kit/elements.js";
 
-// How each kind of figure is drawn, a class of dialogs.css. A line also has a name for the list of lines, so that it is known
-// on paper, where nothing can be pointed at. A kind that is not here is drawn as an accent.
+// How each kind of figure is drawn, as a class of dialogs.css. A line also has a name for the list of lines, since
+// paper has no pointer to identify it. A kind that is not here is drawn as an accent.
 const looks = {
   base: ["base", "the lifting base H"],
   base_before: ["base-before", "the lifting base before"],
@@ -47,7 +47,7 @@ const lookOf = (kind) => (looks[kind] ?? ["accent"])[0];
 const arrows = ["translation", "way", "sum", "arm"];
 const round = ["gain_circle", "body"];
 
-// An area, a line or a dot, whichever these points make.
+// An area, a line or a dot, depending on the number of points.
 function shape(points, look) {
   if (points.length > 2)
     return svgEl("polygon", { points: points.map((point) => point.join(" ")).join(" "), class: look });
@@ -75,13 +75,13 @@ function drawnFigure({ kind, points, value }) {
   return points.flatMap((point, i) => arrow(point, points[(i + 1) % points.length], look));
 }
 
-// A disc with a number: a robot, or where one stood before.
+// A disc with a number: a robot, or the former place of one.
 const numbered = ([cx, cy], number, disc, look) => [
   svgEl("circle", { cx, cy, r: disc, class: look }),
   svgEl("text", { x: cx, y: cy + 3.5, class: `number ${look}-number` }, number),
 ];
 
-// A picture of a step. Lines and regions that go on beyond the paper are cut off by it.
+// A picture of a step. The paper clips lines and regions that extend beyond it.
 export function picture({ width, height, disc, polygon, centre: [cx, cy] }, step) {
   return svgEl(
     "svg",
@@ -110,7 +110,7 @@ export function legend({ steps }) {
       ...step.figures.map(({ kind }) => kind),
     ]),
   );
-  // Balanced robots are no teams of two: there such a line leads from a robot to C.
+  // Balanced robots do not form teams of two: there such a line connects a robot to C.
   const balanced = !steps.some((step) => step.teams.length);
   const named = Object.entries({ ...looks, ...(balanced && { team: ["chord", "from a robot to C"] }) }).filter(
     ([kind, [, name]]) => name && kinds.has(kind),

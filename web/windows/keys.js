@@ -21,7 +21,7 @@ function keyed(key) {
     .map((part) => (/^(\+|, | )$/.test(part) && key !== "+" ? part : el("kbd", {}, part)));
 }
 
-// About leads to this list, so it is not imported.
+// About links to this list, so it is not imported.
 const showAbout = async (page) => (await page.windows()).about(page);
 
 export async function show(page) {

@@ -1,5 +1,5 @@
-// The editor of lessons: the text in a window beside the canvas, and the lesson on the canvas, at
-// the step in which the cursor is. What is wrong is said with its line while one types.
+// The editor of lessons: the text in a window beside the canvas, and on the canvas the lesson, at the step of the
+// cursor. Mistakes are reported with their line while the text is typed.
 import { makeRoom, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, download, el, lowered } from "../kit/elements.js";
 import { fetchJson } from "../kit/fetched.js";
@@ -12,7 +12,7 @@ import { openLessonOf, standing, watch } from "./lesson_watch.js";
 const draftKey = "evenlift.lesson-draft";
 const pause = 350; // ms after the last letter
 
-// The steps to begin with, of any method: a template has those that the algorithm takes.
+// The first steps of a template, for any method: it keeps those that the algorithm takes.
 const firstSteps = [
   ["centre", "What is to be seen here? Ask before you tell."],
   ["vertex 1", "A chord from the first vertex through C."],
@@ -27,7 +27,7 @@ const firstSteps = [
 
 const inText = (steps) => steps.map(([address, words]) => `[${address}]\n${words}\n`).join("\n");
 
-// A lesson to begin with: about the polygon that is open, unless its link is long.
+// A lesson to begin with: about the open polygon, unless its link is long.
 function template(program) {
   const link = program.text("page_link");
   const begin = `# Lines that begin with # are for those who write.
@@ -35,7 +35,7 @@ title: My lesson
 `;
   const own = link && link.length < 2000;
   const about = (steps) => `${begin}${own ? `link: ${link}` : "polygon: trapezium"}\n\n${inText(steps)}`;
-  // The sample is taken by area, which has no others than these.
+  // The sample's teams are chosen by area, where only these steps exist.
   const ofSample = new Set(["centre", "vertex 1", "candidates", "team 1", "end"]);
   const there = own ? program.json("page_steps_that_exist", about(firstSteps)) : null;
   return `${about(firstSteps.filter(([address], i) => (there ? there[i] : ofSample.has(address))))}
@@ -50,8 +50,8 @@ What they will have found.
 
 const option = (value, name) => el("option", { value }, name);
 
-// The samples by their titles in the gallery and its groups. Each has a twin with another centre of
-// mass, which the gallery lacks.
+// The samples by their titles and groups in the gallery. Each has a twin with another centre of mass, which the gallery
+// omits.
 function choiceOfSamples(names, gallery) {
   const twin = /-moved$/;
   const groups = new Map();
@@ -94,9 +94,9 @@ export async function show(page) {
 class Editor {
   #page;
   #samples; // texts by their names
-  #due; // the look that is to come: { timer, done }
-  #shown = {}; // what the canvas shows: { text, stop }
-  #before; // the lesson that was open, if one was: { name, text, at }
+  #due; // the scheduled update of the canvas: { timer, done }
+  #shown = {}; // the lesson on the canvas: { text, stop }
+  #before; // the lesson that was open before, if any: { name, text, at }
   #begun; // the text with which the editor began
   #leave = new AbortController();
 
@@ -115,7 +115,7 @@ class Editor {
     const open = openLessonOf(page.program);
     if (open) this.#before = { ...open, at: standing(page.program).at };
     this.problem = problemLine({ id: "editor-problem", role: "status" });
-    // Long lines wrap, so nobody can count them.
+    // Long lines wrap, so lines cannot be counted by eye.
     this.toLine = button("", { class: "button to-line", hidden: "", onclick: () => this.#goToLine() });
     this.status = el("p", { class: "second status", role: "status" });
     this.beginWith = this.#beginWith(lessons);
@@ -133,7 +133,7 @@ class Editor {
     );
   }
 
-  // The list of texts with which one can begin.
+  // The list of texts to begin with.
   #beginWith(lessons) {
     const open = openLessonOf(this.#page.program);
     const texts = [
@@ -180,7 +180,7 @@ class Editor {
     this.#look();
   }
 
-  // Who has only looked gets back what was open before.
+  // After looking without editing, the previous document comes back.
   close() {
     this.#leave.abort();
     const { program } = this.#page;
@@ -195,7 +195,7 @@ class Editor {
     if (!problem) this.#page.program.call("page_go_to_stop", at);
   }
 
-  // For this tab, in which it stays whatever is written in another one, and for the next visit.
+  // Keeps the draft for this tab, where changes in other tabs do not affect it, and for the next visit.
   #keep() {
     for (const storage of [ofThisTab, lasting]) write(storage, draftKey, this.field.value);
   }
@@ -218,7 +218,7 @@ class Editor {
     }, pause);
   }
 
-  // Shows the lesson, or says what is wrong with it. The last good one stays on the canvas.
+  // Shows the lesson, or reports its mistake. The last valid one stays on the canvas.
   #look() {
     const text = this.field.value;
     this.#keep();
@@ -240,7 +240,7 @@ class Editor {
     this.status.textContent = `${steps} ${steps === 1 ? "step" : "steps"}; the drawing shows ${stop < 0 ? "the first" : `step ${stop + 1}`}.`;
   }
 
-  // Says what is wrong with the text, or with "" that nothing is.
+  // Shows a problem of the text; with "" it removes the message.
   #say(problem) {
     this.problem.say(problem);
     this.line = Number(/^line (\d+)/i.exec(problem)?.[1] ?? 0);
@@ -254,7 +254,7 @@ class Editor {
     }
   }
 
-  // Selects the line that the problem is about.
+  // Selects the line with the problem.
   #goToLine() {
     const lines = this.field.value.split("\n"),
       before = lines.slice(0, this.line - 1).join("\n").length + (this.line > 1 ? 1 : 0);
@@ -262,7 +262,7 @@ class Editor {
     this.field.setSelectionRange(before, before + (lines[this.line - 1] ?? "").length);
   }
 
-  // Returns why the lesson cannot be opened, or nothing.
+  // Returns why the lesson cannot be opened, or undefined.
   #open(text) {
     const { program } = this.#page;
     const why = unreadable(text);
@@ -277,15 +277,15 @@ class Editor {
     return problem;
   }
 
-  // The step in which this place of the text is, from 0; -1 among the settings. The
-  // question at the end is asked at the last.
+  // The index of the step at this position in the text; -1 among the settings. The question at the end belongs to the
+  // last step.
   #stopAt(position) {
     const end = this.field.value.indexOf("\n", position);
     const before = this.field.value.slice(0, end < 0 ? undefined : end);
     return before.split("\n").filter((line) => /^\s*\[(?!\s*(question|answer)\s*\])/.test(line)).length - 1;
   }
 
-  // Writes the sample in place of the polygon that the lesson is about, or else below its title.
+  // Writes the sample over the polygon of the lesson, or else below its title.
   #insertSample() {
     const name = this.aboutSample.value;
     this.aboutSample.value = "";
@@ -299,7 +299,7 @@ class Editor {
     this.#replace(below, below, title ? `\n${line}` : `${line}\n`);
   }
 
-  // Replaces a part of the text as if it was typed, so that the field's own undo takes it back.
+  // Replaces a part of the text as if it had been typed, so that the field's own undo reverts it.
   #replace(from, to, text) {
     this.field.focus();
     this.field.setSelectionRange(from, to);

@@ -1,5 +1,5 @@
 // Opens lessons: the page's own, texts, and files beside the page that an address names. A function that opens a lesson
-// returns why it was refused, or nothing.
+// returns why it was refused, or undefined.
 import { lowered } from "../kit/elements.js";
 import { ask, fetchJson } from "../kit/fetched.js";
 import { unreadable } from "../page/lesson_text.js";
@@ -29,7 +29,7 @@ export async function openLessonText(page, text, name = "", join = false) {
   return openLesson(page, { name, text, polygon: samples[sample] }, join);
 }
 
-// The sentence about a sample that there is not, with those whose names are nearest.
+// The message about an unknown sample, with the nearest names.
 export function noSample(sample, names) {
   const near = names
     .map((name) => [distance(sample.toLowerCase(), name), name])
@@ -39,7 +39,7 @@ export function noSample(sample, names) {
   return `It is about the sample “${sample}”, and there is none of that name; near it are ${near.slice(0, -1).join(", ")} and ${near.at(-1)}`;
 }
 
-// How many letters must be changed, added or removed; less where one contains the other.
+// The number of letters to change, add or remove; less if one name contains the other.
 function distance(a, b) {
   let row = Array.from({ length: b.length + 1 }, (_, i) => i);
   for (let i = 1; i <= a.length; ++i) {
@@ -51,8 +51,8 @@ function distance(a, b) {
   return row[b.length] - (a && (b.includes(a) || a.includes(b)) ? Math.min(a.length, b.length) : 0);
 }
 
-// What `?lesson=` names: a ready-made lesson, or a text file in the page's folder or below. No other addresses: whoever
-// writes a link must not choose what its reader's browser asks for elsewhere.
+// The values of `?lesson=`: a ready-made lesson, or a text file in the page's folder or below. Other addresses are
+// refused: the author of a link must not choose what the reader's browser requests elsewhere.
 const readyMade = /^[a-z0-9-]+$/;
 const besideThePage = /^(?:[\w-][\w.-]*\/)*[\w-][\w.-]*\.txt$/;
 
@@ -69,7 +69,7 @@ export async function openNamedLesson(page, name, join) {
   return text === undefined ? "A lesson has at most 65,536 bytes" : openLessonText(page, text, name, join);
 }
 
-// Reads the text of an answer; undefined if it is longer than a lesson may be, and then the rest is not read.
+// Reads the text of a response; undefined if it is longer than a lesson may be, and then the rest is not read.
 async function read(answer) {
   const reader = answer.body.getReader();
   const decoder = new TextDecoder();
@@ -86,7 +86,7 @@ async function read(answer) {
   }
 }
 
-// Opens the lesson and the challenge that the address asks for, once its link is open. A challenge begins at the first step,
+// Opens the lesson and the challenge of the address, once its link is open. A challenge begins at the first step,
 // whatever was open.
 export async function beginFromAddress(page, { lesson, challenge, join }) {
   if (lesson) {

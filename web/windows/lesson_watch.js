@@ -1,5 +1,5 @@
-// Which lesson is open, and what comes at its end: how the guesses went, a question with its
-// answer, and the next lesson.
+// Tracks the open lesson, and shows the card at its end: the result of the guesses, a question with its answer, and the
+// next lesson.
 import { closingButton, openCard } from "../kit/card.js";
 import { button, el, unbroken } from "../kit/elements.js";
 import { fetchJson } from "../kit/fetched.js";
@@ -8,8 +8,8 @@ import { underWay } from "../page/under_way.js";
 
 const seenKey = "evenlift.lessons";
 
-// The names of the ready-made lessons that were played to their end, in that order; of one
-// that was played again, the last time counts.
+// The names of the ready-made lessons that were played to their end, in that order; a repeated lesson counts at its
+// last time.
 export function seenLessons() {
   return new Set(read(lasting, seenKey).split(" ").filter(Boolean));
 }
@@ -23,16 +23,16 @@ function markSeen(name) {
 
 let playing; // { page, lesson, atEnd, answered }; lesson: { name, title, text } as far as they are known
 
-// The text of the lesson that is open; nothing if none is, or if it is the walkthrough of a polygon.
+// The open lesson; undefined if none is open, or if it is the walkthrough of a polygon.
 export function openLessonOf(program) {
   return playing?.lesson.text && program.number("page_script") === 2 ? playing.lesson : undefined;
 }
 
-// How a walkthrough stands (wasm/page/lesson_api.cpp); null if none is open.
+// The state of a walkthrough (wasm/page/lesson_api.cpp); null if none is open.
 export const standing = (program) => program.json("page_lesson");
 
-// Opens a lesson, with the text of the polygon that it names, if it names one; with `join` for the
-// document that is open. Returns why it was refused, or nothing.
+// Opens a lesson, with the text of the polygon if it names one; with `join` for the open document. Returns why it was
+// refused, or undefined.
 export function openLesson(page, { name, text, polygon = "" }, join = false) {
   const problem = page.program.text("page_open_lesson", text, polygon, join ? 1 : 0);
   if (!problem) {
@@ -45,9 +45,9 @@ export function openLesson(page, { name, text, polygon = "" }, join = false) {
 // Call this whenever a lesson or a challenge was opened in another way.
 export function watch(page, lesson = {}) {
   playing?.card?.close();
-  // After the change, not in its midst.
+  // After the change, not in the middle of it.
   if (!playing) document.addEventListener("evenlift-change", () => queueMicrotask(look));
-  // What is open already counts as looked at, so that a link to the last step does not congratulate.
+  // A document that is already open counts as looked at, so that a link to the last step does not congratulate.
   const now = standing(page.program);
   playing = { page, lesson, atEnd: Boolean(now && now.at + 1 === now.count) };
 }
@@ -56,7 +56,7 @@ function look() {
   const { page, lesson } = playing;
   const now = standing(page.program);
   const script = page.program.number("page_script");
-  // Whoever edits the polygon at the end tries what the question asks: it stays.
+  // Editing the polygon at the end means trying out the question, so the card stays.
   const ours = now && (lesson.text ? script === 2 || (script === 1 && playing.atEnd) : script === 0);
   const atEnd = Boolean(ours && now.at + 1 === now.count);
   if (atEnd === playing.atEnd) return;
@@ -71,8 +71,8 @@ const paragraphs = (text, attributes = {}) =>
     .split("\n")
     .map((words) => el("p", attributes, words));
 
-// The question at the lesson's end, and the button that shows its answer. Once shown, it is there
-// whenever the end comes again.
+// The question at the lesson's end, and the button that shows its answer. Once shown, the answer is there whenever the
+// end is reached again.
 function questionOf(program, of) {
   const answer = el("div", { role: "status" });
   const told = (attributes) => paragraphs(program.text("page_lesson_answer"), { class: "second", ...attributes });
@@ -87,7 +87,7 @@ function questionOf(program, of) {
     show();
     return { words };
   }
-  // Beside the buttons the answer's room is kept, so that the drawing stays where it is when the answer comes.
+  // The space for the answer beside the buttons is reserved, so that the drawing does not move when the answer appears.
   answer.replaceChildren(el("div", { class: "waits", "aria-hidden": "true" }, ...told()));
   const shown = button("Answer", {
     class: "button unfolded",
@@ -105,8 +105,8 @@ function questionOf(program, of) {
   return { words, button: shown };
 }
 
-// On a small screen the card begins as a row of buttons, so that the shape that the question is
-// about keeps its room; this one unfolds it.
+// On a small screen the card begins as a row of buttons, so that the shape in the question keeps its room; this button
+// unfolds the card.
 function foldButton(of) {
   const fold = button("Question", {
     "aria-expanded": "false",
@@ -120,7 +120,7 @@ function foldButton(of) {
   return fold;
 }
 
-// The next lesson by its name, or where that has no room, as the next one.
+// The next lesson by its name, or where the name does not fit, as "Next lesson".
 function toNext({ title }, act) {
   const go = closingButton("", { class: "button primary", title }, act);
   go.append(el("span", { class: "whole" }, `Next: ${title}`), el("span", { class: "short" }, "Next lesson"));

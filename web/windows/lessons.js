@@ -1,4 +1,4 @@
-// The window of lessons: a walkthrough of the polygon that is open, the ready-made lessons, and one from a file.
+// The window of lessons: a walkthrough of the open polygon, the ready-made lessons, and one from a file.
 import { buttonTo, fadeFoot, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, icon, lowered } from "../kit/elements.js";
 import { fetchJson } from "../kit/fetched.js";
@@ -52,7 +52,7 @@ export async function show(page) {
     ],
   });
   if (!root) return;
-  [scroll, root].forEach(fadeFoot); // on a small screen all of the window scrolls
+  [scroll, root].forEach(fadeFoot); // on a small screen the whole window scrolls
   const choose = (lesson) => {
     const why = openLesson(page, lesson);
     if (why) problem.say(`This lesson cannot be opened: ${lowered(why)}`);
@@ -103,7 +103,7 @@ function ofThisPolygon(page, close) {
   );
 }
 
-// About how long a lesson takes: to read its words, and to look at each step and its caption.
+// The approximate duration of a lesson: reading its words, and looking at each step and its caption.
 function minutes({ text, stops }) {
   const words = text
     .split("\n")
@@ -126,7 +126,7 @@ async function load(page, list, choose) {
   }
   const seen = seenLessons();
   const open = openLessonOf(page.program)?.name;
-  // After the one that was seen last, or else the first that was not.
+  // The first unseen lesson after the last one seen, or else the first unseen one.
   const last = lessons.findIndex(({ name }) => name === [...seen].at(-1));
   const unseen = ({ name }, i) => !seen.has(name) && i > last;
   const later = lessons.findIndex(unseen);

@@ -1,4 +1,4 @@
-// The card that says that there is a new version of the page. Nothing is loaded before its button is pressed.
+// The card that announces a new version of the page. Nothing is loaded before its button is pressed.
 import { closingButton, openCard, whenNoCard } from "../kit/card.js";
 import { el } from "../kit/elements.js";
 import { hasPhoto } from "../photo/photo.js";
@@ -15,12 +15,12 @@ async function show(page) {
     body: [sentence, el("div", { class: "ways" }, closingButton("Load it", { class: "button primary" }, load))],
   });
   const lost = hasPhoto() ? " but for the picture behind the drawing" : "";
-  // Afterwards, so that it is read out.
+  // Set afterwards, so that it is read out.
   sentence.textContent = `A new version of evenlift is ready, and what you have open stays${lost}.`;
 }
 
-// The service worker of the new version waits to be told; if another tab has told it, the page
-// needs only to be opened again.
+// The service worker of the new version waits for a message; if another tab has sent it, the page need only be loaded
+// again.
 async function load() {
   const registration = await navigator.serviceWorker.getRegistration();
   if (!registration?.waiting) return location.reload();

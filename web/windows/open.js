@@ -1,4 +1,4 @@
-// Opens texts, files and links from outside. A function that opens something returns why it was refused, or nothing.
+// Opens texts, files and links from outside. A function that opens something returns why it was refused, or undefined.
 import { closeWindows, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, lowered, number } from "../kit/elements.js";
 import { readShapes } from "../kit/import.js";
@@ -15,12 +15,11 @@ const tooLong = (bytes) =>
 
 const undo = "Undo brings back the previous polygon.";
 
-// The last text whose curves were flattened, so that they can be flattened otherwise.
+// The last text whose curves were flattened, so that another tolerance can flatten them again.
 let curved;
 
-// Opens a text that `what` names. `how` is the program's function for it, and `name` that of the
-// file (stemOf()), if it came from one. It tells of it in a notice; if there are several shapes, a
-// window asks for one.
+// Opens a text that `what` names. `how` is the program's function for it, and `name` the file's name (stemOf()), if it
+// came from a file. A notice reports the result; if there are several shapes, a window lets the user choose one.
 async function openText(page, text, what, { how = "page_load", name = "" } = {}) {
   if (tooLong(text.length)) return tooLong(text.length);
   if (!text.trim()) return "It is empty";
@@ -29,7 +28,7 @@ async function openText(page, text, what, { how = "page_load", name = "" } = {})
     if (!problem) done(page, `${what} is opened. ${undo}`);
     return problem;
   }
-  // The program knows the simple formats itself.
+  // The program reads the simple formats itself.
   if (!/^\s*<|\0/.test(text) && !page.program.text(how, text)) {
     nameOpened(page.program, name);
     return done(page, `${what} is opened. ${undo}`);
@@ -56,7 +55,7 @@ function chooseShape(page, source, found, tolerance) {
   return showShapes({ ...source, found, tolerance, choose: (shape, now) => openShape(page, source, shape, now) });
 }
 
-// `said` is what the notice says of the text besides; the window of shapes says it itself.
+// `said` is added to the notice about the text; the window of shapes shows it itself.
 function openShape(page, source, shape, found, said = []) {
   const { what, how, name } = source;
   const problem = page.program.text(how, shape.text(how === "page_load"));
@@ -89,7 +88,8 @@ async function openFile(page, file) {
   return openText(page, new TextDecoder(encoding).decode(bytes), `“${file.name}”`, { name: stemOf(file.name) });
 }
 
-// Opens what was dropped or pasted anywhere on the page. If that fails, the window says why, or else a notice.
+// Opens files or texts that were dropped or pasted anywhere on the page. If that fails, the window shows the reason, or
+// else a notice does.
 export async function take(page, { files, text }, verb) {
   if (files.length > 1) return refuse(page, "Please open one file at a time");
   const [file] = files;
@@ -193,7 +193,7 @@ export async function show(page, { edited } = {}) {
   });
 }
 
-// What was opened last had curves: how they were flattened, and a button that changes it.
+// If the last opened text had curves: how they were flattened, and a button that changes it.
 function againCurved(page) {
   if (!curved) return [];
   const { what, tolerance, within } = curved;

@@ -1,11 +1,11 @@
-// How far the greedy choice of teams is from the best one that there is, beside each other. A worker computes it
+// Compares the greedy choice of teams with the optimum, side by side. A worker computes it
 // (wasm/modules/optimum_api.cpp), nearly always in less than a second.
 import { askWorker } from "../experiment/worker_pool.js";
 import { openWindow, problemLine } from "../kit/dialogs.js";
 import { el } from "../kit/elements.js";
 
-// Far more than is needed where it can be found at all, so that a busy machine gives the same answer. Who does not want to wait
-// closes the window.
+// Far more than is needed if the optimum can be found at all, so that a busy machine gives the same answer. Closing the
+// window ends the wait.
 const seconds = 20;
 
 function table(rows) {

@@ -1,5 +1,5 @@
-// The link as a QR code, large, for a room to read: black on white whatever the theme, with the quiet zone that readers
-// need.
+// The link as a QR code, large enough for an audience: black on white whatever the theme, with the quiet zone that
+// readers need.
 import { coreModule } from "../kit/core_module.js";
 import { openWindow } from "../kit/dialogs.js";
 import { button, download, el, rasterise } from "../kit/elements.js";
@@ -8,7 +8,7 @@ const qrModule = coreModule(() => import("./qr_core.js"));
 
 const quiet = 4; // modules
 
-// An SVG of rows of 0 and 1. Neighbouring dark modules of a row are drawn as one rectangle.
+// An SVG of rows of 0 and 1. Neighbouring dark modules of a row become one rectangle.
 function picture(rows) {
   const side = rows.length + 2 * quiet;
   const runs = rows.flatMap((row, y) =>
@@ -20,7 +20,7 @@ function picture(rows) {
   );
 }
 
-// Returns why it cannot be shown, if the address is too long; otherwise nothing.
+// Returns why it cannot be shown, if the address is too long; otherwise undefined.
 export async function showQr(address) {
   let rows;
   try {

@@ -5,7 +5,8 @@ import { documentName } from "./document_name.js";
 import { showQr } from "./qr.js";
 import { forgetAside, textsAside } from "../page/recovery.js";
 
-// A row for each robot; numbers read back to the same double. What is 0 but for rounding is written as 0.
+// A row for each robot; numbers read back to the same double. Values that are 0 except for rounding errors are written
+// as 0.
 function csv({ teams }) {
   const least = 1e-13 * Math.max(0, ...teams.flatMap(({ ends }) => ends.flat().map(Math.abs)));
   const exact = (value) => String(Math.abs(value) < least ? 0 : value);
@@ -22,7 +23,7 @@ function csv({ teams }) {
     .join("");
 }
 
-// The files that can be saved: their names, their purpose, and how they are made.
+// The files that can be saved: their names, their purpose, and the functions that make them.
 const files = [
   [
     "Polygon",

@@ -1,4 +1,4 @@
-// The shapes of a drawing, of which one is opened; and how far the edges may be from its curves.
+// The shapes of a drawing, from which one is opened; and the permitted distance between its curves and the edges.
 import { openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, number, svgEl, typedNumber } from "../kit/elements.js";
 import { fitted } from "../kit/fit.js";
@@ -7,7 +7,7 @@ import { underWay } from "../page/under_way.js";
 
 const width = 96;
 const height = 64;
-const atOnce = 100; // shapes that are shown before one asks for more
+const atOnce = 100; // shapes in the list before "Show more"
 
 function picture(points) {
   const placed = points.map(fitted(points, width, height, 4)).join(" ");
@@ -18,7 +18,7 @@ function picture(points) {
   );
 }
 
-// Of these shapes the one with the largest box: holes and letters are smaller than the object.
+// The shape with the largest box: holes and letters are smaller than the object.
 function largest(shapes) {
   const size = (points) =>
     [0, 1]
@@ -28,7 +28,7 @@ function largest(shapes) {
   return areas.indexOf(areas.reduce((a, b) => Math.max(a, b)));
 }
 
-// The name, the kind, and vertices and size, each on a line; the words are "NAME", KIND, VERTICES, SIZE.
+// Puts the name, the kind, and vertices and size on a line each; the description is "NAME", KIND, VERTICES, SIZE.
 function inWords({ name, description }) {
   const parts = description.slice(name ? name.length + 4 : 0).split(", ");
   const size = parts.splice(-2).join(", ").replace(" x ", " × ");
@@ -41,7 +41,7 @@ function inWords({ name, description }) {
 
 export const sentences = (texts) => texts.map((text) => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`).join(" ");
 
-// In what the lengths of a text are: many drawings do not say it.
+// The unit of the lengths in a text; many drawings have none.
 export const lengthUnit = ({ unit }) => unit || "units of the drawing";
 
 const ones = { inches: "inch", feet: "foot", "units of the drawing": "unit of the drawing" };
@@ -50,7 +50,8 @@ export function lengthInWords(length, found) {
   return `${length} ${Number(length) === 1 ? (ones[many] ?? many.replace(/s$/, "")) : many}`;
 }
 
-// Shows what `found` (of readShapes) has of the text. `choose` opens a shape, and returns why it was refused, or nothing.
+// Shows the shapes and notes of a text; `found` comes from readShapes. `choose` opens a shape, and returns why it was
+// refused, or undefined.
 export async function showShapes({ what, text, found, tolerance = 0, choose }) {
   const problem = problemLine();
   const notes = el("p", { class: "second" });
@@ -170,7 +171,7 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
   });
 }
 
-// Tab reaches one of the shapes; the arrow keys lead to the others.
+// Tab reaches one of the shapes; arrow keys move to the others.
 function connectKeys(list) {
   list.addEventListener("focusin", ({ target }) => {
     for (const other of list.querySelectorAll("[tabindex='0']")) other.tabIndex = -1;

@@ -1,5 +1,5 @@
-// The coordinates as a table beside the canvas. Typing in the table changes the drawing, and
-// dragging changes the table.
+// The coordinates as a table beside the canvas. Typing in the table changes the drawing, and dragging changes the
+// table.
 import { makeRoom, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el } from "../kit/elements.js";
 import { settingValue, typedProblem } from "../mirror/typed.js";
@@ -26,7 +26,7 @@ export async function show(page) {
 
 class Table {
   #page;
-  #rows = []; // the rows of the page that is shown
+  #rows = []; // the rows of the current page
   #from = 0; // the first vertex of that page
   #selected = -1;
   #leave = new AbortController();
@@ -229,7 +229,7 @@ class Table {
 
   // --- Keys and edits ----------------------------------------------------------------------------
 
-  // The vertex in whose row the element is; -1 for the centre of mass, -2 for neither.
+  // The vertex of the element's row; -1 for the centre of mass, -2 for neither.
   #vertexOf(element) {
     if (this.centre.inputs.includes(element)) return -1;
     return this.#rows.find(({ row }) => row.contains(element))?.vertex ?? -2;
@@ -253,7 +253,7 @@ class Table {
       return;
     }
     this.#accept(input);
-    input.dataset.is = ""; // so that it is written again as the program writes it
+    input.dataset.is = ""; // so that it appears again as the program writes it
     this.#refresh();
   }
 
@@ -306,11 +306,11 @@ class Table {
   }
 }
 
-// A field shows at most so many digits, until somebody goes into it; what it stands for stays exact.
+// A field shows at most this number of digits until it gets the focus; its value stays exact.
 const digits = 9;
 const rounded = (value) => (value.length > digits + 2 ? String(Number(Number(value).toPrecision(digits - 1))) : value);
 
-// Writes a point into two fields, except into one in which somebody is typing.
+// Writes a point into two fields, but not into one that is being typed in.
 function write(inputs, point) {
   point.map(String).forEach((value, axis) => {
     const input = inputs[axis];

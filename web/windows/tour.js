@@ -1,12 +1,11 @@
-// The tour of the page: some stops of a sentence or two, each of which points at something. It
-// stands on a card at the foot of the drawing, so that it covers nothing that it speaks of. It
-// changes nothing.
+// The tour of the page: some stops of a sentence or two, each pointing at something. Its card is at the bottom of the
+// drawing, so that it covers nothing that it describes. It changes nothing.
 import { openCard } from "../kit/card.js";
 import { button, el, svgEl } from "../kit/elements.js";
 import { look, reveal } from "./tour_places.js";
 import { stops } from "./tour_stops.js";
 
-// What is ringed, above the canvas.
+// The ringed thing, above the canvas.
 function drawn({ circle, box, line }) {
   if (circle) return svgEl("circle", { cx: circle[0], cy: circle[1], r: circle[2] });
   if (box) return svgEl("rect", { x: box[0], y: box[1], width: box[2], height: box[3], rx: 10 });
@@ -21,8 +20,8 @@ function ringed(here, { points, controls, menu }) {
   return shown.length ? shown : menu ? here.controls("more") : here.sheet();
 }
 
-// Texts of other stops, unseen behind the one that is shown: so the card is as high at each of
-// them, and neither its buttons nor the drawing move.
+// Texts of other stops, hidden behind the current one, so that the card has the same height at each of them, and
+// neither its buttons nor the drawing move.
 const unseen = (all, here) =>
   all.map(({ title, words }) =>
     el("div", { class: "unseen", "aria-hidden": "true" }, el("h2", {}, title), " ", el("p", {}, words(here))),
@@ -56,7 +55,7 @@ export async function show(page) {
     next.focus({ preventScroll: true });
   }
 
-  // The drawing may move, and the placement may become another one, while a stop is shown.
+  // While a stop is shown, the drawing may move and the placement may change.
   function place() {
     const here = look(page);
     const { where, words: say } = all[at];

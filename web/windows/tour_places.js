@@ -1,10 +1,10 @@
-// Where things are on the screen that the tour points at. Places are in CSS pixels.
+// The places on the screen that the tour points at. They are in CSS pixels.
 import { isSeen } from "../mirror/controls.js";
 
-// Sizes of what is drawn, in CSS pixels, as wasm/marks has them. A ring about a robot stands
-// between its mark and the number beside it.
+// Sizes in the drawing, in CSS pixels, as in wasm/marks. A ring about a robot fits between its mark and the number
+// beside it.
 const ringOf = (robots) => (robots > 16 ? 14.5 : 17.5);
-// Half of a number's size, and how far from the robot's middle it begins.
+// Half of a number's size, and its distance from the robot's middle.
 const label = { wide: 30, high: 12, apart: 17.5 };
 const aboutVertex = 14;
 const aboutCentre = 22;
@@ -18,7 +18,7 @@ function corners(program) {
   return all.filter((_, i) => i % every === 0);
 }
 
-// The convex hull of points, counter-clockwise where y goes up.
+// The convex hull of points, counter-clockwise with y upwards.
 function hull(points) {
   const sorted = [...points].sort(([a, b], [c, d]) => a - c || b - d);
   const turnsLeft = ([ax, ay], [bx, by], [cx, cy]) => (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) > 0;
@@ -32,8 +32,8 @@ function hull(points) {
   return [...half(sorted), ...half(sorted.reverse())];
 }
 
-// The part of a line between two robots that neither their marks nor rings about them touch;
-// nothing if they are too near.
+// The part of a line between two robots that neither their marks nor rings about them touch; undefined if they are too
+// near.
 function between([from, to], reach) {
   const length = away(from, to);
   if (length < 3 * reach) return undefined;
@@ -41,8 +41,8 @@ function between([from, to], reach) {
   return { line: [at(reach / length), at(1 - reach / length)] };
 }
 
-// How far a ring about a vertex is from the marks of robots, from where their numbers stand, beyond
-// them as seen from C, and from the ring about C; less than 0 if it touches one of them.
+// The least distance of a ring about a vertex from the marks of robots, from their numbers (beyond the marks as seen
+// from C), and from the ring about C; less than 0 if it touches one of them.
 function clearance(c, robots, ring) {
   const marks = robots.map(([x, y]) => {
     const far = away([x, y], c) || 1;
@@ -65,7 +65,7 @@ function clearance(c, robots, ring) {
     3;
 }
 
-// How much the outline bends at a vertex: 0 if it goes straight on, 2 if it goes back.
+// The turn of the outline at a vertex: 0 if it continues straight, 2 if it reverses.
 function sharpness([ax, ay], [bx, by], [cx, cy]) {
   const lengths = away([ax, ay], [bx, by]) * away([bx, by], [cx, cy]);
   return 1 - ((bx - ax) * (cx - bx) + (by - ay) * (cy - by)) / (lengths || 1);
@@ -74,7 +74,7 @@ function sharpness([ax, ay], [bx, by], [cx, cy]) {
 // The controls of the canvas with these names.
 const controls = (program, names) => program.json("page_controls").filter(({ name }) => names.includes(name));
 
-// Scrolls the panel until the controls of a stop are seen.
+// Scrolls the panel until the controls of a stop are visible.
 export function reveal({ program }, { controls: names = [] }) {
   const scrollTo = 3; // ControlRequest::reveal of wasm/ui/controls.h
   for (const control of controls(program, names)) {
@@ -82,11 +82,11 @@ export function reveal({ program }, { controls: names = [] }) {
   }
 }
 
-// What the stops ask of the page as it is now.
+// The present state of the page, as the stops need it.
 export function look({ program }) {
   const screen = ([x, y]) => [program.number("page_screen_x", x, y), program.number("page_screen_y", x, y)];
   const state = JSON.parse(program.text("page_state"));
-  // A lesson draws what its step has, which may be less than the placement.
+  // A lesson draws only the robots of its step, which may be fewer than the placement's.
   const teams = program.number("page_walkthrough_is_open") ? [] : state.teams.map(({ ends }) => ends.map(screen));
   const robots = teams.flat();
   const ring = ringOf(robots.length);
@@ -101,7 +101,7 @@ export function look({ program }) {
     team: teams[0],
     hasSheet: controls(program, ["handle"]).length > 0,
     aboutCentre: { circle: [...screen(state.centre_of_mass), aboutCentre] },
-    // The border of the lifting base, between the robots; where they are too near to each other, a box around them.
+    // The boundary of the lifting base, between the robots; where they are too near to each other, a box around them.
     base() {
       const around = hull(robots);
       const sides = around.map((at, i) => between([at, around[(i + 1) % around.length]], ring + 4)).filter(Boolean);
@@ -111,7 +111,7 @@ export function look({ program }) {
       );
       return [{ box: [low[0] - ring, low[1] - ring, high[0] - low[0] + 2 * ring, high[1] - low[1] + 2 * ring] }];
     },
-    // The sharpest of the vertices that are clear of robots, their numbers and C; nothing if there is none.
+    // The sharpest of the vertices that are clear of robots, their numbers and C; undefined if there is none.
     vertex() {
       const c = screen(state.centre_of_mass);
       const clear = clearance(c, robots, ring);
@@ -129,11 +129,11 @@ export function look({ program }) {
       const best = known.sort((a, b) => b.sharp - a.sharp)[0];
       return best ? [{ circle: [...best.at, aboutVertex] }] : [];
     },
-    // The handle of a phone's sheet; nothing on a wide screen.
+    // The handle of a phone's sheet; undefined on a wide screen.
     sheet() {
       return this.controls("handle");
     },
-    // Those of these controls that are seen, as one.
+    // The visible ones of these controls, as one box.
     controls(...names) {
       const boxes = controls(program, names)
         .map(({ place, window }) => [

@@ -1,6 +1,6 @@
-// The stops of the tour: what each says, and what it points at (tour_places.js).
+// The stops of the tour: the text of each, and the place at which it points (tour_places.js).
 
-// What is free to move in this placement; there may be no hatching.
+// The movements that remain free in this placement; there may be no hatching.
 function mobility({ free, heldByCurvature }) {
   const turns = { clockwise: "clockwise in red", counterclockwise: "counter-clockwise in blue" };
   const hatched = Object.keys(turns)
@@ -17,10 +17,9 @@ function mobility({ free, heldByCurvature }) {
 
 const finger = () => matchMedia("(pointer: coarse)").matches;
 
-// `points` gives the shapes that are ringed: circles [x, y, radius], boxes [x, y, width, height],
-// lines [from, to]; if it gives none, `controls` are. Where a small screen does not show them,
-// the handle of the sheet in which they are is ringed, or with `menu` the button of the menu. A
-// stop whose `where` does not hold is left out.
+// `points` returns the shapes to ring: circles [x, y, radius], boxes [x, y, width, height], lines [from, to]; if it
+// returns none, `controls` are ringed. If a small screen hides them, the handle of their sheet is ringed, or with
+// `menu` the menu button. A stop whose `where` does not hold is left out.
 export const stops = [
   {
     title: "Teams",

@@ -1,13 +1,13 @@
-// The card of the first visit: what this is, and three ways to begin.
+// The card of the first visit: an introduction, and three ways to begin.
 import { closingButton, openCard } from "../kit/card.js";
 import { el } from "../kit/elements.js";
 import { lasting, write } from "../page/storage.js";
 import { show as showSamples } from "./gallery.js";
 import { show as showTour } from "./tour.js";
 
-const welcomedKey = "evenlift.welcomed"; // page.js asks for it
+const welcomedKey = "evenlift.welcomed"; // page.js reads it
 
-// At the first visit it does not take the focus; the key and the window About bring it back with the focus.
+// At the first visit it does not take the focus; the key and the About window bring it back with the focus.
 export async function show(page, { first = false } = {}) {
   const there = document.getElementById("welcome");
   if (there) return there.querySelector("button").focus({ preventScroll: true });
@@ -42,7 +42,8 @@ export async function show(page, { first = false } = {}) {
   });
   if (first)
     page.announce("How to begin: draw your own shape, choose a sample, or take the tour. Shift+W leads there.");
-  // Whoever has begun needs it no more. The program tells of a change in the midst of it, so this waits for its end.
+  // After the first action the card is no longer needed. The program reports a change in the middle of it, so this
+  // waits for its end.
   const done = () => queueMicrotask(() => card.close());
   document.addEventListener("evenlift-change", done, { signal: leave.signal });
   page.pictures.addEventListener("drawn", () => page.program.number("page_is_drawing") && done(), {

@@ -1,4 +1,5 @@
-// The page's own windows, and what opens texts from outside. They are one file, which is loaded when it is first needed.
+// The page's own windows, and the functions that open texts from outside. They are one file, which is loaded when it is
+// first needed.
 export { ensureStyles } from "../kit/dialogs.js";
 export { curves, show as experiment } from "../experiment/experiment.js";
 export { show as about } from "./about.js";

@@ -1,5 +1,5 @@
-/* evenlift for C, and for every language that can call C: one function that takes a request as JSON and gives the answer as
- * JSON. docs/requests.md lists the requests and the answers.
+/* evenlift for C, and for every language that can call C: one function that takes a request as JSON and returns the answer
+ * as JSON. docs/requests.md lists the requests and the answers.
  *
  *   char *answer = evenlift_run("{\"polygon\": [[0, 0], [4, 0], [4, 3], [0, 3]], \"settings\": {\"teams\": 2}}");
  *   puts(answer);
@@ -23,20 +23,19 @@
 extern "C" {
 #endif
 
-/* The answer to a request, a JSON text in UTF-8 that ends in a line feed and a zero byte. The request is a JSON text in UTF-8
- * that ends with a zero byte, at most 64 MiB long.
+/* Returns the answer to a request: a JSON text in UTF-8 that ends with a line feed and a zero byte. The request is a JSON
+ * text in UTF-8 that ends with a zero byte, at most 64 MiB long.
  *
- * Whatever the bytes are, the answer is JSON: a request that is wrong, and one for which there is no memory, get
- * {"error": {"code", "message", "place"}}. A null pointer gets an error, too. The answer is NULL only if there is no memory
- * even for that.
+ * The answer is JSON for any bytes: for an invalid request, for too little memory and for a null pointer it is
+ * {"error": {"code", "message", "place"}}. It is NULL only if there is no memory even for that.
  *
- * The request {"polygon": ..., "settings": ...} is answered with the very bytes that `evenlift place --json` prints.
+ * The answer to {"polygon": ..., "settings": ...} has the same bytes as the output of `evenlift place --json`.
  *
- * No exception leaves it, it writes nothing, and it keeps nothing: it may be called by any number of threads at the same
- * time. It uses at most about 1 MiB of the stack. The caller owns the answer, and gives it to evenlift_free(). */
+ * The function throws no exception, writes nothing, and keeps no state, so any number of threads may call it at the same
+ * time. It uses at most about 1 MiB of the stack. The caller owns the answer and frees it with evenlift_free(). */
 EVENLIFT_API char* evenlift_run(const char* json);
 
-/* Frees an answer. NULL is no answer, and nothing happens. */
+/* Frees an answer. NULL is allowed and has no effect. */
 EVENLIFT_API void evenlift_free(char* answer);
 
 #ifdef __cplusplus

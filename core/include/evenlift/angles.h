@@ -1,19 +1,19 @@
 // Sine, cosine and arctangent, computed with + - x / and square roots only. So they give the same
 // bits on every platform, unlike the functions of the C library. Errors are below 4 units in the
-// last place of 1. Of all that is decided about a placement only distributed selection needs
-// angles; the rest is algebra. They serve generators and drawings besides, and headings and labels.
+// last place of 1. In a placement, only the method of equal angles needs angles; the rest is
+// algebra. Generators, imports, headings and labels also use them.
 #pragma once
 
 namespace evenlift {
 
 inline constexpr double pi = 3.14159265358979323846;
 
-// For |angle_rad| up to 1e5. O(1).
+// Valid for |angle_rad| up to 1e5. O(1).
 double sine(double angle_rad);
 double cosine(double angle_rad);
 
-// The angle of (x, y) in (-pi, pi]; 0 for the zero vector. Where the angle is so little above -pi
-// that rounding leaves no difference, it is -pi. O(1).
+// The angle of (x, y) in (-pi, pi]; 0 for the zero vector. An angle so little above -pi that it
+// rounds to -pi is returned as -pi. O(1).
 double arctangent2(double y, double x);
 
 }  // namespace evenlift

@@ -1,6 +1,6 @@
 // How C sees the polygon (algorithm.md, How C sees the polygon; thesis 3.3 and 4.2): radial edges,
-// vertex-chords, edge-pairs and opposite vertices. Which edges face each other, and in which order
-// C sees the vertices, is decided exactly; "radial" and "opposite" have a tolerance.
+// vertex-chords, edge-pairs and opposite vertices. The tests for facing edges and for the order in
+// which C sees the vertices are exact; "radial" and "opposite" have a tolerance.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct LiftingPoint {
   std::uint32_t edge = 0;  // an edge on which it lies
 };
 
-// Their positions, in the same order. O(points).
+// The positions of the points, in the same order. O(points).
 Points positions(const std::vector<LiftingPoint>& points);
 
 // A segment through C whose two ends lie on the boundary, on opposite sides of C.
@@ -31,23 +31,23 @@ struct Chord {
   double ratio = 1;  // load ratio min(arm1, arm2) / max(arm1, arm2), in (0, 1]
 };
 
-// In place of a vertex: the edge is met in its interior. There can be eight million edge-pairs, and
-// a std::optional would make each of them 16 bytes larger.
+// Replaces a vertex where an edge is met in its interior. There can be eight million edge-pairs,
+// and a std::optional would make each of them 16 bytes larger.
 inline constexpr std::uint32_t inside_edge = ~std::uint32_t{0};
 
 // Two non-radial edges that face each other across C: for an open range of directions u, the ray
 // from C along u meets a and the ray along -u meets b. Counter-clockwise, the range begins where an
-// edge begins, at the vertex `begin_a` of a or `begin_b` of b or at both, and ends where an edge
-// ends, at `end_a` or `end_b` or both. The vertex of an edge that is met in its interior there is
-// inside_edge.
+// edge begins: at the vertex `begin_a` of a, at `begin_b` of b, or at both. It ends where an edge
+// ends, at `end_a`, `end_b` or both. The vertex is inside_edge if the edge is met in its interior
+// there.
 struct EdgePair {
   std::uint32_t a = 0, b = 0;
   std::uint32_t begin_a = inside_edge, begin_b = inside_edge;
   std::uint32_t end_a = inside_edge, end_b = inside_edge;
 };
 
-// Two vertices on opposite sides of C and on one line with it, within tolerance (tau L). So
-// rounding does not change which vertices of a symmetric shape are opposite.
+// Two vertices on opposite sides of C and collinear with it, within tolerance (tau L). So rounding
+// does not change which vertices of a symmetric shape are opposite.
 struct OppositeVertices {
   std::uint32_t v = 0, w = 0;  // v < w
 };
@@ -56,7 +56,7 @@ struct OppositeVertices {
 // browser's memory.
 inline constexpr std::uint64_t max_edge_pairs = std::uint64_t{1} << 23;
 
-// Says for each edge whether it is radial: its line passes within tolerance (tau L) of C.
+// Returns for each edge whether it is radial: its line passes within tolerance (tau L) of C.
 // O(n log n).
 std::vector<bool> radial_edges(const Polygon& polygon, const Vec2& centre);
 
@@ -68,22 +68,22 @@ struct VertexChord {
 };
 
 // Every chord from a vertex through C, in the order in which a line that turns about C meets their
-// vertices: at each direction first those whose vertex is on the line's forward half. A chord
-// between two vertices is listed once, at the forward one. Radial edges are met at their end
-// vertices only. More than max_edge_pairs chords are an error. O(n log n + k) for k chords.
+// vertices: in each direction, vertices on the line's forward half come first. A chord between two
+// vertices is listed once, at the forward one. Radial edges are met at their end vertices only.
+// More than max_edge_pairs chords are an error. O(n log n + k) for k chords.
 Result<std::vector<VertexChord>> vertex_chords(const Polygon& polygon, const Vec2& centre);
 
 // The number of edge-pairs, without listing them. O(n log n).
 std::uint64_t count_edge_pairs(const Polygon& polygon, const Vec2& centre);
 
 // All edge-pairs, each once, in the order in which their ranges begin. More than max_edge_pairs are
-// an error. O(n log n + K) for K pairs; a convex polygon has O(n) of them.
+// an error. O(n log n + K) for K pairs; a convex polygon has O(n) pairs.
 Result<std::vector<EdgePair>> edge_pairs(const Polygon& polygon, const Vec2& centre);
 
 // All pairs of opposite vertices, each once, in the order in which C sees the nearer of the two. A
-// vertex within tolerance (tau L) of C has no direction and is opposite to none. It is an error if
-// they and the edge-pairs together are more than max_edge_pairs. O(n log n), and for each vertex v
-// the number of vertices that are farther from C and within the angle 2 tau L / |C v| of its line.
+// vertex within tolerance (tau L) of C has no direction and no opposite vertex. It is an error if
+// they and the edge-pairs together exceed max_edge_pairs. O(n log n), and for each vertex v the
+// number of vertices that are farther from C and within the angle 2 tau L / |C v| of its line.
 Result<std::vector<OppositeVertices>> opposite_vertices(const Polygon& polygon, const Vec2& centre);
 
 }  // namespace evenlift

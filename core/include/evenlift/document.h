@@ -1,5 +1,6 @@
-// The content of a file or a link: a polygon, perhaps its centre of mass, the settings, and what is
-// shown. A Document is raw input: nothing has been checked except that its numbers are finite.
+// The content of a file or a link: a polygon, optionally its centre of mass, the settings, and
+// display options. A Document is raw input: nothing has been checked except that its numbers are
+// finite.
 #pragma once
 
 #include <cstddef>
@@ -12,22 +13,22 @@
 
 namespace evenlift {
 
-// Bounds on all input. Input beyond them is refused with a clear message.
-inline constexpr double max_coordinate = 1e9;             // size of a coordinate, inclusive
-inline constexpr double min_coordinate = 1e-100;          // size of one that is not 0, inclusive
+// Limits on all input. Input beyond them is refused with a clear message.
+inline constexpr double max_coordinate = 1e9;             // absolute value, inclusive
+inline constexpr double min_coordinate = 1e-100;          // absolute value unless 0, inclusive
 inline constexpr double min_diagonal = 1e-9;              // of a polygon's bounding box, inclusive
-inline constexpr double max_length = max_coordinate;      // of a size or distance given, inclusive
-inline constexpr double max_weight = 1e100;               // or capacity of a robot, inclusive
-inline constexpr double min_weight = 1e-100;              // or capacity of a robot, inclusive
+inline constexpr double max_length = max_coordinate;      // of a given size or distance, inclusive
+inline constexpr double max_weight = 1e100;               // also of a robot's capacity, inclusive
+inline constexpr double min_weight = 1e-100;              // also of a robot's capacity, inclusive
 inline constexpr std::size_t max_vertices = 1u << 20;     // of a polygon
 inline constexpr std::size_t max_link_vertices = 32768;   // of a polygon in a link
 inline constexpr std::size_t max_text_bytes = 64u << 20;  // of a file
 inline constexpr std::size_t max_link_bytes = 1u << 20;   // of a link
-inline constexpr std::uint32_t max_teams = 1u << 20;      // asked for by number
+inline constexpr std::uint32_t max_teams = 1u << 20;      // if given as a number
 inline constexpr std::uint32_t least_robots = 2;          // balanced
 inline constexpr std::uint32_t most_robots = 64;          // balanced
 inline constexpr std::uint32_t most_survived = 30;        // 2 F + 3 robots survive F failures
-inline constexpr std::size_t most_no_go = 1000;           // parts of edges that must not be touched
+inline constexpr std::size_t most_no_go = 1000;           // no-go parts of edges
 inline constexpr std::size_t most_moved_teams = 1000;     // by hand
 
 // How teams are chosen (algorithm.md, Selection; thesis 3.3 and 5.2).
@@ -42,10 +43,10 @@ inline constexpr Method pair_methods[] = {Method::area, Method::circle, Method::
 // The methods that choose teams among the candidates.
 inline constexpr Method candidate_methods[] = {Method::area, Method::circle, Method::distance};
 
-// What they choose by: how much a candidate's two ends add to the lifting base.
+// The measure of how much a candidate's two ends add to the lifting base.
 enum class Metric : std::uint8_t { area, circle, distance };
 
-// The metric of a method; nothing if it does not choose among candidates. O(1).
+// The metric of a method; nothing if the method does not choose among candidates. O(1).
 constexpr std::optional<Metric> metric_of(Method method) {
   switch (method) {
     case Method::area:
@@ -63,28 +64,28 @@ constexpr std::optional<Metric> metric_of(Method method) {
 }
 constexpr bool selects_candidates(Method method) { return metric_of(method).has_value(); }
 
-// Whether the scores by a metric are lengths; otherwise they are areas.
+// Whether a metric's scores are lengths; otherwise they are areas.
 constexpr bool scores_are_lengths(Metric metric) { return metric == Metric::distance; }
 
-// What the placement is to reach first of all: the widest base, or a firm hold.
+// The first aim of a placement: the widest lifting base, or a hold with the minimum margin.
 enum class Goal : std::uint8_t { cover, hold };
 inline constexpr Goal all_goals[] = {Goal::cover, Goal::hold};
 std::string_view name(Goal goal);
 std::optional<Goal> goal_from_name(std::string_view text);
 
-// Where a team may stand on two edges that face each other: at the one best place, or anywhere in
-// the range in which its chord is even enough (candidates.h).
+// Where a team may stand on two edges that face each other: at the best place only, or anywhere in
+// the range in which its chord meets the minimum ratio (candidates.h).
 enum class Positions : std::uint8_t { best, range };
 inline constexpr Positions all_positions[] = {Positions::best, Positions::range};
 std::string_view name(Positions positions);
 std::optional<Positions> positions_from_name(std::string_view text);
 
-// The method's name in JSON and options, such as "area"; and the method of a name, or nothing for
+// The method's name in JSON and options, such as "area"; and the method with a name, or nothing for
 // an unknown name. O(1).
 std::string_view name(Method method);
 std::optional<Method> method_from_name(std::string_view text);
 
-// Units are labels: they are shown, exported and kept, and change no number.
+// Units are labels: they are shown, exported and kept, but change no number.
 enum class LengthUnit : std::uint8_t { none, m, cm, mm, in };
 enum class WeightUnit : std::uint8_t { kg, t, N, lb };
 inline constexpr LengthUnit all_length_units[] = {LengthUnit::none, LengthUnit::m, LengthUnit::cm,
@@ -99,42 +100,42 @@ struct Units {
 std::string_view name(LengthUnit unit);  // "mm", or "none"
 std::string_view name(WeightUnit unit);  // "kg"
 
-// What the picture shows besides the polygon and its robots.
+// The items drawn besides the polygon and its robots.
 struct Overlays {
-  bool candidates = false;       // candidate chords that were not selected
+  bool candidates = false;       // candidate chords that are not selected
   bool chords = true;            // the teams' chords
   bool lifting_base = true;      // the lifting base H and coverage
   bool clockwise = true;         // region of free clockwise rotation centres
   bool counterclockwise = true;  // region of free counter-clockwise rotation centres
   bool tipping = false;          // heat map of the force that tips
-  bool halo = false;             // how far the centre of mass may be off before the object tips
+  bool halo = false;             // the tipping distance (doubt.h)
   bool operator==(const Overlays&) const = default;
 };
 
-// What a robot takes up, in units of length, each 0 .. max_length (stands.h). All at 0, a robot is
-// the point at which it lifts.
+// The size of a robot, in units of length, each 0 .. max_length (stands.h). If all are 0, a robot
+// is the point at which it lifts.
 struct RobotSize {
   double radius = 0;  // of the round body
   double reach = 0;   // of the arm, from the body's rim to the contact
   double depth = 0;   // of the hand beneath the object, from the contact to the lifting point
   double width = 0;   // of the hand
-  double gap = 0;     // that stays free between two bodies
-  // Whether the robot is more than a point. A gap alone is kept between points, too.
+  double gap = 0;     // free space between two bodies
+  // Whether the robot is more than a point. A gap alone also separates points.
   bool has_body() const { return radius > 0 || reach > 0 || depth > 0 || width > 0; }
   bool operator==(const RobotSize&) const = default;
 };
 
-// A part of an edge, as parts of its length from its first vertex: 0 <= from < to <= 1.
+// A part of an edge, as fractions of its length from its first vertex: 0 <= from < to <= 1.
 struct EdgePart {
   std::uint32_t edge = 0;  // from 0
   double from = 0, to = 1;
   bool operator==(const EdgePart&) const = default;
 };
 
-// The usual distance that is not relied on, in units of R (closure.h).
+// The default of Settings::clear, in units of R (closure.h).
 inline constexpr double usual_clear = 0.02;
 
-// What a placement depends on besides the polygon and the centre of mass.
+// All inputs of a placement except the polygon and the centre of mass.
 struct Settings {
   // 1 .. max_teams; none means every candidate ("max"), for methods that choose among candidates.
   std::optional<std::uint32_t> teams = 3;
@@ -143,52 +144,52 @@ struct Settings {
   double weight = 100;          // of the object, min_weight .. max_weight; loads are in its unit
   std::uint64_t seed = 1;       // for Method::random
   std::uint32_t robots = 6;     // for Method::balanced, least_robots .. most_robots
-  std::optional<Goal> goal;     // none means the usual one of the method, see goal_of()
-  double min_margin = 0.05;     // a hold with this margin is firm, 0 .. 1
-  std::optional<double> apart;  // robots should not be nearer to each other, >= 0, in units of
+  std::optional<Goal> goal;     // none means the method's default, see goal_of()
+  double min_margin = 0.05;     // minimum margin of a hold, 0 .. 1
+  std::optional<double> apart;  // minimum distance between robots, a preference, >= 0, in units of
                                 // length; none means 0.12 R
   std::optional<double>
-      clear;  // distances below are not relied on: those of contacts from corners, and
-              // that of C from the edge of the base after a failure; >= 0, in
-              // units of length; none means usual_clear times R
-  std::uint32_t survive = 0;  // failures of balanced robots that should leave the object
-                              // steady; they take at least 2 survive + 3 robots
+      clear;  // smaller distances are not relied on: of contacts from corners, and of C from the
+              // boundary of the lifting base after a failure; >= 0, in units of length; none means
+              // usual_clear times R
+  std::uint32_t survive = 0;  // failures of balanced robots that should leave the object steady;
+                              // that takes at least 2 survive + 3 robots
   Positions positions = Positions::best;  // of teams of two; balanced robots stand anywhere
   RobotSize robot;
-  std::vector<EdgePart> no_go;  // what no robot may touch, at most most_no_go, in any order
+  std::vector<EdgePart> no_go;  // no robot may touch these parts; at most most_no_go, in any order
   bool operator==(const Settings&) const = default;
 };
 
-// What is shown of a placement and asked about it. None of it changes a placement, so no placement
-// keeps it.
+// Display options and questions about a placement. They never change a placement, so no placement
+// stores them.
 struct Shown {
   Overlays overlays;
-  std::optional<std::uint32_t> step;  // of the lesson, if it is open
-  double com_radius = 0;  // the centre of mass is known only within this distance, 0 .. max_length,
-                          // in units of length
-  std::optional<double> capacity;  // what one robot can carry, min_weight .. max_weight, in the
-                                   // weight's unit; none means no limit
+  std::optional<std::uint32_t> step;  // of the walkthrough, if it is open
+  double com_radius = 0;  // C uncertainty: C is known within this radius, 0 .. max_length, in units
+                          // of length
+  std::optional<double> capacity;  // greatest load that a robot can carry,
+                                   // min_weight .. max_weight, in the weight's unit; none means no
+                                   // limit
   Units units;
   bool operator==(const Shown&) const = default;
 };
 
-// The goal of a placement: the one given, or else the usual one. That is to hold for four or more
-// balanced robots, and to cover for all others: with two or three, holding would cost too much of
-// the base. O(1).
+// The given goal or the default: hold for four or more balanced robots, cover in all other cases,
+// because holding with two or three would cost too much of the lifting base. O(1).
 Goal goal_of(const Settings& settings);
 
-// Whether teams of two are exchanged until they hold (exchange.h). O(1).
+// Whether teams of two are swapped until they hold (exchange.h). O(1).
 bool exchanges_teams(const Settings& settings);
 
-// A point of an edge, as a part of its length from its first vertex, 0 .. 1.
+// A point of an edge, as a fraction of its length from its first vertex, 0 .. 1.
 struct EdgePoint {
   std::uint32_t edge = 0;  // from 0
   double part = 0;
   bool operator==(const EdgePoint&) const = default;
 };
 
-// A team of two that somebody moved along its range: its chord goes from a point of one edge
-// through C to another edge.
+// A team of two moved by hand along its range: its chord runs from a point of one edge through C to
+// another edge.
 struct MovedTeam {
   std::uint32_t team = 0;  // from 0
   EdgePoint end;
@@ -196,9 +197,9 @@ struct MovedTeam {
   bool operator==(const MovedTeam&) const = default;
 };
 
-// Robots that somebody moved by hand from where the method puts them. Of balanced robots all are
-// listed, by the points that they touch; of teams of two those that were moved, in ascending order.
-// At most one of the two lists has entries. moved.h says where they may stand.
+// Robots moved by hand from where the method puts them. All balanced robots are listed, by the
+// points that they touch; of teams of two only the moved ones, in ascending order. At most one of
+// the two lists has entries. moved.h defines where the robots may stand.
 struct Moved {
   std::vector<EdgePoint> robots;  // at most most_robots
   std::vector<MovedTeam> teams;   // at most most_moved_teams
@@ -207,7 +208,7 @@ struct Moved {
 };
 
 struct Document {
-  Points vertices;                     // in the order given, either orientation
+  Points vertices;                     // in the given order, either orientation
   std::optional<Vec2> centre_of_mass;  // none means the centroid of the area
   Settings settings = {};
   Shown shown = {};

@@ -1,4 +1,4 @@
-// The load that each robot bears (algorithm.md, Loads; thesis 5.3).
+// The loads of the robots (algorithm.md, Loads; thesis 5.3).
 #pragma once
 
 #include <cstddef>
@@ -9,36 +9,36 @@
 
 namespace evenlift {
 
-// A robot of a team: where it lifts, and what it bears.
+// A robot of a team: its lifting point and its load.
 struct Robot {
   LiftingPoint point;
   double arm = 0;   // |C p|, more precise than the rounded position would give
   double load = 0;  // in the unit of the weight
 };
 
-// At least two robots that bear a part of the weight together. All teams of a placement have
-// equally many robots. The methods of the thesis make teams of two, at the ends of a chord.
+// Two or more robots that carry a part of the weight together. All teams of a placement have the
+// same number of robots. The methods of the thesis make teams of two, at the ends of a chord.
 struct Team {
   std::vector<Robot> robots;  // r1 before r2 of a chord
-  double ratio = 1;  // the least load divided by the greatest, in (0, 1]; 0 only where one of them
-                     // fails (with_failure() of placed_robots.h)
+  double ratio = 1;  // the least load divided by the greatest, in (0, 1]; 0 only if a robot fails
+                     // (with_failure() of placed_robots.h)
 };
 
 // The chord of a team of two. O(1).
 Chord chord_of(const Team& team);
 
-// The robots of all teams in one row, team after team: their number, and the place of one of them.
-// O(1).
+// The robots of all teams are numbered team after team, from 0. count_robots() returns their
+// number, and find_robot() the team of the robot with a number and its index there. O(1).
 struct RobotOfTeam {
   std::size_t team = 0, robot = 0;
 };
 std::size_t count_robots(const std::vector<Team>& teams);
 RobotOfTeam find_robot(const std::vector<Team>& teams, std::size_t number);
 
-// The points at which the robots of all teams lift, in the same row. O(robots).
+// The lifting points of all robots, in the order of their numbers. O(robots).
 std::vector<LiftingPoint> lifting_points(const std::vector<Team>& teams);
 
-// What the robots of all teams bear, in the same row. O(robots).
+// The planned loads of all robots, in the order of their numbers. O(robots).
 std::vector<double> planned_loads(const std::vector<Team>& teams);
 
 struct LoadSummary {
@@ -47,11 +47,12 @@ struct LoadSummary {
   double max_share = 0;               // greatest share of its team's load (figure 5.5)
 };
 
-// The teams with their loads; `weight` > 0. Each team bears an equal part of the weight, and by the
-// law of the lever r1 bears the fraction |C r2| / (|C r1| + |C r2|) of its team's part. O(teams).
+// The teams with their loads; `weight` > 0. Each team carries an equal part of the weight. By the
+// law of the lever, r1 carries the fraction |C r2| / (|C r1| + |C r2|) of its team's part.
+// O(teams).
 std::vector<Team> distribute_weight(const std::vector<Chord>& chords, double weight);
 
-// One team of robots whose centroid is C, which bear the same as planned. O(robots).
+// One team of robots whose centroid is C, all with the same planned load. O(robots).
 Team share_evenly(const std::vector<LiftingPoint>& robots, const Vec2& centre, double weight);
 
 // Summarizes the loads of all robots; nothing if there are no teams. O(robots).

@@ -1,6 +1,6 @@
-// Robots that somebody moves by hand from where the method puts them. Those that are balanced go
-// along the outline, and two others follow so that C stays the centroid of all. A team that may
-// stand anywhere in its range goes along it. Where they stand is kept as points of edges with
+// Robots that the user moves by hand from where the method places them. Balanced robots move along
+// the outline, and two others follow so that C stays the centroid of all. A team that may stand
+// anywhere in its range moves along that range. Positions are stored as points of edges, with
 // twelve decimals of the edge's length, so that links stay short.
 #pragma once
 
@@ -12,28 +12,29 @@
 
 namespace evenlift {
 
-// Whether the teams of a placement can be moved along their ranges: they may stand anywhere in
-// them. O(1).
+// Whether the teams of a placement can be moved along their ranges: the method chooses among
+// candidates, its teams may stand anywhere in their ranges, and the search has ended. O(1).
 bool can_move_teams(const Placement& placement);
 
-// Where the robots come to if the one with this number goes to a point of the outline, and its two
-// neighbours follow (move_robot() of balanced.h). Nothing if they cannot, or if there are not three
-// balanced robots. O(n log n).
+// The new positions if this robot moves to a point of the outline and its two neighbours follow
+// (move_robot() of balanced.h). Nothing if they cannot, or if there are fewer than three balanced
+// robots. O(n log n).
 std::optional<Moved> moved_along_outline(const Placement& placement, std::size_t robot,
                                          const LiftingPoint& to);
 
-// Where the teams come to if the robot with this number goes towards a point as seen from C. Its
-// partner is on the other side of C. They go along the range of their two edges, from a vertex on
-// along that of the next edge, and stop where their chord would not be even enough or would jump.
-// Nothing if they stay where they are, or if teams cannot be moved. O(n + edges that they pass).
+// The new positions if this robot moves towards a point as seen from C, and its partner stays
+// across C. The team moves along the range of its two edges and, at a vertex, along that of the
+// next edge. It stops where its chord would fall below the minimum ratio or would jump. Nothing if
+// the team does not move, if teams cannot be moved, or if more than most_moved_teams would be
+// moved. O(n + edges passed).
 std::optional<Moved> moved_along_range(const Placement& placement, std::size_t robot,
                                        const Vec2& to);
 
-// The placement with these robots moved, of which there is at least one. Its team_candidates are
-// empty, since its teams are no longer those that the method chose. It is an error if there are not
-// as many robots or teams in the placement, if an edge does not exist, if C is not the centroid of
-// balanced robots, if the chord of a team does not end where it should, or if robots with a size
-// have no room or get into each other's way. O(n log n).
+// The placement with these robots moved, at least one. If teams move, team_candidates becomes
+// empty, since the method did not choose these teams. An error if the placement has another number
+// of balanced robots or fewer teams, if its teams cannot be moved, if an edge does not exist, if C
+// is not the centroid of the balanced robots, if the chord of a team does not end where it should,
+// or if robots with a size do not fit or collide. O(n log n).
 Result<Placement> with_moved(Placement placement, const Moved& moved);
 
 }  // namespace evenlift

@@ -1,4 +1,4 @@
-// From a document to a placement, in the one call that programs make.
+// Computes a placement from a document, in one call.
 #pragma once
 
 #include <cstdint>
@@ -24,72 +24,71 @@ struct Placement {
   Polygon polygon;
   Vec2 centre_of_mass = Vec2::Zero();    // as given, or the centroid
   Settings settings;                     // as given
-  std::shared_ptr<const Stands> stands;  // none if robots are points that may stand anywhere
+  std::shared_ptr<const Stands> stands;  // null if robots are points that may stand anywhere
   std::vector<Candidate> candidates;     // in candidate order; found with every method
-  std::uint32_t requested_teams = 0;     // as given; for "max" the number of candidates
+  std::uint32_t requested_teams = 0;     // as given; "max": all candidates; balanced robots: 1
   std::vector<Team> teams;               // in the order of choice; perhaps fewer than requested.
-                                         // Balanced robots are one team
+                                         // Balanced robots act as one team
   std::vector<std::uint32_t> team_candidates;  // the index of each team's candidate; empty if the
                                                // method does not choose among candidates
-  Points lifting_base;               // corners of H, counter-clockwise; none without teams
+  Points lifting_base;               // corners of H, counter-clockwise; empty without teams
   double coverage = 0;               // see stability.h
-  std::optional<LoadSummary> loads;  // none without teams
+  std::optional<LoadSummary> loads;  // nothing without teams
   Closure closure;
-  bool goal_reached = false;  // robots are placed, and with the goal to hold they hold_clearly()
-  Moved moved = {};           // robots that somebody moved from where the method puts them
-  bool search_ended =
-      true;  // false where a search or exchanges may still find better robots, or where a
-             // search was cut short (balanced.h, most_work)
+  bool goal_reached = false;  // robots are placed, and with the goal `hold` they hold_clearly()
+  Moved moved = {};           // robots that the user moved from where the method places them
+  // False if a search or swaps may still find better robots, or if a search was cut short
+  // (balanced.h, most_work).
+  bool search_ended = true;
 };
 
 // How far the search for balanced robots goes: to its end, or only to its start if that is quick
-// (balanced.h); otherwise there are no teams, and search_ended is false. Other methods always go to
-// their end.
+// (balanced.h). If the start is not quick, there are no teams, and search_ended is false. Other
+// methods always run to their end.
 enum class Effort : std::uint8_t { whole, start };
 
-// Checks that settings are in their ranges (settings.h) and go together: "max" needs a method that
-// chooses among candidates, the goal to hold such a method or balanced robots, and these are enough
-// for the failures that they are to survive; robots with a size, and edges that must not be
-// touched, need a method that looks for places. The error's place names the setting. O(parts of
-// no_go).
+// Checks that settings are in their ranges (settings.h) and compatible: "max" needs a method that
+// chooses among candidates; the goal `hold` needs such a method or balanced robots; failures to
+// survive need enough balanced robots; robots with a size and no-go edges need a method that looks
+// for places. The error's place names the setting. O(parts of no_go).
 std::optional<InputError> check_settings(const Settings& settings, const Shown& shown = {});
 
-// The points of the boundary that the robots of all teams touch, in their row. Hands that go
-// beneath the object lift farther inside; otherwise these are the lifting points. O(robots).
+// The boundary points that the robots of all teams touch, in the order of the robots. Hands beneath
+// the object lift farther inside; otherwise contacts are lifting points. O(robots).
 std::vector<LiftingPoint> contact_points(const Placement& placement);
 
-// What a firm hold is by its settings (closure.h). O(n).
+// The margin and the clearance that the settings require of a hold (closure.h). O(n).
 FirmHold firm_hold(const Placement& placement);
 
-// Whether the robots hold the object without relying on a contact that is nearer to a corner than
-// the setting `clear`: in form closure with that clearance (closure.h). O(n).
+// Whether the robots hold the object without relying on a contact nearer to a corner than the
+// setting `clear`: in form closure with that clearance (closure.h). O(n).
 bool hold_clearly(const Placement& placement);
 
 // Checks the document and computes everything that is reported about it. The same document gives
 // the same bits on every platform. The errors are those of check_settings(), Polygon::create(),
-// check_centre_of_mass(), make_stands(), find_candidates() and check_exchanges(). O(n log n + K log
-// K) for K edge-pairs, besides the cost of the stands (stands.h), the selection (selection.h), the
-// exchanges (exchange.h) or the search for balanced robots (balanced.h), and O(n h) for the
-// coverage.
+// check_centre_of_mass(), make_stands(), find_candidates() and check_exchanges().
+// O(n log n + K log K) for K edge pairs, plus the cost of the stands (stands.h), the selection
+// (selection.h), the swaps (exchange.h) or the search for balanced robots (balanced.h), and O(n h)
+// for the coverage.
 Result<Placement> place(const Document& document, Effort effort = Effort::whole);
 
-// The same for a polygon that is checked already: who moves its centre of mass or changes settings
-// need not pay for the check, which takes two thirds of the time for a coast of 20,000 vertices.
+// Places robots around a polygon that is already checked, for example after C or settings change.
+// The check takes two thirds of the time for a coastline of 20,000 vertices.
 Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_mass,
                         const Settings& settings, Effort effort = Effort::whole,
                         const Moved& moved = {});
 
-// The candidates alone among which place() would choose: those of the document's positions, robots
-// and edges that must not be touched, whatever its method. O(n log n + K log K) for K edge-pairs.
+// Only the candidates among which place() would choose: those for the document's positions, robots
+// and no-go edges, whatever its method. O(n log n + K log K) for K edge pairs.
 Result<std::vector<Candidate>> candidates_of(const Document& document);
 
-// The placement with other balanced robots, which a search found or somebody placed. Their centroid
+// The placement with other balanced robots, which a search found or the user placed. Their centroid
 // must be C. O(n log n) for up to most_robots.
 Placement with_robots(Placement placement, const std::vector<LiftingPoint>& robots,
                       bool search_ended);
 
-// A placement and what is shown of it, for those who put it into words, pictures and files; by
-// itself it is shown as usual. It refers to both, so it goes from caller to callee only.
+// A placement and how to show it, for functions that write words, pictures or files; without `how`,
+// the defaults. It holds references to both: pass it to functions, do not store it.
 struct ShownPlacement {
   ShownPlacement(const Placement& of) : placement(of), shown(usual) {}
   ShownPlacement(const Placement& of, const Shown& how) : placement(of), shown(how) {}

@@ -1,5 +1,5 @@
-// Geometry in plain doubles: for drawing, pointing and writing beside things, and for distances
-// that are compared within the tolerance. On which side of a line a point is, predicates.h decides.
+// Geometry in plain doubles: for drawing, pointing and placing labels, and for distances that are
+// compared within the tolerance. predicates.h decides on which side of a line a point lies.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace evenlift {
 
 // Whether p is inside the polygon: a ray from p crosses the boundary an odd number of times. On the
-// boundary itself the answer may be either. O(n).
+// boundary itself the result may be either. O(n).
 inline bool inside(const Points& polygon, const Vec2& p) {
   bool odd = false;
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
@@ -37,8 +37,8 @@ inline double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& p) {
 
 // The part of a closed polygon where `depth`, a linear function of the plane, is at least 0: one
 // step of Sutherland and Hodgman's clipping (Reentrant polygon clipping, 1974). If the polygon is
-// not convex, parts of the result may be connected by overlapping edges along the line. `kept`
-// receives the part, and keeps its memory from call to call. O(n).
+// not convex, overlapping edges along the line may connect parts of the result. `kept` receives the
+// part and keeps its memory from call to call. O(n).
 template <class Depth>
 void clip(const Points& polygon, Depth depth, Points& kept) {
   kept.clear();

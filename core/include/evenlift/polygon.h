@@ -12,15 +12,14 @@ namespace evenlift {
 
 enum class Turn : std::int8_t { reflex = -1, straight = 0, convex = 1 };
 
-// A simple polygon without holes: n >= 3 distinct vertices in either orientation, straight (180
-// degree) vertices allowed. Edge i runs from vertex i to vertex i + 1 (cyclic). Immutable.
+// A simple polygon without holes: n >= 3 distinct vertices in either orientation; straight (180
+// degree) vertices are allowed. Edge i runs from vertex i to vertex i + 1 (cyclic). Immutable.
 class Polygon {
  public:
-  // Makes a polygon, or says what is wrong with the vertices: their number, the size of their
+  // Creates a polygon, or returns what is wrong with the vertices: their number, the size of their
   // coordinates, repeated vertices, no area, edges that cross, touch or overlap, or a bounding box
   // whose diagonal is below min_diagonal. All decisions are exact, up to the rounding of that
-  // diagonal. Where one or two vertices or two edges are at fault, the error names them.
-  // O(n log n).
+  // diagonal. If one or two vertices or two edges are at fault, the error names them. O(n log n).
   static Result<Polygon> create(Points vertices);
 
   std::size_t size() const { return vertices_.size(); }
@@ -33,8 +32,8 @@ class Polygon {
 
   bool counter_clockwise() const { return counter_clockwise_; }  // orientation as given; exact
   bool convex() const { return convex_; }  // whether no interior angle exceeds 180 degrees; exact
-  // L, the greatest distance between two of its points, and so between two corners of its hull. It
-  // stays the same when the object is turned, as that of the bounding box does not.
+  // L, the greatest distance between two points of the polygon, and so between two corners of its
+  // convex hull. Unlike the diagonal of the bounding box, it stays the same when the object turns.
   double diameter() const { return diameter_; }
   // The diagonal of the bounding box; at least min_diagonal, at most sqrt(2) L.
   double diagonal() const { return diagonal_; }
@@ -48,11 +47,11 @@ class Polygon {
   Turn turn(std::size_t i) const;
 
   // Whether vertex i is a corner: convex, with a turn of more than 15 degrees, within tau. The
-  // vertices of a flattened curve are none. O(1).
+  // vertices of a flattened curve are not corners. O(1).
   bool is_corner(std::size_t i) const;
 
   // The corners of the convex hull, counter-clockwise from the lowest of the leftmost, without
-  // straight ones. They are computed at creation, exactly. O(1).
+  // straight vertices. Computed exactly at creation. O(1).
   const Points& hull() const { return hull_; }
 
  private:
@@ -69,15 +68,16 @@ class Polygon {
   bool convex_ = false;
 };
 
-// Whether the vertices of a valid polygon go round counter-clockwise; exact. O(n).
+// Whether the vertices of a valid polygon are in counter-clockwise order; exact. O(n).
 bool is_counter_clockwise(const Points& vertices);
 
-// The centre of mass to use: the given one, or else the polygon's centroid. It is an error if it is
-// not finite, exceeds max_coordinate, is below min_coordinate without being 0, or is not strictly
-// inside the polygon's convex hull, which is decided exactly. O(h) for h corners of the hull.
+// The centre of mass to use: the given one, or else the polygon's centroid. An error if a
+// coordinate is not finite, exceeds max_coordinate or is below min_coordinate without being 0, or
+// if the point is not strictly inside the polygon's convex hull, which is decided exactly. O(h) for
+// h corners of the hull.
 Result<Vec2> check_centre_of_mass(const Polygon& polygon, const std::optional<Vec2>& given);
 
-// R, the largest distance of a vertex from C. O(n).
+// R, the greatest distance of a vertex from C. O(n).
 double farthest_vertex(const Polygon& polygon, const Vec2& centre);
 
 }  // namespace evenlift

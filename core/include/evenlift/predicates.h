@@ -1,12 +1,12 @@
 // Robust predicates: determinants of input coordinates with an exact sign. They are adaptive (J. R.
 // Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates,
-// 1997): a floating-point filter, a double evaluation with an error bound, decides nearly always;
-// otherwise double-double decides, and as a last resort exact integers. So decisions do not depend
-// on rounding, and the common case costs a few multiplications.
+// 1997): a floating-point filter, a double evaluation with an error bound, nearly always decides;
+// otherwise double-double arithmetic decides, and as a last resort exact integers. So decisions do
+// not depend on rounding, and the common case costs a few multiplications.
 //
-// Every function returns a double that has the exact sign of the determinant (and is 0 only if the
-// determinant is) and a relative error below 2^-45. Arguments must be finite. O(1); the exact case
-// is about 100 times slower.
+// Every function returns a double with the exact sign of the determinant (0 only if the determinant
+// is 0) and a relative error below 2^-45. Arguments must be finite. O(1); the exact case is about
+// 100 times slower.
 #pragma once
 
 #include "evenlift/vec.h"
@@ -22,7 +22,7 @@ double cross_of_differences(const Vec2& a0, const Vec2& a1, const Vec2& b0, cons
 // (a1 - a0) . (b1 - b0)
 double dot_of_differences(const Vec2& a0, const Vec2& a1, const Vec2& b0, const Vec2& b1);
 
-// (b - w') x (c - b) for the mirror image w' = 2 centre - w of w. It is 0 if w' is on the line b c.
+// (b - w') x (c - b) for the mirror image w' = 2 centre - w of w; 0 if w' lies on the line b c.
 double orient_mirrored(const Vec2& centre, const Vec2& w, const Vec2& b, const Vec2& c);
 
 }  // namespace evenlift

@@ -1,6 +1,6 @@
-// Requests and answers as JSON: all that other languages need of evenlift, in one function. The C
-// library (c/include/evenlift/evenlift.h), the Python package over it and the package for npm are
-// made of it. docs/requests.md is the manual.
+// Requests and answers as JSON: one function gives other languages all of evenlift. The C library
+// (c/include/evenlift/evenlift.h), the Python package over it and the npm package are built on it.
+// docs/requests.md is the manual.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,13 @@
 namespace evenlift {
 
 inline constexpr std::size_t max_request_bytes = max_text_bytes;
-inline constexpr std::size_t max_request_polygons = 10000;  // of an experiment
+inline constexpr std::size_t max_request_polygons = 10000;  // in an experiment
 
-// The answer to a request: one JSON text that ends in a newline. A request that cannot be answered
-// gets {"error": {"code", "message", "place"}}. The same request gives the same bytes on every
-// platform; what `place` answers is what `evenlift place --json` prints. Any bytes are a request,
-// though perhaps a bad one: more than max_request_bytes of them, and text that is not JSON, are
-// refused like all else. The cost is that of what is asked for, and O(bytes).
+// The answer to a request: one JSON text that ends in a newline. An invalid request yields
+// {"error": {"code", "message", "place"}}. The same request gives the same bytes on every platform;
+// the answer to `place` is the output of `evenlift place --json`. Requests may be any bytes: more
+// than max_request_bytes, or text that is not JSON, also yield an error. O(bytes), plus the cost of
+// the computation requested.
 std::string answer(std::string_view request);
 
 }  // namespace evenlift

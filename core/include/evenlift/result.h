@@ -1,4 +1,5 @@
-// Errors are values that say what is wrong and where. No function of the core throws on bad input.
+// Errors are values that state what is wrong and where. No function of the core throws on bad
+// input.
 #pragma once
 
 #include <cassert>
@@ -20,18 +21,18 @@ enum class ErrorCode {
   centre_outside_hull,  // C not strictly inside the convex hull of P
   bad_setting,          // a setting outside its range
   too_many_edge_pairs,  // more than max_edge_pairs
-  bad_syntax,           // a text that is in none of the formats, or breaks off
-  unsupported,          // a valid text of a kind that is not handled (holes, other geometries)
-  text_too_long,        // more than max_text_bytes, or of a link more than max_link_bytes
-  bad_link,             // a link with a character, length or value that no writer makes
-  bad_checksum,         // a link that was cut off or altered
+  bad_syntax,           // a text in none of the formats, or one that breaks off
+  unsupported,          // a valid text of a kind that is not supported (holes, other geometries)
+  text_too_long,        // more than max_text_bytes, or for a link more than max_link_bytes
+  bad_link,             // a link with a character, length or value that no writer produces
+  bad_checksum,         // a link that is cut off or altered
   unknown_version,      // a link of a newer version
 };
 
 // A place in the input. `index` counts vertices and edges from 0 (edge i runs from vertex i to
 // vertex i + 1), and lines, columns and the characters of a link from 1; 0 means the link as a
 // whole. `other` is the second vertex or edge of a pair, with index < other, or the column in a
-// line, in characters. It equals `index` or 0 if there is none.
+// line, in characters. Otherwise it equals `index` or 0.
 struct Place {
   enum class Kind { nowhere, line, vertex, edge, centre_of_mass, option, link };
   Kind kind = Kind::nowhere;
@@ -46,13 +47,12 @@ struct InputError {
   Place place;
 };
 
-// The error for a setting or option that cannot have its value: its name as in JSON, and the
-// message.
+// The error for a setting or option with an invalid value: its name as in JSON, and the message.
 InputError bad_setting(std::string name, std::string why);
 
 // The place in words: "vertex 3", "edges 2 and 7", "line 4, column 2", "centre of mass", "link,
-// character 5", or the name of an option; empty for nowhere. Here vertices and edges are counted
-// from 1, as people count. O(1).
+// character 5", or the name of an option; empty for `nowhere`. Here vertices and edges count from
+// 1. O(1).
 std::string describe(const Place& place);
 
 // A value, or the error that prevented it.

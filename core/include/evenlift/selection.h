@@ -1,4 +1,4 @@
-// The choice of the chords that the teams take (algorithm.md, Selection; thesis 3.3, 4.2, 5.2).
+// The choice of chords for the teams (algorithm.md, Selection; thesis 3.3, 4.2, 5.2).
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace evenlift {
 
-// Which candidate the first team takes: the longest even one, or, where the minimum load ratio
-// alone says what is even enough, the longest of all.
+// Which candidate the first team takes: the longest even one, or the longest of all if candidates
+// need only meet the minimum ratio.
 enum class FirstTeam : std::uint8_t { even, longest };
 
 // The rule for the first team with these positions. O(1).
@@ -20,7 +20,7 @@ constexpr FirstTeam first_team(Positions positions) {
   return positions == Positions::range ? FirstTeam::longest : FirstTeam::even;
 }
 
-// What decides which candidate a team takes, key by key (algorithm.md, Selection).
+// The keys that decide, in order, which candidate a team takes (algorithm.md, Selection).
 enum class Rule : std::uint8_t {
   longest_even,  // first team: length, ratio, order
   most_even,     // first team without an even candidate: ratio, length, order
@@ -30,33 +30,34 @@ enum class Rule : std::uint8_t {
 
 // Chooses teams greedily. Returns indices into `candidates` in the order of choice: `teams` of
 // them, or all if there are fewer. Geometry decides every tie, so the same shape gets the same
-// teams. It is lazy (M. Minoux, Accelerated greedy algorithms for maximizing submodular set
-// functions, 1978): O(K) for each team that widens H, and O(n) for each end that is evaluated:
-// that is done only if its edge of H has changed and its upper bound could still win. Once no
-// candidate widens H, all further teams together cost O(K log K). With `stands` candidates that
-// collide with a team placed before are passed over.
+// teams. The evaluation is lazy (M. Minoux, Accelerated greedy algorithms for maximizing submodular
+// set functions, 1978): O(K) for each team that widens H, and O(n) for each end that is evaluated.
+// An end is evaluated only if its edge of H has changed and its upper bound could still win. Once
+// no candidate widens H, all further teams together cost O(K log K). With `stands`, candidates that
+// collide with an earlier team are skipped.
 std::vector<std::uint32_t> select_teams(const Polygon& polygon, const Vec2& centre,
                                         const std::vector<Candidate>& candidates, Metric metric,
                                         std::size_t teams, FirstTeam first = FirstTeam::even,
                                         const Stands* stands = nullptr);
 
-// The score of every candidate against the lifting base of the teams selected so far, of which
-// there is at least one: what select_teams maximizes. area and circle are in squared units of
-// length, distance in units of length. It serves explanations and is slow: O(K n).
+// The score of every candidate against the lifting base of the teams selected so far (at least
+// one): the value that select_teams() maximizes. Scores by area and circle are in squared units of
+// length, scores by distance in units of length. For explanations, since it is slow: O(K n).
 std::vector<double> scores(const Polygon& polygon, const Vec2& centre,
                            const std::vector<Candidate>& candidates,
                            const std::vector<std::uint32_t>& selected, Metric metric);
 
-// The total angle of the directions in [0, pi) whose line through C meets the boundary on both
-// sides of C. Directions along radial edges are excluded. O(n log n).
+// The total angle, in radians, of the directions in [0, pi) whose line through C meets the boundary
+// on both sides of C. Directions along radial edges are excluded. O(n log n).
 double open_directions_rad(const Polygon& polygon, const Vec2& centre);
 
-// Teams at equal angles (thesis 5.2): `teams` chords, or none if open_directions_rad is 0 within
-// tolerance, as with C within tolerance of an edge of a convex polygon. O(n log n + teams n).
+// Teams at equal angles (thesis 5.2): `teams` chords, or none if open_directions_rad() is 0 within
+// tolerance, for example if C is within tolerance of an edge of a convex polygon.
+// O(n log n + teams n).
 std::vector<Chord> distributed_teams(const Polygon& polygon, const Vec2& centre, std::size_t teams);
 
 // Teams at random (thesis 5.2). The same seed gives the same teams on every platform. Expected O(n)
-// for each draw. It returns fewer teams if 100,000 draws in a row find no point across C.
+// for each draw. Returns fewer teams if 100,000 draws in a row find no point across C.
 std::vector<Chord> random_teams(const Polygon& polygon, const Vec2& centre, std::size_t teams,
                                 std::uint64_t seed);
 

@@ -1,5 +1,5 @@
-// The lifting base H, its coverage, and the force that tips (algorithm.md, Terms and Stability;
-// thesis 5.4).
+// The lifting base H, its coverage, and the force that tips the object (algorithm.md, Terms and
+// Stability; thesis 5.4).
 #pragma once
 
 #include <limits>
@@ -12,23 +12,22 @@
 
 namespace evenlift {
 
-// The lifting base H: the convex hull of the points at which robots lift, without the corners that
-// only rounding makes (hull.h). O(m log m).
+// The lifting base H, called support polygon in robotics: the convex hull of the lifting points,
+// without corners that only rounding makes (hull.h). O(m log m).
 Points lifting_base(const Polygon& polygon, const std::vector<LiftingPoint>& points);
 
-// The part of the polygon that lies in H, area(P and H) / area(P), in [0, 1]; 0 if H has no area.
+// The share of the polygon that lies in H, area(P and H) / area(P), in [0, 1]; 0 if H has no area.
 // `hull` must come from convex_hull. O(n h) for h corners.
 double coverage(const Polygon& polygon, const Points& hull);
 
-// The coverage of hulls that all lie within one other hull: the polygon is clipped by that one
-// first, which often leaves few vertices.
+// Computes the coverage of hulls that all lie within one outer hull. The polygon is clipped by the
+// outer hull first, which often leaves few vertices.
 class CoverageWithin {
  public:
   // `outer` must come from convex_hull and have an area. O(n h).
   CoverageWithin(const Polygon& polygon, const Points& outer);
 
-  // The same as coverage(), up to rounding. O(n' h) for n' vertices of the part within the outer
-  // hull.
+  // Equals coverage(), up to rounding. O(n' h) for n' vertices of the part within the outer hull.
   double of(const Points& hull) const;
 
  private:
@@ -37,10 +36,10 @@ class CoverageWithin {
   double area_;  // of the polygon
 };
 
-// The smallest downward force at q that tips an object of weight `weight`, carried at the corners
-// of `hull`; infinity if q is in H, where no force tips it as long as robots push back and none is
-// overloaded. With two corners, as of a single team, it is 0 off the line through both; on the line
-// beyond the end r it is weight |C r| / |q r|. O(h).
+// The least downward force at q that tips an object of weight `weight`, carried at the corners of
+// `hull`. It is infinite if q is in H, where no force tips the object as long as the robots push
+// back and none is overloaded. With two corners, as for a single team, it is 0 off the line through
+// both; on the line beyond the end r it is weight |C r| / |q r|. O(h).
 double tipping_force(const Points& hull, const Vec2& centre, double weight, const Vec2& q);
 
 }  // namespace evenlift

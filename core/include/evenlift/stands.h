@@ -1,7 +1,8 @@
-// Where robots with a size can stand (docs/stands.md): a round body of radius r outside the object,
-// an arm that reaches to the contact c on an edge, and a hand that goes beneath the object by its
-// depth d. With n the outward normal of the edge, the middle of the body is s = c + (r + reach) n,
-// the hand is the rectangle of its width from c to c - d n, and the lifting point is p = c - d n.
+// Where robots with a size can stand (docs/stands.md). A robot has a round body of radius r outside
+// the object, an arm that reaches to the contact c on an edge, and a hand that reaches beneath the
+// object by its depth d. With n the outward normal of the edge, the centre of the body is
+// s = c + (r + reach) n, the hand is the rectangle of its width from c to c - d n, and the lifting
+// point is p = c - d n.
 #pragma once
 
 #include <cstddef>
@@ -18,23 +19,23 @@
 
 namespace evenlift {
 
-// Why a part of an edge cannot be used.
+// Why a part of an edge is unusable.
 enum class WhyUnusable : std::uint8_t {
-  no_go,       // the user says so
+  no_go,       // the user forbids it
   body,        // the body would meet another part of the boundary
   arm,         // the arm would cross the object
   corner,      // the hand would stick out beyond a corner (Polygon::is_corner)
-  hand,        // the object is not deep enough for the hand, or not wide enough
-  near_no_go,  // the hand would reach sideways onto a part that the user marked
-  narrow,  // what is left between two other parts is shorter than the tolerance; it stays the last
+  hand,        // the object is not deep or wide enough for the hand
+  near_no_go,  // the hand would reach sideways onto a no-go part
+  narrow,      // the rest between two other parts is shorter than the tolerance; keep it last
 };
 
 inline constexpr std::size_t why_unusable_count = static_cast<std::size_t>(WhyUnusable::narrow) + 1;
 
-// "no_go", "body" and so on, as in JSON. O(1).
+// The name in JSON: "no_go", "body" and so on. O(1).
 std::string_view name(WhyUnusable why);
 
-// A part of an edge from its first vertex, in units of length.
+// A part of an edge, measured from its first vertex, in units of length.
 struct Stretch {
   double from = 0, to = 0;
 };
@@ -45,40 +46,39 @@ struct UnusablePart {
   WhyUnusable why = WhyUnusable::no_go;
 };
 
-// An edge as a robot at it sees it.
+// The local frame of an edge.
 struct EdgeFrame {
-  Vec2 start, along, outward;  // its first vertex, and two directions of unit length
+  Vec2 start, along, outward;  // its first vertex, and two unit vectors
   double length;
 };
 
-// The boundary as robots of one size can use it. At t along an edge a robot can stand if
-//   1. every other edge is at least r - tau L away from the middle of its body,
-//   2. the segment from the body's middle to the contact meets the object at the contact only (if the
-//      reach is above 0),
-//   3. [t - w / 2, t + w / 2] x [w / 10, d], the hand's rectangle without the tenth of its width that
-//      is next to the edge, lies within the object, to tau L; and the corners (Polygon::is_corner) at
-//      which the edge ends, where edges that straight vertices join are one, are w / 2 away,
-//   4. no part of the hand's width, from t - w / 2 to t + w / 2, is in a part of the edge that must
-//      not be touched.
-// A robot of which only the gap is above 0 may stand at a vertex, unless an edge there must not be
-// touched at it. Any other robot stands at no vertex: the stretches end 2 tau L before it, where a
-// contact is one inside the edge.
+// The boundary that robots of one size can use. At t along an edge a robot can stand if
+//   1. every other edge is at least r - tau L away from the centre of its body,
+//   2. the segment from the body's centre to the contact meets the object only at the contact (if
+//      the reach is above 0),
+//   3. [t - w / 2, t + w / 2] x [w / 10, d], the hand's rectangle without the tenth of its width
+//      next to the edge, lies within the object, to tau L; and the corners (Polygon::is_corner) at
+//      which the edge ends are at least w / 2 away, where edges joined by straight vertices count
+//      as one,
+//   4. no part of the hand's width, from t - w / 2 to t + w / 2, is in a no-go part of the edge.
+// A robot with only a gap above 0 may stand at a vertex, unless a no-go part includes the vertex.
+// Any other robot cannot stand at a vertex: the usable intervals end 2 tau L before it, so that a
+// contact counts as inside the edge.
 class Stands {
  public:
-  // The size and the parts must be in their ranges, and the edges must exist. For each edge the
-  // others near it are found in a tree of boxes. O(n log n + k log k) for k pairs of edges so near
-  // to each other that one may be in the way of a robot at the other, if the outline does not wind
-  // much.
+  // The size and the parts must be in their ranges, and the edges must exist. A tree of boxes finds
+  // the other edges near each edge. O(n log n + k log k) for k pairs of edges so close that one may
+  // obstruct a robot at the other, if the outline does not wind much.
   Stands(const Polygon& polygon, const RobotSize& robot, const std::vector<EdgePart>& no_go);
 
   const RobotSize& robot() const { return robot_; }
   // Whether a robot is more than a point.
   bool has_body() const { return robot_.has_body(); }
-  // Whether robots can stand anywhere at all.
+  // Whether there is any place where a robot can stand.
   bool any() const { return !usable_.empty(); }
 
-  // Where an edge can be used: disjoint closed stretches in ascending order, none shorter than tau
-  // L.
+  // The usable parts of an edge: disjoint closed intervals in ascending order, none shorter than
+  // tau L.
   struct Stretches {
     const Stretch* first;
     const Stretch* last;
@@ -89,30 +89,30 @@ class Stands {
   Stretches usable(std::uint32_t edge) const {
     return {usable_.data() + begins_[edge], usable_.data() + begins_[edge + std::size_t{1}]};
   }
-  // What cannot be used, edge after edge, in ascending order. If there are several reasons, it is
-  // the first of them in the order of WhyUnusable. The bits of 2 tau L at vertices are not listed.
+  // The unusable parts, edge after edge, in ascending order. Of several reasons, the first in the
+  // order of WhyUnusable is given. The pieces of 2 tau L at vertices are not listed.
   const std::vector<UnusablePart>& unusable() const { return unusable_; }
-  // Why nobody can stand at t along an edge; nothing where somebody can, to tau L. O(log n) and the
-  // edge's stretches.
+  // Why a robot cannot stand at t along an edge; nothing if it can, to tau L. O(log n) plus the
+  // number of usable intervals of the edge.
   std::optional<WhyUnusable> why_not(std::uint32_t edge, double t) const;
 
-  // The contact of a lifting point, and the middle of the body of a robot that lifts there. At a
-  // vertex, where only points can stand, both are the lifting point itself. O(1).
+  // The contact of the robot with this lifting point, and the centre of its body. At a vertex,
+  // where only points can stand, both are the lifting point itself. O(1).
   Vec2 contact(const LiftingPoint& point) const;
   Vec2 stand(const LiftingPoint& point) const;
   // The lifting point of a contact on an edge. O(1).
   LiftingPoint lifting_point(const LiftingPoint& contact) const;
-  // The way along its edge from the first vertex to a lifting point or contact. O(1).
+  // The distance along its edge from the first vertex to a lifting point or contact. O(1).
   double along(const LiftingPoint& point) const;
-  // Whether a robot can lift there, within tau L along the edge. The cost is that of why_not().
+  // Whether a robot can lift there, within tau L along the edge. Costs as much as why_not().
   bool can_lift(const LiftingPoint& point) const;
 
-  // Whether two robots get into each other's way. Their bodies' middles must be 2 r + gap apart,
-  // and the middle lines of their hands the hand's width. With a reach, the arm of each, the
-  // segment from its contact to the middle of its body, must be r + gap from the middle of the
-  // other's body, and the arms must not cross. All of that is to tau L. O(1).
+  // Whether two robots collide. The centres of their bodies must be at least 2 r + gap apart, and
+  // the centre lines of their hands at least the hand's width. With a reach, the arm of each (from
+  // its contact to the centre of its body) must be at least r + gap from the centre of the other's
+  // body, and the arms must not cross. All distances are to tau L. O(1).
   bool collide(const LiftingPoint& a, const LiftingPoint& b) const;
-  // Whether any two do. O(m^2).
+  // Whether any two of these robots collide. O(m^2).
   bool any_collide(const std::vector<LiftingPoint>& points) const;
 
  private:
@@ -124,34 +124,32 @@ class Stands {
   double near_ = 0;
   std::vector<EdgeFrame> frames_;  // of the edges
   std::vector<Stretch> usable_;
-  std::vector<std::uint32_t> begins_;  // into usable_, by edge, and one more
+  std::vector<std::uint32_t> begins_;  // by edge, into usable_; one more entry than edges
   std::vector<UnusablePart> unusable_;
 };
 
-// The contacts of lifting points; without `stands` the points themselves. O(points).
+// The contacts of the lifting points; without `stands`, the points themselves. O(points).
 std::vector<LiftingPoint> contact_points(const Stands* stands, std::vector<LiftingPoint> points);
 
-// Whether robots are points that may stand anywhere. Then nothing is asked of Stands. O(1).
+// Whether robots are points that may stand anywhere; then Stands is not needed. O(1).
 bool stands_anywhere(const Settings& settings);
 
-// The stands that the settings ask for; nothing if robots are points that may stand anywhere. It is
-// an error if an edge of no_go does not exist, or if nobody could stand anywhere. The cost is that
-// of Stands.
+// The stands for these settings; null if robots are points that may stand anywhere. An error if an
+// edge of no_go does not exist, or if no robot could stand anywhere. Costs as much as Stands.
 Result<std::shared_ptr<const Stands>> make_stands(const Polygon& polygon, const Settings& settings);
 
-// The parts that must not be touched, when somebody marks or edits the outline by hand. Results are
-// in order and without overlaps; `at` is a place on an edge as a part of its length. O(parts log
-// parts).
+// The no-go parts when the user marks or edits the outline by hand. Results are in order and do not
+// overlap; `at` is a place on an edge as a fraction of its length. O(parts log parts).
 
-// With one part more, and without what lies in a part.
+// The no-go parts with one part added, and with everything inside a part removed.
 std::vector<EdgePart> with_part(std::vector<EdgePart> no_go, const EdgePart& part);
 std::vector<EdgePart> without_part(std::vector<EdgePart> no_go, const EdgePart& part);
 
-// Whether a place is marked. O(parts).
+// Whether a place is in a no-go part. O(parts).
 bool is_marked(const std::vector<EdgePart>& no_go, std::uint32_t edge, double at);
 
-// The marks after a vertex was put on an edge; and after one of n > 3 vertices was removed, whose
-// two edges become one with the marks of both.
+// The no-go parts after a vertex was added on an edge; and after one of n > 3 vertices was removed,
+// so that its two edges become one edge with the no-go parts of both.
 std::vector<EdgePart> after_split(const std::vector<EdgePart>& no_go, std::uint32_t edge,
                                   double at);
 std::vector<EdgePart> after_removal(const std::vector<EdgePart>& no_go, const Points& vertices,

@@ -1,5 +1,5 @@
-// The one tolerance of algorithm.md, the comparisons within it, and when sets of robots tie. All
-// other decisions are exact. All functions are O(1).
+// The one tolerance of algorithm.md, the comparisons within it, and ties between sets of robots.
+// All other decisions are exact. All functions are O(1).
 #pragma once
 
 #include "evenlift/vec.h"
@@ -8,7 +8,7 @@ namespace evenlift {
 
 inline constexpr double tau = 1e-9;
 
-// The largest distance that counts as "within tau L", for a polygon of the diameter L.
+// The greatest distance that counts as "within tau L", for a polygon of diameter L.
 inline double near_distance(double diameter) { return tau * diameter; }
 
 // Whether two ratios or shares differ by at most tau.
@@ -17,24 +17,24 @@ bool ratios_tie(double a, double b);
 // Whether two lengths, each at least 0, differ by at most tau times the larger.
 bool lengths_tie(double a, double b);
 
-// A score ties with the best if it is at most this much lower: tau times the best, but at least
+// The greatest deficit at which a score ties with the best: tau times the best, but at least
 // `floor`, since differences of sums cancel. The floor is score_floor times L^2. For the metric
-// distance it is score_floor times L, and as many times more as the shortest edge of H is shorter
-// than short_edge times L.
+// distance it is score_floor times L; if the shortest edge of H is shorter than short_edge times L,
+// the floor grows by the same factor.
 double score_slack(double best, double floor);
 inline constexpr double score_floor = 1e-12;
 inline constexpr double short_edge = 1e-3;
 
-// When sets of robots are compared, coverages tie that differ by at most this much, and sums of
-// squared distances from C that differ by at most this part of the larger one.
+// When sets of robots are compared, coverages tie if they differ by at most coverage_tie, and sums
+// of squared distances from C tie if they differ by at most spread_tie times the larger sum.
 inline constexpr double coverage_tie = 1e-9;
 inline constexpr double spread_tie = 1e-9;
 
-// Whether two directions agree: the angle between them is below 90 degrees and its sine at most
+// Whether two directions agree: the angle between them is below 90 degrees and its sine is at most
 // tau.
 bool directions_agree(const Vec2& a, const Vec2& b);
 
-// Whether a direction counts as vertical: its sine with the y axis is at most tau.
+// Whether a direction counts as vertical: the sine of its angle with the y axis is at most tau.
 bool is_vertical(const Vec2& direction);
 
 }  // namespace evenlift

@@ -12,13 +12,13 @@ using Vec2 = Eigen::Vector2d;
 using Points = std::vector<Vec2>;
 
 // The cross product a.x b.y - a.y b.x, positive if b points to the left of a. It is computed in
-// plain doubles; decisions about input coordinates use predicates.h instead. O(1).
+// plain doubles; use predicates.h for decisions about input coordinates. O(1).
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // The dot product. O(1).
 inline double dot(const Vec2& a, const Vec2& b) { return a.x() * b.x() + a.y() * b.y(); }
 
-// The length, by one square root. (hypot would differ between libraries.) O(1).
+// The length, by one square root. (hypot differs between libraries.) O(1).
 inline double length(const Vec2& a) { return std::sqrt(a.x() * a.x() + a.y() * a.y()); }
 
 // The sum |a.x| + |a.y|, which is never below the length. O(1).
@@ -27,7 +27,7 @@ inline double one_norm(const Vec2& a) { return std::fabs(a.x()) + std::fabs(a.y(
 // The left normal of a: a turned by +90 degrees. O(1).
 inline Vec2 left_normal(const Vec2& a) { return {-a.y(), a.x()}; }
 
-// A box with sides parallel to the axes, from its lower left to its upper right corner.
+// An axis-aligned box, from its lower left to its upper right corner.
 struct Box {
   Vec2 low = Vec2::Zero(), high = Vec2::Zero();
   Vec2 size() const { return high - low; }

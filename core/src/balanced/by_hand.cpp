@@ -27,7 +27,7 @@ std::optional<std::vector<LiftingPoint>> move_robot(const BalancedProblem& probl
   for (std::size_t i = 0; i < m; ++i)
     if (i != followers[0] && i != followers[1]) others.push_back(robots[i]);
 
-  // Either end may become either of the two.
+  // Either end of the chord may go to either follower.
   std::optional<std::array<LiftingPoint, 2>> nearest;
   double least = 0;
   for (const Candidate& candidate : balanced::all_pairs_to_complete(problem.rules(), others)) {

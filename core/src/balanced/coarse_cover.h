@@ -1,5 +1,5 @@
 // An upper bound of the coverage, from the part of P in each cell of a grid. Nearly all sets are
-// worse than the best one by more than it is off, and need no exact coverage.
+// worse than the best one by more than the error of this bound, and need no exact coverage.
 #pragma once
 
 #include <array>
@@ -15,13 +15,13 @@ class CoarseCover {
   // O(n) for each row of the grid.
   CoarseCover(const Polygon& polygon, const Vec2& centre);
 
-  // At least the coverage of H: all of each cell that H meets counts. O(h) and the rows.
+  // An upper bound of the coverage of H: each cell that H meets counts in full. O(h) and the rows.
   double most(const SmallHull& hull) const;
 
  private:
-  static constexpr std::size_t cells = 32;  // in a row, and rows
+  static constexpr std::size_t cells = 32;  // the number of columns, and of rows
 
-  // The columns in which H meets a row, in cells; none if first > last.
+  // The columns in which H meets a row, in cells; empty if first > last.
   struct Stretch {
     double first = cells, last = -1;
   };
@@ -29,7 +29,7 @@ class CoarseCover {
   static std::size_t cell_of(double place);
   static void widen(Rows& rows, const Vec2& a, const Vec2& b);
 
-  Vec2 low_, scale_;  // relative to C, and cells for a unit of length
+  Vec2 low_, scale_;  // relative to C; cells per unit of length
   // The part of P in the cells of a row before each column, as a share of P.
   std::array<std::array<double, cells + 1>, cells> before_{};
 };

@@ -59,7 +59,7 @@ void Best::offer_three_more(const std::vector<LiftingPoint>& robots, const Lifti
 
 void Best::complete(const std::vector<LiftingPoint>& robots, std::size_t added,
                     std::uint32_t near_pairs) {
-  // More pairs do not make a set better.
+  // Adding robots never reduces the number of near pairs.
   if (set_ && near_pairs > set_->near_pairs) return;
   for (const Candidate& candidate : pairs_to_complete(rules_, robots)) {
     const LiftingPoint &r1 = candidate.chord.r1, &r2 = candidate.chord.r2;

@@ -1,4 +1,4 @@
-// The sets that complete some robots so that the centroid of all is C.
+// The sets that complete given robots so that the centroid of all is C.
 #pragma once
 
 #include <cstddef>
@@ -9,38 +9,39 @@
 
 namespace evenlift::balanced {
 
-// Where the middle of two more robots must be, so that C is the centroid of all.
+// The midpoint that two more robots must have, so that C is the centroid of all.
 Vec2 middle_of_two_more(const std::vector<LiftingPoint>& robots, const Vec2& centre);
 
-// The even candidates whose two ends, with these robots, have the centroid C: of outlines with more
-// than 1,000 vertices some of them if there are many (EvenChords::some_about).
+// The even candidates whose two ends complete these robots to a set with the centroid C. If the
+// outline has more than 1,000 vertices and the candidates are many, only some of them
+// (EvenChords::some_about).
 std::vector<Candidate> pairs_to_complete(const Rules& rules,
                                          const std::vector<LiftingPoint>& robots);
 
-// The same, and always all of them.
+// All these candidates, for any outline.
 std::vector<Candidate> all_pairs_to_complete(const Rules& rules,
                                              const std::vector<LiftingPoint>& robots);
 
-// Keeps the best of the sets that are offered to it; of equal ones the first.
+// Keeps the best of the sets that it is offered; the first wins a tie.
 class Best {
  public:
   explicit Best(const Rules& rules) : rules_(rules) {}
 
-  // Offers robots with two more, or with three more, in their order.
+  // Offers the robots completed by two more, or by three more, in their order.
   void offer(const RatedSet& set) { set_ = set; }
   void offer_two_more(const std::vector<LiftingPoint>& robots);
   void offer_three_more(const std::vector<LiftingPoint>& robots);
-  // The same with the first of the three at this place.
+  // Offers the robots completed by three more, the first of them at `place`.
   void offer_three_more(const std::vector<LiftingPoint>& robots, const LiftingPoint& place);
 
   const std::optional<RatedSet>& set() const { return set_; }
-  // Whether a set that was completed is the best.
+  // Whether the best set is a completed one.
   bool completed() const { return completed_; }
-  // How many of the best set's robots, the first ones, were there before it was completed.
+  // The number of robots that the best set had before it was completed. They come first.
   std::size_t kept() const { return kept_; }
 
  private:
-  // The last `added` of the robots are on trial, too. Those that collide are left out.
+  // The last `added` robots are on trial, like the two ends. Skips sets whose robots collide.
   void complete(const std::vector<LiftingPoint>& robots, std::size_t added,
                 std::uint32_t near_pairs);
 
@@ -48,7 +49,7 @@ class Best {
   std::optional<RatedSet> set_;
   bool completed_ = false;
   std::size_t kept_ = 0;
-  RatedSet offered_;  // its memory is used again and again
+  RatedSet offered_;  // kept to reuse its memory
 };
 
 }  // namespace evenlift::balanced

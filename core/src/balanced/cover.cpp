@@ -7,10 +7,10 @@
 
 namespace evenlift::balanced {
 
-// The area of the intersection of P and H is that of a closed curve: the outline of P with all that
-// is outside of H drawn in along the rays to C, onto the rim of H. A stretch inside H adds what it
-// spans with C, and one outside adds the sector of H between the directions of its ends. All points
-// are relative to C.
+// The intersection of P and H has the area of a closed curve: the outline of P, with all parts
+// outside H pulled along the rays to C onto the boundary of H. A part inside H adds the triangle
+// that it spans with C. A part outside adds the sector of H between the directions of its ends. All
+// points are relative to C.
 class Cover::Sum {
  public:
   Sum(const Cover& cover, const SmallHull& hull)
@@ -95,21 +95,21 @@ class Cover::Sum {
     if (leave < 1) add_sector(last, b);
   }
 
-  // Of a stretch outside of H, which C sees under less than 180 degrees.
+  // For a part outside H, which C sees at an angle of less than 180 degrees.
   void add_sector(const Vec2& a, const Vec2& b) {
     const double turn = cross(a, b), all = sectors_[hull_.size];
-    // Consecutive stretches share an end, so the last call's sector is reused.
+    // Consecutive parts share an end, so the last call's sector is reused.
     const double before_a = a == last_ ? before_last_ : sector_before(a);
     last_ = b;
     before_last_ = sector_before(b);
     double sector = before_last_ - before_a;
-    constexpr double rounding = 1e-12;  // of a sector between directions that are nearly the same
+    constexpr double rounding = 1e-12;  // of a sector between nearly equal directions
     if (turn >= 0 && sector < -rounding * all) sector += all;
     if (turn <= 0 && sector > rounding * all) sector -= all;
     doubled_area_ += sector;
   }
 
-  // Twice the area of H between the first corner and a direction, counter-clockwise.
+  // Twice the area of H from the first corner counter-clockwise to a direction.
   double sector_before(const Vec2& direction) const {
     std::size_t i = 0;
     while (i + 1 < hull_.size &&
@@ -126,7 +126,7 @@ class Cover::Sum {
   std::array<double, most_robots> bounds_{};
   std::array<double, most_robots + 1> sectors_{};  // twice the area before each corner
   double doubled_area_ = 0;
-  Vec2 last_ = Vec2::Zero();  // the end of the last stretch outside, and the sector before it
+  Vec2 last_ = Vec2::Zero();  // the end of the last part outside, and the sector before it
   double before_last_ = 0;
 };
 

@@ -15,9 +15,9 @@ class Cover {
   // The polygon must outlive it. O(n).
   Cover(const Polygon& polygon, const Vec2& centre);
 
-  // The same as coverage(polygon, hull), up to rounding. C must be inside H; otherwise, and for a
-  // hull without area, it is 0. For each place where the outline crosses H O(h log n), and O(n h)
-  // at worst.
+  // Equals coverage(polygon, hull) up to rounding if C is inside H. It is 0 if C is not inside, or
+  // if the hull has no area. For each place where the outline crosses H O(h log n), and O(n h) at
+  // worst.
   double of(const SmallHull& hull) const;
 
  private:
@@ -26,7 +26,7 @@ class Cover {
   const Polygon& polygon_;
   Vec2 centre_;
   EdgeTree tree_;
-  std::vector<double> doubled_areas_;  // by edge: of the triangles of C and the edges before it
+  std::vector<double> doubled_areas_;  // by edge: of the triangles of C and the preceding edges
 };
 
 }  // namespace evenlift::balanced

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t many_vertices = 1000;
 constexpr std::uint32_t usual_stands = 64, stands_of_many_vertices = 16;
 
-// v*: of the vertices farthest from C within tolerance the leftmost, then the lowest.
+// v*: among the vertices farthest from C within tolerance, the leftmost, then the lowest.
 std::uint32_t first_vertex(const Polygon& polygon, const Vec2& centre) {
   const double farthest = farthest_vertex(polygon, centre);
   const double near = near_distance(polygon.diameter());
@@ -40,7 +40,7 @@ Outline::Outline(const Polygon& polygon, const Vec2& centre)
   }
 }
 
-// The step goes along the edge that begins at its vertex, or against the one that ends there.
+// The step follows the edge that begins at its vertex, or runs against the edge that ends there.
 std::uint32_t Outline::edge_of_step(std::size_t step) const {
   const std::uint32_t vertex = vertices_[step];
   return polygon_.counter_clockwise() ? vertex
@@ -79,7 +79,7 @@ std::vector<LiftingPoint> Outline::reflex_stands(std::uint32_t most) const {
   return stands;
 }
 
-// Evenly along the stretches that can be used, one after another.
+// At equal distances along all usable ranges, one after another.
 std::vector<LiftingPoint> Outline::usable_stands(std::uint32_t number, const Stands& room) const {
   double total = 0;
   for (std::uint32_t edge = 0; edge < vertices_.size(); ++edge)
@@ -113,7 +113,7 @@ std::vector<std::uint32_t> Outline::edges() const {
   return edges;
 }
 
-// The ends and the middle of each interval that can be used.
+// The ends and the middle of each usable interval.
 std::vector<LiftingPoint> Outline::interval_stands(std::uint32_t most, const Stands& room) const {
   std::vector<LiftingPoint> stands;
   for (const std::uint32_t edge : edges()) {

@@ -1,5 +1,5 @@
-// The outline of P as balanced robots see it: a walk from v*, which does not depend on the vertex
-// with which the list begins, and the stands along it.
+// The outline of P as a walk from v*, which does not depend on the first vertex of the list, and
+// the trial points along it.
 #pragma once
 
 #include <cstdint>
@@ -22,13 +22,13 @@ class Outline {
   // The edges in the order of the walk. O(n).
   std::vector<std::uint32_t> edges() const;
 
-  // The way from v* counter-clockwise to a point on one of the edges, in [0, Lambda). A point
-  // within tau Lambda of the end of the walk is at its beginning. O(1).
+  // The distance from v* counter-clockwise to a point on one of the edges, in [0, Lambda). A point
+  // within tau Lambda of the end of the walk counts as its beginning. O(1).
   double place(const LiftingPoint& point) const;
 
-  // The stands, in their order. Where robots have a size they are spread over what these can use,
-  // followed by the ends and the middle of each usable interval if there are at most as many of
-  // these, and are lifting points. O(n).
+  // The trial points, in their order. If robots have a size, the trial points are lifting points
+  // spread over the usable ranges. The ends and the middle of each usable interval follow, unless
+  // there are more intervals than trial points. O(n).
   std::vector<LiftingPoint> stands(const Stands* room = nullptr) const;
 
  private:
@@ -41,7 +41,7 @@ class Outline {
   const Polygon& polygon_;
   std::vector<std::uint32_t> vertices_;  // from v* counter-clockwise
   std::vector<std::uint32_t> steps_;     // by edge: the step of the walk along it
-  std::vector<double> starts_;           // by step: the way before it; then Lambda
+  std::vector<double> starts_;           // by step: the distance before it; then Lambda
 };
 
 }  // namespace evenlift::balanced

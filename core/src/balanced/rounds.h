@@ -1,4 +1,4 @@
-// The exchanges of the search, on the rules alone (evenlift/balanced.h has the same for a problem).
+// The swaps of the search, for the rules alone (evenlift/balanced.h has them for a problem).
 #pragma once
 
 #include "balanced/rules.h"

@@ -24,15 +24,15 @@ int compare_places(const std::vector<double>& a, const std::vector<double>& b, d
   return 0;
 }
 
-// The stands of the settings. Where there is no room for any robot, or an edge does not exist,
-// place() has said so before.
+// The stands for the settings. If no robot fits, or an edge does not exist, place() has already
+// reported the error.
 std::shared_ptr<const Stands> room_of(const Polygon& polygon, const Settings& settings) {
   auto room = make_stands(polygon, settings);
   return room ? *std::move(room) : nullptr;
 }
 
-// What a completion takes: on outlines that wind, the coverage of a set is added up along all that
-// winds.
+// The work of a completion. On a winding outline, the coverage of a set is summed along the whole
+// outline.
 std::uint64_t work_on(const Polygon& polygon, const EvenChords& chords, const Vec2& centre) {
   constexpr std::size_t few_vertices = 1000, most_counted = 100'000, for_one = 100;
   if (polygon.size() <= few_vertices) return 0;
@@ -114,7 +114,7 @@ const SmallHull& Rules::hull(RatedSet& set) const {
   return *set.hull;
 }
 
-// Whether the coverage is surely below a bound.
+// Whether the coverage is certainly below a bound.
 bool Rules::covers_less(RatedSet& set, double bound) const {
   constexpr double rounding = 1 + 1e-12;
   return rounding * hull(set).area / polygon_.area() < bound ||
@@ -138,7 +138,7 @@ double Rules::spread(RatedSet& set) const {
   return *set.spread;
 }
 
-// Of its contact, where hands lift beneath the object.
+// The place of a robot, or of its contact if hands lift beneath the object.
 double Rules::place(const LiftingPoint& robot) const {
   return outline_.place(room_ ? LiftingPoint{room_->contact(robot), robot.edge} : robot);
 }
@@ -153,7 +153,7 @@ const std::vector<double>& Rules::places(RatedSet& set) const {
   return *set.places;
 }
 
-// Whether coverage decides against a, because no key before it can decide for a.
+// Whether coverage decides against a, because no earlier key can decide for a.
 bool Rules::surely_loses_by_coverage(RatedSet& a, RatedSet& b) const {
   if (survive_ > 0 && steady(b) < survive_) return false;
   if (holds_ && level(b) < best_level) return false;

@@ -1,5 +1,5 @@
-// What is asked of balanced robots, and which of two sets is better. The keys of a set are computed
-// only when a comparison needs them, the cheap ones first: nearly all sets lose by a bound.
+// The requirements on balanced robots, and the order of two sets. A key is computed only when a
+// comparison needs it, the cheap keys first: nearly all sets lose by a bound.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@
 
 namespace evenlift::balanced {
 
-// Robots, and those of their keys that are known.
+// Robots, with the keys computed so far.
 struct RatedSet {
   std::vector<LiftingPoint> robots;
   std::uint32_t near_pairs = 0;
@@ -30,7 +30,7 @@ struct RatedSet {
   std::optional<double> coverage, spread;
   std::optional<std::vector<double>> places;
 
-  // Forgets the keys, for other robots.
+  // Clears the keys, for other robots.
   void begin(std::uint32_t pairs);
 };
 
@@ -46,37 +46,37 @@ class Rules {
   const EvenChords& chords() const { return chords_; }
   const Outline& outline() const { return outline_; }
   const std::vector<LiftingPoint>& stands() const { return stands_; }
-  // In units of most_work (balanced.h); 0 for outlines on which the work is not bounded.
+  // In units of most_work (balanced.h); 0 for outlines whose work is not bounded.
   std::uint64_t work_of_completion() const { return work_of_completion_; }
   const std::vector<Triple>& triples() const { return triples_; }
 
-  // Where robots with a size can stand; none if they are points that may stand anywhere.
+  // The places where robots with a size can stand; null if robots are points that may stand
+  // anywhere.
   const Stands* room() const { return room_.get(); }
-  // Whether another robot would collide with one of `robots`, of which the first `number` count.
-  // O(number).
+  // Whether `other` would collide with one of the first `number` robots. O(number).
   bool collides(const std::vector<LiftingPoint>& robots, std::size_t number,
                 const LiftingPoint& other) const;
 
-  // The number of pairs of a robot among `robots`, of which the first `number` count, and `other`
-  // that are nearer to each other than they should be. O(number).
+  // The number of robots, among the first `number`, that are nearer to `other` than they should be.
+  // O(number).
   std::uint32_t near_pairs(const std::vector<LiftingPoint>& robots, std::size_t number,
                            const LiftingPoint& other) const;
 
-  // The same of all pairs. O(m^2).
+  // The number of such pairs among all robots. O(m^2).
   std::uint32_t near_pairs(const std::vector<LiftingPoint>& robots) const;
 
-  // Whether the goal is to hold, and a set does not even reach the first level.
+  // Whether the goal is hold, but the margin of the set misses the first level.
   bool misses_hold(RatedSet& set) const { return holds_ && level(set) == 0; }
-  // Whether a is at a higher level.
+  // Whether the margin of a reaches a higher level.
   bool holds_better(RatedSet& a, RatedSet& b) const { return level(a) > level(b); }
 
   // Whether a is better than b.
   bool better(RatedSet& a, RatedSet& b) const;
 
-  // Which key tells the two apart; nothing if they tie in all.
+  // The key that decides between the two; nothing if they tie in all.
   std::optional<BalancedKey> decided_by(RatedSet& a, RatedSet& b) const;
 
-  // Robots whose pairs that are too near to each other are counted. O(m^2).
+  // Robots, with the number of pairs that are too near to each other. O(m^2).
   RatedSet rated(const std::vector<LiftingPoint>& robots) const;
 
   // All keys, as values.
@@ -96,8 +96,8 @@ class Rules {
   const std::vector<double>& places(RatedSet& set) const;
   bool surely_loses_by_coverage(RatedSet& a, RatedSet& b) const;
 
-  // The first key in which two sets differ, and for which of them it decides: 1 for a, -1 for b, 0
-  // if there is none.
+  // The first key in which two sets differ, and the set for which it decides: 1 for a, -1 for b, 0
+  // if they tie.
   struct Decision {
     int order = 0;
     BalancedKey key = BalancedKey::near_pairs;
@@ -107,9 +107,9 @@ class Rules {
   Polygon polygon_;
   Vec2 centre_;
   std::uint32_t robots_;
-  bool holds_;  // whether the goal is to hold
+  bool holds_;  // whether the goal is hold
   FirmHold firm_;
-  double near_square_;  // robots whose squared distance is below are too near to each other
+  double near_square_;  // robots at a smaller squared distance are too near to each other
   int survive_;
   std::shared_ptr<const Stands> room_;
   Outline outline_;

@@ -16,14 +16,14 @@ using balanced::Best;
 using balanced::RatedSet;
 using balanced::Rules;
 
-// How many completions the start takes.
+// The number of completions that the start takes.
 std::size_t completions_of_start(const Rules& rules) {
   const std::size_t stands = rules.stands().size(), robots = rules.robots();
   return stands * (robots - 1) + (robots == 4 ? stands * stands : 0);
 }
 
-// A step is about a microsecond. A candidate costs one, and more the more the outline winds, since
-// the coverage of its set is added up along it.
+// A step is about a microsecond. A candidate costs one step. It costs more the more the outline
+// winds, since the coverage of its set is summed along the outline.
 std::size_t steps_of_completion(const Rules& rules) {
   constexpr std::size_t most_candidates = 2'000, winding = 50;
   const std::size_t candidates = rules.chords().count_about(rules.centre(), most_candidates);
@@ -88,7 +88,7 @@ bool is_quick_to_start(const BalancedProblem& problem) {
 bool is_quick_to_finish(const BalancedProblem& problem) {
   const Rules& rules = problem.rules();
   constexpr std::size_t usual_rounds = 3;
-  // Robots with a size begin once more from several starts.
+  // Robots with a size restart from several starts.
   const std::size_t searches = rules.room() ? 2 + balanced::most_starts : 1;
   const std::size_t completions = completions_of_start(rules) + searches * usual_rounds *
                                                                     rules.triples().size() *
@@ -109,7 +109,7 @@ BalancedStep try_next_triple(const Rules& rules, BalancedSearch search) {
   if (best.completed()) {
     exchange.emplace();
     exchange->numbers = triple;
-    // The three that came are the last ones.
+    // The three new robots are the last ones.
     const std::vector<LiftingPoint>& robots = best.set()->robots;
     for (std::size_t i = 0; i < triple.size(); ++i) {
       exchange->from[i] = search.robots[triple[i]];

@@ -9,7 +9,7 @@
 namespace evenlift::balanced {
 namespace {
 
-// From which stands S_4 begins.
+// The trial points from which S_4 begins.
 enum class Begin { as_usual, at_every_stand };
 
 std::optional<StartSet> next_set(const Rules& rules, const StartSets& sets, Begin begin) {
@@ -32,7 +32,7 @@ StartSets chain(const Rules& rules, Begin begin) {
   return sets;
 }
 
-// What the exchanges come to from a start.
+// The result of the swaps from a start.
 RatedSet end_of(const Rules& rules, const RatedSet& start) {
   BalancedSearch search;
   search.robots = rules.in_order(start).robots;

@@ -4,8 +4,9 @@ namespace evenlift::balanced {
 
 namespace {
 
-// How many of the three pairs must be neighbours along the outline. Beyond 24 robots little is left
-// to gain: two pairs leave the coverage 1 point lower than one does, in a twentieth of the time.
+// The number of the three pairs that must be neighbours along the outline. Beyond 24 robots little
+// is left to gain: two pairs leave the coverage 1 percentage point lower than one does, in a
+// twentieth of the time.
 std::uint32_t neighbours_needed(std::uint32_t robots) {
   return robots <= 12 ? 0 : robots <= 24 ? 1 : 2;
 }

@@ -1,4 +1,4 @@
-// Which three robots an exchange may replace.
+// The three robots that a swap may replace.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@ namespace evenlift::balanced {
 
 using Triple = std::array<std::uint32_t, 3>;  // increasing
 
-// The triples of m robots in lexicographic order: all of up to 12 robots, those of which two are
-// neighbours along the outline of up to 24, and three in a row of more. O(m^3).
+// The triples of m robots in lexicographic order. With up to 12 robots all triples; with up to 24,
+// those with two neighbours along the outline; with more, three in a row. O(m^3).
 std::vector<Triple> triples_of(std::uint32_t robots);
 
 // The robots that are not in the triple. O(m).

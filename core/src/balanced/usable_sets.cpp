@@ -11,23 +11,23 @@
 namespace evenlift::balanced {
 namespace {
 
-// Part of an edge on which robots can stand, by the way t along the edge, and where they lift then:
-// at start + t along, from C.
+// The part of an edge on which robots can stand, as distances t along the edge, and their lifting
+// points: at start + t along, relative to C.
 struct Interval {
   std::uint32_t edge = 0;
   double from = 0, to = 0;
   Vec2 start = Vec2::Zero(), along = Vec2::Zero();
-  std::uint32_t most = 0;  // robots that find room beside each other
+  std::uint32_t most = 0;  // the number of robots that fit beside each other
 
   Vec2 at(double t) const { return start + t * along; }
 };
 
-// How many robots an interval takes, and the places that the middle of them can have.
+// The number of robots on an interval, and the possible places of their middle.
 struct Group {
   const Interval* interval;
   std::uint32_t robots;
   double middle, half;  // from middle - half to middle + half
-  double share = 0;     // of `half` by which the middle is off, -1 .. 1
+  double share = 0;     // the offset of the middle, as a share of `half`, -1 .. 1
 };
 
 // Directions in which sums are bounded before they are solved.
@@ -59,9 +59,9 @@ Reach reach_of(const Interval& interval) {
   return reach;
 }
 
-// Finds shares so that the groups' sum is 0: among all that reach as far as they can towards what
-// is missing, scaled back. That is a knapsack whose items may be divided. False if the groups
-// cannot reach it.
+// Finds shares so that the groups' sum is 0: the shares that reach farthest towards the missing
+// vector, scaled back. That is a knapsack with divisible items. False if the groups cannot reach
+// it.
 bool settle(std::vector<Group>& groups, double near) {
   Vec2 missing = Vec2::Zero();
   for (const Group& group : groups) missing -= group.robots * group.interval->at(group.middle);
@@ -73,7 +73,7 @@ bool settle(std::vector<Group>& groups, double near) {
     double sign, across, ahead;
   };
   std::vector<Item> items;
-  double behind = 0;  // of the balance across, that is still to be taken with the share -1
+  double behind = 0;  // the balance across of the items not taken yet, which have the share -1
   for (Group& group : groups) {
     const Vec2 whole = group.robots * group.half * group.interval->along;
     double across = cross(towards, whole), ahead = dot(towards, whole);
@@ -83,7 +83,7 @@ bool settle(std::vector<Group>& groups, double near) {
     behind += across;
     items.push_back({&group, sign, across, ahead});
   }
-  // The steepest come first: they are taken with 1 until the rest, with -1, balances them.
+  // The steepest come first: they get the share 1 until the others, with -1, balance them.
   std::stable_sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
     return a.ahead * b.across > b.ahead * a.across;
   });
@@ -152,8 +152,8 @@ class UsableSets {
     }
   }
 
-  // Chooses how many of the robots that are left stand on the intervals from one on. `reach` is how
-  // far those that were chosen can reach from C, in the directions of the compass.
+  // Distributes the remaining robots among the intervals from `from` on. `reach` is the distance
+  // from C that the robots placed so far can reach, in the directions of the compass.
   void choose(std::size_t from, std::uint32_t left, const Reach& reach) {
     if (left == 0) return settle_and_keep();
     if (from == intervals_.size() || ++nodes_ > most_nodes || !can_balance(from, left, reach))
@@ -187,7 +187,7 @@ class UsableSets {
     for (const double width : {0.0, 0.5, 1.0}) keep(robots_of(groups, width));
   }
 
-  // The robots of the groups, from as near to each other as they can stand, 0, to as far, 1.
+  // The robots of the groups: at width 0 as close together as possible, at width 1 as far apart.
   std::vector<LiftingPoint> robots_of(const std::vector<Group>& groups, double width) const {
     std::vector<LiftingPoint> robots;
     for (const Group& group : groups) {
@@ -220,7 +220,7 @@ class UsableSets {
   std::size_t most_;
   double near_, spacing_;
   std::vector<Interval> intervals_;
-  std::vector<Reach> reach_behind_;  // how far one robot reaches on this interval or a later one
+  std::vector<Reach> reach_behind_;  // the reach of one robot on this interval or a later one
   std::vector<std::pair<std::size_t, std::uint32_t>> chosen_;  // intervals, and their robots
   std::size_t nodes_ = 0;
   std::vector<RatedSet> best_;

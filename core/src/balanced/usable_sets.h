@@ -1,7 +1,7 @@
-// Sets of robots with a size where few of them find a place. The search among completions walks
-// from set to set, and where the boundary that can be used is short it may meet none. So these sets
-// are found the other way round: first how many robots each usable interval takes, which can have
-// their centroid at C at all, and then their places.
+// Sets of robots with a size, for objects on which few sets fit. The search among completions moves
+// from set to set, and may find none where the usable boundary is short. So these sets are found in
+// the opposite order: first the number of robots on each usable interval, if their centroid can be
+// at C, and then their places.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@
 
 namespace evenlift::balanced {
 
-// The best sets of that kind, at most `most`, the best first; none where robots are points or where
-// there are too many intervals. Robots on one interval stand symmetrically about their middle, as
-// near to each other as they can, as far apart as they can, or between. At most most_nodes choices
-// of numbers are looked at, from the first interval behind v* on, so that the work is bounded and
-// the same on every platform.
+// The best such sets, at most `most`, the best first; none if robots are points or if there are too
+// many intervals. Robots on one interval stand symmetrically about their middle: as close together
+// as they can, as far apart as they can, or between. At most most_nodes choices of numbers are
+// tried, from the first interval after v* on, so that the work is bounded and the same on every
+// platform.
 inline constexpr std::size_t most_nodes = 100'000;
 std::vector<RatedSet> usable_sets(const Rules& rules, std::size_t most);
 

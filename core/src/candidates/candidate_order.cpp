@@ -19,7 +19,7 @@ constexpr int slope_bits = 40;
 constexpr SlopeKey vertical_slope = (SlopeKey{1} << slope_bits) - 1;
 static_assert(max_edge_pairs <= SlopeKey{1} << number_bits && number_bits + slope_bits == 64);
 
-// See settle_order.
+// Implements settle_order.
 class Settler {
  public:
   Settler(std::vector<Candidate>& candidates, double near) : candidates_(candidates), near_(near) {}
@@ -48,7 +48,7 @@ class Settler {
     }
   }
 
-  // Chords of one vertex have the very same direction. Few others have the same key.
+  // Chords of one vertex have exactly the same direction. Few other chords share a key.
   bool same_key(std::size_t i) const {
     return i + 1 < vertical_from_ && (direction(i) == direction(i + 1) ||
                                       slope_key(direction(i), 0) == slope_key(direction(i + 1), 0));
@@ -86,8 +86,8 @@ class Settler {
     rearrange(begin);
   }
 
-  // By the first coordinate in which they differ by more than rounding can tip. Of two chords that
-  // are not one, some coordinate differs by more than near / sqrt(2).
+  // Sorts by the first coordinate whose difference rounding cannot reverse. Two distinct chords
+  // differ in some coordinate by more than near / sqrt(2).
   void sort_by_coordinates(std::span<std::uint32_t> alike, std::size_t which) {
     const auto coordinate = [&](std::uint32_t i) { return coordinates(candidates_[i])[which]; };
     const auto tie = [&](double a, double b) { return std::fabs(a - b) <= near_ / 2; };
@@ -108,7 +108,7 @@ class Settler {
         [&](std::span<std::uint32_t> level) { sort_by_coordinates(level, which + 1); });
   }
 
-  // For chords that are one but for rounding.
+  // For chords that are equal except for rounding.
   bool comes_first(std::uint32_t i, std::uint32_t j) const {
     const Candidate &a = candidates_[i], &b = candidates_[j];
     const auto p = coordinates(a), q = coordinates(b);
@@ -116,7 +116,7 @@ class Settler {
     return a.kind != b.kind ? a.kind < b.kind : i < j;
   }
 
-  // Of the left end, then of the right one.
+  // First the left end, then the right end.
   static std::array<double, 4> coordinates(const Candidate& c) {
     const Vec2 &p = c.chord.r1.position, &q = c.chord.r2.position;
     return {p.x(), p.y(), q.x(), q.y()};
@@ -142,7 +142,7 @@ class Settler {
   std::vector<Candidate>& candidates_;
   double near_;  // tau L
   std::size_t vertical_from_ = 0;
-  SortedIndices members_;  // of the run under way
+  SortedIndices members_;  // of the current run
   std::vector<Candidate> moved_;
 };
 

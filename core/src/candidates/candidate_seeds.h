@@ -1,5 +1,5 @@
-// Candidates are made in two steps, so that the large records are written only once and in their
-// order. First each gets a short seed and a sort key; then the candidates grow from the sorted
+// Candidates are made in two steps, so that the large records are written only once and in order.
+// First each candidate gets a short seed and a sort key; then the candidates grow from the sorted
 // seeds.
 #pragma once
 
@@ -17,14 +17,14 @@ namespace evenlift {
 
 class CandidateSeeds {
  public:
-  // If `traced`, grow() sets the source of each candidate: the number of the call of add() from
-  // which it came. Range candidates stand at least `clear` from corners where they can. O(n).
+  // If `traced`, grow() sets the source of each candidate: the number of the call of add() that
+  // produced it. Range candidates stand at least `clear` from corners where possible. O(n).
   CandidateSeeds(const Polygon& polygon, const Vec2& centre, const RadialView& view,
                  const std::vector<OppositeVertices>& opposite, double min_ratio,
                  Positions positions, double clear, bool traced);
 
-  // Examines an edge-pair or two opposite vertices and adds at most one seed, and two more of an
-  // edge-pair with positions anywhere in the range. Amortized O(1).
+  // Examines an edge-pair or two opposite vertices and adds at most one seed; for an edge-pair with
+  // positions anywhere in the range, two more. Amortized O(1).
   void add(const EdgePair& pair) {
     const std::size_t before = seeds_.size();
     examine_and_add(pair);
@@ -37,13 +37,13 @@ class CandidateSeeds {
     ++sources_;
   }
 
-  // The candidates of all sources, in candidate order and with duplicates. It may be called only
-  // once. O(m), and O(l log l) for each line with l of the m candidates.
+  // The candidates of all sources, in candidate order and with duplicates. Call it only once. O(m),
+  // and O(l log l) for each line with l of the m candidates.
   std::vector<Candidate> grow();
 
  private:
-  // A chord from `vertex` of `edge` through C to the edge `other`, which it meets at the vertex
-  // `opposite`, unless that is inside_edge.
+  // A chord from `vertex` of `edge` through C to the edge `other`. It ends there at the vertex
+  // `opposite`, unless `opposite` is inside_edge.
   struct VertexChordSeed {
     std::uint32_t edge, other, vertex, opposite;
   };
@@ -51,7 +51,7 @@ class CandidateSeeds {
   struct BisectingSeed {
     std::uint32_t edge_a, edge_b, offset;
   };
-  // A candidate that is finished already; `index` is an index into finished_.
+  // A finished candidate; `index` is an index into finished_.
   struct FinishedSeed {
     std::uint32_t index;
   };

@@ -19,8 +19,8 @@ struct Found {
   std::vector<Candidate> candidates;
   std::uint32_t sources = 0;
   std::vector<std::uint32_t> source_of_chord;  // if traced: the source of each chord before merging
-  std::vector<char> in_range;                  // and whether it is a range candidate
-  std::vector<std::uint32_t> became;           // and the candidate that the chord led to
+  std::vector<char> in_range;                  // whether the chord is a range candidate
+  std::vector<std::uint32_t> became;           // the candidate that the chord became
 };
 
 // Each pair may have three candidates, and their numbers must fit into their keys

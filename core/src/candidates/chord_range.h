@@ -1,5 +1,5 @@
-// The chords between two lines on which robots with a size lift, and the parts of the lines at
-// which two robots can stand.
+// The chords between two lines on which robots with a size lift, and the parts of the lines where
+// two robots can stand.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 namespace evenlift {
 
 // The chords about C between two lines, by t along a. The ratio q = |C r_a| / |C r_b| is linear in
-// t. The lines must outlive it, and neither passes through C.
+// t. The lines must outlive it, and neither may pass through C.
 class ChordRange {
  public:
   ChordRange(const StandLine& a, const StandLine& b) : a_(a), b_(b) {
@@ -22,15 +22,15 @@ class ChordRange {
   double slope() const { return slope_; }
   double q0() const { return q0_; }
 
-  // Where the chord at t along a ends on b. O(1).
+  // The position on b of the chord at t along a. O(1).
   double on_b(double t) const { return dot(-a_.at(t) / q(t) - b_.start, b_.along); }
 
-  // The part of a stretch of a whose chords end in a stretch of b, at any load ratio. O(1).
+  // The part of a piece of a whose chords end in a piece of b, at any load ratio. O(1).
   std::optional<Stretch> common(const Stretch& of_a, const Stretch& of_b) const;
 
   // The parts of a at which robots can stand on both lines with a load ratio of at least the
-  // minimum, within tolerance: those of one stretch of a after those of another. O(stretches of a
-  // times those of b).
+  // minimum, within tolerance, in order of the usable ranges of a. O(stretches of a times those of
+  // b).
   std::vector<Stretch> pieces(double min_ratio) const;
 
  private:

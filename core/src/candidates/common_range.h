@@ -1,4 +1,4 @@
-// Whether two edges face each other across C, without a sweep over all of them.
+// Whether two edges face each other across C, without a sweep over all edges.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace evenlift {
 
-// The edge-pair of edges a and b, with a before C and b behind it, in no order; nothing if they do
-// not face each other, or one of them is radial, its line being within `near` of C. Decided
-// exactly, as edge_pairs() does. O(1).
+// The edge-pair of edges a and b, in no order, with a ahead of C and b behind it. Nothing if they
+// do not face each other, or if one of them is radial: its line passes within `near` of C. Exact,
+// like edge_pairs(). O(1).
 std::optional<EdgePair> pair_of_edges(const Polygon& polygon, const Vec2& centre, std::uint32_t a,
                                       std::uint32_t b, double near);
 

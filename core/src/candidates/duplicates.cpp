@@ -19,7 +19,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double full_turn = 4;  // of line_pseudo_angle, which repeats after 180 degrees
 
 // Sorts [first, last) by `key`, cuts it wherever the key jumps by more than `gap`, and visits the
-// parts. If the keys of two items that agree differ by at most the gap, no items of different parts
+// parts. If the keys of agreeing items differ by at most the gap, no items of different parts
 // agree.
 template <class Key, class Visit>
 void split_at_gaps(Index* first, Index* last, double gap, Key key, Visit visit) {
@@ -36,8 +36,7 @@ void split_at_gaps(Index* first, Index* last, double gap, Key key, Visit visit) 
   }
 }
 
-// The range of slopes, as line_pseudo_angle, that chords within tolerance of a given chord can
-// have.
+// The range of slopes, as line_pseudo_angle, of all chords within tolerance of a given chord.
 struct Slopes {
   double low, high;
 };
@@ -49,7 +48,7 @@ class Merger {
     std::iota(parent_.begin(), parent_.end(), Index{0});
   }
 
-  // The representative of each candidate's class, which is its first member.
+  // The representative of each candidate's class: its first member.
   std::vector<Index> run() {
     split_by_slope();
     for (Index i = 0; i < parent_.size(); ++i) parent_[i] = find(i);
@@ -59,9 +58,9 @@ class Merger {
  private:
   // Slopes run from -2 to 2 and repeat after a full turn. They change by at most twice the angle.
   // If the ends of two chords agree, their vectors u differ by at most 2 near, so the sine of the
-  // angle between them is at most s = 2 near / |u| and the angle is at most pi / 2 s; 8 near / |u|
-  // is more than twice that and all rounding. The slope is that of the rounded ends, which may
-  // differ from that of Candidate::direction.
+  // angle between them is at most s = 2 near / |u|, and the angle is at most pi / 2 s; 8 near / |u|
+  // is more than twice the angle and all rounding. The slope comes from the rounded ends, and may
+  // differ from the slope of Candidate::direction.
   Slopes slopes(Index i) const {
     const Vec2 u = candidates_[i].chord.r2.position - candidates_[i].chord.r1.position;
     const double width = std::fabs(u.x()), height = std::fabs(u.y());
@@ -71,8 +70,8 @@ class Merger {
     return {middle - reach, middle + reach};
   }
 
-  // Cuts the list where no two slope ranges reach across. In candidate order slopes hardly ever
-  // fall, so nearly all groups are small, and this takes no sorting.
+  // Cuts the list where no slope range crosses the cut. In candidate order slopes hardly ever
+  // decrease, so nearly all groups are small, without any sorting.
   void split_by_slope() {
     const auto m = static_cast<Index>(candidates_.size());
     // lowest[i] is the lowest slope of candidate i and all after it.
@@ -83,8 +82,8 @@ class Merger {
       lowest[i] = std::min(lowest[i + 1], s.low);
       top = std::max(top, s.high);
     }
-    // Nearly vertical chords may agree although their slopes are at both ends of the range. Groups
-    // that reach around the end are put together into one.
+    // Nearly vertical chords may agree although their slopes are at opposite ends of the range. All
+    // groups that reach around the end are merged into one.
     const double around_low = top - full_turn, around_high = lowest[0] + full_turn;
     std::vector<Index> group, around;
     double highest = -infinity;
@@ -123,12 +122,13 @@ class Merger {
         return std::min(p.y(), q.y());
     }
   }
-  // Coordinates change by no more than the ends move, lengths by no more than twice that, and
+  // Coordinates change by at most as much as the ends move, lengths by at most twice as much, and
   // rounding.
   double gap(int which) const { return which == 0 ? 3 * near_ : near_; }
 
-  // Splits by one key after another until no key splits the group any more. What is left, or is
-  // small anyway, is compared pair by pair. `whole` counts the last keys that left the group whole.
+  // Splits by one key after another until no key splits the group any further. Compares the
+  // remaining or small groups pair by pair. `whole` counts the last keys that did not split the
+  // group.
   void split(Index* first, Index* last, int which, int whole) {
     constexpr std::ptrdiff_t small = 4;
     if (last - first < 2) return;
@@ -173,7 +173,7 @@ MergedCandidates merge_duplicates(std::vector<Candidate> candidates, double near
   };
   // The first member of a class is kept unless a later one is preferred to it.
   std::vector<Index> best(candidates.size());
-  std::vector<CandidateKind> kind(candidates.size());  // of each class, the first that occurs
+  std::vector<CandidateKind> kind(candidates.size());  // of each class, the first kind that occurs
   for (Index i = 0; i < candidates.size(); ++i) {
     const Index first = first_of[i];
     if (first == i) {
@@ -191,8 +191,8 @@ MergedCandidates merge_duplicates(std::vector<Candidate> candidates, double near
     if (best[first] != i) continue;
     place[first] = kept;
     if (kept != i) candidates[kept] = candidates[i];
-    // A chord between two vertices keeps its own kind. The edge-pairs that rounding alone opens
-    // between two opposite vertices say nothing about it.
+    // A chord between two vertices keeps its own kind. Edge-pairs that exist only by rounding,
+    // between two opposite vertices, do not change it.
     if (!candidates[kept].between_vertices) candidates[kept].kind = kind[first];
     ++kept;
   }

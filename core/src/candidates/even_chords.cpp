@@ -29,7 +29,7 @@ std::uint32_t scattered(std::uint32_t number) {
   return number ^ (number >> 16);
 }
 
-// The same pair with a and b exchanged.
+// The pair with a and b interchanged.
 EdgePair exchanged(const EdgePair& pair) {
   return {pair.b, pair.a, pair.begin_b, pair.begin_a, pair.end_b, pair.end_a};
 }
@@ -49,7 +49,7 @@ class EvenChords::Search {
         centre_(centre),
         twice_(2 * centre),
         most_(most) {
-    // Even chords within tolerance reach as far as 3 tau L from the mirror image; the rest is for
+    // Even chords within tolerance reach at most 3 tau L from the mirror image; the rest allows for
     // the rounding of coordinates.
     near_ = near_distance(polygon_.diameter());
     constexpr double rounding = 0x1p-48;
@@ -127,7 +127,7 @@ class EvenChords::Search {
   void add_pair(std::uint32_t a, std::uint32_t b) {
     auto pair = pair_of_edges(polygon_, centre_, a, b, near_);
     if (!pair) return;
-    // The sweep that lists all pairs calls the edge a that it meets with the line's forward half.
+    // In the sweep over all pairs, a is the edge that the line's forward half meets.
     const bool a_is_ahead = pair->begin_a != inside_edge
                                 ? is_forward(centre_, polygon_.vertex(pair->begin_a))
                                 : !is_forward(centre_, polygon_.vertex(pair->begin_b));

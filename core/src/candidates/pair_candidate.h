@@ -54,9 +54,9 @@ inline bool are_parallel(double g0, double g1) {
 PairVerdict examine(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                     const SeenEdge& b, const EdgePair& pair, double min_ratio);
 
-// The decision as far as estimates alone make it certain. Most pairs have no candidate or one of
-// the two frequent kinds, and need no more. The pair's range must not
-// end at a vertex that has an opposite one. O(1).
+// The decision where estimates alone make it certain. Most pairs have no candidate, or one of the
+// two frequent kinds, and need nothing else. The pair's range must not end at a vertex that has an
+// opposite vertex. O(1).
 enum class QuickVerdict : std::uint8_t { unsure, none, bisecting, at_begin, at_end };
 QuickVerdict examine_quickly(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                              const SeenEdge& b, const EdgePair& pair, double min_ratio);
@@ -68,8 +68,8 @@ Vec2 bisecting_offset(const Vec2& centre, const SeenEdge& a, const SeenEdge& b);
 Candidate bisecting_candidate(const Vec2& centre, std::uint32_t edge_a, std::uint32_t edge_b,
                               const Vec2& offset);
 
-// The chord from a vertex of one edge through C to the edge `other`, which it meets at the vertex
-// `opposite`, unless that is inside_edge. O(1).
+// The chord from a vertex of one edge through C to the edge `other`. It ends there at the vertex
+// `opposite`, unless `opposite` is inside_edge. O(1).
 Candidate vertex_candidate(const Polygon& polygon, const Vec2& centre, std::uint32_t vertex,
                            std::uint32_t edge, const SeenEdge& other, std::uint32_t opposite);
 

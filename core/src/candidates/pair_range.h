@@ -1,5 +1,5 @@
-// The range of an edge-pair (algorithm.md, Ranges): where along it chords are even enough, and the
-// two candidates that it adds, far enough from corners where that is possible.
+// The range of an edge-pair (algorithm.md, Ranges): the part where chords meet the minimum ratio,
+// and the two candidates that it adds, far enough from corners where possible.
 #pragma once
 
 #include <optional>
@@ -20,12 +20,12 @@ bool is_one_place(const PairRange& range, double near);
 // The candidate at a place x of the range. O(1).
 Candidate range_candidate(const Vec2& centre, const PairRange& range, double x);
 
-// How far range candidates stand from corners.
+// The distance that range candidates keep from corners.
 struct FromCorners {
   const Polygon& polygon;
   const Corners& corners;
   double clear = 0;
-  const Stands* stands = nullptr;  // of robots with a size: what counts is where they touch
+  const Stands* stands = nullptr;  // of robots with a size: then the contacts keep the distance
 };
 
 // The places from `first` to `last` at which both robots are at least `clear` from the corners of
@@ -33,8 +33,8 @@ struct FromCorners {
 std::optional<PairRange> clear_part(const FromCorners& from, const Vec2& centre,
                                     const PairRange& range);
 
-// The place for a range candidate: place_at(range, s), or the nearest in the clear part of the
-// range, if there is one. O(1).
+// The place for a range candidate: place_at(range, s), or the nearest place in the clear part of
+// the range, if there is one. O(1).
 double clear_place_at(const PairRange& range, const std::optional<PairRange>& clear, double s);
 
 }  // namespace evenlift

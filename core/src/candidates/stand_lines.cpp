@@ -28,7 +28,7 @@ Candidate make_candidate(const Vec2& centre, const StandLine& a, const StandLine
   return candidate;
 }
 
-// Looks for the candidates of two lines.
+// Finds the candidates of two lines.
 class Finder {
  public:
   Finder(const Vec2& centre, const StandLine& a, const StandLine& b, double min_ratio, double near)
@@ -50,7 +50,7 @@ class Finder {
   }
 
  private:
-  // Even chords of lines that are not parallel are bisected, those at an end are not.
+  // An even chord counts as bisecting unless the lines are parallel. All others are range chords.
   Candidate at(double t) const {
     const double q = range_.q(t);
     const bool even = evenness(q) >= 1 - tau && !parallel();
@@ -58,7 +58,7 @@ class Finder {
                           even ? CandidateKind::bisecting : CandidateKind::range);
   }
 
-  // The range in which the lines face each other, as far as anybody can stand on them.
+  // The range in which the lines face each other, limited to where robots can stand on them.
   std::optional<Stretch> whole() const {
     return range_.common({a_.low, a_.high}, {b_.low, b_.high});
   }
@@ -102,8 +102,8 @@ class Finder {
     }));
   }
 
-  // The best place by `compare`; of those that tie with it the one with the longest chord, then the
-  // first.
+  // The best place by `compare`; among places that tie with it, the one with the longest chord,
+  // then the first.
   template <class Compare>
   double longest_of(const std::vector<double>& places, Compare compare) const {
     double best = places.front();

@@ -1,6 +1,5 @@
 // The lines on which robots with a size lift: the edges, moved inward by the depth of the hand,
-// with the stretches on which robots can stand; and the chords between two of them
-// (docs/stands.md).
+// with their usable ranges; and the chords between two such lines (docs/stands.md).
 #pragma once
 
 #include <cstdint>
@@ -13,32 +12,33 @@
 
 namespace evenlift {
 
-// An edge, moved inward, as C sees it. At t along it is C + start + t along.
+// An edge moved inward, as C sees it. Its point at t is C + start + t along.
 struct StandLine {
   std::uint32_t edge = 0;
   Vec2 start = Vec2::Zero(), along = Vec2::Zero();  // relative to C; of unit length
-  double low = 0, high = 0;                         // from the first to the last place to stand
+  double low = 0, high = 0;                         // the first and the last place to stand
   Stands::Stretches usable{nullptr, nullptr};
-  double height =
-      0;  // start x along: the line's distance from C, positive if it goes counter-clockwise
+  double height = 0;  // start x along: the distance from C, positive if counter-clockwise about C
   Vec2 at(double t) const { return start + t * along; }
 };
 
-// Nothing if nobody can stand at the edge. O(1).
+// Nothing if no robot can stand at the edge. O(1).
 std::optional<StandLine> stand_line(const Polygon& polygon, const Vec2& centre,
                                     const Stands& stands, std::uint32_t edge);
 
-// Of the chords about C between two lines, of which neither passes within tau L of C:
-//   - the one with the best load ratio on which two robots can stand; if all have the same, the one
-//     nearest to the middle of the lines' common range; of equally good ones the longer;
-//   - those at which a stretch ends on both lines at once, as a diagonal between opposite vertices does.
-// Of each only if its load ratio is at least the minimum, within tolerance, and its two robots do
-// not collide. The best one comes first. O(stretches).
+// These chords about C between two lines, neither of which passes within tau L of C:
+//   - the chord with the best load ratio on which two robots can stand; if all ratios are equal,
+//     the chord nearest to the middle of the lines' common range; among equally good chords the
+//     longest;
+//   - the chords at which a usable range ends on both lines at once, as on a diagonal between
+//     opposite vertices.
+// A chord counts only if its load ratio is at least the minimum, within tolerance, and its two
+// robots do not collide. The best chord comes first. O(stretches).
 std::vector<Candidate> standing_chords(const Stands& stands, const Vec2& centre, const StandLine& a,
                                        const StandLine& b, double min_ratio, double near);
 
-// The same for an edge-pair of the polygon itself, that is for hands without depth: its candidate
-// stands as it is if two robots can stand there.
+// These chords for an edge-pair of the polygon itself, that is for hands without depth. The pair's
+// candidate stays unchanged if two robots can stand there.
 std::vector<Candidate> standing_chords(const Polygon& polygon, const Stands& stands,
                                        const Vec2& centre, const EdgePair& pair, double min_ratio);
 
@@ -48,9 +48,9 @@ std::vector<PairRange> standing_ranges(const StandLine& a, const StandLine& b, d
                                        double near);
 
 // The candidates that positions anywhere in the range add between two lines of from.stands: two in
-// their longest range, far enough from corners where that is possible, of which each drops out if
-// its load ratio is too low or its robots collide; none if the range is but one place. O(stretches
-// of a times those of b).
+// their longest range, far enough from corners where possible. A candidate is dropped if its load
+// ratio is too low or its robots collide. None if the range is only one place. O(stretches of a
+// times those of b).
 std::vector<Candidate> standing_range_chords(const FromCorners& from, const Vec2& centre,
                                              const StandLine& a, const StandLine& b,
                                              double min_ratio, double near);

@@ -16,12 +16,12 @@
 namespace evenlift {
 namespace {
 
-// What was found, before it is in order: of each source the best candidate first. Until the end a
+// The candidates found, before they are sorted; of each source the best one first. Until the end a
 // candidate's source is its number here.
 struct Found {
   struct Origin {
     std::uint32_t source;
-    bool in_range;  // because positions may be anywhere in the range
+    bool in_range;  // whether it comes from positions anywhere in the range
   };
   std::vector<Candidate> candidates;
   std::vector<Origin> origins;  // of each candidate
@@ -35,7 +35,7 @@ struct Found {
   }
 };
 
-// What is asked for.
+// The arguments of the search.
 struct Wanted {
   const Polygon& polygon;
   Vec2 centre;
@@ -84,7 +84,7 @@ struct NumberedPair {
   std::uint32_t number;
 };
 
-// The edge-pairs of the polygon itself, to tell where a chord between moved edges comes from.
+// The edge-pairs of the polygon itself, which are the sources of chords between moved edges.
 std::vector<NumberedPair> numbered_pairs(const Polygon& polygon, const RadialView& view) {
   std::vector<NumberedPair> pairs;
   for_each_edge_pair(polygon, view, [&](const EdgePair& pair) {
@@ -138,7 +138,7 @@ std::optional<InputError> find_on_moved_edges(const Wanted& wanted, Found& found
   return check_number(pairs, "pairs of edges, moved inward,");
 }
 
-// What became of each source.
+// Notes the candidates that each source led to.
 void note_sources(const Found& found, const std::vector<std::uint32_t>& became_of,
                   Positions positions, TracedCandidates& traced) {
   traced.of_source.assign(found.sources, no_index);

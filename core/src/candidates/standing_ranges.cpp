@@ -11,7 +11,7 @@
 namespace evenlift {
 namespace {
 
-// From end to end of a range, on both edges together.
+// The length of a range, on both edges together.
 double way(const PairRange& range) {
   const Vec2 on_a = range.a1 - range.a0;
   const Vec2 on_b = range.a1 / range.q1 - range.a0 / range.q0;

@@ -7,7 +7,7 @@
 namespace evenlift {
 namespace {
 
-// The vertices of a group, forward and backward ones apart.
+// The vertices of a group, with forward and backward vertices separated.
 struct Group {
   std::vector<std::uint32_t> ahead, behind;
   void fill(const RadialView& view, std::uint32_t group) {
@@ -58,8 +58,7 @@ Result<std::vector<VertexChord>> vertex_chords(const Polygon& polygon, const Vec
   Group group;
   for (std::uint32_t direction = 0; direction < view.direction_count(); ++direction) {
     sweep.leave(direction);
-    // Between leaving and entering, the active edges are those that the line meets in their
-    // interior.
+    // Between leaving and entering, the line meets the active edges in their interior.
     group.fill(view, direction);
     const std::uint64_t number =
         chords.size() + group.ahead.size() * (sweep.behind().size() + group.behind.size()) +

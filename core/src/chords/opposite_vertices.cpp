@@ -30,7 +30,7 @@ class Finder {
   std::optional<std::vector<OppositeVertices>> run() {
     const std::size_t m = seen_.size();
     for (std::size_t i = 0; i < m; ++i) {
-      // Both ways round from i, unless the first way has looked at all of them.
+      // Both ways round from i, unless the first way has visited all vertices.
       std::size_t steps = 1;
       while (steps < m && look(i, (i + steps) % m)) ++steps;
       if (steps < m)
@@ -41,10 +41,10 @@ class Finder {
   }
 
  private:
-  // Notes i and j if they are opposite and i is nearer to C. Returns false if no vertex beyond j
-  // that is farther from C than i can be opposite to i, because the lines of i and j are too far
-  // apart: C is within tau L of the line of two vertices with arms a <= b only if the sine of the
-  // angle between their lines through C is at most tau L (a + b) / (a b) <= 2 tau L / a.
+  // Notes i and j if they are opposite and i is nearer to C. Returns false if the lines of i and j
+  // are too far apart: then no vertex beyond j that is farther from C than i can be opposite to i.
+  // C is within tau L of the line of two vertices with arms a <= b only if the sine of the angle
+  // between their lines through C is at most tau L (a + b) / (a b) <= 2 tau L / a.
   bool look(std::size_t i, std::size_t j) {
     const Seen &a = seen_[i], &b = seen_[j];
     const double side = std::fabs(cross(a.position, b.position));

@@ -17,10 +17,10 @@ std::optional<std::vector<OppositeVertices>> find_opposite_vertices(const Polygo
                                                                     const RadialView& view,
                                                                     std::uint64_t most);
 
-// Whether two vertices at these places from C are opposite each other. `near` is tau L. O(1).
+// Whether two vertices at these offsets from C are opposite each other. `near` is tau L. O(1).
 bool are_opposite(const Vec2& v, const Vec2& w, double near);
 
-// The error of too many edge-pairs and opposite vertices.
+// The error for too many edge-pairs and opposite vertices.
 InputError too_many_opposite_vertices();
 
 }  // namespace evenlift

@@ -12,9 +12,9 @@
 namespace evenlift {
 namespace {
 
-// The error of the difference of two pseudo-angles, computed from directions that are rounded once,
-// is below 2^-48. Directions whose pseudo-angles differ by more than this are certainly in that
-// order.
+// The difference of two pseudo-angles, computed from directions that are rounded once, has an error
+// below 2^-48. Directions whose pseudo-angles differ by more than the threshold are certainly in
+// that order.
 constexpr double filter_threshold = 0x1p-46;
 
 // Sorts vertices by direction modulo 180 degrees, exactly.
@@ -47,10 +47,10 @@ class DirectionSort {
   std::uint32_t vertex(std::uint32_t k) const { return directions_[k].vertex; }
   bool forward(std::uint32_t vertex) const { return is_forward_[vertex] != 0; }
 
-  // Whether the direction number k differs from the one before it.
+  // Whether the direction number k differs from the preceding direction.
   bool begins_group(std::uint32_t k) const {
     if (k == 0) return true;
-    // Pseudo-angles may fall within a run that was sorted exactly.
+    // Pseudo-angles may decrease within a run that was sorted exactly.
     const bool surely =
         directions_[k].pseudo_angle - directions_[k - 1].pseudo_angle > filter_threshold;
     return surely || turn(vertex(k - 1), vertex(k)) != 0;
@@ -72,7 +72,8 @@ class DirectionSort {
     return directions_[k].pseudo_angle - directions_[k - 1].pseudo_angle <= filter_threshold;
   }
 
-  // Positive if the forward direction of a comes before that of b, 0 if they are equal; exact.
+  // Positive if the forward direction of a comes before the forward direction of b, 0 if they are
+  // equal; exact.
   double turn(std::uint32_t a, std::uint32_t b) const {
     const double side = orient(centre_, polygon_.vertex(a), polygon_.vertex(b));
     return is_forward_[a] == is_forward_[b] ? side : -side;
@@ -138,7 +139,7 @@ RadialSweep::RadialSweep(const Polygon& polygon, const RadialView& view)
     : polygon_(polygon), view_(view), slots_(polygon.size()) {
   // Just before group 0, the line points forward into the interval after the last position, and
   // backward into the interval after the last group. The sweep begins with the edges that cover
-  // them.
+  // these intervals.
   for (std::uint32_t edge = 0; edge < polygon.size(); ++edge) {
     if (view.radial(edge)) continue;
     const std::uint32_t from = view.position(view.first(edge));

@@ -1,11 +1,11 @@
-// The polygon as C sees it: its vertices and edges in the exact order of their directions, and a
+// The polygon as C sees it: its vertices and edges in the exact order of their directions, and the
 // sweep of a line through C over them.
 //
-// Vertices are sorted by direction modulo 180 degrees. Those of equal directions form a group, and
+// Vertices are sorted by direction modulo 180 degrees. Vertices with equal directions form a group;
 // there are direction_count() groups. Position k < direction_count() is group k seen forward
 // (directions in [0, 180)); position k + direction_count() is the same group seen backward. C sees
-// an edge under less than 180 degrees, so the edge covers the positions from its first to its last
-// end, and the sweep decides everything by comparing integers.
+// an edge at an angle of less than 180 degrees, so the edge covers the positions from its first to
+// its last end, and the sweep decides everything by comparing integers.
 #pragma once
 
 #include <cstdint>
@@ -62,7 +62,7 @@ class RadialView {
 };
 
 // A sweep: the edges that a line through C meets, forward and backward, while it turns from 0 to
-// 180 degrees. At each group, first the edges that end there leave, then those that begin there
+// 180 degrees. At each group, first the edges that end there leave, then the edges that begin there
 // enter.
 class RadialSweep {
  public:
@@ -106,7 +106,8 @@ class RadialSweep {
 // The number of edge-pairs. O(n).
 std::uint64_t count_edge_pairs(const Polygon& polygon, const RadialView& view);
 
-// The error if `number` exceeds max_edge_pairs. `what` is counted, such as "edge-pairs".
+// The error if `number` exceeds max_edge_pairs. `what` names the counted objects, such as
+// "edge-pairs".
 std::optional<InputError> check_number(std::uint64_t number, const char* what);
 
 // Calls visit(const EdgePair&) for each edge-pair, in the order in which their ranges begin.

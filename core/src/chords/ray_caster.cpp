@@ -26,8 +26,8 @@ RayCaster::RayCaster(const Polygon& polygon, const Vec2& centre) : centre_(centr
   }
 }
 
-// Both edges at a vertex ask the same question of it. So it is listed once: not once for each of
-// its edges, and also where the boundary touches the ray there and turns back.
+// Both edges at a vertex test it in the same way. So the vertex is listed once, not once for each
+// edge, even where the boundary touches the ray there and turns back.
 bool RayCaster::meets_vertex(const Vec2& u, std::uint32_t vertex) const {
   return directions_agree(u, vertices_[vertex]);
 }
@@ -48,7 +48,7 @@ std::vector<RayCaster::Hit> RayCaster::hits(const Vec2& u) const {
       const bool ends_radial = !edges_[i].radial && edges_[before(i)].radial;
       hits.push_back({length(vertices_[i]), {centre_ + vertices_[i], ends_radial ? before(i) : i}});
     }
-    // An edge that is met at an end is met nowhere else.
+    // An edge met at an end is met nowhere else.
     const bool inside = !edges_[i].radial && !meets_start && !meets_end;
     meets_start = meets_end;
     if (!inside) continue;

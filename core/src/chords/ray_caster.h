@@ -17,14 +17,14 @@ class RayCaster {
     double distance = 0;  // from C
     LiftingPoint point;
   };
-  // The boundary points on the ray from C in direction u, nearest first, each once. A radial edge
-  // is met at its end vertices in that direction, any other edge at no more than one point. A
+  // The boundary points on the ray from C in direction u, nearest first, each once. The ray meets a
+  // radial edge at its end vertices in that direction, and any other edge in at most one point. A
   // vertex on the ray, within tau, is one point, even where the boundary only touches the ray.
   // O(n + k log k) for k points.
   std::vector<Hit> hits(const Vec2& u) const;
 
-  // The farthest point on the ray among `edges`, of which there is at least one and none is radial.
-  // C sees each of them in direction u; a ray that misses an edge by rounding meets its end.
+  // The farthest point on the ray among `edges`, which must not be empty nor contain radial edges.
+  // C must see each of them in direction u; a ray that misses an edge by rounding meets its end.
   // O(number of edges).
   Hit farthest(const Vec2& u, const std::vector<std::uint32_t>& edges) const;
 

@@ -9,7 +9,8 @@
 
 namespace evenlift {
 
-// Where the ray from C away from a vertex w meets the line of an edge: at C + factor (C - w).
+// The point C + factor (C - w), where the ray from C away from a vertex w meets the line of an
+// edge.
 struct Across {
   double factor = 0;  // > 0, with a relative error of about 2^-45; exactly 1 if C bisects the chord
   int compare_to_one = 0;  // -1, 0, 1: the factor is below, equal to or above 1; exact
@@ -20,8 +21,8 @@ struct Across {
 Across look_across(const Vec2& centre, const Vec2& w, const Vec2& b, const Vec2& c,
                    double doubled_area);
 
-// The same factor with a relative error below 2^-33, by a few multiplications; nothing if plain
-// doubles are not that accurate. O(1).
+// The factor with a relative error below 2^-33, by a few multiplications; nothing if plain doubles
+// are not that accurate. O(1).
 std::optional<double> estimate_across(const Vec2& centre, const Vec2& w, const Vec2& b,
                                       const Vec2& c, double doubled_area);
 
@@ -31,8 +32,8 @@ Chord chord_from_vertex(const Polygon& polygon, const Vec2& centre, std::uint32_
                         std::uint32_t edge_w, const Across& across, std::uint32_t edge_hit,
                         std::uint32_t hit);
 
-// The chord with the ends `ahead` and `behind`, in the order that Chord demands. `direction` points
-// from behind to ahead.
+// The chord with the ends `ahead` and `behind`, in the order that Chord requires. `direction`
+// points from behind to ahead.
 Chord order_ends(const LiftingPoint& ahead, double arm_ahead, const LiftingPoint& behind,
                  double arm_behind, const Vec2& direction);
 

@@ -8,15 +8,16 @@ namespace {
 
 constexpr std::size_t max_degree = 3;
 
-// The span of the knots k and k + 1, as its polar form: symmetric in its arguments, linear in each,
-// and the curve's point at t where all of them are t. The Bézier curve's control points are its
-// values where some arguments are the span's begin and the others its end.
+// The span between the knots k and k + 1, as its polar form: symmetric in its arguments, linear in
+// each, and equal to the curve's point at t where all arguments are t. The control points of the
+// Bézier curve are its values where some arguments are the start of the span and the others its
+// end.
 class Span {
  public:
   Span(const Points& control, const std::vector<double>& knots, std::size_t degree, std::size_t k)
       : control_(control), knots_(knots), degree_(degree), k_(k) {}
 
-  // With `ends` of the arguments at the span's end. De Boor's algorithm.
+  // The value with `ends` of the arguments at the end of the span. De Boor's algorithm.
   Vec2 corner(std::size_t ends) const {
     Vec2 d[max_degree + 1];
     for (std::size_t j = 0; j <= degree_; ++j) d[j] = control_[k_ - degree_ + j];
@@ -46,7 +47,7 @@ std::optional<Outline> Outline::b_spline(const Points& control, const std::vecto
   std::optional<Outline> outline;
   for (std::size_t k = degree; k < control.size(); ++k) {
     if (!(knots[k] < knots[k + 1])) continue;
-    // As many equal knots part the curve in two.
+    // degree + 1 equal knots separate the curve into two.
     if (outline && knots[k - degree] == knots[k]) return std::nullopt;
     const Span span(control, knots, degree, k);
     if (!outline) outline = Outline{span.corner(0), {}};

@@ -16,8 +16,8 @@ Vec2 middle(const Vec2& a, const Vec2& b) { return a + (b - a) / 2; }
 void add_short_bulge(Outline& outline, const Vec2& end, double bulge) {
   const Vec2 chord = end - outline.end();
   const double square = bulge * bulge;
-  // The tangents meet at this part of the chord's length beside its middle, on the right of a
-  // counter-clockwise arc.
+  // The tangents meet beside the middle of the chord, bulge / (1 - square) of its length away, on
+  // the right of a counter-clockwise arc.
   const Vec2 corner = middle(outline.end(), end) - left_normal(chord) * (bulge / (1 - square));
   outline.pieces.push_back(
       {CurvePiece::Kind::conic, end, corner, Vec2::Zero(), (1 - square) / (1 + square)});
@@ -27,8 +27,8 @@ void add_bulge(Outline& outline, const Vec2& end, double bulge) {
   if (std::abs(bulge) <= quarter_bulge) return add_short_bulge(outline, end, bulge);
   const Vec2 chord = end - outline.end();
   const Vec2 half_way = middle(outline.end(), end) - left_normal(chord) * (bulge / 2);
-  // tan(t / 2) = 1 / (c + sqrt(1 + c^2)) with c = 1 / tan t, of which no part can overflow. The
-  // first step gives at most 1 and the second at most a quarter's.
+  // tan(t / 2) = 1 / (c + sqrt(1 + c^2)) with c = 1 / tan t, where no part can overflow. The first
+  // step gives at most 1 and the second at most the bulge of a quarter.
   const double inverse = 1 / bulge;
   const double half = 1 / (inverse + std::copysign(std::sqrt(1 + inverse * inverse), bulge));
   add_bulge(outline, half_way, half);
@@ -72,8 +72,8 @@ void Outline::bulge_to(const Vec2& to, double bulge) {
 
 void Outline::arc_to(const Affine& frame, const Vec2& from, const Vec2& to, bool counterclockwise,
                      bool large, const Vec2& last) {
-  // Quarters first, and then what is left, at most a quarter. How many there are follows from the
-  // flag and one sign, so that rounding can make no full turn of an arc that is nearly nothing.
+  // Full quarters first, and then the rest, at most a quarter. The flag and one sign determine the
+  // number of quarters, so that rounding cannot turn a nearly empty arc into a full turn.
   Vec2 at = from;
   int quarters = large ? 2 : 0;
   const Vec2 rest_from = large ? Vec2(-from) : from;

@@ -11,7 +11,7 @@ bool is_edge_point(const EdgePoint& point) {
   return point.edge < max_vertices && point.part >= 0 && point.part <= 1;
 }
 
-// A number from 1 to `most`, as one from 0.
+// Reads a number from 1 to `most` as an index from 0.
 std::optional<std::uint32_t> read_index(std::string_view text, std::uint64_t most) {
   const std::optional<std::uint64_t> number = read_whole(text);
   if (!number || *number < 1 || *number > most) return std::nullopt;
@@ -24,11 +24,11 @@ std::optional<EdgePoint> read_edge_point(std::string_view text) {
   const auto edge = read_index(text.substr(0, colon), max_vertices);
   const auto part = read_number(text.substr(colon + 1));
   if (!edge || !part) return std::nullopt;
-  const EdgePoint point{*edge, *part + 0.0};  // -0 would be another document
+  const EdgePoint point{*edge, *part + 0.0};  // -0 would make a different document
   return is_edge_point(point) ? std::optional(point) : std::nullopt;
 }
 
-// `at` is the place of the '@'.
+// `at` is the position of the '@'.
 std::optional<MovedTeam> read_moved_team(std::string_view text, std::size_t at) {
   const std::size_t slash = text.find('/', at);
   if (slash == std::string_view::npos) return std::nullopt;

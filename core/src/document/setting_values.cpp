@@ -1,4 +1,4 @@
-// Values that have a syntax of their own.
+// Values with their own syntax.
 #include "document/setting_values.h"
 
 #include "document/stand_settings.h"
@@ -43,7 +43,7 @@ std::string text_of(const std::optional<Vec2>& centre, const SettingRange&) {
   return centre ? shortest(centre->x()) + "," + shortest(centre->y()) : "centroid";
 }
 
-// Whether the numbers are small enough is checked with the vertices.
+// The size of the numbers is checked together with the vertices.
 bool is_within(const std::optional<Vec2>&, const SettingRange&) { return true; }
 
 bool take(std::string_view text, const SettingRange&, Overlays& overlays) {

@@ -1,6 +1,6 @@
-// The values of settings: from text, to text, and whether they are within their range. A value's
-// type decides how it is written, so a row of the table of settings (settings.cpp) needs only its
-// member and its range.
+// The values of settings: from text, to text, and whether they are in range. The type of a value
+// determines its syntax, so a row of the table of settings (settings.cpp) needs only its member and
+// its range.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace evenlift::setting_value {
 // --- Numbers
 
 inline bool is_within(double value, const SettingRange& range) {
-  return value >= range.least && value <= range.most;  // NaN is not
+  return value >= range.least && value <= range.most;  // false for NaN
 }
 inline bool is_within(std::uint32_t value, const SettingRange& range) {
   return is_within(static_cast<double>(value), range);
@@ -47,7 +47,7 @@ inline std::string text_of(std::uint64_t value, const SettingRange&) {
   return std::to_string(value);
 }
 
-// --- One of several, by its name
+// --- A choice of several, by name
 
 inline const auto& all_of(Method) { return all_methods; }
 inline const auto& all_of(Goal) { return all_goals; }
@@ -89,7 +89,7 @@ std::string text_of(const std::optional<Value>& value, const SettingRange& range
   return value ? text_of(*value, range) : std::string(range.unset);
 }
 
-// Takes the text over if it is a value within the range. Returns whether it is.
+// Stores the parsed value if it is in range. Returns whether it is.
 template <class Value>
 bool take(std::string_view text, const SettingRange& range, Value& value) {
   const std::optional<Value> read = parsed(text, range, Value{});
@@ -110,7 +110,7 @@ bool take(std::string_view text, const SettingRange& range, std::optional<Value>
   return true;
 }
 
-// --- Values that have a syntax of their own (setting_values.cpp)
+// --- Values with their own syntax (setting_values.cpp)
 
 using NoGo = std::vector<EdgePart>;
 bool take(std::string_view text, const SettingRange&, std::optional<Vec2>& centre);
@@ -126,7 +126,7 @@ bool is_within(const Overlays& overlays, const SettingRange&);
 bool is_within(const RobotSize& robot, const SettingRange&);
 bool is_within(const NoGo& no_go, const SettingRange&);
 
-// --- What a value is, in words, such as "a number from 0 to 1"
+// --- The kind of a value in words, such as "a number from 0 to 1"
 
 inline std::string bound_text(double bound) {
   return bound <= 1e15 ? std::to_string(static_cast<std::uint64_t>(bound)) : "1e100";

@@ -51,7 +51,7 @@ constexpr SettingRow::Access of() {
   return access;
 }
 
-// A part of a robot's size: 0 and -0 would be two documents.
+// A part of a robot's size: 0 and -0 would make two documents.
 template <double RobotSize::*part>
 constexpr SettingRow::Access part_of_robot() {
   SettingRow::Access access = of<&Settings::robot, part>();

@@ -57,7 +57,7 @@ std::optional<EdgePart> read_part(std::string_view text) {
 bool read_size(std::string_view text, double& size) {
   const std::optional<double> value = read_number(text);
   if (!value || !is_in_range(Setting::apart, *value)) return false;
-  size = *value + 0.0;  // -0 would be another document
+  size = *value + 0.0;  // -0 would make a different document
   return true;
 }
 

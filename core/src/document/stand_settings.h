@@ -1,4 +1,4 @@
-// The settings of where robots can stand, from text.
+// The settings for the stands of robots, from text.
 #pragma once
 
 #include <string_view>
@@ -8,8 +8,8 @@
 
 namespace evenlift {
 
-// Calls read(word) for each word between commas until one of them is refused. Returns whether none
-// is.
+// Calls read(word) for each word between commas until it refuses one. Returns whether it accepts
+// all.
 template <class Read>
 bool for_each_word(std::string_view text, Read read) {
   while (true) {
@@ -20,14 +20,14 @@ bool for_each_word(std::string_view text, Read read) {
   }
 }
 
-// Each returns whether the text is a value of its setting, and changes the setting only then.
+// Each returns whether the text is a valid value of its setting, and changes the setting only then.
 // O(bytes).
 bool read_size(std::string_view text, double& size);
 bool read_robot(std::string_view text, RobotSize& robot);
 bool read_no_go(std::string_view text, std::vector<EdgePart>& no_go);
 
-// The first word that is no edge or part of one; empty if all are, or if it is too long or strange
-// to be quoted. O(bytes).
+// The first word that is not an edge or part of an edge. Empty if there is none, or if the word is
+// too long or strange to quote. O(bytes).
 std::string_view refused_part(std::string_view text);
 
 // Whether the values are in their ranges. O(1) and O(parts).

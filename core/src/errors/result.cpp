@@ -3,7 +3,7 @@
 namespace evenlift {
 namespace {
 
-// "vertex 3", or "vertices 3 and 7" where the place names a pair.
+// "vertex 3", or "vertices 3 and 7" if the place names two.
 std::string one_or_two(const char* one, const char* two, const Place& place) {
   const std::string first = std::to_string(place.index + 1);
   if (place.other == 0 || place.other == place.index) return one + (" " + first);

@@ -18,7 +18,8 @@ struct DoubleDouble {
   bool is_double() const { return lo == 0; }
 };
 
-// a + b exactly, for |a| >= |b|. The result has |lo| at most half a unit in the last place of hi.
+// a + b exactly, for |a| >= |b|. In the result, |lo| is at most half a unit in the last place of
+// hi.
 inline DoubleDouble quick_two_sum(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};

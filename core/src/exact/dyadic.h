@@ -1,5 +1,5 @@
-// Exact arithmetic on dyadic rationals m 2^e, of which doubles are examples. It is the last, slow
-// and exact stage of the predicates. Dyadic rationals are closed under + - x but not under
+// Exact arithmetic on dyadic rationals m 2^e, which include all finite doubles. It is the last,
+// slow and exact stage of the predicates. Dyadic rationals are closed under + - x but not under
 // division.
 #pragma once
 
@@ -15,14 +15,14 @@ class Dyadic {
 
   int sign() const { return sign_; }
 
-  // A double with the same sign and a relative error of at most 2^-52. A value below the smallest
-  // positive double gives that double, and a value beyond the largest gives the largest.
+  // A double with the same sign and a relative error of at most 2^-52. Values below the smallest
+  // positive double give that double, and values beyond the largest give the largest.
   double to_double() const;
 
   friend Dyadic operator+(const Dyadic& a, const Dyadic& b);
   friend Dyadic operator-(const Dyadic& a, const Dyadic& b);
   friend Dyadic operator*(const Dyadic& a, const Dyadic& b);
-  // a / b for b other than 0, with a relative error of at most 2^-50, besides the rounding of a
+  // a / b for b other than 0, with a relative error of at most 2^-50, plus the rounding of a
   // subnormal result. a and b may be beyond the range of doubles.
   friend double approximate_quotient(const Dyadic& a, const Dyadic& b);
   Dyadic operator-() const;

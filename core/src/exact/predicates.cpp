@@ -10,11 +10,11 @@ namespace {
 
 // Below this size products may underflow, and the error bounds do not hold.
 constexpr double smallest_safe = 1e-250;
-// Stage A, the floating-point filter. Each product has an error of at most 2^-50 of the sizes that
-// entered it, so a result that exceeds this part of their sum has a relative error below 2^-45.
+// Stage A, the floating-point filter. Each product has an error of at most 2^-50 of its size, so a
+// result above this fraction of the sum of the sizes has a relative error below 2^-45.
 constexpr double double_filter_threshold = 0x1p-5;
-// Stage B, the same for double-double, whose products have errors of at most 2^-98. The last stage
-// is exact and needs no bound.
+// Stage B, the filter for double-double, where products have errors of at most 2^-98. The last
+// stage is exact and needs no bound.
 constexpr double double_double_filter_threshold = 0x1p-55;
 
 // The factors of x1 y2 - x2 y1 in a number type.
@@ -23,10 +23,10 @@ struct Products {
   Number x1, y1, x2, y2;
 };
 
-// The determinant x1 y2 - x2 y1, evaluated in up to three stages. `coarse` holds the four factors
-// in doubles, each a sum of at most two rounded differences. `size1` and `size2` bound the sizes
-// that entered the two products. `fine` and `exact` compute the factors again in the better number
-// types, and are called only if their stage is reached.
+// The determinant x1 y2 - x2 y1, evaluated in up to three stages. `coarse` contains the four
+// factors in doubles, each a sum of at most two rounded differences. `size1` and `size2` bound the
+// two products before any cancellation in the factors. `fine` and `exact` recompute the factors in
+// the better number types, and are called only if their stage is reached.
 template <class Fine, class Exact>
 double adaptive_determinant(const Products<double>& coarse, double size1, double size2,
                             const Fine& fine, const Exact& exact) {
@@ -97,8 +97,8 @@ double orient_mirrored(const Vec2& centre, const Vec2& w, const Vec2& b, const V
   const Products<double> coarse{bx + wx, by + wy, c.x() - b.x(), c.y() - b.y()};
   const double size1 = (std::fabs(bx) + std::fabs(wx)) * std::fabs(coarse.y2);
   const double size2 = (std::fabs(by) + std::fabs(wy)) * std::fabs(coarse.x2);
-  // The rounded sum may vanish although the exact one does not. A factor other than 0 keeps the
-  // shortcut for zero factors from being taken.
+  // The rounded sum may vanish although the exact one does not. A factor other than 0 prevents the
+  // shortcut for zero factors.
   Products<double> guarded = coarse;
   if (guarded.x1 == 0 && bx != 0) guarded.x1 = 0x1p-1074;
   if (guarded.y1 == 0 && by != 0) guarded.y1 = 0x1p-1074;

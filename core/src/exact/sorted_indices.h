@@ -1,6 +1,6 @@
 // Sorting by index. This is type erasure: one std::stable_sort instantiation serves all orders. Six
-// instantiations were 9 KB of the page after compression. Where the sort takes most of the time
-// (candidates, the selector), the code has an instantiation of its own.
+// instantiations added 9 KB to the compressed page. Code that spends most of its time sorting
+// (candidates, the selector) has its own instantiation.
 #pragma once
 
 #include <cstddef>
@@ -29,8 +29,8 @@ void sort_indices(std::span<std::uint32_t> indices, const Before& before) {
 // The indices 0 ... n - 1. O(n).
 SortedIndices indices_below(std::size_t n);
 
-// The indices 0 ... n - 1 sorted by before(i, j), a strict weak order; equivalent ones stay in
-// order of index. n must be below 2^32. O(n log n) calls.
+// The indices 0 ... n - 1 sorted by before(i, j), a strict weak order; equivalent indices stay in
+// ascending order. n must be below 2^32. O(n log n) calls.
 template <class Before>
 SortedIndices sorted_indices(std::size_t n, const Before& before) {
   SortedIndices indices = indices_below(n);
@@ -42,8 +42,8 @@ inline bool lexicographically_before(const Vec2& a, const Vec2& b) {
   return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
 }
 
-// The indices of the points from left to right; points of equal x from below, equal points in order
-// of index. O(n log n).
+// The indices of the points from left to right; points with equal x from bottom to top, equal
+// points in order of index. O(n log n).
 SortedIndices lexicographic_order(const Points& points);
 
 }  // namespace evenlift

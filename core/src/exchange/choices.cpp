@@ -10,10 +10,11 @@
 namespace evenlift::exchange {
 namespace {
 
-// Covers the rounding of u . w: u is a unit vector and w at most the root of 2 long, torques being
-// in units of R, so it is below 1e-15. The slack only makes more choices be looked at in full.
+// Covers the rounding of u . w, which is below 1e-15: u is a unit vector, and w has a length of at
+// most the root of 2, with torques in units of R. The slack only causes more choices to be examined
+// in full.
 constexpr double slack = 1e-9;
-// So many directions are kept, since a choice that none of them rules out is tried in all of them.
+// The number of directions kept. A choice that none of them rules out is tried in all of them.
 constexpr std::size_t most_directions = 64;
 
 void append(const Chord& chord, std::vector<LiftingPoint>& robots) {

@@ -1,4 +1,4 @@
-// Choices of teams on trial, and what tells quickly that one of them cannot be the best.
+// Choices of teams on trial, and quick proofs that a choice cannot be the best.
 #pragma once
 
 #include <cstdint>
@@ -13,21 +13,21 @@
 
 namespace evenlift::exchange {
 
-// Some teams of a choice: a candidate, or those that stay while one team is exchanged.
+// Some teams of a choice: a candidate, or the teams that stay while one team is swapped.
 struct Part {
   std::vector<LiftingPoint> robots;
   std::vector<Wrench> wrenches;
   double ratios = 0;
 };
 
-// A choice on trial is made of two parts: a candidate, and what it is put to. They are numbered:
-// the candidates first, then the parts that stay.
+// A choice on trial has two parts: a candidate, and the part to which it is added. Parts are
+// numbered: the candidates first, then the parts that stay.
 struct Trial {
   std::uint32_t candidate = 0, other = 0;
   double coverage = 0;           // or an upper bound
   std::uint8_t sharpness = 0;    // 0 and 1: bounds, 2: exact
-  std::uint8_t most_level = 3;   // its level is at most that
-  std::uint8_t least_level = 0;  // and at least that
+  std::uint8_t most_level = 3;   // an upper bound of its margin level
+  std::uint8_t least_level = 0;  // a lower bound
 };
 
 class Choices {
@@ -36,33 +36,32 @@ class Choices {
   Choices(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
           const FirmHold& firm, const Stands* stands = nullptr);
 
-  // The teams on these candidates, but the one numbered `without`.
+  // The teams on these candidates, except the team with the number `without`.
   Part part_of(const std::vector<std::uint32_t>& taken,
                std::optional<std::size_t> without = std::nullopt) const;
 
   HoldKeys keys_of(const Part& part) const;
 
-  // The number of candidates, and of parts that stay.
+  // The number of candidates, and the number of parts that stay.
   std::uint32_t size() const { return static_cast<std::uint32_t>(parts_.size()); }
   std::uint32_t parts() const { return static_cast<std::uint32_t>(staying_.size()); }
 
   // Replaces the parts that stay.
   void set_parts(std::vector<Part> parts);
 
-  // Whether the robots of the two do not get into each other's way. O(robots).
+  // Whether no robot of one part collides with a robot of the other. O(robots).
   bool fit(std::uint32_t candidate, std::uint32_t other) const;
 
   // A trial with a first bound of its coverage. O(robots).
   Trial trial(std::uint32_t candidate, std::uint32_t other) const;
 
-  // Makes what is known of the coverage sharper.
+  // Sharpens the bound of the coverage, at last to the exact value.
   void sharpen(Trial& trial) const;
 
-  // Whether the level of the trial, above 0, is surely below `level`: in a direction that is known
-  // it reaches less far.
+  // Whether a known direction proves that the margin of the trial is below `level` (> 0).
   bool surely_below(const Trial& trial, std::uint32_t level);
 
-  // Whether it reaches that level. If not, the direction in which it is weakest becomes known.
+  // Whether the margin reaches that level. If not, its weakest direction becomes a known direction.
   bool reaches(const Trial& trial, std::uint32_t level);
 
   double ratios(const Trial& trial) const {
@@ -79,15 +78,15 @@ class Choices {
 
   const Polygon& polygon_;
   const std::vector<Candidate>& candidates_;
-  const Stands* stands_;  // of robots with a size, or none
+  const Stands* stands_;  // of robots with a size, or null
   Vec2 centre_;
   std::array<double, 3> bounds_;  // of the levels 1 to 3, ascending
   balanced::CoarseCover coarse_cover_;
   balanced::Cover cover_;
   Margins margins_;
   std::vector<Part> parts_;                   // of the candidates
-  std::vector<Part> staying_;                 // the others
-  std::vector<Wrench> directions_;            // in which choices are weak, what told last first
+  std::vector<Part> staying_;                 // the parts that stay
+  std::vector<Wrench> directions_;            // where choices are weak, latest success first
   mutable std::vector<LiftingPoint> robots_;  // of one trial after another
 };
 

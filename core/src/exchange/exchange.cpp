@@ -18,7 +18,7 @@ using exchange::Choices;
 using exchange::Part;
 using exchange::Trial;
 
-// The candidates in such an order that a team which keeps its candidate keeps its number.
+// The candidates, ordered so that a team that keeps its candidate keeps its number.
 std::vector<std::uint32_t> arranged(const std::vector<std::uint32_t>& before,
                                     std::vector<std::uint32_t> after) {
   for (std::size_t team = 0; team < before.size(); ++team) {
@@ -28,7 +28,7 @@ std::vector<std::uint32_t> arranged(const std::vector<std::uint32_t>& before,
   return after;
 }
 
-// Each candidate that is not taken, with each of the parts that stay.
+// Each free candidate, with each of the parts that stay.
 std::vector<Trial> trials_with_others(const Choices& choices,
                                       const std::vector<std::uint32_t>& taken) {
   std::vector<char> is_taken(choices.size());
@@ -51,13 +51,13 @@ class Exchanger {
   ExchangeHistory run() {
     if (taken_.size() == 2 && choices_.size() <= most_candidates_for_pairs) try_pairs();
     make_exchanges();
-    // One team fewer may hold where these do not.
+    // One team fewer may hold where these teams do not.
     if (keys_.level < best_level && taken_.size() >= 2 && try_one_more()) make_exchanges();
     return std::move(history_);
   }
 
  private:
-  // Exchanges until no exchange makes the choice better.
+  // Swaps teams until no swap makes the choice better.
   void make_exchanges() {
     const std::size_t most_rounds = 4 * taken_.size();
     history_.settled = false;
@@ -67,7 +67,7 @@ class Exchanger {
     }
   }
 
-  // Two teams go to the best pair of candidates, if it is better.
+  // Moves both teams to the best two candidates, if these are better.
   void try_pairs() {
     choices_.set_parts({});
     std::vector<Trial> trials;
@@ -78,7 +78,7 @@ class Exchanger {
       take(*best, arranged(taken_, {best->trial.candidate, best->trial.other}), ExchangeKind::pair);
   }
 
-  // Makes the best exchange. Returns whether there was one.
+  // Makes the best swap. Returns whether there was one.
   bool try_exchanges() {
     std::vector<Part> parts;
     for (std::size_t team = 0; team < taken_.size(); ++team)
@@ -92,8 +92,8 @@ class Exchanger {
     return true;
   }
 
-  // All teams go to the best of what one team fewer comes to, with one more. Returns whether that
-  // is better.
+  // Replaces all teams by the result for one team fewer plus the best further team. Returns whether
+  // that is better.
   bool try_one_more() {
     Exchanger fewer(choices_, {history_.start.begin(), history_.start.end() - 1});
     const ExchangeHistory history = fewer.run();

@@ -14,8 +14,8 @@ struct Better {
   HoldKey decided_by = HoldKey::level;
 };
 
-// The best of the trials that are better than what is there, or nothing if none is. Trials are in
-// their order of preference.
+// The best of the trials that are better than the present choice; nothing if there is none. Trials
+// are in their order of preference.
 std::optional<Better> best_trial(Choices& choices, std::vector<Trial> trials, const HoldKeys& now);
 
 }  // namespace evenlift::exchange

@@ -1,6 +1,6 @@
-// GeoJSON (RFC 7946): a Polygon, or a Feature of one, perhaps with a property `centre_of_mass: [x,
-// y]`. Members may come in any order. So a fault in coordinates is kept until the type is known,
-// since they may belong to a geometry of another kind.
+// GeoJSON (RFC 7946): a Polygon, or a Feature with a Polygon, optionally with a property
+// `centre_of_mass: [x, y]`. Members may appear in any order. So a fault in the coordinates is kept
+// until the type is known, since they may belong to another kind of geometry.
 #include <vector>
 
 #include "formats/readers.h"
@@ -10,7 +10,7 @@
 namespace evenlift {
 namespace {
 
-// The part that a JSON value plays in GeoJSON.
+// The role of a JSON value in GeoJSON.
 enum class Role : std::uint8_t {
   ignored,
   whole,          // the outermost object
@@ -70,10 +70,10 @@ class GeojsonReader final : public JsonSink {
   bool end() override;
 
  private:
-  // An object or array that is being read.
+  // An object or array being read.
   struct Level {
     Role role;
-    Role next = Role::ignored;  // of the value that comes next
+    Role next = Role::ignored;  // of the next value
     std::size_t elements = 0;   // of an array, so far
     unsigned members = 0;       // of an object, so far: a bit for each role
   };
@@ -185,7 +185,7 @@ bool GeojsonReader::take(Role role, const JsonValue& value, std::size_t index) {
 
 bool GeojsonReader::take_centre(Role role, const JsonValue& value, std::size_t index) {
   if (role == Role::centre) {
-    if (value.kind == Kind::null) return true;  // null means none
+    if (value.kind == Kind::null) return true;  // null means no centre
     has_centre_ = value.kind == Kind::array;
     if (has_centre_) return true;
   } else if (value.kind == Kind::number) {
@@ -224,7 +224,7 @@ bool GeojsonReader::end_of(const Level& level) {
   if (level.elements < 2) {
     return note_fault(ErrorCode::bad_syntax, "a position has fewer than two coordinates", offset_);
   }
-  if (object().ring.size() > max_vertices) {  // one vertex more may close the ring
+  if (object().ring.size() > max_vertices) {  // one more vertex may close the ring
     return note_fault(ErrorCode::too_many_vertices, no_more_vertices, offset_);
   }
   object().ring.push_back(position_);

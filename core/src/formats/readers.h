@@ -1,5 +1,5 @@
-// The readers of the three formats, and what they share. Each reads a whole text without a
-// byte-order mark. read_polygon() in formats.cpp tells which one to use.
+// The readers of the three formats, and their shared parts. Each reads a whole text without a
+// byte-order mark. read_polygon() in formats.cpp chooses the reader.
 #pragma once
 
 #include <string_view>
@@ -13,14 +13,14 @@ Result<Document> read_thesis(std::string_view text);
 Result<Document> read_wkt(std::string_view text);
 Result<Document> read_geojson(std::string_view text);
 
-// Messages that they share.
+// Shared messages.
 inline constexpr char no_holes[] = "a polygon with holes is not supported";
 inline constexpr char no_third_coordinate[] = "coordinates beyond x and y are not supported";
 inline constexpr char no_more_vertices[] = "the polygon has more than 1048576 vertices";
 inline constexpr char no_vertices[] = "the polygon has no vertices";
 static_assert(max_vertices == 1048576, "no_more_vertices names the number");
 
-// Whether WKT calls a geometry other than a polygon so, in upper or lower case. O(1).
+// Whether the word is WKT's name for a geometry other than a polygon, in upper or lower case. O(1).
 bool names_other_geometry(std::string_view word);
 
 // Drops the last vertex of a ring if it equals the first. O(1).

@@ -1,4 +1,4 @@
-// The thesis's format (appendix A.1): perhaps `CoM:(x,y)` on the first line, then one `(x,y)` on
+// The thesis's format (appendix A.1): optionally `CoM:(x,y)` on the first line, then one `(x,y)` on
 // each line.
 #include "formats/readers.h"
 #include "numbers/text_cursor.h"

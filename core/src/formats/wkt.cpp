@@ -47,7 +47,7 @@ std::optional<InputError> take_keywords(TextCursor& cursor) {
   return std::nullopt;
 }
 
-// Reads `x y`. The caller checks what follows.
+// Reads `x y`. The caller checks the rest.
 std::optional<InputError> take_position(TextCursor& cursor, Vec2& point) {
   cursor.skip_white_space();
   if (auto error = cursor.take_number(point.x(), "a number")) return error;

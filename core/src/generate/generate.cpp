@@ -48,12 +48,12 @@ GridPoint polar(double distance, double angle_rad, int decimals) {
   return p;
 }
 
-// Three decimals while people read the file; beyond that, enough to keep n vertices apart.
+// Three decimals for files that people read; for larger n, enough to keep n vertices apart.
 int readable_decimals(std::size_t n) { return n <= 1000 ? 3 : 6; }
 
 }  // namespace
 
-// The first edge lies at the bottom. The turn at a vertex of a regular polygon is about
+// The first edge is at the bottom. The turn at a vertex of a regular polygon is about
 // (2 pi)^3 r^2 / n^3, and rounding must stay well below it.
 GridPolygon regular(std::size_t n) {
   GridPolygon polygon;
@@ -71,8 +71,8 @@ GridPolygon regular(std::size_t n) {
   return polygon;
 }
 
-// One direction is drawn in each n-th of the circle, less a margin. So they stay in order after
-// rounding, and of three or four directions no two are 180 degrees apart.
+// Draws one direction in each n-th of the circle, less a margin. So the directions stay in order
+// after rounding, and no two of three or four directions are 180 degrees apart.
 GridPolygon star(std::size_t n, Rng& rng) {
   GridPolygon polygon;
   polygon.decimals = readable_decimals(n);
@@ -88,7 +88,7 @@ GridPolygon star(std::size_t n, Rng& rng) {
 
 // A flat base with teeth to the left and right of a block in the middle. All slanted edges cross
 // the height of C, so a level line through C meets all of them, and every edge on the left faces
-// every edge on the right. The outline above the base goes strictly leftwards, so it is simple.
+// every edge on the right. The outline above the base runs strictly leftwards, so it is simple.
 GridPolygon comb(std::size_t n, Rng& rng) {
   GridPolygon polygon;
   polygon.decimals = readable_decimals(n);
@@ -98,7 +98,7 @@ GridPolygon comb(std::size_t n, Rng& rng) {
   const auto valley = [&] { return 120 + 100 * rng.uniform(); };
   const auto tip = [&] { return 860 + 140 * rng.uniform(); };
 
-  // From the block outwards, a valley and a tip take turns. The last one is at the end of the base.
+  // From the block outwards, valleys and tips alternate. The last one is at the end of the base.
   struct Tooth {
     double distance, height;
   };
@@ -229,7 +229,7 @@ Result<Points> generate(Family family, std::size_t n, std::uint64_t seed) {
   Points points;
   points.reserve(n);
   // The quotient of two whole numbers is the double nearest to the decimal number, and is printed
-  // as that.
+  // as that number.
   const double unit = families::units(polygon.decimals);
   for (const families::GridPoint& p : polygon.vertices)
     points.emplace_back(static_cast<double>(p.x) / unit, static_cast<double>(p.y) / unit);

@@ -2,10 +2,10 @@
 // cells, and its outline visits each of the 2 x 2 points of every cell once. Then each point moves
 // within its own box, and vertices are cut off at random until n are left. A ray crosses about
 // sqrt(n) edges. No step tests edges against edges, because the outline stays simple throughout:
-// - Columns and rows have disjoint bands, and the box of a point is where the bands of its column
-//   and its row meet. An edge between neighbours stays in the band of one column or row and between
-//   the two boxes. So two edges can meet only in a box, and a box holds one vertex.
-// - Cutting off a vertex is safe if no other vertex lies in the closed triangle that goes.
+// - Columns and rows have disjoint bands. The box of a point is where the bands of its column and
+//   its row meet. An edge between neighbours stays in the band of one column or row and between the
+//   two boxes. So two edges can meet only in a box, and a box contains one vertex.
+// - Cutting off a vertex is safe if no other vertex lies in the closed triangle that disappears.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-// A tree over the cells of a square: it says for each cell to which neighbours it is joined.
+// A tree over the cells of a square: for each cell, the neighbours to which it is joined.
 struct CellTree {
   std::size_t side = 0;
   std::size_t first = 0;
@@ -43,8 +43,8 @@ void join(CellTree& tree, std::size_t cell, std::size_t neighbour) {
   b.used = true;
 }
 
-// Grows `size` cells from the middle of a square, of which they fill about two thirds. Growing from
-// the newest cell makes corridors and growing from any cell makes branches; a random mixture gives
+// Grows `size` cells from the middle of a square; they fill about two thirds of it. Growing from
+// the newest cell makes corridors and growing from any cell makes branches; a random mixture makes
 // both. O(size).
 CellTree grow_tree(std::size_t size, Rng& rng) {
   CellTree tree;
@@ -69,7 +69,7 @@ CellTree grow_tree(std::size_t size, Rng& rng) {
     consider(row + 1 < side, cell + side);
     consider(column > 0, cell - 1);
     consider(row > 0, cell - side);
-    if (count == 0) {  // this cell cannot grow any more
+    if (count == 0) {  // this cell cannot grow any further
       std::swap(growing[choice], growing.back());
       growing.pop_back();
       continue;
@@ -82,7 +82,7 @@ CellTree grow_tree(std::size_t size, Rng& rng) {
   return tree;
 }
 
-// A point of the fine grid, two by two to a cell.
+// A point of the fine grid, two by two per cell.
 struct Node {
   std::size_t column = 0, row = 0;
 };
@@ -142,7 +142,7 @@ class Outline {
   }
 
   // Cuts off vertices in random order until n are left. Expected O(nodes): all but a few small
-  // outlines are finished in the first rounds, and only later rounds look into triangles that span
+  // outlines are finished in the first rounds, and only later rounds examine triangles that span
   // many boxes.
   void cut_down_to(std::size_t n, Rng& rng) {
     std::vector<std::size_t> order;
@@ -154,7 +154,7 @@ class Outline {
     while (left_ > n) {
       for (std::size_t i = 0; i < order.size() && left_ > n; ++i)
         if (next_[order[i]] != none && can_cut(order[i], most_boxes, clearance)) cut(order[i]);
-      // In the end a vertex can always be cut, since every polygon has two ears.
+      // Eventually a vertex can always be cut, since every polygon has two ears.
       most_boxes *= 4;
       clearance *= 0.5;
     }
@@ -240,10 +240,10 @@ class Outline {
   std::size_t left_ = 0;
 };
 
-// Whether some point, or almost one, sees the whole of a counter-clockwise outline. The kernel of
-// the outline is found by clipping a large square by the inner side of each edge. (polygon/clip.h
-// keeps nothing outside a line; here a little slack must be kept.) O(n) times the corners of what
-// is left, which is soon nothing.
+// Whether some point, or almost one, sees the whole of a counter-clockwise outline. Finds the
+// kernel of the outline by clipping a large square by the inner side of each edge. (polygon/clip.h
+// keeps nothing outside a line; here a little slack is necessary.) O(n) times the corners of the
+// remaining square, which is soon empty.
 bool is_star_shaped(const std::vector<GridPoint>& outline) {
   struct Corner {
     double x, y;
@@ -282,8 +282,8 @@ GridPolygon random(std::size_t n, Rng& rng) {
   // The tree has a third more vertices than are kept, because cuts make edges of all lengths and
   // directions. For few vertices it has enough cells for a bend.
   const std::size_t cells = std::max<std::size_t>(n <= 5 ? 2 : 4, (n + n / 3 + 3) / 4);
-  // Up to five vertices every polygon is star-shaped. With a few more some outlines are, and others
-  // are tried.
+  // With up to five vertices every polygon is star-shaped. With a few more, some outlines are, and
+  // others are tried.
   const int attempts = n <= 5 ? 1 : 1000;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     const CellTree tree = grow_tree(cells, rng);

@@ -1,4 +1,4 @@
-// How exactly robots must stand: what is left of a hold without the contacts beside corners.
+// The required accuracy of robots: the hold that remains without the contacts near corners.
 #include <algorithm>
 #include <cmath>
 
@@ -9,9 +9,9 @@
 namespace evenlift {
 namespace {
 
-// The contacts from the farthest from a corner, or from an end of its side, to the nearest. What
-// holds of the first k of them, form closure and a large margin, holds of more of them, too: so it
-// is found by bisection.
+// The contacts, sorted by their distance from a corner, or from an end of their side, the farthest
+// first. If the first k of them have form closure or a large margin, so do more of them. So
+// bisection finds the number.
 class FarthestFirst {
  public:
   FarthestFirst(const Polygon& polygon, const Vec2& centre, const std::vector<Contact>& contacts,
@@ -26,7 +26,8 @@ class FarthestFirst {
       contacts_.push_back(contacts[i]);
   }
 
-  // The fewest contacts that hold; one more than there are if not even all of them do.
+  // The smallest number of contacts that hold; the number of contacts plus one if not even all
+  // hold.
   std::size_t fewest_that_hold() const {
     return first(1, [&](std::size_t number) {
       return in_form_closure(polygon_, centre_, first_contacts(number));
@@ -36,8 +37,8 @@ class FarthestFirst {
   const Contact& last_of(std::size_t number) const { return contacts_[number - 1]; }
   std::size_t size() const { return contacts_.size(); }
 
-  // The supremum of min(k, R m(k)) over the sets of contacts that are at least k away. The distance
-  // falls with their number and the margin grows, so the best set is one of two neighbours.
+  // The supremum of min(k, R m(k)) over the sets of contacts that are at least k away. With more
+  // contacts the distance falls and the margin grows, so the best set is one of two neighbours.
   double tolerance() const {
     const auto by_margin = [&](std::size_t number) {
       const auto margin = analyse_hold(polygon_, centre_, first_contacts(number)).margin;
@@ -59,7 +60,8 @@ class FarthestFirst {
     return {contacts_.begin(), contacts_.begin() + static_cast<std::ptrdiff_t>(number)};
   }
 
-  // The first number from `low` on that fulfils a condition, which all larger ones fulfil, too.
+  // The first number from `low` on that fulfils a condition. All larger numbers must also fulfil
+  // it.
   template <class Condition>
   std::size_t first(std::size_t low, Condition fulfils) const {
     std::size_t high = size() + 1;

@@ -20,8 +20,8 @@ constexpr double square_half_side = 100;
 enum class Sense { counterclockwise, clockwise };
 
 // Reuleaux's half-planes of one sense, relative to C and widened by `offset`. The free
-// instantaneous centres of counter-clockwise rotation are those on or left of every contact's
-// normal line, those of clockwise rotation on or right of it. With d the edge's direction, which is
+// instantaneous centres of counter-clockwise rotation are on or left of every contact's normal
+// line; the centres of clockwise rotation are on or right of it. If d is the direction of the edge,
 // perpendicular to the normal line, left of the line at p means d . (q - p) <= 0.
 std::vector<HalfPlane> rotation_centres(const Grasp& grasp, Sense sense, double offset) {
   std::vector<HalfPlane> planes;
@@ -39,9 +39,9 @@ std::vector<HalfPlane> rotation_centres(const Grasp& grasp, Sense sense, double 
 }
 
 // The largest distance along an axis at which a rotation centre still counts. A rotation about a
-// point farther away is a translation within tolerance. Where a translation is free, some contacts
-// may be on edges that were drawn parallel. Rounding turns these by some 1e-14, so whether their
-// normal lines meet farther away than L / sqrt(tau), about 3e4 L, is not a property of the shape.
+// farther point is a translation within tolerance. If a translation is free, some contacts may be
+// on edges drawn parallel. Rounding turns these edges by some 1e-14. So if their normal lines meet
+// farther away than L / sqrt(tau), about 3e4 L, that is not a property of the shape.
 double farthest_centre(const Grasp& grasp, bool translation_free) {
   return grasp.diameter / (translation_free ? std::sqrt(tau) : tau);
 }
@@ -100,7 +100,7 @@ std::optional<std::pair<std::size_t, std::size_t>> coinciding_lines(
     for (std::size_t j = i + 1; j < planes.size(); ++j) {
       const Vec2 nj = planes[j].normal();
       if (!directions_agree(ni, -nj)) continue;
-      // Both are widened by `near` already, so lines that coincide leave a strip of twice that
+      // Both are already widened by `near`, so lines that coincide leave a strip of twice that
       // width.
       const double width = planes[i].bound / length(ni) + planes[j].bound / length(nj);
       if (width >= 0 && width <= 4 * near) return std::pair(i, j);
@@ -109,7 +109,7 @@ std::optional<std::pair<std::size_t, std::size_t>> coinciding_lines(
   return std::nullopt;
 }
 
-// The region at the least widening at which it exists, found by bisection to far below the
+// The region at the smallest widening at which it exists, found by bisection to far below the
 // tolerance. The region must be bounded and must vanish when it is narrowed by `near`.
 Points sharpest_region(const Grasp& grasp, Sense sense) {
   double empty = -grasp.near, full = grasp.near;
@@ -169,10 +169,10 @@ std::optional<Vec2> free_translation(const Grasp& grasp) {
 }
 
 // Whether the contacts whose normals pass through c (relative to C) prevent the rotation about c to
-// second order: whether some non-negative weights balance the normals n and give the signed
-// distances d of c along them a positive sum. By Farkas' lemma that is so if and only if no q has n
-// . q <= -d for all of them. Keeping q within L / tau lets forces balance within tolerance, since
-// nearly opposite normals would meet farther out.
+// second order: whether some non-negative weights balance the normals n and give a positive sum of
+// the signed distances d of c along the normals. By Farkas' lemma this is true if and only if no q
+// satisfies n . q <= -d for all of them. Keeping q within L / tau lets forces balance within
+// tolerance, since nearly opposite normals would meet farther out.
 bool resists_at(const Grasp& grasp, const Vec2& c) {
   std::vector<HalfPlane> planes;
   for (int axis = 0; axis < axes; ++axis)
@@ -189,7 +189,7 @@ bool resists_at(const Grasp& grasp, const Vec2& c) {
 }
 
 // Second-order immobility (Rimon and Burdick): the curvature of every motion that is free to first
-// order runs the object into a robot.
+// order drives the object into a robot.
 bool immobile_to_second_order(const Grasp& grasp, const Closure& closure) {
   if (closure.form_closure || closure.translation_free) return false;
   for (const auto& [region, sense] :
@@ -197,8 +197,8 @@ bool immobile_to_second_order(const Grasp& grasp, const Closure& closure) {
         std::pair(&closure.counterclockwise, Sense::counterclockwise)}) {
     if (!region->exists) continue;
     if (region->has_area) return false;
-    // The region is bounded, since no translation is free. The reach is only a finite number that
-    // is large enough.
+    // The region is bounded, since no translation is free. Any finite reach that is large enough
+    // will do.
     const Points region_at_rest = degenerate_region(grasp, sense, farthest_centre(grasp, false));
     if (region_at_rest.empty()) return false;
     if (!resists_at(grasp, 0.5 * (region_at_rest.front() + region_at_rest.back()))) return false;

@@ -1,5 +1,4 @@
-// Finds the contacts of robots with an object: where they touch it, and how far that is from a
-// corner.
+// Finds the contacts of robots with an object, and their distances from corners.
 #pragma once
 
 #include <array>
@@ -17,12 +16,13 @@ class ContactFinder {
   // The polygon must outlive it. O(n log n).
   explicit ContactFinder(const Polygon& polygon);
 
-  // The same as contacts() (closure.h). O(m log n) for m points, if few vertices lie within tau L
-  // of one another.
+  // Equals contacts() (closure.h). O(m log n) for m points, if few vertices lie within tau L of one
+  // another.
   std::vector<Contact> find(const std::vector<LiftingPoint>& points) const;
 
  private:
-  // A square of a grid. Its side is 4 tau L, so what is within tau L of a point is in four squares.
+  // A square of a grid. Its side is 4 tau L, so all points within tau L of a point are in four
+  // squares.
   using Cell = std::array<double, 2>;
   Cell cell_of(const Vec2& p) const;
   std::optional<std::uint32_t> vertex_at(const Vec2& p) const;

@@ -21,7 +21,7 @@ ContactFinder::Cell ContactFinder::cell_of(const Vec2& p) const {
   return {std::floor(p.x() / side), std::floor(p.y() / side)};
 }
 
-// The nearest vertex within tau L; of equally near ones the first in the list.
+// The nearest vertex within tau L; the first in the list wins a tie.
 std::optional<std::uint32_t> ContactFinder::vertex_at(const Vec2& p) const {
   const Cell low = cell_of(p - Vec2(near_, near_)), high = cell_of(p + Vec2(near_, near_));
   std::optional<std::uint32_t> nearest;
@@ -68,7 +68,7 @@ std::vector<Contact> ContactFinder::find(const std::vector<LiftingPoint>& points
     const Turn turn = polygon_.turn(*vertex);
     const Vec2& position = polygon_.vertex(*vertex);
     if (turn == Turn::straight) contacts.push_back(contact_inside(position, *vertex, i));
-    // The notch of a reflex vertex keeps the robot where it is.
+    // The notch of a reflex vertex keeps the robot in place.
     if (turn == Turn::reflex)
       for (const std::size_t edge : {std::size_t{*vertex}, polygon_.previous(*vertex)})
         contacts.push_back({position, static_cast<std::uint32_t>(edge), i});

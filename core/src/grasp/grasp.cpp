@@ -24,8 +24,8 @@ bool same_direction(const Grasp::Touch& a, const Grasp::Touch& b) {
   return points_up(a) == points_up(b) && turn_of(a, b) == 0;
 }
 
-// Of the touches whose edges have the same direction, which is decided exactly, only those farthest
-// back and farthest along it stay.
+// Among touches whose edges have the same direction, decided exactly, keeps only the touches
+// farthest back and farthest along it.
 void keep_extremes(Grasp& grasp) {
   const std::vector<Grasp::Touch>& touches = grasp.touches;
   std::vector<double> place(touches.size());

@@ -1,4 +1,4 @@
-// The object and the contacts of its robots, as closure and margin look at them.
+// The object and the contacts of its robots, as form closure and margin need them.
 #pragma once
 
 #include <cstdint>
@@ -27,9 +27,9 @@ struct Grasp {
   std::vector<Touch> touches;
 };
 
-// The grasp with the contacts, of those on edges of one direction only the first and the last. The
-// wrenches and the normal lines of the others lie between theirs and add nothing. `radius` is R.
-// O(m log m).
+// The grasp with these contacts; among contacts on edges of one direction, only the first and the
+// last. The wrenches and normal lines of the others lie between theirs and add nothing. `radius` is
+// R. O(m log m).
 Grasp make_grasp(const Polygon& polygon, const Vec2& centre, double radius,
                  const std::vector<Contact>& contacts);
 

@@ -1,4 +1,4 @@
-// The margins of many grasps of one object, of the contacts that are far enough from corners.
+// The margins of many grasps of one object, by the contacts that are far enough from corners.
 #pragma once
 
 #include <optional>
@@ -15,12 +15,12 @@ class Margins {
   // The polygon must outlive it. Contacts nearer than `clear` to a corner do not count. O(n log n).
   Margins(const Polygon& polygon, const Vec2& centre, double clear);
 
-  // The same as that of analyse_hold() of the clear_contacts() of these points. O(m log n) and the
-  // cost of wrench_margin().
+  // Equals the margin of analyse_hold() for the clear_contacts() of these points. O(m log n) and
+  // the cost of wrench_margin().
   std::optional<double> of(const std::vector<LiftingPoint>& points) const;
 
-  // The wrenches of robots at the points, as the margin is found from them: of contacts on parallel
-  // edges the first and the last. O(m log n).
+  // The wrenches of robots at the points, as needed for the margin: for contacts on parallel edges,
+  // the first and the last. O(m log n).
   std::vector<Wrench> wrenches_of(const std::vector<LiftingPoint>& points) const;
 
  private:

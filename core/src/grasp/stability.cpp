@@ -32,10 +32,10 @@ Points relative_to(const Vec2& origin, const Polygon& polygon) {
   return ring;
 }
 
-// The part of a ring, which is relative to the origin, within a hull, which is not.
+// The part of a ring, given relative to the origin, within a hull, given in absolute coordinates.
 Points part_within(Points ring, const Points& hull, const Vec2& origin) {
   for (std::size_t i = 0; i < hull.size(); ++i) {
-    // The direction is taken from the corners as they are. If two of them differ only by rounding,
+    // The direction comes from the original corners. If two of them differ only by rounding,
     // translation would change it.
     ring = clip_left_of_ray(ring, hull[i] - origin, hull[(i + 1) % hull.size()] - hull[i]);
   }

@@ -20,7 +20,7 @@ namespace {
 using Index = std::uint32_t;
 using Triangle = std::array<Index, 3>;
 
-// The exact sign of (b - a) x (c - a) . (d - a): of the orientation of a tetrahedron.
+// The exact sign of (b - a) x (c - a) . (d - a): the orientation of a tetrahedron.
 int orient3(const Wrench& a, const Wrench& b, const Wrench& c, const Wrench& d) {
   const Wrench p = b - a, q = c - a, r = d - a;
   const double value = p.dot(q.cross(r));
@@ -64,8 +64,8 @@ std::optional<std::array<Index, 4>> first_tetrahedron(const std::vector<Wrench>&
 }
 
 // The facets of the convex hull, counter-clockwise as seen from outside; empty if all points are in
-// one plane. The hull grows point by point: the facets that the new point sees are replaced by
-// triangles from it to the edges of their rim.
+// one plane. The hull grows point by point: triangles from the new point to the boundary edges of
+// the facets that it sees replace these facets.
 std::vector<Triangle> hull_facets(const std::vector<Wrench>& w) {
   const auto start = first_tetrahedron(w);
   if (!start) return {};
@@ -90,8 +90,8 @@ std::vector<Triangle> hull_facets(const std::vector<Wrench>& w) {
 
 // The distance of the plane through three points from the origin, positive if they turn
 // counter-clockwise as seen from beyond it. Wrenches of parallel edges are on one line except for
-// rounding, and so give facets that are slivers. The plane of a sliver must be computed exactly, or
-// it could cut through the hull.
+// rounding, so they give slivers as facets. The plane of a sliver must be computed exactly, or it
+// could cut through the hull.
 double distance_of_plane(const Wrench& a, const Wrench& b, const Wrench& c) {
   const Wrench p = b - a, q = c - a;
   const Wrench normal = p.cross(q);
@@ -110,7 +110,7 @@ double distance_of_plane(const Wrench& a, const Wrench& b, const Wrench& c) {
 }
 
 // P. Wolfe's algorithm for the nearest point of a polytope (Finding the nearest point in a
-// polytope, 1976). It also serves points in one plane, on one line or at one place.
+// polytope, 1976). It also works for points in one plane, on one line or at one place.
 class NearestPoint {
  public:
   explicit NearestPoint(const std::vector<Wrench>& points) : points_(points), nearest_(points[0]) {}
@@ -125,8 +125,8 @@ class NearestPoint {
   }
 
  private:
-  // A major cycle adds the point that lies farthest towards the origin to the corral and moves to
-  // the new nearest point. False if there is no such point, so that the nearest point is found.
+  // A major cycle adds the point farthest towards the origin to the corral and moves to the new
+  // nearest point. False if there is no such point: then the nearest point is found.
   bool major_cycle() {
     constexpr double optimality_gap = 1e-15;
     const Index added = farthest_towards_origin();
@@ -142,9 +142,9 @@ class NearestPoint {
     return true;
   }
 
-  // A minor cycle moves towards the nearest point of the corral's affine hull, until that point or
-  // the boundary of the corral's convex hull is reached. Points whose weight has become 0 leave the
-  // corral. True if another minor cycle must follow.
+  // A minor cycle moves towards the nearest point of the corral's affine hull, until it reaches
+  // that point or the boundary of the corral's convex hull. Points whose weight has become 0 leave
+  // the corral. True if another minor cycle must follow.
   bool minor_cycle() {
     const auto target = affine_minimizer();
     if (!target) {
@@ -153,7 +153,7 @@ class NearestPoint {
       return false;
     }
     double step = 1;
-    constexpr double above_zero = 1e-300;  // a weight that is at its goal needs no step
+    constexpr double above_zero = 1e-300;  // a weight at its goal needs no step
     for (std::size_t k = 0; k < corral_.size(); ++k) {
       const double goal = (*target)(static_cast<Eigen::Index>(k));
       if (goal < least_weight)
@@ -201,7 +201,7 @@ class NearestPoint {
     return Eigen::VectorXd(lu.solve(right).tail(n));
   }
 
-  static constexpr double least_weight = 1e-14;  // a smaller one counts as 0
+  static constexpr double least_weight = 1e-14;  // a smaller weight counts as 0
 
   const std::vector<Wrench>& points_;
   Wrench nearest_;
@@ -211,7 +211,7 @@ class NearestPoint {
   std::vector<double> weights_{1};
 };
 
-// The vector in unit length, unless it is too short to tell its direction.
+// The vector in unit length, unless it is too short to have a direction.
 Wrench direction_of(const Wrench& vector) {
   const double length = vector.norm();
   return length > tau ? Wrench(vector / length) : Wrench(Wrench::UnitX());
@@ -236,7 +236,7 @@ WeakestDirection weakest_of_few(const std::vector<Wrench>& wrenches) {
   Triangle weakest{};
   for (Triangle facet : facets) {
     // Begins with the facet's first wrench. The order in which std::partition leaves facets, and so
-    // where they began, differs between standard libraries; the rounding must not.
+    // their beginning, differs between standard libraries; the rounding must not differ.
     std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
     const double distance =
         distance_of_plane(wrenches[facet[0]], wrenches[facet[1]], wrenches[facet[2]]);
@@ -244,22 +244,22 @@ WeakestDirection weakest_of_few(const std::vector<Wrench>& wrenches) {
     least = std::min(least, distance);
   }
   if (least > tau) return {least, direction_of(normal_of(wrenches, weakest))};
-  // The origin is in the planes of all facets of a flat hull, on their inner side by rounding
-  // alone, even where it lies beside the hull. The distance of a facet's plane is off by some 1e-16
-  // over the length of its normal, which is twice its area: for all facets of area 1e-9 or more
-  // this is more than the error.
+  // The origin is in the planes of all facets of a flat hull, on their inner side only by rounding,
+  // even if it lies beside the hull. The distance of a facet's plane has an error of some 1e-16
+  // divided by the length of its normal, which is twice its area. For all facets of area 1e-9 or
+  // more, `beside` exceeds this error.
   constexpr double beside = 1e-7;
   NearestPoint search(wrenches);
   const Wrench& nearest = search.find();
   const double distance = nearest.norm();
-  // Far from the origin the nearest point tells the direction, else the facet.
+  // Far from the origin the nearest point gives the direction, otherwise the facet.
   const Wrench direction = distance > beside || facets.empty()
                                ? direction_of(-nearest)
                                : direction_of(normal_of(wrenches, weakest));
   return {least > 0 && distance <= beside ? least : 0.0 - distance, direction};  // never -0
 }
 
-// The normal of the plane through the origin and those two wrenches that span it best.
+// The normal of the plane through the origin and the two wrenches that span it best.
 Wrench normal_through_origin(const std::vector<Wrench>& wrenches) {
   Wrench best = Wrench::Zero();
   for (std::size_t i = 0; i < wrenches.size(); ++i)
@@ -270,9 +270,9 @@ Wrench normal_through_origin(const std::vector<Wrench>& wrenches) {
   return direction_of(best);
 }
 
-// Of many wrenches few bound the ball. Begins with those that reach farthest along the axes, and
-// adds the one that reaches farthest in the weakest direction of those that are there, until none
-// reaches farther than these do: then the direction is the weakest of all.
+// Few of many wrenches bound the ball. Begins with the wrenches that reach farthest along the axes.
+// Adds the wrench that reaches farthest in the weakest direction of the active ones, until none
+// reaches farther than these: then the direction is the weakest of all.
 class FewOfMany {
  public:
   explicit FewOfMany(const std::vector<Wrench>& all) : all_(all) {
@@ -286,7 +286,7 @@ class FewOfMany {
       const WeakestDirection found = weakest_of_few(active);
       if (reach(found.direction) <= found.margin + same_reach) return found;
       if (activate(found.direction)) continue;
-      // The weakest facet is too small to tell its direction, as where all wrenches are in one
+      // The weakest facet is too small to have a direction, for example if all wrenches are in one
       // plane.
       const Wrench normal = normal_through_origin(active);
       const bool added = activate(normal), also_added = activate(-normal);
@@ -296,14 +296,14 @@ class FewOfMany {
   }
 
  private:
-  // More than the rounding of u . w, and less than what a margin tells.
+  // More than the rounding of u . w, and less than matters for a margin.
   static constexpr double same_reach = 1e-13;
 
   double reach(const Wrench& direction) const {
     return all_[farthest_along(all_, direction)].dot(direction);
   }
 
-  // Returns whether the wrench that reaches farthest was not there yet.
+  // Returns whether the wrench that reaches farthest was not yet active.
   bool activate(const Wrench& direction) {
     const Index added = farthest_along(all_, direction);
     const auto at = std::lower_bound(active_.begin(), active_.end(), added);

@@ -8,11 +8,12 @@
 namespace evenlift {
 namespace {
 
-// At most so many ends of one cell are compared: where more meet, there is no one outline anyway.
+// The greatest number of ends of one cell to compare. If more ends meet, there is no unique
+// outline.
 constexpr std::size_t most_in_cell = 64;
 
 struct End {
-  std::int64_t x, y;  // the cell of a grid as wide as ends may be apart
+  std::int64_t x, y;  // the cell of a grid whose cells are `near` wide
   std::size_t part;
   bool last;  // the part's end, not its start
   auto cell() const { return std::pair(x, y); }
@@ -109,7 +110,7 @@ std::vector<Chain> chained(const std::vector<Outline>& parts, double near) {
     Chain chain{parts[i], 1, false};
     for (;;) {
       Outline& outline = chain.outline;
-      // A part that is itself no longer than `near` is not a way round.
+      // A part no longer than `near` is not a closed outline by itself.
       const bool back = chain.parts > 1 || outline.curved() || outline.pieces.size() > 1;
       if (back && are_near(outline.end(), outline.start, near)) {
         outline.pieces.back().end = outline.start;

@@ -1,4 +1,4 @@
-// Lines and arcs that are drawn one by one, put together to closed outlines.
+// Joins lines and arcs that are drawn one by one into closed outlines.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@ namespace evenlift {
 
 struct Chain {
   Outline outline;
-  std::size_t parts;  // how many lines and arcs it has
+  std::size_t parts;  // the number of its lines and arcs
   bool closed;        // its end is its start
 };
 
-// Takes the parts one after another: each chain begins with the first that is left, and goes on
-// with the part whose end is nearest to the chain's end and no farther from it than `near` (of
-// equally near ones the first), turned round if need be, until it is back where it began or nothing
-// follows. The ends that meet become one point. O(n log n).
+// Takes the parts in order. Each chain begins with the first unused part. It continues with the
+// part whose end is nearest to the chain's end and at most `near` away (in a tie, the first part),
+// reversed if necessary, until it returns to its start or no part follows. Ends that meet become
+// one point. O(n log n).
 std::vector<Chain> chained(const std::vector<Outline>& parts, double near);
 
 }  // namespace evenlift

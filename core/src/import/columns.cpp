@@ -1,4 +1,5 @@
-// Columns of numbers: a table's CSV, what a spreadsheet puts on the clipboard, or lines "x, y".
+// Columns of numbers: a CSV table, cells that a spreadsheet copies to the clipboard, or lines "x,
+// y".
 #include <algorithm>
 #include <iterator>
 #include <vector>
@@ -15,7 +16,7 @@ namespace {
 
 using Fields = std::vector<std::string_view>;
 
-// What no table of coordinates has.
+// No table of coordinates has more.
 constexpr std::size_t most_fields = 1000;
 
 std::string_view unquoted(std::string_view field) {
@@ -25,7 +26,7 @@ std::string_view unquoted(std::string_view field) {
   return field;
 }
 
-// Whether the line begins as a number does, perhaps in quotes: no heading does.
+// Whether the line begins with a number, perhaps in quotes. No heading does.
 bool has_number_first(std::string_view line) {
   line.remove_prefix(std::min(line.find_first_not_of(" \t\"+-.,;|"), line.size()));
   return !line.empty() && line[0] >= '0' && line[0] <= '9';
@@ -34,7 +35,7 @@ bool has_number_first(std::string_view line) {
 // A line that is neither blank nor a comment.
 struct Line {
   std::string_view text;
-  bool after_blank = false;  // a blank line stands before it
+  bool after_blank = false;  // a blank line precedes it
 };
 
 class Lines {
@@ -97,7 +98,7 @@ class ColumnReader {
   bool named_ = false;  // the heading chose the columns
   bool more_columns_ = false;
   bool has_rows_ = false;               // of numbers
-  LengthUnit unit_ = LengthUnit::none;  // that the heading names for both columns
+  LengthUnit unit_ = LengthUnit::none;  // the heading gives it for both columns
   std::string name_;
   Points points_;
 };
@@ -109,7 +110,7 @@ InputError ColumnReader::error(std::string_view at, ErrorCode code,
   return text_error(code, std::string(message), text_, offset);
 }
 
-// The first of these that the line has.
+// The first of these separators that the line contains.
 char separator_of(std::string_view line) {
   for (const char c : {'\t', ';', '|', ','})
     if (line.find(c) != std::string_view::npos) return c;
@@ -123,7 +124,7 @@ Fields ColumnReader::split(std::string_view line) const {
       at = std::min(line.find_first_not_of(" \t", at), line.size());
       if (at == line.size()) break;
     }
-    // A quoted field may hold the separator.
+    // A quoted field may contain the separator.
     const bool quoted = at < line.size() && line[at] == '"';
     const std::size_t quote = quoted ? line.find('"', at + 1) : std::string_view::npos;
     const std::size_t from = quote == std::string_view::npos ? at : quote;
@@ -154,8 +155,7 @@ bool names_column(std::string_view field, char name) {
   return field.size() == 1 || (!is_letter(field[1]) && static_cast<unsigned char>(field[1]) < 0x80);
 }
 
-// The unit that a column's name ends with, such as "x (mm)", "x_cm" or "X [m]"; none if it names
-// none.
+// The unit at the end of a column's name, such as "x (mm)", "x_cm" or "X [m]"; none without one.
 LengthUnit unit_of_column(std::string_view field) {
   const auto is_mark = [](char c) { return !is_letter(c); };
   field.remove_prefix(1);
@@ -212,7 +212,7 @@ InputError ColumnReader::not_a_number(std::string_view field) const {
   return error(field, ErrorCode::bad_syntax, quoted + " is no number");
 }
 
-// The first two columns with numbers.
+// Chooses the first two columns with numbers.
 std::optional<InputError> ColumnReader::choose_columns(const Line& line, const Fields& fields) {
   // "1,5 2,3" may mean 1.5 and 2.3, or three numbers.
   for (const std::string_view field : fields)
@@ -266,8 +266,8 @@ void ColumnReader::end_shape() {
   gathering_.add(std::move(document), std::exchange(name_, ""), "points");
 }
 
-// The separator is that of the first line with a number in it; a heading before it has the same. In
-// a table whose first column are names it is that of the first line with a digit.
+// Takes the separator of the first line that begins with a number, even for a heading before it. If
+// names fill the first column, it takes the separator of the first line that contains a digit.
 void ColumnReader::find_separator() {
   bool decided = false;
   Lines scout(text_);
@@ -283,14 +283,14 @@ void ColumnReader::find_separator() {
   decimal_comma_ = separator_ != ',' && separator_ != ' ';
 }
 
-// Whether no field of a line is a number, nor its beginning.
+// Whether no field of the line is a number, and the line does not begin with one.
 bool ColumnReader::is_heading(const Line& line, const Fields& fields) const {
   return !has_number_first(line.text) &&
          std::none_of(fields.begin(), fields.end(),
                       [&](std::string_view field) { return number(field).has_value(); });
 }
 
-// Whether a line is what poses for ROS 2 have above them.
+// Whether the line is the heading of poses for ROS 2.
 bool is_pose_array(std::string_view line) { return line == "poses:"; }
 
 std::optional<InputError> ColumnReader::read_lines() {
@@ -302,7 +302,7 @@ std::optional<InputError> ColumnReader::read_lines() {
     if (line->after_blank) end_shape();
     const bool begins = first || (line->after_blank && points_.empty());
     const Fields fields = split(line->text);
-    first = begins && is_heading(*line, fields);  // a name may stand above a heading
+    first = begins && is_heading(*line, fields);  // a name may precede a heading
     if (auto wrong = first ? heading(*line, fields) : row(*line)) return wrong;
     has_rows_ = has_rows_ || !first;
   }

@@ -1,5 +1,5 @@
-// DXF as text: pairs of lines, a code and a value. Of its sections HEADER gives the unit and
-// ENTITIES the drawing; blocks are not put together.
+// DXF as text: pairs of lines, a code and a value. The HEADER section gives the unit, and ENTITIES
+// the drawing. Blocks are not expanded.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -16,7 +16,7 @@
 namespace evenlift {
 namespace {
 
-// A code and a value of an entity; more than so many have no place in one.
+// A code and a value of an entity, which has at most max_groups of them.
 struct Group {
   int code;
   std::string_view value;
@@ -29,7 +29,7 @@ class Groups {
  public:
   explicit Groups(std::string_view text) : text_(text) {}
 
-  // The next pair; nothing at the end, or if the code is not a whole number.
+  // The next pair; nullopt at the end, or if the code is not an integer.
   std::optional<Group> next() {
     if (at_ >= text_.size()) return std::nullopt;
     code_at_ = at_;
@@ -65,8 +65,8 @@ class Groups {
   bool broken_ = false;
 };
 
-// A unit of $INSUNITS: evenlift's own, or the name of one that it has no label for; neither if the
-// drawing has none.
+// A unit of $INSUNITS: evenlift's own, or the name of a unit for which evenlift has no label. Empty
+// if the drawing has no unit.
 struct DrawingUnit {
   LengthUnit label = LengthUnit::none;
   const char* other = "";
@@ -101,7 +101,7 @@ DrawingUnit unit_of(double number) {
 double sine_of(double degrees) { return sine(std::fmod(degrees, 360) * (pi / 180)); }
 double cosine_of(double degrees) { return cosine(std::fmod(degrees, 360) * (pi / 180)); }
 
-// How an entity that is left out is called.
+// The name of an entity that is left out.
 struct Other {
   std::string_view type, one, many;
 };
@@ -119,7 +119,7 @@ class DxfReader {
   Result<Import> read();
 
  private:
-  // The groups of an entity, and what they say.
+  // The groups of an entity.
   struct Entity {
     std::string_view type;
     std::vector<Group> groups;
@@ -137,7 +137,7 @@ class DxfReader {
     return static_cast<int>(std::clamp(number_of(entity, 70, 0), 0.0, 255.0));
   }
   bool mirrored(const Entity& entity);
-  // Nothing for layer 0, on which everything is that nobody put elsewhere: its name says nothing.
+  // Empty for layer 0, the default layer: its name carries no meaning.
   std::string_view layer_of(const Entity& entity) const {
     const std::string_view layer = text_of(entity, 8);
     return layer == "0" ? std::string_view() : layer;
@@ -163,9 +163,9 @@ class DxfReader {
   Gathering gathering_;
   std::map<std::string, std::vector<Outline>> parts_;  // open ones, by layer
   std::size_t part_count_ = 0;
-  std::optional<InputError> error_;  // that ends the reading
+  std::optional<InputError> error_;  // ends the reading
 
-  // A POLYLINE whose VERTEX entities are coming.
+  // A POLYLINE whose VERTEX entities follow.
   bool in_polyline_ = false, polyline_closed_ = false, polyline_mirrored_ = false,
        polyline_is_mesh_ = false;
   std::string polyline_layer_;
@@ -175,7 +175,7 @@ class DxfReader {
   std::optional<std::string> gap_;  // where the first chain does not close
 };
 
-// A part without a length does not count.
+// Ignores a part without length.
 void DxfReader::add_part(Outline part, std::string_view layer) {
   if (part.pieces.empty()) return;
   if (++part_count_ > max_vertices && !error_)
@@ -206,7 +206,7 @@ std::string_view DxfReader::text_of(const Entity& entity, int code) const {
   return {};
 }
 
-// Flat entities of a drawing seen from behind have x turned round.
+// A flat entity that is seen from behind has its x mirrored.
 bool DxfReader::mirrored(const Entity& entity) { return number_of(entity, 230, 1) < 0; }
 
 void DxfReader::polyline(const std::vector<Vertex>& vertices, bool closed, std::string_view layer,
@@ -238,7 +238,7 @@ void DxfReader::end_polyline() {
   polyline_.clear();
 }
 
-// The vertices of an LWPOLYLINE: an x begins each.
+// The vertices of an LWPOLYLINE. Each begins with an x.
 void DxfReader::take_vertices(const Entity& entity) {
   std::vector<Vertex> vertices;
   for (const Group& group : entity.groups) {
@@ -287,13 +287,13 @@ void DxfReader::circle(const Entity& entity, bool mirror) {
       layer_of(entity), "circle");
 }
 
-// From a parameter to another, in radians; the whole turn if they are so far apart.
+// Parameters are in radians. A difference of a whole turn gives a closed ellipse.
 void DxfReader::ellipse(const Entity& entity, bool mirror) {
   const Vec2 centre(number_of(entity, 10, 0), number_of(entity, 20, 0));
   const Vec2 major(number_of(entity, 11, 0), number_of(entity, 21, 0));
   const double ratio = number_of(entity, 40, 1), from = number_of(entity, 41, 0),
                to = number_of(entity, 42, 2 * pi);
-  // An ellipse lies in the world's plane; seen from behind its minor axis points the other way.
+  // An ellipse lies in the world's plane. Seen from behind, its minor axis points the other way.
   const Vec2 minor = (mirror ? -ratio : ratio) * left_normal(major);
   const Affine frame{major.x(), major.y(), minor.x(), minor.y(), centre.x(), centre.y()};
   double angle = std::fmod(to - from, 2 * pi);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t longest_name = 80;  // in characters
 
-// The length of the UTF-8 character at the front, or 0 if there is none.
+// The length of the UTF-8 character at the front, or 0 if the bytes are invalid.
 std::size_t character_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(0);
@@ -31,7 +31,7 @@ std::size_t character_length(std::string_view text) {
 }
 
 double default_tolerance(double side) {
-  // A shape of no size has no curves; any number above 0 will do.
+  // A shape without size has no curves; any number above 0 will do.
   if (!(side > 0)) return 1;
   const Decimal decimal = shortest_decimal(side / 1000);
   std::uint64_t digits = decimal.digits;
@@ -46,7 +46,7 @@ bool within_bounds(const Box& box) {
   return small(box.low.x()) && small(box.low.y()) && small(box.high.x()) && small(box.high.y());
 }
 
-// Minima and maxima leave out what is not a number.
+// Minima and maxima ignore NaN, so bounds alone do not reveal it.
 bool all_finite(const Outline& outline) {
   const auto finite = [](const CurvePiece& p) {
     return p.end.allFinite() && p.first.allFinite() && p.second.allFinite();
@@ -92,8 +92,7 @@ std::string clean_name(std::string_view name) {
     if (plain) {
       clean += name.substr(0, length);
       ++characters;
-    } else if (!clean.empty() &&
-               clean.back() != ' ') {  // bytes that are not a character separate words
+    } else if (!clean.empty() && clean.back() != ' ') {  // invalid bytes separate words
       clean += ' ';
       ++characters;
     }
@@ -109,7 +108,7 @@ void LeftOut::add(std::string_view one, std::string_view many) {
     ++kind.count;
     return;
   }
-  // A text may make up names without end.
+  // A text may contain any number of names.
   if (counts_.size() < 20)
     counts_.push_back({std::string(one), std::string(many), 1});
   else

@@ -1,4 +1,4 @@
-// What a reader has found so far: shapes within bounds, and what was left out.
+// The result of a reader so far: shapes within bounds, and the list of parts that are left out.
 #pragma once
 
 #include <initializer_list>
@@ -13,30 +13,30 @@
 
 namespace evenlift {
 
-// Drawings repeat points, and draw ends that should meet, with errors of their own: what is closer
-// than this part of the larger side counts as one point.
+// Drawings repeat points, and the ends that should meet differ by small errors. Points closer than
+// this fraction of the larger side count as one.
 inline constexpr double same_point = 1e-5;
 
 double larger_side(const Box& box);
 
-// A number of at most four digits for people, such as 12.35 or 120.
+// A rounded number of at most four digits, such as 12.35 or 120.
 std::string short_number(double value);
 
-// The texts one after another.
+// The texts, concatenated.
 std::string joined(std::initializer_list<std::string_view> texts);
 
 // "1 text", "2 texts".
 std::string counted(std::size_t count, std::string_view one, std::string_view many);
 
-// A name for people: valid UTF-8 of at most 80 characters, in one line.
+// A name for display: valid UTF-8 of at most 80 characters, on one line.
 std::string clean_name(std::string_view name);
 
-// Things that are left out, by what they are called.
+// Counts the objects that are left out, by their names.
 class LeftOut {
  public:
   void add(std::string_view one, std::string_view many);
   bool empty() const { return counts_.empty(); }
-  // "2 texts and 1 dimension", in the order in which each came first.
+  // "2 texts and 1 dimension", in the order of first appearance.
   std::string list() const;
   std::size_t total() const;
 
@@ -55,17 +55,18 @@ class Gathering {
   Import import;
   LeftOut left_out;
 
-  // Adds an outline of a drawing as a closed shape. A problem of this shape alone leaves it out.
+  // Adds an outline of a drawing as a closed shape. A problem of this shape leaves out only this
+  // shape.
   void add(const Outline& outline, std::string_view name, std::string_view kind);
-  // Adds vertices as they are.
+  // Adds vertices unchanged.
   void add(Document document, std::string_view name, std::string_view kind);
-  // Leaves a shape out because of an error in it.
+  // Leaves out a shape because of an error in it.
   void add_problem(InputError error);
-  // There is no room for more shapes or vertices: a reader may stop.
+  // There is no room for more shapes or vertices, so a reader may stop.
   bool full() const { return full_.has_value(); }
   void note(std::string sentence);
 
-  // What was gathered. Without a shape it is the first problem, or else `nothing`.
+  // Returns the import. Without a shape it returns the first problem, or else `nothing`.
   Result<Import> finish(InputError nothing);
 
  private:

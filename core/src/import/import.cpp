@@ -19,7 +19,7 @@ struct Kind {
   const char* refusal;
 };
 
-// Files that are no texts, by their first bytes; then such as are of another kind.
+// The kinds of files that evenlift refuses, by their first bytes.
 constexpr Kind other_kinds[] = {
     {"AutoCAD Binary DXF",
      "this is a binary DXF drawing, and evenlift reads DXF as text: save it again as ASCII DXF"},
@@ -48,15 +48,15 @@ const char* refusal_by_first_bytes(std::string_view text) {
   return nullptr;
 }
 
-// Control characters that no text has; old programs end one with 0x1a.
+// Control characters that no text contains; old programs end a text with 0x1a.
 bool is_no_text(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return byte < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\f' && c != '\v' &&
          byte != 0x1a;
 }
 
-// The name of a geometry and then a parenthesis, or what else may stand there. The heading of a
-// table may begin with such a name, too.
+// Whether the text begins with the name of a geometry and a parenthesis, or another valid
+// continuation. The heading of a table may also begin with such a name.
 bool begins_wkt(TextCursor cursor) {
   const std::string_view name = cursor.take_word();
   cursor.skip_white_space();

@@ -1,4 +1,4 @@
-// Shapes in JSON: GeoJSON of any kind (RFC 7946), arrays of points, and what evenlift itself wrote.
+// Shapes in JSON: GeoJSON of any kind (RFC 7946), arrays of points, and evenlift's own results.
 #include <cmath>
 
 #include "evenlift/formats.h"
@@ -59,13 +59,13 @@ class JsonShapes {
   const JsonTree& tree_;
   Gathering gathering_;
   std::size_t heights_ = 0, holes_ = 0;
-  bool centre_of_holed_is_open_ = false;  // some polygon with holes comes without a centre of mass
+  bool centre_of_holed_is_open_ = false;  // a polygon with holes comes without a centre of mass
 };
 
-// --- What evenlift wrote
+// --- evenlift's own results
 
-// A whole number that ends at the offset, with all its digits: seeds may have more than a double
-// holds. If it is written otherwise, such as 1e3, its value.
+// All digits of the integer that ends at the offset: a seed may have more digits than a double
+// holds. For another notation, such as 1e3, its value.
 std::string whole_text(std::string_view text, std::size_t last, double value) {
   std::size_t first = last + 1;
   while (first > 0 && text[first - 1] >= '0' && text[first - 1] <= '9') --first;
@@ -74,7 +74,7 @@ std::string whole_text(std::string_view text, std::size_t last, double value) {
   return read && *read == value ? digits : shortest(value);
 }
 
-// Whether the value true, and not false, ends at the offset.
+// Whether true, not false, ends at the offset.
 bool is_true(std::string_view text, std::size_t last) {
   return last >= 3 && text.substr(last - 3, 4) == "true";
 }
@@ -97,7 +97,7 @@ std::optional<InputError> JsonShapes::take_setting(Setting setting, Index at,
   return wrong;
 }
 
-// A whole number has all its digits: seeds may have more than a double holds.
+// An integer keeps all its digits: a seed may have more than a double holds.
 std::string JsonShapes::value_text(const SettingRow& row, Index at) const {
   if (tree_.kind(at) == Kind::string) return std::string(tree_.text(at));
   if (tree_.kind(at) != Kind::number) return {};
@@ -106,17 +106,16 @@ std::string JsonShapes::value_text(const SettingRow& row, Index at) const {
              : shortest(tree_.number(at));
 }
 
-// A setting that is a member by itself, a number or a word. Null says that it is not set; objects
-// and arrays are results of the same name.
+// Reads a setting that is a member by itself, a number or a word. Null means that it is not set.
+// Objects and arrays are results of the same name.
 std::optional<InputError> JsonShapes::take_row(const SettingRow& row, Document& document) const {
   const auto at = tree_.member(0, row.json.empty() ? row.name : row.json);
   if (!at || is(at, Kind::null) || is(at, Kind::object) || is(at, Kind::array)) return std::nullopt;
   return take_setting(row.setting, *at, value_text(row, *at), document);
 }
 
-// A result lists the teams that it has, and says how many were asked for. Balanced robots are one
-// team of another kind, and `max` is a number there: where the results do not tell what was asked
-// for, a member of its own does.
+// A result lists its teams and gives the requested number. For `max` that is a plain number, and
+// for balanced robots it is 1: then `teams_asked` holds the setting.
 std::optional<InputError> JsonShapes::take_teams(Document& document) const {
   const bool balanced = document.settings.method == Method::balanced;
   for (const std::string_view name : {"teams", "requested_teams", "teams_asked"})
@@ -128,14 +127,15 @@ std::optional<InputError> JsonShapes::take_teams(Document& document) const {
   return std::nullopt;
 }
 
-// A result always names its goal. The usual one is none, and does not stay with another method.
+// A result always names its goal. The default goal counts as unset, so it does not persist when the
+// method changes.
 void forget_usual_goal(Settings& settings) {
   Settings usual = settings;
   usual.goal.reset();
   if (settings.goal == goal_of(usual)) settings.goal.reset();
 }
 
-// The settings of the members of the object: of a result, and of what `link decode` prints.
+// Reads the settings from the members of the object: a result, or the output of `link decode`.
 std::optional<InputError> JsonShapes::take_settings(Document& document) {
   for (const SettingRow& row : all_settings()) {
     if (row.changes == Changes::view || row.setting == Setting::teams) continue;
@@ -151,7 +151,7 @@ std::optional<InputError> JsonShapes::take_settings(Document& document) {
   return take_doubt(document);
 }
 
-// Where robots were moved by hand. This comes after the settings, which put robots back.
+// Reads the robots that were moved by hand. This comes after the settings, which put robots back.
 std::optional<InputError> JsonShapes::take_moved(Document& document) const {
   const auto at = tree_.member(0, "moved");
   if (!is(at, Kind::string)) return std::nullopt;
@@ -163,8 +163,8 @@ std::optional<InputError> JsonShapes::take_moved(Document& document) const {
   return std::nullopt;
 }
 
-// The robots' size, an object whose members are named as those of the settings but for what they
-// begin with.
+// Reads the robots' size, an object whose members have the names of the settings without the
+// prefix.
 std::optional<InputError> JsonShapes::take_stands(Document& document) const {
   const auto robot = tree_.member(0, "robot");
   if (!is(robot, Kind::object)) return std::nullopt;
@@ -179,8 +179,8 @@ std::optional<InputError> JsonShapes::take_stands(Document& document) const {
   return std::nullopt;
 }
 
-// What one robot carries and how well the centre of mass is known: of a result within what was
-// found out about them.
+// Reads the capacity and the C uncertainty. A result contains them among the values computed with
+// them.
 std::optional<InputError> JsonShapes::take_doubt(Document& document) const {
   const auto within = [&](const char* object, const char* member) {
     const auto at = tree_.member(0, object);
@@ -194,7 +194,8 @@ std::optional<InputError> JsonShapes::take_doubt(Document& document) const {
   return std::nullopt;
 }
 
-// A result always names its centre of mass. The same bits as the centroid's are the centroid.
+// A result always names its centre of mass. If it equals the centroid bit for bit, it is the
+// centroid.
 void forget_centroid(Document& document) {
   const Result<Polygon> polygon = Polygon::create(document.vertices);
   if (polygon && document.centre_of_mass && polygon->centroid() == *document.centre_of_mass)
@@ -264,7 +265,7 @@ Result<Points> JsonShapes::points(Index array) {
   return ring;
 }
 
-// An array of points is a shape; an array of anything else may hold some.
+// An array of points is a shape; an array of anything else may contain some.
 void JsonShapes::arrays(Index array) {
   if (gathering_.full()) return;
   const Index first = tree_.first(array);
@@ -376,14 +377,14 @@ void JsonShapes::geojson(Index object, std::string_view name, const Document& of
   }
 }
 
-// What a polygon is without its holes. A centre of mass may still be given later, by an option.
+// Describes a polygon without its holes. An option may still set a centre of mass later.
 const char* JsonShapes::what_is_left() const {
   return centre_of_holed_is_open_
              ? "the shape and, unless one is given, its centre of mass are those of what the outer ring encloses"
              : "the shape is that of what the outer ring encloses, with the centre of mass that is given";
 }
 
-// Whether an array lists robots, as a table of them does that was made JSON.
+// Whether an array lists robots, like a table of robots converted to JSON.
 bool JsonShapes::lists_robots(Index array) const {
   const Index first = tree_.first(array);
   return first != tree_.end(array) && tree_.member(first, "robot") && is_point(first);

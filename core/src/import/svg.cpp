@@ -1,5 +1,6 @@
-// SVG 1.1: what has an area, as outlines in the drawing's user units with y turned upwards. pugixml
-// reads the XML; it expands no entities but XML's own five and characters, and loads nothing.
+// SVG 1.1: shapes that have an area, as outlines in user units with y turned upwards. pugixml reads
+// the XML. It expands no entities except character references and XML's own five, and loads
+// nothing.
 #include <algorithm>
 #include <cmath>
 #include <pugixml.hpp>
@@ -14,7 +15,7 @@
 namespace evenlift {
 namespace {
 
-// Elements in elements; the reader's own steps are this deep.
+// The greatest depth of nested elements. The reader recurses to this depth.
 constexpr int max_depth = 256;
 // A node costs pugixml up to 64 bytes, however short its text.
 constexpr std::size_t max_nodes = std::size_t{1} << 22;
@@ -29,7 +30,7 @@ std::string_view value_of(const pugi::xml_node& node, const char* attribute) {
   return node.attribute(attribute).value();
 }
 
-// The value of a property that an attribute or the style may give.
+// The value of a property, from an attribute or the style.
 std::string_view property(const pugi::xml_node& node, std::string_view name) {
   const std::string_view style = value_of(node, "style");
   for (std::size_t at = 0; at < style.size();) {
@@ -60,14 +61,14 @@ bool is_one_of(std::string_view name, const std::string_view (&names)[size]) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
-// These are not drawn in their own place.
+// Elements that are not drawn in their own place.
 constexpr std::string_view unseen[] = {"defs",           "clipPath", "mask",     "pattern",
                                        "marker",         "symbol",   "metadata", "linearGradient",
                                        "title",          "desc",     "style",    "script",
                                        "radialGradient", "filter",   "namedview"};
 constexpr std::string_view drawn[] = {"path", "polygon", "polyline", "rect", "circle", "ellipse"};
 
-// Lengths in these are sizes on paper; pixels are not.
+// Lengths in these units are sizes on paper; pixels are not.
 constexpr std::string_view paper_units[] = {"mm", "cm", "in", "pt", "pc"};
 
 struct Other {
@@ -88,7 +89,7 @@ class SvgReader {
   Result<Import> read();
 
  private:
-  // What an element has of the elements around it.
+  // The properties that an element inherits.
   struct Context {
     Affine matrix;
     std::string_view layer;
@@ -99,13 +100,13 @@ class SvgReader {
     return text_error(code, std::move(message), text_, offset);
   }
   void problem(const pugi::xml_node& node, const std::string& what) {
-    // Finding the line of a place costs as much as the text before it: once is enough.
+    // Finding the line number costs as much as the text before it: once is enough.
     InputError error = has_problem_ ? InputError{ErrorCode::bad_syntax, what, {}}
                                     : error_at(node, ErrorCode::bad_syntax, what);
     has_problem_ = true;
     gathering_.add_problem(std::move(error));
   }
-  // The value, or nothing, and the shape is left out.
+  // The value; or nullopt, and the shape is left out.
   template <class T>
   std::optional<T> checked(const pugi::xml_node& node, const char* what, SvgResult<T> result) {
     if (auto* wrong = std::get_if<SvgProblem>(&result)) {
@@ -212,7 +213,7 @@ void SvgReader::rectangle(const pugi::xml_node& node, const Context& context,
   const double left = x->value_or(0), bottom = y->value_or(0), w = width->value_or(0),
                h = height->value_or(0);
   if (!(w > 0) || !(h > 0)) return;
-  // A radius that is not given is the other one.
+  // A missing radius equals the other one.
   double a = std::min(rx->value_or(ry->value_or(0)), w / 2);
   double b = std::min(ry->value_or(rx->value_or(0)), h / 2);
   if (!(a > 0) || !(b > 0)) a = b = 0;
@@ -300,7 +301,7 @@ std::optional<InputError> SvgReader::children(const pugi::xml_node& parent, cons
   return std::nullopt;
 }
 
-// A picture that evenlift saved: the document of the first link in its <metadata>.
+// For a picture that evenlift saved: the document of the first link in its <metadata>.
 std::optional<Document> SvgReader::document_of_metadata(const pugi::xml_node& svg) const {
   struct Finder final : pugi::xml_tree_walker {
     std::optional<Document> found;
@@ -325,7 +326,7 @@ std::optional<Document> SvgReader::document_of_metadata(const pugi::xml_node& sv
   return std::nullopt;
 }
 
-// Looks at <style> where drawings have it: at the top and in <defs>.
+// Looks for <style> in its usual places: at the top and in <defs>.
 bool style_sheet_moves(const pugi::xml_node& parent) {
   for (const pugi::xml_node node : parent.children()) {
     if (local_name(node) == "defs" && local_name(parent) == "svg" && style_sheet_moves(node))
@@ -348,7 +349,7 @@ InputError SvgReader::nothing_found() const {
   return {ErrorCode::unsupported, message, {}};
 }
 
-// The root element of a drawing that is well-formed and no larger than can be read.
+// The root element of a drawing that is well-formed and within the limits.
 Result<pugi::xml_node> SvgReader::load() {
   const auto nodes = static_cast<std::size_t>(
       std::count_if(text_.begin(), text_.end(), [](char c) { return c == '<' || c == '='; }));
@@ -377,7 +378,7 @@ Result<pugi::xml_node> SvgReader::load() {
   return root;
 }
 
-// How many CSS pixels a user unit of the drawing is along a side of it; nothing if the drawing has
+// The number of CSS pixels in a user unit along a side of the drawing; nullopt if the drawing has
 // no size on paper.
 std::optional<double> user_unit(const pugi::xml_node& svg, const char* side, std::size_t in_box) {
   const std::string_view size = value_of(svg, side);
@@ -393,9 +394,9 @@ std::optional<double> user_unit(const pugi::xml_node& svg, const char* side, std
   return **pixels / (*numbers)[in_box];
 }
 
-// The unit that the drawing's size on paper makes of its user units, as in <svg width="210mm"
-// height="297mm" viewBox="0 0 210 297">; none if it is no unit that evenlift has. Programs round
-// such sizes.
+// The unit of length that a user unit equals, according to the drawing's size on paper, as in <svg
+// width="210mm" height="297mm" viewBox="0 0 210 297">; none if evenlift has no such unit. Programs
+// round such sizes.
 LengthUnit unit_of(const pugi::xml_node& svg) {
   constexpr double rounding = 1e-4;
   const std::optional<double> across = user_unit(svg, "width", 2),

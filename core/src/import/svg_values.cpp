@@ -20,7 +20,7 @@ std::string_view without_separators(std::string_view text) {
   return text;
 }
 
-// Quarter turns are exact: they are by far the most common.
+// Quarter turns are exact, because they are by far the most common.
 double exact_or(double degrees, double at_0, double at_90, double at_180, double at_270,
                 double (*function)(double)) {
   double turn = std::fmod(degrees, 360);
@@ -83,7 +83,7 @@ class PathReader {
     return false;
   }
 
-  // What has more parts has more vertices than there may be.
+  // A path with more parts has more vertices than allowed.
   bool has_room() {
     return ++parts_ <= 2 * max_vertices || fail("the path has more than 1048576 vertices");
   }
@@ -120,7 +120,7 @@ bool PathReader::number(double& value) {
   return true;
 }
 
-// One character: the next number may follow at once.
+// One character: the next number may follow immediately.
 bool PathReader::flag(bool& value) {
   skip_separators();
   if (at_ == text_.size() || (text_[at_] != '0' && text_[at_] != '1'))
@@ -156,7 +156,7 @@ bool PathReader::arc(const Vec2& from) {
   Vec2 h((turn.a * half.x() + turn.b * half.y()) / rx,
          (turn.c * half.x() + turn.d * half.y()) / ry);
   const double size = length(h);
-  if (size > 1) {  // the ellipse does not reach so far: it grows
+  if (size > 1) {  // the ellipse is too small to reach both ends: it grows
     rx *= size;
     ry *= size;
     h /= size;
@@ -207,7 +207,7 @@ bool PathReader::quadratic(char lower, const Vec2& from, Vec2& control) {
   return true;
 }
 
-// `control` becomes the last control point, if the segment has one.
+// `control` becomes the last control point if the segment has one.
 bool PathReader::segment(char lower, const Vec2& from, Vec2& control) {
   switch (lower) {
     case 'l':
@@ -228,7 +228,7 @@ bool PathReader::segment(char lower, const Vec2& from, Vec2& control) {
 // One segment of a command, whose letter is in lower case.
 bool PathReader::piece(char lower, bool relative) {
   if (!has_room()) return false;
-  if (!open_) {  // after Z the next outline begins where that one did
+  if (!open_) {  // after Z the next outline begins at the start of the last one
     outlines_.push_back({{position_, {}}, false});
     open_ = true;
   }

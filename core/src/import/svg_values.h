@@ -1,4 +1,4 @@
-// What stands in the attributes of SVG: numbers, lengths, transforms and paths.
+// Parsers of SVG attributes: numbers, lengths, transforms and paths.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +13,18 @@
 
 namespace evenlift {
 
-// What is wrong with an attribute, as part of a sentence, such as "character 7: not a number".
+// The problem with an attribute, as part of a sentence, such as "character 7: not a number".
 struct SvgProblem {
   std::string what;
 };
 template <class T>
 using SvgResult = std::variant<T, SvgProblem>;
 
-// The numbers of a list, with white space and commas between them. O(bytes).
+// The numbers of a list, separated by white space and commas. O(bytes).
 SvgResult<std::vector<double>> svg_numbers(std::string_view text);
 
-// A length in user units: a number, perhaps with a unit such as mm. An inch has 96 of them.
-// An absent or empty text is nothing, and so is "auto".
+// A length in user units: a number, perhaps with a unit such as mm. An inch has 96 user units.
+// Empty text and "auto" give nullopt.
 SvgResult<std::optional<double>> svg_length(std::string_view text);
 
 SvgResult<Affine> svg_transform(std::string_view text);

@@ -1,11 +1,11 @@
-// Units of length in full.
+// The full names of units of length.
 #pragma once
 
 #include "evenlift/document.h"
 
 namespace evenlift {
 
-// "millimetres", or nothing without a unit.
+// "millimetres"; empty without a unit.
 inline const char* in_full(LengthUnit unit) {
   switch (unit) {
     case LengthUnit::m:

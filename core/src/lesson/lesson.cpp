@@ -34,7 +34,7 @@ struct Finder {
   std::optional<std::uint32_t> operator()(const at::End&) const { return trace.size() - 1; }
 };
 
-// What the trace has instead of a step that it does not have.
+// The message about a step that the trace does not have.
 struct Absence {
   const Trace& trace;
 

@@ -1,4 +1,4 @@
-// The text of a lesson, line by line.
+// Reads the text of a lesson, line by line.
 #include <array>
 #include <iterator>
 #include <string>
@@ -32,7 +32,7 @@ bool is_readable(std::string_view line) {
     if (more == 4 || i + more >= line.size()) return false;
     for (std::size_t k = 1; k <= more; ++k)
       if ((byte(i + k) & 0xc0) != 0x80) return false;
-    if (more > 1) {  // too long for what it says, a surrogate, or beyond the last character
+    if (more > 1) {  // overlong, a surrogate, or beyond the last character
       const unsigned char second = byte(i + 1);
       if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f) ||
           (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f))
@@ -113,7 +113,7 @@ class Reader {
 
   void take_link(std::string_view value) { lesson_.link = value; }
 
-  // A setting of the algorithm is read here only to see whether it can be.
+  // Reads a setting of the algorithm here only to check its value.
   void take_setting(std::string_view value, Setting setting) {
     Document tried;
     if (read_setting(setting, value, tried)) return refuse(requirement(setting));
@@ -125,7 +125,7 @@ class Reader {
     lesson_.predict = value == "yes";
   }
 
-  // What only a lesson has, besides the settings of the program.
+  // The keys that only a lesson has, in addition to the settings of the program.
   struct Key {
     std::string_view name;
     void (Reader::*take)(std::string_view value);
@@ -138,7 +138,7 @@ class Reader {
     return row.option.group != OptionGroup::none || row.setting == Setting::overlays;
   }
 
-  // All of them, such as "title, polygon, teams and overlays".
+  // All keys, such as "title, polygon, teams and overlays".
   static std::string names_of_keys() {
     std::vector<std::string> names;
     for (const Key& own : keys) names.emplace_back(own.name);
@@ -150,7 +150,7 @@ class Reader {
     return text;
   }
 
-  // What the words to come belong to, and the refusals if they are too many or none.
+  // The destination of the words that follow, and the messages if they are too long or missing.
   struct Part {
     std::string* words = nullptr;  // of lesson_; null before the first part
     std::size_t most = 0;          // bytes
@@ -196,7 +196,7 @@ class Reader {
              "the answer has no words", line_};
   }
 
-  // A word and up to two numbers from 1; nothing for anything else.
+  // Reads a word and up to two numbers, counted from 1; nullopt for anything else.
   static std::optional<StepAddress> read_address(std::string_view text) {
     std::array<std::uint32_t, 2> numbers{};
     std::size_t count = 0;
@@ -257,9 +257,9 @@ class Reader {
   std::string_view text_;
   std::size_t line_ = 0;
   Lesson lesson_;
-  std::vector<std::string_view> seen_;  // the names that were given
+  std::vector<std::string_view> seen_;  // the names that the text has given so far
   Part part_;
-  bool gap_ = false;                  // an empty line since the last words
+  bool gap_ = false;                  // an empty line follows the last words
   std::optional<std::size_t> asked_;  // the line of the question
   std::optional<InputError> error_;
 };

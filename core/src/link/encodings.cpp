@@ -19,8 +19,8 @@ int common_zero_bits(const Points& vertices) {
   return zeros;
 }
 
-// The scales that promise the shortest link, at most two. The estimate uses integers only, so that
-// every platform chooses the same.
+// The scales that promise the shortest link, at most two. The estimate uses only integers, so every
+// platform chooses the same.
 std::vector<Scale> likely_scales(const Points& vertices) {
   std::array<std::size_t, Scale::doubles + 1> with_decimals{};
   double greatest = 1;
@@ -58,7 +58,7 @@ std::vector<Scale> likely_scales(const Points& vertices) {
   return scales;
 }
 
-// An estimate of the bits that the vertices take in this encoding.
+// Estimates the number of bits of the vertices in this encoding.
 std::uint64_t estimated_bits(const Encoding& encoding, const QuantizedVertices& quantized) {
   const bool plain_doubles = !encoding.scale.decimal() && encoding.predictor == Predictor::nothing;
   std::uint64_t bits = 0;
@@ -89,8 +89,8 @@ std::vector<QuantizedPolygon> likely_encodings(const Points& vertices) {
     const QuantizedVertices quantized = quantize(scale, vertices);
     for (const Predictor predictor : all_predictors) {
       const Encoding encoding{scale, predictor};
-      // For many vertices the estimate is good enough to find the shortest. For few it is not, but
-      // then there is time to try them all.
+      // For many vertices the estimate finds the shortest encoding well enough. For few it does
+      // not, but then there is time to try them all.
       if (vertices.size() <= 128) {
         encodings.push_back({encoding, quantized});
         continue;

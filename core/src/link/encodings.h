@@ -1,5 +1,5 @@
-// Chooses the encodings of a polygon that are worth trying. This is not part of the format: a
-// reader accepts every encoding.
+// Chooses the encodings of a polygon that are worth trying. This choice is not part of the format:
+// a reader accepts every encoding.
 #pragma once
 
 #include <vector>
@@ -14,8 +14,8 @@ struct QuantizedPolygon {
   QuantizedVertices quantized;
 };
 
-// Returns at least one encoding, and several if the polygon is small. It compares integers only, so
-// that every platform chooses the same. O(n).
+// Returns at least one encoding, and several for a small polygon. It compares only integers, so
+// every platform chooses the same. O(n).
 std::vector<QuantizedPolygon> likely_encodings(const Points& vertices);
 
 }  // namespace evenlift

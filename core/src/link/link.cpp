@@ -1,5 +1,4 @@
-// The text of share links: address, version, characters, checksum. payload.h has the meaning of the
-// payload.
+// The text of share links: address, version, characters, checksum. payload.h explains the payload.
 #include "evenlift/link.h"
 
 #include <algorithm>
@@ -28,9 +27,9 @@ std::optional<std::uint8_t> digit_of(char c) {
   return static_cast<std::uint8_t>(at);
 }
 
-// The CRC-24 of OpenPGP (RFC 4880, 6.1). It detects every change within 24 consecutive bits, so
-// also a changed character and two swapped neighbours; of other changes it misses one in 16
-// million.
+// The CRC-24 of OpenPGP (RFC 4880, 6.1). It detects every change within 24 consecutive bits, which
+// includes a changed character and two swapped neighbours. It misses one in 16 million other
+// changes.
 std::uint32_t checksum(std::string_view text) {
   std::uint32_t crc = 0xb704ce;
   for (const char c : text) {
@@ -51,7 +50,7 @@ std::string checksum_text(std::string_view text) {
   return digits;
 }
 
-// --- What a link may contain
+// --- The permitted content of a link
 
 std::optional<InputError> check_point(const Vec2& point, const Place& place) {
   if (!std::isfinite(point.x()) || !std::isfinite(point.y())) {
@@ -63,8 +62,8 @@ std::optional<InputError> check_point(const Vec2& point, const Place& place) {
   return std::nullopt;
 }
 
-// Links held any finite weight and distance before these were bounded, and they are read for ever.
-// What is out of bounds now is refused where robots are placed.
+// Early links could contain any finite weight and distance, and all links stay readable. Values
+// that are out of bounds today are refused when robots are placed.
 std::optional<InputError> check_linked_settings(Settings settings, Shown shown) {
   const Settings usual;
   const auto is_positive = [](double value) { return value > 0 && std::isfinite(value); };
@@ -116,10 +115,11 @@ Span find_link(std::string_view text) {
   while (span.address < span.end && is_white_space(text[span.address])) ++span.address;
   const std::size_t hash = text.substr(0, span.end).find('#', span.address);
   span.begin = hash == std::string_view::npos ? span.address : hash + 1;
-  // What others append to an address, as those who count visits do, is not the link's.
+  // Anything appended to an address after '&', such as parameters of visit counters, is not part of
+  // the link.
   span.end = std::min(span.end, text.find('&', span.begin));
-  // Nor is what ends a sentence, or a pair of brackets, in which it stands. The full stop behind
-  // the version stays.
+  // Nor is punctuation or a closing bracket of the surrounding text. The full stop after the
+  // version stays.
   constexpr std::string_view punctuation = ".,;:!?)]}>\"'";
   const std::size_t version_end = std::min(text.find('.', span.begin), span.end);
   while (span.end > version_end + 1 &&
@@ -128,7 +128,7 @@ Span find_link(std::string_view text) {
   return span;
 }
 
-// Says why a link cannot contain the character at `at`.
+// The error for the character at `at`, which a link cannot contain.
 InputError bad_character(std::string_view text, std::size_t at) {
   if (text[at] == '%') {
     return link_error(ErrorCode::bad_link,
@@ -143,7 +143,7 @@ InputError bad_character(std::string_view text, std::size_t at) {
 
 // The version of a link, and the offset of its payload.
 struct Version {
-  std::uint64_t number;  // a version that does not fit is 2^64 - 1
+  std::uint64_t number;  // 2^64 - 1 for a version that does not fit
   std::size_t payload;
 };
 
@@ -203,7 +203,7 @@ Result<std::string> encode_link(const Document& document) {
   std::string link = std::to_string(static_cast<int>(version_for(document))) + '.';
   for (const std::uint8_t digit : encode_payload(document)) link += alphabet[digit];
   link += checksum_text(link);
-  if (link.size() > max_link_bytes) {  // no known document has so long a link
+  if (link.size() > max_link_bytes) {  // no known document has such a long link
     return InputError{ErrorCode::text_too_long, "the link would be longer than 1 MiB", {}};
   }
   return link;

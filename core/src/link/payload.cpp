@@ -13,7 +13,7 @@
 namespace evenlift {
 namespace {
 
-// The bounding box of the quantized vertices, without those coordinates that are escaped.
+// The bounding box of the quantized vertices, without escaped coordinates.
 struct NumberBox {
   std::int64_t low[2] = {std::numeric_limits<std::int64_t>::max(),
                          std::numeric_limits<std::int64_t>::max()};
@@ -39,7 +39,7 @@ struct NumberBox {
 };
 
 // Codes the centre of mass. Usually it is on the scale of the vertices and within their bounding
-// box; otherwise its coordinates are numbers of their own.
+// box. Otherwise its coordinates are coded as separate numbers.
 template <class Coder>
 Vec2 code_centre(Coder& coder, Vec2 centre, const Scale& scale,
                  const QuantizedVertices& quantized) {
@@ -155,8 +155,8 @@ Payload decode_payload(LinkVersion version, std::span<const std::uint8_t> digits
 
   Document document = document_of(content);
   if (!is_finite(document) || !take_records(content.records, document)) return NoPayload{};
-  // In each encoding a document has one link only. So no two links mean the same, and nothing can
-  // hide in a link.
+  // In each encoding a document has exactly one link. So no two links mean the same, and a link
+  // cannot hide data.
   content.quantized = quantize(encoding.scale, document.vertices);
   content.records = records_of(document);
   if (version_for(document) != version) return NoPayload{};

@@ -1,5 +1,5 @@
-// The coordinates of a polygon as a share link writes them: quantized to integers, and the
-// predictors of these integers.
+// The coordinates of a polygon in a share link: quantized to integers, and the predictors of these
+// integers.
 #pragma once
 
 #include <array>
@@ -12,24 +12,24 @@
 
 namespace evenlift {
 
-// Predicts the number of a coordinate from those of the vertices before it, on the same axis.
+// Predicts the number of a coordinate from the preceding vertices, on the same axis.
 enum class Predictor : std::uint8_t {
   nothing,   // always 0
   previous,  // the number of the last vertex
   line,      // extrapolates the last two linearly
-  repeat     // the last one plus the step taken four vertices ago, as along a comb
+  repeat     // the last one plus the step four vertices ago, for combs
 };
 inline constexpr Predictor all_predictors[] = {Predictor::nothing, Predictor::previous,
                                                Predictor::line, Predictor::repeat};
 
-// How the vertices are written. The writer tries several encodings and keeps the shortest.
+// The notation of the vertices. The writer tries several encodings and keeps the shortest.
 struct Encoding {
   Scale scale{0};
   Predictor predictor = Predictor::nothing;
 };
 
 // A quantized coordinate. If the scale has no number for the value, the coordinate is `escaped`:
-// the link holds the double itself, and for later predictions its number is the one predicted here.
+// the link contains the double itself, and later predictions use the number predicted here.
 struct QuantizedCoordinate {
   double value = 0;
   std::int64_t number = 0;

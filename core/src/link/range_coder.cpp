@@ -7,7 +7,7 @@ namespace evenlift {
 namespace {
 
 constexpr std::uint32_t whole = std::uint32_t{1} << 30;         // five digits
-constexpr std::uint32_t narrow_limit = std::uint32_t{1} << 24;  // at or below it, a digit goes out
+constexpr std::uint32_t narrow_limit = std::uint32_t{1} << 24;  // at or below it, emit a digit
 constexpr std::uint32_t top_unit = std::uint32_t{1} << 24;      // one unit of the first digit
 
 // The size of the part of the range that means false.
@@ -54,8 +54,8 @@ void Encoder::narrow(std::uint32_t offset, std::uint32_t range) {
   }
 }
 
-// Adds one to the digits already written. As a fraction they are below 1 and stay below it, so one
-// of them is below 63.
+// Adds one to the digits already written. As a fraction they are and stay below 1, so one of them
+// is below 63.
 void Encoder::carry() {
   low_ -= whole;
   std::size_t i = digits_.size();

@@ -1,16 +1,16 @@
 // An adaptive binary range coder (G. N. N. Martin, Range encoding: an algorithm for removing
 // redundancy from a digitised message, 1979) with digits of six bits. It turns values into base-64
 // digits and back, and wastes less than one digit on a whole link. docs/link-format.md, "Coder",
-// specifies it; every program that reads links must do the same.
+// specifies it; every program that reads links must follow that specification.
 //
 // Encoder and Decoder have the same members. Each member takes the value to write and returns the
-// value read: the encoder returns its argument, and the decoder ignores it. So one template over
-// the coder describes the format in both directions. For example,
+// value that is read: the encoder returns its argument, and the decoder ignores it. So one template
+// over the coder describes the format in both directions. For example,
 //
 //   settings.seed = code_integer(coder, settings.seed, 64);
 //
-// writes the seed if the coder is an Encoder, and replaces it by the seed in the link if the coder
-// is a Decoder.
+// writes the seed if the coder is an Encoder, and reads the seed from the link if the coder is a
+// Decoder.
 #pragma once
 
 #include <bit>
@@ -23,8 +23,8 @@ namespace evenlift {
 
 using Digits = std::vector<std::uint8_t>;  // each 0 .. 63
 
-// An adaptive model of one binary decision: how often it was false and how often true so far. The
-// more frequent value takes less room.
+// An adaptive model of one binary decision: the counts of false and true so far. The more frequent
+// value takes fewer bits.
 struct BitModel {
   std::uint16_t count[2];   // of false and of true
   void update(bool value);  // counts one more decision; O(1)
@@ -41,7 +41,7 @@ class Encoder {
   bool failed() const { return false; }
   void fail() {}
 
-  // Returns the digits, as few as can be read back. The encoder cannot be used afterwards.
+  // Returns the fewest digits that a decoder can read. The encoder is unusable afterwards.
   // Amortized O(1).
   Digits finish();
 
@@ -60,12 +60,12 @@ class Decoder {
 
   explicit Decoder(std::span<const std::uint8_t> digits);
 
-  // The counterparts of the encoder's members. After a failure they return 0 for ever, so check
-  // failed() before using anything.
+  // The counterparts of the encoder's members. After a failure they always return 0, so check
+  // failed() before using any value.
   std::uint32_t code_uniform(std::uint32_t, std::uint32_t count);
   bool code_bit(bool, BitModel& model);
 
-  // True once the digits turned out to be none that an encoder writes, or ended too early.
+  // True once the digits end too early or prove to be impossible for an encoder.
   bool failed() const { return failed_; }
   void fail() { failed_ = true; }
 
@@ -75,7 +75,7 @@ class Decoder {
 
   std::span<const std::uint8_t> digits_;
   std::size_t read_ = 0;
-  std::uint32_t code_ = 0;  // the number that the digits make, minus the encoder's low_; < range_
+  std::uint32_t code_ = 0;  // the number that the digits form, minus the encoder's low_; < range_
   std::uint32_t range_ = std::uint32_t{1} << 30;
   bool failed_ = false;
 };

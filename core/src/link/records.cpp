@@ -14,15 +14,15 @@ namespace {
 // The payload of an overlay that is shown.
 constexpr const char* shown = "shown";
 
-// The row of the setting that a record of this number holds; null for other records.
+// The row of the setting in a record of this number; null for other records.
 const SettingRow* row_of_record(Tag number) {
   for (const SettingRow& row : all_settings())
     if (row.record == number && number != tag::end) return &row;
   return nullptr;
 }
 
-// Whether a link needs the setting. The record of the number of robots says that the robots are
-// balanced. The usual goal of teams is to cover.
+// Whether a link needs the setting. The record of the number of robots means that the robots are
+// balanced. The default goal of teams is `cover`.
 bool is_needed(const SettingRow& row, const Document& document, const Document& defaults) {
   const Settings& settings = document.settings;
   if (!is_kept(row, settings)) return false;
@@ -32,7 +32,7 @@ bool is_needed(const SettingRow& row, const Document& document, const Document& 
   return text_of(row.setting, document) != text_of(row.setting, defaults);
 }
 
-// "mm", ",lb" or "mm,lb"; empty for the usual units, which need no record.
+// "mm", ",lb" or "mm,lb"; empty for the default units, which need no record.
 std::string units_text(const Units& units) {
   std::string text;
   if (units.length != LengthUnit::none) text += name(units.length);
@@ -40,7 +40,7 @@ std::string units_text(const Units& units) {
   return text;
 }
 
-// Whether the text is what units_text() writes of some units.
+// Reads the units. Returns whether units_text() could have written the text.
 bool take_units(const std::string& text, Document& document) {
   document.shown.units = {};
   const std::size_t comma = text.find(',');
@@ -51,14 +51,14 @@ bool take_units(const std::string& text, Document& document) {
   return !text.empty() && units_text(document.shown.units) == text;
 }
 
-// Whether robots were moved that the method places.
+// Whether robots of the document's method were moved by hand.
 bool has_moved(const Document& document) {
   const Moved& moved = document.moved;
   return document.settings.method == Method::balanced ? !moved.robots.empty()
                                                       : !moved.teams.empty();
 }
 
-// Takes a number that was not bounded when links could hold it first: see check_linked_settings().
+// Reads a number that was unbounded in early links: see check_linked_settings().
 bool take_unbounded(Setting setting, const std::string& text, Document& document) {
   const std::optional<double> value = read_number(text);
   if (!value || *value < 0) return false;

@@ -1,6 +1,6 @@
-// The records of share links of version 2: the settings that came after version 1. Each is a tag,
-// the number of bytes of its payload, and the payload, which for a setting is its text as
-// read_setting() takes it. Records come in the order of their tags, and tag 0 ends them.
+// The records of share links of version 2: the settings added after version 1. Each record is a
+// tag, the number of bytes of its payload, and the payload. The payload of a setting is its text in
+// the syntax of read_setting(). Records are in the order of their tags, and tag 0 ends them.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,14 @@
 
 namespace evenlift {
 
-// The number of a record. The numbers are fixed for ever: those of settings stand in their rows
-// (settings.h), and the others here. docs/link-format.md lists all of them, and those that are
-// reserved, so that two later versions never mean different things by one.
+// The number of a record. Numbers never change. The numbers of settings are in their rows
+// (settings.h), and the others here. docs/link-format.md lists all of them and the reserved ones,
+// so that no two later versions give one number different meanings.
 using Tag = std::uint8_t;
 namespace tag {
 inline constexpr Tag end = 0;
 inline constexpr Tag units = 11;  // of lengths and of weights, with a comma before the latter
-inline constexpr Tag halo = 18;   // an overlay, which has no setting of its own
+inline constexpr Tag halo = 18;   // an overlay without a setting of its own
 inline constexpr Tag moved = 19;  // robots that were moved by hand
 }  // namespace tag
 
@@ -30,20 +30,20 @@ struct Record {
 };
 using Records = std::vector<Record>;
 
-// The records that the document needs; none if a link of version 1 can hold all of it. O(robots
-// that were moved).
+// The records that the document needs; none if version 1 can represent all of it. O(robots moved by
+// hand).
 Records records_of(const Document& document);
 
-// Takes over what the records say, which must be of known tags. Returns whether each of them has a
-// value that its setting may have. O(bytes).
+// Applies the records, whose tags must be known. Returns whether each value is valid for its
+// setting. O(bytes).
 bool take_records(const Records& records, Document& document);
 
-// Codes the records. A decoder replaces them; it fails at a payload that is longer than any known
-// setting, and stops at an unknown tag, which it leaves as the last record. O(bytes).
+// Codes the records. A decoder replaces them. It fails at a payload longer than any known setting,
+// and stops at an unknown tag, which remains as the last record. O(bytes).
 inline constexpr int widest_tag = 8, widest_length = 20;
 bool is_known(Tag tag);
 
-// The longest payload that a writer makes, in bytes: a number has at most 24. O(1).
+// The longest payload that a writer produces, in bytes: a number has at most 24. O(1).
 std::size_t longest_value(Tag tag);
 
 template <class Coder>

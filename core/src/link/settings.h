@@ -1,4 +1,4 @@
-// The settings that share links of version 1 and later begin with, and numbers that are not
+// Codes the settings at the start of share links since version 1, and numbers that are not
 // vertices, for either coder.
 #pragma once
 
@@ -13,12 +13,12 @@
 
 namespace evenlift {
 
-// The values of settings that a link leaves out: the usual values of 1.0.0, which are those of
-// today. Once a usual value changes, set here what links have always meant (test_link.cpp).
+// The values of settings that a link omits: the defaults of 1.0.0, which have not changed since. If
+// a default changes, set the old value here (test_link.cpp).
 inline Document defaults_of_links() { return {}; }
 
-// The settings that version 1 has; those that came later are left at their defaults, since records
-// hold them where they are needed (records.h).
+// The settings that version 1 has. Later settings keep their defaults here; records hold them where
+// needed (records.h).
 inline Document settings_of_link_1(const Document& document) {
   Document first = defaults_of_links();
   const Settings& settings = document.settings;
@@ -51,7 +51,7 @@ double code_number(Coder& coder, double value) {
   return Scale(kind).value_of(negative ? -number : number);
 }
 
-// The overlays of version 1 as bits, except tipping, which came later.
+// The overlays of version 1 as bits, without tipping, which was added later.
 inline std::uint32_t overlay_mask(const Overlays& shown) {
   return (shown.candidates ? 1u : 0u) | (shown.chords ? 2u : 0u) | (shown.lifting_base ? 4u : 0u) |
          (shown.clockwise ? 8u : 0u) | (shown.counterclockwise ? 16u : 0u);
@@ -86,7 +86,7 @@ void code_settings(Coder& coder, Document& document) {
   Settings& settings = document.settings;
   Overlays& overlays = document.shown.overlays;
   std::optional<std::uint32_t>& step = document.shown.step;
-  // Compares bits, because -0 and 0 must be told apart.
+  // Compares bits, because -0 and 0 differ.
   const bool ratio = !same_bits(settings.min_ratio, usual.min_ratio);
   const bool weight = !same_bits(settings.weight, usual.weight);
   const auto differs = [&](bool different) {
@@ -107,8 +107,8 @@ void code_settings(Coder& coder, Document& document) {
   if (differs(weight)) settings.weight = code_number(coder, settings.weight);
   if (differs(settings.seed != usual.seed)) settings.seed = code_integer(coder, settings.seed, 64);
   if (differs(!(overlays == defaults.shown.overlays))) {
-    // Overlays that are at their defaults are not written, so the default mask is free to say that
-    // tipping is shown. Then the mask itself follows.
+    // Overlays at their defaults are not written, so here the default mask can mean that tipping is
+    // shown. Then the mask itself follows.
     const std::uint32_t sign = overlay_mask(defaults.shown.overlays),
                         shown = overlay_mask(overlays);
     std::uint32_t mask = coder.code_uniform(overlays.tipping ? sign : shown, 32);

@@ -37,8 +37,8 @@ class ResidualClasses {
     return exponents_ ? fraction_bits_ : static_cast<int>(size_class) - 1;
   }
 
-  // Class c holds the sizes that have c bits. Where doubles are written without a prediction, it
-  // holds those with the exponent field c - 1.
+  // Class c holds the sizes of c bits. If doubles are written without a prediction, it holds those
+  // with the exponent field c - 1.
   Residual residual_of(std::uint64_t number) const {
     Residual residual;
     residual.negative = (number >> 63) != 0;
@@ -72,21 +72,21 @@ class ResidualClasses {
   int fraction_bits_;
 };
 
-// Bounds that hold for all residuals of a polygon. They are written before the vertices, so that
-// what cannot occur takes no room.
+// Bounds on all residuals of a polygon. They are written before the vertices, so that impossible
+// cases take no bits.
 struct Limits {
   unsigned greatest_class = 0;
   bool negatives = false;
   bool escaped = false;
 };
 
-// Whether vertex i is written without a prediction, since there is no vertex before it.
+// Whether vertex i is written without a prediction, because no vertex precedes it.
 inline bool has_no_prediction(Predictor predictor, std::size_t i) {
   return i == 0 && predictor != Predictor::nothing;
 }
 
-// The limits of the vertices in this encoding. It also gives the escaped coordinates their
-// predicted numbers. O(n).
+// The limits of the vertices in this encoding. Also gives the escaped coordinates their predicted
+// numbers. O(n).
 inline Limits limits_of(const Encoding& encoding, QuantizedVertices& quantized) {
   const ResidualClasses classes(encoding);
   Limits limits;
@@ -108,7 +108,7 @@ inline Limits limits_of(const Encoding& encoding, QuantizedVertices& quantized) 
   return limits;
 }
 
-// Writes or reads residuals one after another. The models adapt to those already coded.
+// Writes or reads residuals one after another. The models adapt to the residuals so far.
 template <class Coder>
 class ResidualCoder {
  public:
@@ -140,7 +140,8 @@ class ResidualCoder {
  private:
   static constexpr unsigned steps = 16;
 
-  // Asks class by class, from the greatest down. After 16 steps the class is coded directly.
+  // Codes one decision per class, from the greatest class down. After 16 decisions it codes the
+  // class directly.
   unsigned code_class(unsigned size_class) {
     for (unsigned step = 0; step < steps; ++step) {
       const unsigned asked = limits_.greatest_class - step;
@@ -150,7 +151,7 @@ class ResidualCoder {
     return coder_.code_uniform(Coder::decoding ? 0 : size_class - 1, left) + 1;
   }
 
-  // The highest bit has an adaptive model; the others are coded as they are.
+  // The highest bit has an adaptive model; the other bits are coded uniformly.
   std::uint64_t code_place(std::uint64_t place, unsigned size_class) {
     const int bits = classes_.place_bits(size_class);
     if (bits == 0) return 0;
@@ -211,7 +212,7 @@ Limits code_limits(Coder& coder, Limits limits, const Encoding& encoding,
   return limits;
 }
 
-// Codes a number that has no prediction. O(1).
+// Codes a number without a prediction. O(1).
 template <class Coder>
 std::int64_t code_unpredicted(Coder& coder, std::int64_t number) {
   auto size = static_cast<std::uint64_t>(number);
@@ -222,8 +223,8 @@ std::int64_t code_unpredicted(Coder& coder, std::int64_t number) {
   return static_cast<std::int64_t>(negative ? 0 - size : size);
 }
 
-// Codes the vertices; returns their encoding, which the decoder reads. Both coders must know
-// `count`. The encoder takes `quantized` by the scale of the encoding. The decoder fills it, and
+// Codes the vertices and returns their encoding, which the decoder reads. Both coders must know
+// `count`. The encoder takes `quantized` in the scale of the encoding. The decoder fills it, and
 // stops early if it fails. O(count).
 template <class Coder>
 Encoding code_vertices(Coder& coder, Encoding encoding, QuantizedVertices& quantized,

@@ -11,7 +11,7 @@
 namespace evenlift {
 namespace {
 
-// An input iterator for the library that records how far the library has read.
+// An input iterator for the library. It records the position that the library has reached.
 struct Tap {
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
@@ -30,15 +30,14 @@ struct Tap {
   friend bool operator==(const Tap& a, const Tap& b) { return a.at == b.at; }
 };
 
-// The part of the library's message that says what is wrong. A message looks like "[...] parse
-// error at line 1, column 3: syntax error while parsing array - REASON; last read: '['; expected
-// ...".
+// Extracts the reason from the library's message. A message looks like "[...] parse error at line
+// 1, column 3: syntax error while parsing array - REASON; last read: '['; expected ...".
 std::string reason(std::string_view message) {
   const std::size_t start = message.find(" - ");
   if (start == std::string_view::npos) return "this is not valid JSON";
   message.remove_prefix(start + 3);
-  // The part "last read" quotes the text and may contain anything, even what looks like the part
-  // "expected" behind it. Only the words of the library itself are taken for that.
+  // The part "last read" quotes the text and may contain anything, even words that look like the
+  // following part, "expected". So only the library's own words count as that part.
   const std::size_t read = message.find("; last read: ");
   if (read == std::string_view::npos) return "this is not valid JSON: " + std::string(message);
   constexpr std::string_view words[] = {"; expected ':'",
@@ -100,7 +99,7 @@ class Handler {
     const auto read = static_cast<std::size_t>(reached_ - text_.data());
     return read == 0 ? 0 : read - 1;
   }
-  // The library finds the end of a number one byte later, unless the text ends with the number.
+  // The library finds the end of a number one byte late, unless the text ends with the number.
   bool number(double value) {
     std::size_t where = offset();
     if (where > 0 && (text_[where] < '0' || text_[where] > '9')) --where;

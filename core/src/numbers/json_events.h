@@ -21,7 +21,7 @@ struct JsonValue {
   std::string_view text;  // for a string
 };
 
-// Receives the events. Each function returns whether to continue; a sink that stops keeps the
+// Receives the events. Each function returns whether to continue. A sink that stops stores the
 // reason.
 class JsonSink {
  public:
@@ -33,9 +33,8 @@ class JsonSink {
   ~JsonSink() = default;
 };
 
-// Reads the whole text into the sink. Returns an error if the text is not valid JSON or has more
-// than 64 levels of arrays and objects; nothing if it is valid or the sink stopped before.
-// O(bytes).
+// Reads the whole text into the sink. Returns an error if the text is not valid JSON or nests more
+// than 64 arrays and objects; nullopt if the text is valid or the sink stopped first. O(bytes).
 std::optional<InputError> read_json(std::string_view text, JsonSink& sink);
 
 }  // namespace evenlift

@@ -16,11 +16,11 @@ struct Decimal {
   bool negative;
 };
 
-// The decimal number with the fewest digits that reads back as the same double, and of those the
-// nearest. The value must be finite. O(1).
+// The decimal number with the fewest digits that reads back as the same double; in a tie, the
+// nearest one. The value must be finite. O(1).
 Decimal shortest_decimal(double value);
 
-// Appends what shortest() (numbers.h) returns. The value must be finite. O(1).
+// Appends the result of shortest() (numbers.h). The value must be finite. O(1).
 void append_shortest(std::string& text, double value);
 
 // A number at the beginning of a text.
@@ -31,9 +31,9 @@ struct ScannedNumber {
   double value;        // if finite, the nearest double, ties to even; may be -0 or subnormal
 };
 
-// Reads the longest beginning of the text that is a number: an optional sign, at least one digit
-// with at most one decimal point, and an optional exponent ("-1.5e3", ".5", "5."). Spaces,
-// hexadecimal, infinity and NaN are not numbers. O(bytes).
+// Reads the longest prefix of the text that is a number: an optional sign, at least one digit with
+// at most one decimal point, and an optional exponent ("-1.5e3", ".5", "5."). Spaces, hexadecimal,
+// infinity and NaN are not numbers. O(bytes).
 ScannedNumber scan_number(std::string_view text);
 
 }  // namespace evenlift

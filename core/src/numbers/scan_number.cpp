@@ -1,5 +1,5 @@
-// Numbers from text. std::from_chars finds the same doubles; it can replace the conversion once no
-// supported Emscripten lacks it for them.
+// Numbers from text. std::from_chars gives the same doubles; it can replace this conversion once
+// all supported Emscripten versions have it for doubles.
 #include <cfloat>
 #include <cmath>
 #include <cstdlib>
@@ -14,9 +14,8 @@ static_assert(FLT_EVAL_METHOD == 0, "a product of doubles must be rounded once, 
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// The significant digits of a number, as an integer, and its power of ten. At most 768 digits can
-// decide how a number is rounded, so beyond `limit` it only matters whether a digit other than 0
-// follows.
+// The significant digits of a number, as an integer, and its power of ten. At most 768 digits
+// decide the rounding, so beyond `limit` it matters only whether a digit other than 0 follows.
 struct SignificantDigits {
   static constexpr int limit = 800;
   char text[limit];
@@ -56,7 +55,7 @@ std::optional<double> quick_value(const SignificantDigits& digits) {
   return value;
 }
 
-// The C library's strtod rounds correctly, in glibc, musl and others of today. It gets digits and
+// The C library's strtod rounds correctly in current glibc, musl and others. It receives digits and
 // an exponent but never a decimal point, which would depend on the locale.
 double library_value(const SignificantDigits& digits) {
   char text[SignificantDigits::limit + 16];
@@ -69,7 +68,7 @@ double library_value(const SignificantDigits& digits) {
   }
   text[size++] = 'e';
   if (exponent < 0) text[size++] = '-';
-  // At most 4 digits, since the caller has dealt with larger exponents.
+  // At most 4 digits, since the caller handles larger exponents.
   const unsigned power = static_cast<unsigned>(exponent < 0 ? -exponent : exponent);
   for (unsigned unit = 1000; unit > 0; unit /= 10) {
     text[size++] = static_cast<char>('0' + power / unit % 10);
@@ -114,7 +113,7 @@ ScannedNumber scan_number(std::string_view text) {
     const bool below = at < text.size() && text[at] == '-';
     if (below || (at < text.size() && text[at] == '+')) ++at;
     if (digit_here()) {
-      // It saturates far beyond what digits before or after the point can compensate.
+      // It saturates far beyond any exponent that the digits can compensate.
       constexpr std::int64_t exponent_limit = std::int64_t{1} << 40;
       std::int64_t exponent = 0;
       for (; digit_here(); ++at) {

@@ -1,5 +1,6 @@
 // Shortest decimal numbers by Schubfach (R. Giulietti, The Schubfach way to render doubles, 2020).
-// std::to_chars does the same; it can replace this once no supported Emscripten lacks it.
+// std::to_chars gives the same results; it can replace this once all supported Emscripten versions
+// have it.
 #include <cassert>
 #include <cmath>
 
@@ -30,9 +31,9 @@ constexpr int floor_log10_pow2(int e) { return (e * 1262611) >> 22; }
 constexpr int floor_log10_three_quarters_pow2(int e) { return (e * 1262611 - 524031) >> 22; }
 constexpr int floor_log2_pow10(int e) { return (e * 1741647) >> 19; }
 
-// 10^e for e from -292 to 324, as 128-bit numbers g with 2^127 <= g < 2^128, rounded up:
-// g = ceil(10^e / 2^(floor_log2_pow10(e) - 127)). They are computed at first use, because as
-// constants they would add 10 KB to the page that do not compress.
+// 10^e for e from -292 to 324, as 128-bit numbers g with 2^127 <= g < 2^128, rounded up: g =
+// ceil(10^e / 2^(floor_log2_pow10(e) - 127)). They are computed at first use, because constants
+// would add 10 KB to the page that do not compress.
 class PowersOfTen {
  public:
   static constexpr int least = -292;
@@ -99,7 +100,7 @@ const Uint128& power_of_ten(int e) {
   return powers[e];
 }
 
-// floor(g * x / 2^128), with its lowest bit set if anything was cut off: "round to odd".
+// floor(g * x / 2^128), with its lowest bit set if a bit other than 0 was cut off: "round to odd".
 std::uint64_t product_rounded_to_odd(const Uint128& g, std::uint64_t x) {
   const Uint128 low = multiply(g.low, x);
   Uint128 high = multiply(g.high, x);
@@ -114,9 +115,9 @@ struct UnsignedDecimal {
 };
 
 // The shortest decimal number of significand * 2^exponent, perhaps with trailing zeros. `at_binade`
-// says that the next smaller double is nearer than the next larger one.
+// means that the next smaller double is nearer than the next larger one.
 UnsignedDecimal schubfach(std::uint64_t significand, int exponent, bool at_binade) {
-  const bool even = significand % 2 == 0;  // then the ends of the rounding interval belong to it
+  const bool even = significand % 2 == 0;  // then the rounding interval includes its ends
   const int k = at_binade ? floor_log10_three_quarters_pow2(exponent) : floor_log10_pow2(exponent);
   const int h = exponent + floor_log2_pow10(-k) + 1;
   const Uint128& g = power_of_ten(-k);
@@ -138,8 +139,7 @@ UnsignedDecimal schubfach(std::uint64_t significand, int exponent, bool at_binad
   const bool lower_inside = left <= 4 * s;
   const bool upper_inside = 4 * s + 4 <= right;
   if (lower_inside != upper_inside) return {s + (upper_inside ? 1 : 0), k};
-  const std::uint64_t middle =
-      4 * s + 2;  // both inside: the nearer, or the even one of two equally near
+  const std::uint64_t middle = 4 * s + 2;  // both inside: the nearer one, or the even one in a tie
   const bool up = value > middle || (value == middle && s % 2 == 1);
   return {s + (up ? 1 : 0), k};
 }
@@ -171,8 +171,8 @@ Decimal shortest_decimal(double value) {
 }
 
 // The rules of ECMAScript's Number::toString, so that the page's scripts print the same text. The
-// exception is -0, which becomes "-0.0": readers of JSON would take "-0" for an integer and lose
-// the sign.
+// exception is -0, which becomes "-0.0": a JSON reader would read "-0" as an integer and lose the
+// sign.
 void append_shortest(std::string& text, double value) {
   const Decimal decimal = shortest_decimal(value);
   if (decimal.digits == 0) {

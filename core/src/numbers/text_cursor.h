@@ -1,4 +1,4 @@
-// A cursor in a text that is being read, and errors that name a place in a text.
+// A cursor for reading a text, and errors at a place in a text.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace evenlift {
 
-// The line and column of the byte at `offset`, or of the end of the text if that comes first. A
-// line ends with LF, CR LF or CR. Columns count UTF-8 characters. O(offset).
+// The line and column of the byte at `offset`, or of the end of the text if `offset` is beyond it.
+// A line ends with LF, CR LF or CR. Columns count UTF-8 characters. O(offset).
 Place place_in_text(std::string_view text, std::size_t offset);
 
 // An error whose place is the byte at `offset`. O(offset).
@@ -46,7 +46,7 @@ class TextCursor {
   bool take(char c);
   void skip_spaces_in_line();
   void skip_white_space();
-  // The letters from here on, perhaps none, as a view of the text. take_word() also skips them.
+  // The letters at this place, perhaps none, as a view of the text. take_word() also skips them.
   std::string_view word() const;
   std::string_view take_word();
 
@@ -64,7 +64,7 @@ class TextCursor {
   std::size_t at_ = 0;
 };
 
-// Compares without regard to case; `lower` must be lower case. O(length).
+// Compares without case; `lower` must be lower case. O(length).
 bool same_word(std::string_view word, std::string_view lower);
 
 }  // namespace evenlift

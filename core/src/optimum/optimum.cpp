@@ -34,7 +34,7 @@ double coverage_of(const Polygon& polygon, const std::vector<Candidate>& candida
   return coverage(polygon, lifting_base(polygon, robots_of(candidates, taken)));
 }
 
-// The chords of the ends, filled up with those of the start and then with any, to so many.
+// The chords of the ends, filled up to `teams` chords: first from the start, then with any others.
 std::vector<std::uint32_t> chords_of(const Triangles& triangles, const Ring& ring,
                                      const std::vector<std::uint32_t>& start, std::size_t teams) {
   std::vector<std::uint32_t> chords;
@@ -84,7 +84,7 @@ class Widest {
     best_.coverage = covers;
   }
 
-  // No choice covers more than all candidates do.
+  // No choice covers more than all candidates together.
   void bound_by_all() {
     std::vector<std::uint32_t> all;
     for (std::uint32_t i = 0; i < candidates_.size(); ++i) all.push_back(i);
@@ -131,7 +131,7 @@ void for_each_subset(std::uint32_t all, std::size_t size, Visit visit) {
   }
 }
 
-// The number of choices, but no more than a limit and one.
+// The number of choices, capped at `limit` + 1.
 std::uint64_t count_choices(std::size_t all, std::size_t size, std::uint64_t limit) {
   double number = 1;
   for (std::size_t i = 0; i < size; ++i)
@@ -140,7 +140,7 @@ std::uint64_t count_choices(std::size_t all, std::size_t size, std::uint64_t lim
                                              : static_cast<std::uint64_t>(std::llround(number));
 }
 
-// Looks for the best choice by all keys.
+// Searches for the best choice by all keys.
 class Firmest {
  public:
   Firmest(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
@@ -156,9 +156,9 @@ class Firmest {
     return choices_.keys_of(choices_.part_of(taken));
   }
 
-  // The best of all choices of so many teams.
+  // Compares all choices of `teams` teams.
   void compare_all(std::size_t teams, FirmestChoice& best) {
-    // All teams but the last make a part that stays.
+    // A part contains all teams but the last.
     std::vector<exchange::Part> parts;
     std::vector<std::vector<std::uint32_t>> of_part;
     for_each_subset(choices_.size(), teams - 1, [&](const std::vector<std::uint32_t>& subset) {
@@ -184,7 +184,7 @@ class Firmest {
     best.proved = best.compared = true;
   }
 
-  // The best that exchanges come to, from what is the best so far and from the widest choice.
+  // Improves the best choice so far by swaps, which start from it and from the widest choice.
   void exchange(const Optimum& widest, FirmestChoice& best) const {
     std::vector<std::vector<std::uint32_t>> starts{best.taken};
     if (widest.taken.size() == best.taken.size()) starts.push_back(widest.taken);
@@ -200,8 +200,8 @@ class Firmest {
     }
   }
 
-  // No contact more makes the margin of a choice less, so no choice is above the level of all
-  // candidates.
+  // An additional contact never decreases the margin, so no choice exceeds the level of all
+  // candidates together.
   void bound(const Optimum& widest, FirmestChoice& best) const {
     best.most_level = best_level;
     if (candidates_.size() <= most_candidates_bounded)
@@ -213,7 +213,7 @@ class Firmest {
   }
 
  private:
-  // Enlarged by more than rounding is.
+  // The margin, enlarged by more than the rounding error.
   std::optional<double> margin_of_all() const {
     std::vector<std::uint32_t> all;
     for (std::uint32_t i = 0; i < candidates_.size(); ++i) all.push_back(i);

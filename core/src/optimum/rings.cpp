@@ -12,11 +12,11 @@ constexpr double impossible = -1;
 
 bool is_over(const Stop& stop) { return stop && stop(); }
 
-// The greatest sums of triangles along ends that follow each other from a first one on: at most so
-// many ends, the last of them so many steps on. Of each the place before it is kept.
+// The greatest sums of triangles along consecutive ends from a first one: for each number of
+// further ends and each place of the last one, with the place before it.
 class Chain {
  public:
-  // Up to `length` steps on, and `most` further ends. O(length^2 most).
+  // Places up to `length` and up to `most` further ends. O(length^2 most).
   Chain(const Triangles& triangles, std::uint32_t first, std::uint32_t length, std::uint32_t most)
       : width_(length + 1),
         sums_(std::size_t{width_} * (most + 1), impossible),
@@ -60,7 +60,7 @@ class Chain {
   std::vector<std::uint32_t> before_;
 };
 
-// The best end of a chain that closes with one more triangle, to the place `length`.
+// The best end of a chain, closed by one more triangle to the place `length`.
 struct Closed {
   double sum = impossible;
   std::uint32_t number = 0, place = 0;
@@ -80,9 +80,9 @@ Closed close(const Triangles& triangles, const Chain& chain, std::uint32_t first
   return best;
 }
 
-// Both ends of the chord at place 0, and what dynamic programming over the chords in order of slope
-// adds: the state is the last end used on either side and the number of chords used. There must be
-// a chord.
+// The best ring through both ends of the chord at place 0, by dynamic programming over the chords
+// in order of slope. The state is the last end used on each side and the number of chords used.
+// There must be a chord.
 class BothSides {
  public:
   BothSides(const Triangles& triangles, std::uint32_t first, std::uint32_t teams)
@@ -117,7 +117,7 @@ class BothSides {
   std::size_t index(std::uint32_t right, std::uint32_t left, std::uint32_t used) const {
     return (std::size_t{right} * chords_ + left) * teams_ + (used - 1);
   }
-  // Between two places about C, from the chord's right end on.
+  // The share between two places about C, counted from the chord's right end.
   double step(std::uint32_t from, std::uint32_t to) const {
     return triangles_.share((first_ + from) % triangles_.ends(), to - from);
   }

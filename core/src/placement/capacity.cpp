@@ -27,7 +27,7 @@ class Growing {
  public:
   Growing(double weight, double capacity) : weight_(weight), capacity_(capacity) {}
 
-  // Adds a team. Returns whether there are enough teams now.
+  // Adds a team. Returns whether the teams now suffice.
   bool add(const Chord& chord) {
     share_ = std::max(share_, greater_share(chord));
     const double greatest = weight_ / ++plan_.tried * share_;
@@ -53,7 +53,8 @@ CapacityPlan plan_by_candidates(const Placement& placement, double capacity) {
   return growing.plan();
 }
 
-// The most teams that exchanges can begin with: robots with a size may find no room for so many.
+// The greatest number of teams with which swapping can start. Robots with a size may have room for
+// fewer.
 std::uint32_t most_with_room(const Placement& placement) {
   const std::size_t most =
       std::min<std::size_t>(placement.candidates.size(), most_teams_tried(placement.settings));
@@ -65,12 +66,12 @@ std::uint32_t most_with_room(const Placement& placement) {
           .size());
 }
 
-// Teams that are exchanged until they hold are others for each number of them.
+// With swaps, each number of teams needs its own choice.
 CapacityPlan plan_by_exchange(const Placement& placement, double capacity) {
   const double weight = placement.settings.weight;
   const auto& candidates = placement.candidates;
   const std::uint32_t most = most_with_room(placement);
-  // Even perfectly even robots carry weight / (2 teams), so fewer teams are never enough.
+  // A robot of even teams carries weight / (2 teams), so fewer teams are never enough.
   for (std::uint32_t teams = number_of_teams(weight / (2 * capacity)); teams <= most; ++teams) {
     if (check_exchanges(candidates.size(), teams)) return {false, 0, 0, teams - 1, 2};
     const std::vector<std::uint32_t> chosen =
@@ -87,7 +88,7 @@ CapacityPlan plan_by_exchange(const Placement& placement, double capacity) {
 CapacityPlan plan_at_random(const Placement& placement, double capacity) {
   const Settings& settings = placement.settings;
   Growing growing(settings.weight, capacity);
-  // No robot carries more than its team does, so this number is enough if so many can be placed.
+  // No robot carries more than its team, so this number is enough if it can be placed.
   const std::uint32_t enough = number_of_teams(settings.weight / capacity + 1);
   for (const Chord& chord :
        random_teams(placement.polygon, placement.centre_of_mass, enough, settings.seed))
@@ -114,8 +115,8 @@ CapacityPlan plan_at_equal_angles(const Placement& placement, double capacity) {
   const EqualAngles angles(placement.polygon, placement.centre_of_mass);
   if (!angles.has_chords()) return {};
   const double weight = placement.settings.weight;
-  // Even perfectly even robots carry weight / (2 teams), so fewer teams are never enough. One sweep
-  // tries several numbers at once. It begins with few, so that not many beyond the least are tried.
+  // A robot of even teams carries weight / (2 teams), so fewer teams are never enough. One sweep
+  // tries several numbers at once. It begins with few, so that few beyond the least are tried.
   std::uint32_t first = number_of_teams(weight / (2 * capacity)), numbers = 8;
   for (;; numbers *= 2) {
     const std::uint32_t end = std::min(first + numbers, most_teams_for_capacity + 1);

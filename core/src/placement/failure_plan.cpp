@@ -1,4 +1,4 @@
-// How many robots it takes if any one of them may fail.
+// Plans the number of robots needed if any one of them may fail.
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +18,7 @@ class Placer {
 
   bool is_balanced() const { return placement_.settings.method == Method::balanced; }
 
-  // Nothing if so many find no place.
+  // Empty if the method cannot place this number.
   std::vector<Team> teams(std::uint32_t robots) {
     const Settings& settings = placement_.settings;
     const std::size_t number = robots / 2;
@@ -52,7 +52,7 @@ class Placer {
                          placement_.centre_of_mass, settings.weight)};
   }
 
-  // Teams that are chosen one after another are the first of more of them.
+  // Without swaps, a smaller choice is the beginning of a larger one.
   std::vector<std::uint32_t> chosen(std::size_t number) {
     const bool exchanged = exchanges_teams(placement_.settings);
     if (exchanged || chosen_.size() < number)
@@ -67,8 +67,8 @@ class Placer {
   std::vector<std::uint32_t> chosen_;
 };
 
-// What one robot bears at most, with all at work or when any one fails; nothing if the object falls
-// then, or if it is more than the capacity.
+// The greatest load of a robot, intact or after the failure of any one robot; nullopt if the object
+// falls then, or if the load exceeds the capacity.
 std::optional<double> greatest_of_all(const Placement& placement, const std::vector<Team>& teams,
                                       double capacity) {
   const Points all = positions(lifting_points(teams));
@@ -85,7 +85,7 @@ std::optional<double> greatest_of_all(const Placement& placement, const std::vec
   return greatest <= capacity ? std::optional(greatest) : std::nullopt;
 }
 
-// Even robots that bear the same when one of them has failed carry weight / (robots - 1).
+// Robots that share the weight equally after one failure carry weight / (robots - 1).
 std::uint32_t least_that_may_do(const Settings& settings, double capacity, std::uint32_t most) {
   const double number = std::ceil(settings.weight / capacity) + 1;
   const auto by_weight = static_cast<std::uint32_t>(std::clamp(number, 3.0, most + 1.0));

@@ -18,7 +18,8 @@
 namespace evenlift {
 namespace {
 
-// It has no place: a link or a saved result says where robots were moved to, and no setting does.
+// The error has no place, because a link or a saved result contains the moved robots, and no
+// setting does.
 InputError refused(const std::string& why) {
   return {ErrorCode::bad_setting, "robots that were moved by hand: " + why, {}};
 }
@@ -82,7 +83,7 @@ std::optional<InputError> move_balanced(Placement& placement,
 
 // --- Teams of two
 
-// A chord with its end on edge `a` before that on edge `b`, whichever is left.
+// A chord with its end on edge `a` listed before its end on edge `b`, whichever is left.
 struct Turned {
   std::uint32_t a = 0, b = 0;
   Chord chord;
@@ -94,8 +95,8 @@ double closeness(const Vec2& direction, const Vec2& wanted) {
   return dot(direction, wanted) / (length(direction) * length(wanted));
 }
 
-// The chord on two edges whose end on `a` is nearest to a direction from C; nothing if no chord on
-// them is even enough.
+// The chord on two edges whose end on `a` is nearest to a direction from C; nullopt if no chord on
+// them meets the minimum ratio.
 std::optional<Turned> towards(const Placement& placement, std::uint32_t a, std::uint32_t b,
                               const Vec2& direction) {
   Chord ends;
@@ -115,7 +116,7 @@ std::optional<Turned> towards(const Placement& placement, std::uint32_t a, std::
   return nearest;
 }
 
-// The edges on which a lifting point is: two at a vertex.
+// The edges that contain a lifting point: two at a vertex.
 struct EdgesAt {
   std::array<std::uint32_t, 2> edges{};
   std::size_t count = 1;
@@ -132,8 +133,8 @@ EdgesAt edges_at(const Polygon& polygon, std::uint32_t edge, const Vec2& at) {
   return found;
 }
 
-// The chord nearest to a direction on the edges of the present one, and on those that meet them at
-// a vertex on which it ends.
+// The chord nearest to a direction, on the edges of the present chord and on the edges that meet
+// them at a vertex where it ends.
 std::optional<Turned> next_chord(const Placement& placement, const Turned& now,
                                  const Vec2& direction) {
   const Vec2& centre = placement.centre_of_mass;
@@ -153,13 +154,13 @@ std::optional<Turned> next_chord(const Placement& placement, const Turned& now,
   return next;
 }
 
-// What is kept of a team's new chord. Its own point is on the edge of the robot that was moved.
+// The record of a team's new chord. Its point is on the edge of the moved robot.
 MovedTeam kept(const Placement& placement, std::size_t team, const Turned& turned) {
   return {static_cast<std::uint32_t>(team), edge_point(placement.polygon, turned.a, turned.on_a),
           turned.b};
 }
 
-// Puts the chord of a moved team into the place of its former one.
+// Replaces the former chord of a moved team.
 std::optional<InputError> move_team(const Placement& placement, const MovedTeam& moved,
                                     std::vector<Chord>& chords) {
   const std::size_t n = placement.vertices().size();
@@ -222,7 +223,7 @@ std::optional<Moved> moved_along_range(const Placement& placement, std::size_t r
                      &other = placement.teams[number].robots[1 - end].point;
   Turned now{own.edge, other.edge, chord_of(placement.teams[number]), own.position, other.position};
   bool moved = false;
-  // Each edge is passed once at most, since the chord only comes nearer to the direction.
+  // Each edge is passed at most once, since the chord only comes nearer to the direction.
   for (std::size_t steps = 0; steps <= 2 * placement.vertices().size(); ++steps) {
     auto next = next_chord(placement, now, direction);
     if (!next) break;

@@ -13,13 +13,13 @@ Points positions_of_all(const Placement& placement) {
 
 double diameter(const Placement& placement) { return placement.polygon.diameter(); }
 
-// The object's boundary, for the directions in which robots face.
+// The object's boundary, for the directions that robots face.
 class Outline {
  public:
   Outline(const Points& vertices, double near)
       : vertices_(vertices), counter_clockwise_(is_counter_clockwise(vertices)), near_(near) {}
 
-  // Towards the object; of any length. Only a robot without a body can be at a vertex.
+  // A vector of any length towards the object. Only a robot without a body can be at a vertex.
   Vec2 inward_at(const LiftingPoint& point, bool has_body) const {
     if (has_body) return normal(point.edge);
     const std::size_t n = vertices_.size(), edge = point.edge, next = (edge + 1) % n;
@@ -35,8 +35,8 @@ class Outline {
                          counter_clockwise_);
   }
 
-  // The middle between two normals. The first sum vanishes if they are opposite, the second if they
-  // are equal; both point the same way.
+  // The direction halfway between two normals. The first sum vanishes if they are opposite, the
+  // second if they are equal; both sums point the same way.
   Vec2 inward_between(std::size_t edge, std::size_t next) const {
     const Vec2 a = normal(edge), b = normal(next);
     const Vec2 apart = left_normal(a) - left_normal(b);
@@ -63,7 +63,7 @@ std::vector<double> loads_of(LoadModel model, const Placement& placement,
   return planned_loads(placement.teams);
 }
 
-// In (-180, 180]: of an angle a little above -180 degrees rounding may make -180.
+// In (-180, 180]: rounding may turn an angle just above -180 degrees into -180.
 double degrees_of(const Vec2& direction) {
   const double degrees = arctangent2(direction.y() + 0.0, direction.x()) * (180 / pi);
   return degrees > -180 ? degrees : 180;

@@ -14,13 +14,13 @@
 namespace evenlift {
 namespace {
 
-// Whether the placement is what its goal asks for.
+// Whether the placement reaches its goal.
 bool reaches_goal(const Placement& placement) {
   if (placement.teams.empty()) return false;
   return goal_of(placement.settings) == Goal::cover || hold_clearly(placement);
 }
 
-// Fills in everything of a placement that follows from the points at which robots lift.
+// Fills in all values of a placement that follow from the lifting points.
 void describe_grasp(Placement& placement, const std::vector<LiftingPoint>& points) {
   const Polygon& polygon = placement.polygon;
   placement.lifting_base = lifting_base(polygon, points);
@@ -30,7 +30,7 @@ void describe_grasp(Placement& placement, const std::vector<LiftingPoint>& point
   placement.goal_reached = reaches_goal(placement);
 }
 
-// Gives the robots these loads, in their row.
+// Gives the robots these loads, in order.
 void take_loads(Placement& placement, const std::vector<double>& loads) {
   std::size_t number = 0;
   for (Team& team : placement.teams) {
@@ -44,7 +44,7 @@ void take_loads(Placement& placement, const std::vector<double>& loads) {
   }
 }
 
-// Of all robots but one.
+// Summarizes the loads of all robots but one.
 LoadSummary summarize_others(const Placement& placement, std::size_t robot) {
   LoadSummary summary = *summarize_loads(placement.teams);
   const std::vector<double> loads = planned_loads(placement.teams);
@@ -56,12 +56,12 @@ LoadSummary summarize_others(const Placement& placement, std::size_t robot) {
   return summary;
 }
 
-// The team that balanced robots are.
+// The one team that contains all balanced robots.
 Team team_of(const Placement& placement, const std::vector<LiftingPoint>& robots) {
   return share_evenly(robots, placement.centre_of_mass, placement.settings.weight);
 }
 
-// Places balanced robots. There may be no such set.
+// Places balanced robots, if a set exists.
 void place_balanced(Placement& placement, Effort effort) {
   const BalancedProblem problem(placement.polygon, placement.centre_of_mass, placement.settings);
   placement.search_ended = effort == Effort::whole || is_quick_to_start(problem);
@@ -78,7 +78,7 @@ std::uint32_t requested_teams(const Placement& placement) {
   return placement.settings.teams.value_or(static_cast<std::uint32_t>(placement.candidates.size()));
 }
 
-// Chooses the teams, and notes which candidates they take.
+// Chooses the teams, and stores the candidates that they use.
 void choose_teams(Placement& placement, Effort effort) {
   const Polygon& polygon = placement.polygon;
   const Vec2& centre = placement.centre_of_mass;
@@ -116,7 +116,7 @@ Result<std::vector<Candidate>> candidates_of(const Polygon& polygon, const Vec2&
   return std::move(found->candidates);
 }
 
-// Whether the settings of balanced robots go together.
+// Checks the settings of balanced robots against each other.
 std::optional<InputError> check_balanced(const Settings& settings) {
   const std::uint32_t least = 2 * settings.survive + 3;
   if (settings.survive == 0 || settings.robots >= least) return std::nullopt;
@@ -195,7 +195,7 @@ Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_ma
   placement.settings = settings;
   placement.candidates = std::move(*candidates);
   placement.requested_teams = requested_teams(placement);
-  // Where all robots were moved nobody need look for them.
+  // If all robots were moved by hand, no search is needed.
   if (moved.robots.empty()) choose_teams(placement, effort);
   if (!moved.any()) {
     describe_grasp(placement);

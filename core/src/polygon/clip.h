@@ -11,8 +11,8 @@ namespace evenlift {
 // O(m).
 Points clip_left(const Points& ring, const Vec2& a, const Vec2& b);
 
-// Clips by the line through `from` along `direction`. It serves lines through two points that are
-// so close that translating them changes the line's direction. O(m).
+// Clips by the line through `from` along `direction`. Use it for lines through two points so close
+// that translating them changes the line's direction. O(m).
 Points clip_left_of_ray(const Points& ring, const Vec2& from, const Vec2& direction);
 
 // The signed area of the part of a ring to the left of both a -> b and b -> c. It clips twice in

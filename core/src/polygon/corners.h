@@ -1,5 +1,5 @@
-// The convex vertices at which the straight runs of an outline end. Vertices that do not turn join
-// edges to one run, so that a vertex more on a side changes nothing.
+// The convex vertices at the ends of an outline's straight runs. Edges joined by straight vertices
+// form one run, so an additional vertex on a side changes nothing.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ class Corners {
   // O(n).
   explicit Corners(const Polygon& polygon);
 
-  // The convex vertex at which the run of an edge begins or ends, in the order of the vertices;
-  // none if a reflex vertex is there. O(1).
+  // The convex vertex where the run of an edge begins or ends, in the order of the vertices; none
+  // if it is a reflex vertex. O(1).
   std::optional<std::uint32_t> before(std::uint32_t edge) const { return some(before_[edge]); }
   std::optional<std::uint32_t> after(std::uint32_t edge) const { return some(after_[edge]); }
 

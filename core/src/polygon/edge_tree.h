@@ -1,4 +1,4 @@
-// A tree of boxes over the outline of a polygon: each node has the edges of a stretch of it.
+// A tree of boxes over the outline of a polygon: each node contains consecutive edges.
 #pragma once
 
 #include <cstdint>
@@ -18,15 +18,14 @@ class EdgeTree {
   struct Node {
     Box box;
     std::uint32_t begin = 0, end = 0;   // its edges are begin .. end - 1
-    std::uint32_t left = 0, right = 0;  // the nodes that share them; 0 in a leaf, since the root is
-                                        // nobody's child
+    std::uint32_t left = 0, right = 0;  // its children; 0 in a leaf, because the root is no child
     bool is_leaf() const { return left == 0; }
   };
 
   // O(n).
   explicit EdgeTree(const Polygon& polygon);
-  // Over any segments, of which neighbours should be near each other. Without any there is one
-  // leaf, with no edges. O(n).
+  // Takes any segments; neighbours should be near each other. Without segments there is one leaf,
+  // with no edges. O(n).
   explicit EdgeTree(const std::vector<LineEnds>& lines);
 
   // The root is node 0.

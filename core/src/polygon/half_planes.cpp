@@ -34,10 +34,11 @@ struct ExactNormal {
 
 Dyadic exact_cross(const ExactNormal& a, const ExactNormal& b) { return a.x * b.y - a.y * b.x; }
 
-// The threshold of a floating-point filter: the terms of the sum below have relative errors below
-// 2^-44, so the sum has the right sign if it exceeds this part of the sum of their sizes.
+// The threshold of a floating-point filter. The terms of the sum below have relative errors below
+// 2^-44, so the sum has the right sign if it exceeds this fraction of the sum of their absolute
+// values.
 constexpr double filter_threshold = 0x1p-40;
-// Below this size products may underflow, and the error bound does not hold.
+// Below this size products may underflow, which breaks the error bound.
 constexpr double smallest_safe = 1e-250;
 
 // The exact sign of the determinant of the rows (normal, bound). If the normals of i and j turn
@@ -70,7 +71,7 @@ int strip_width_sign(const HalfPlane& a, const HalfPlane& b) {
   return (Dyadic(a.bound) * exact_size(b) + Dyadic(b.bound) * exact_size(a)).sign();
 }
 
-// The half-planes sorted by direction of the normal; of equal directions only the tightest.
+// The half-planes sorted by the direction of the normal; for each direction only the tightest.
 Indices by_direction(const std::vector<HalfPlane>& planes) {
   const auto goes_before = [&](std::uint32_t i, std::uint32_t j) {
     const bool up_i = points_up(planes[i]), up_j = points_up(planes[j]);
@@ -88,8 +89,8 @@ Indices by_direction(const std::vector<HalfPlane>& planes) {
   return tightest;
 }
 
-// Whether the angle from the normal of i counter-clockwise to that of j is short of 180 degrees by
-// an angle whose sine is at most `sine`. `side` > 0 is the cross product of the two normals.
+// Whether the angle from the normal of i counter-clockwise to the normal of j is below 180 degrees
+// by an angle whose sine is at most `sine`. `side` > 0 is the cross product of the two normals.
 bool nearly_opposite(const HalfPlane& i, const HalfPlane& j, double side, double sine) {
   const Vec2 ni = i.normal(), nj = j.normal();
   return dot(ni, nj) < 0 && side <= sine * length(ni) * length(nj);
@@ -101,7 +102,7 @@ NormalGap widest_gap(const std::vector<HalfPlane>& planes, const Indices& order,
   for (std::size_t k = 0; k < order.size(); ++k) {
     const std::size_t i = order[k], j = order[(k + 1) % order.size()];
     const double side = normals_cross(planes[i], planes[j]);
-    // No two neighbours have the same direction, so if they do not turn they are opposite.
+    // No two neighbours have the same direction, so they are opposite if they do not turn.
     int compared = side > 0 ? -1 : side < 0 ? 1 : 0;
     if (side > 0 && nearly_opposite(planes[i], planes[j], side, sine)) compared = 0;
     if (compared > widest.compare_to_half_turn) widest = {i, j, compared};
@@ -110,8 +111,8 @@ NormalGap widest_gap(const std::vector<HalfPlane>& planes, const Indices& order,
 }
 
 // The half-planes that bound the intersection, counter-clockwise: at least three, or none if it is
-// empty. Every gap must be below 180 degrees. The lines enter a double-ended queue by direction,
-// and a line is dropped from either end when the new one cuts its corner off.
+// empty. Every gap must be below 180 degrees. The lines enter a double-ended queue by direction. A
+// new line removes lines from either end if it cuts off their corner.
 Indices bounding_planes(const std::vector<HalfPlane>& planes, const Indices& order) {
   Indices queue;
   std::size_t front = 0;
@@ -152,7 +153,7 @@ bool have_common_point(const std::vector<HalfPlane>& planes) {
   const Indices order = by_direction(planes);
   const NormalGap gap = widest_gap(planes, order, 0);
   if (gap.compare_to_half_turn > 0) return true;
-  // Along the strip between the two opposite ones there is a point in all the others.
+  // The strip between the two opposite half-planes contains a point of all the others.
   if (gap.compare_to_half_turn == 0)
     return strip_width_sign(planes[gap.before], planes[gap.after]) >= 0;
   return !bounding_planes(planes, order).empty();

@@ -1,4 +1,4 @@
-// The intersection of half-planes, bounded or not, decided by exact predicates.
+// The intersection of half-planes, bounded or not, by exact predicates.
 #pragma once
 
 #include <cstddef>
@@ -25,8 +25,8 @@ struct NormalGap {
 
 // The widest gap between the normals of at least one half-plane. If all normals have the same
 // direction, the gap is 360 degrees. If several gaps are 180 degrees or more, it is one of them. A
-// gap that is narrower than 180 degrees counts as 180 if the sine of the difference is at most
-// `sine`; otherwise the comparison is exact. O(m log m).
+// gap narrower than 180 degrees counts as 180 if the sine of the difference is at most `sine`;
+// otherwise the comparison is exact. O(m log m).
 NormalGap widest_gap(const std::vector<HalfPlane>& planes, double sine);
 
 // Whether some point lies in all closed half-planes. Exact for the given numbers. O(m log m).

@@ -47,11 +47,11 @@ double distance_from_line(const Points& hull, const Vec2& a, const Vec2& b) {
   return greatest / length(b - a);
 }
 
-// Whether all corners lie within `flat` of one line. A convex polygon has its least width
+// Whether all corners lie within `flat` of one line. The least width of a convex polygon is
 // perpendicular to one of its sides. O(h) for most hulls of h corners, O(h^2) for nearly flat ones.
 bool is_flat(const Points& hull, const std::pair<Vec2, Vec2>& ends, double flat) {
   // In a strip of width 2 flat that contains both ends, which are farthest apart along an axis, no
-  // point is farther from their line than this.
+  // point is farther than 4 flat from the line through the ends.
   if (distance_from_line(hull, ends.first, ends.second) > 4 * flat) return false;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     if (distance_from_line(hull, hull[i], hull[(i + 1) % hull.size()]) <= 2 * flat) return true;
@@ -64,20 +64,20 @@ double squared_distance(const Vec2& a, const Vec2& b) {
   return dot(d, d);
 }
 
-// Whether the corner c between a and b is one that rounding alone makes: within `flat` of either,
-// or on the side from a to b, within tau of its length.
+// Whether the corner c between a and b results from rounding alone: within `flat` of either, or on
+// the side from a to b, within tau of its length.
 bool is_on_side(const Vec2& a, const Vec2& c, const Vec2& b, double flat) {
   if (squared_distance(a, c) <= flat * flat || squared_distance(c, b) <= flat * flat) return true;
   const double squared = squared_distance(a, b), along = dot(c - a, b - a);
   return along >= 0 && along <= squared && std::fabs(orient(a, b, c)) <= tau * squared;
 }
 
-// Leaves out the corners that rounding alone makes: those within `flat` of the corner before them,
+// Removes the corners that result from rounding alone: those within `flat` of the preceding corner,
 // and those on a straight run, whose distance from the side that spans the run is at most tau of
 // its length. The tip of a thin hull may be as near to the line of that side, but lies beyond its
-// ends. It begins with the corner that is farthest from the first, which cannot lie within a
-// straight run. A corner is left out only together with all others of its run, so that many slight
-// turns that add up stay.
+// ends. The search begins with the corner farthest from the first, which cannot lie within a
+// straight run. A corner is removed only together with all others of its run, so many slight turns
+// that add up remain.
 Points without_straight_corners(const Points& hull, double flat) {
   const std::size_t n = hull.size();
   std::size_t start = 0;
@@ -117,8 +117,8 @@ Points hull_of_sorted(Points points, double flat) {
   return flat > 0 ? without_straight_corners(hull, flat) : hull;
 }
 
-// A side of a hull that a point is beyond, by bisection over the triangles that the first corner
-// makes with the sides; nothing if the point is inside or on the rim. O(log h).
+// A side of a hull with the point beyond it, by bisection over the triangles between the first
+// corner and the sides; nullopt if the point is inside or on the boundary. O(log h).
 std::optional<std::size_t> side_before(const Points& hull, const Vec2& p) {
   const std::size_t n = hull.size();
   if (orient(hull[0], hull[1], p) < 0) return 0;
@@ -132,16 +132,16 @@ std::optional<std::size_t> side_before(const Points& hull, const Vec2& p) {
   return orient(hull[low], hull[high], p) < 0 ? std::optional(low) : std::nullopt;
 }
 
-// A hull with one more point, by the sides that the point is beyond. Nothing where a corner beside
-// the point is one that rounding makes, which takes a look at the whole hull. O(h), of which little
-// is arithmetic.
+// Adds a point to a hull, using the sides that the point is beyond. Returns nullopt if a corner
+// next to the point may result from rounding, because then the whole hull matters. O(h), with
+// little arithmetic.
 std::optional<Points> with_point(const Points& hull, const Vec2& p, double flat) {
   const std::size_t n = hull.size();
   const auto side = [&](std::size_t i) { return orient(hull[i % n], hull[(i + 1) % n], p); };
   const auto visible = side_before(hull, p);
   if (!visible) return hull;
   if (is_on_side(hull[*visible], p, hull[(*visible + 1) % n], flat)) return hull;
-  // The sides that p is beyond, or in line with: from `first` on, `number` of them.
+  // The sides that p is beyond or in line with: `number` sides, starting at `first`.
   std::size_t first = *visible, number = 1;
   while (number < n && side(first + n - 1) <= 0) {
     first = (first + n - 1) % n;
@@ -153,8 +153,8 @@ std::optional<Points> with_point(const Points& hull, const Vec2& p, double flat)
   widened.reserve(n + 1);
   widened.push_back(p);
   for (std::size_t i = first + number; i <= first + n; ++i) widened.push_back(hull[i % n]);
-  // One corner on either side may have become one that rounding makes. Whether more of them are one
-  // run together, only the whole hull tells.
+  // Rounding alone may now explain one corner on either side. Only the whole hull shows whether
+  // several such corners form one run.
   const auto is_straight = [&](std::size_t i) {
     const std::size_t m = widened.size();
     return is_on_side(widened[(i + m - 1) % m], widened[i % m], widened[(i + 1) % m], flat);
@@ -169,7 +169,7 @@ std::optional<Points> with_point(const Points& hull, const Vec2& p, double flat)
   return widened;
 }
 
-// So many corners that it pays to look for the sides that change.
+// The number of corners from which it pays to search for the sides that change.
 constexpr std::size_t many_corners = 64;
 
 }  // namespace
@@ -201,9 +201,9 @@ double diameter(const Points& hull) {
   const std::size_t n = hull.size();
   const auto corner = [&](std::size_t i) -> const Vec2& { return hull[i % n]; };
   double greatest = 0;
-  // For each side the corner that is farthest from its line. The two corners that are farthest
-  // apart are such a corner and an end of such a side. Of two sides that are parallel but for
-  // rounding, either corner of the other may seem farther.
+  // For each side, finds the corner farthest from its line. The two corners that are farthest apart
+  // are such a corner and an end of such a side. For two sides that are parallel up to rounding,
+  // either corner of the other side may seem farther.
   std::size_t far = 1;
   for (std::size_t side = 0; side < n; ++side) {
     const Vec2 &a = corner(side), &b = corner(side + 1);

@@ -23,8 +23,8 @@ InputError at_vertex(ErrorCode code, std::string message, std::size_t i) {
   return {code, std::move(message), {Place::Kind::vertex, i, i, {}}};
 }
 
-// Differences of coordinates that pass are at least 1e-116, so that lengths, areas and moments of
-// even the thinnest object stay far from where doubles underflow.
+// Differences of accepted coordinates are at least 1e-116, so lengths, areas and moments of even
+// the thinnest object stay far from underflow.
 bool is_too_near_to_0(const Vec2& v) {
   const auto tiny = [](double x) { return x != 0 && std::fabs(x) < min_coordinate; };
   return tiny(v.x()) || tiny(v.y());
@@ -70,8 +70,8 @@ struct Moments {
   Vec2 centroid;
 };
 
-// Twice the signed area and six times its first moments, relative to a point. The sizes of the
-// terms are added up as well: they bound the rounding errors even if most of the terms cancel.
+// Twice the signed area and six times its first moments, relative to a point. The sums of the
+// absolute terms bound the rounding errors even if most of the terms cancel.
 struct Sums {
   DoubleDouble doubled_area, x, y;
   double size_area = 0, size_moments = 0;
@@ -103,7 +103,7 @@ Sums double_double_sums(const Points& vertices, const Vec2& corner) {
   return sums;
 }
 
-// The same sums without rounding, relative to the origin.
+// The sums without rounding, relative to the origin.
 struct ExactSums {
   Dyadic doubled_area, x, y;
 };
@@ -121,10 +121,9 @@ ExactSums exact_sums(const Points& vertices) {
   return sums;
 }
 
-// The double nearest to the quotient; if two are equally near, the even one. The divisor must not
-// be 0.
+// The double nearest to the quotient; in a tie, the even one. The divisor must not be 0.
 double rounded_quotient(const Dyadic& numerator, const Dyadic& divisor) {
-  // Each round adds some fifty correct bits. Afterwards the exact quotient lies between this one
+  // Each round adds about fifty correct bits. Afterwards the exact quotient lies between this one
   // and a neighbour.
   double quotient = 0;
   for (int i = 0; i < 3; ++i)
@@ -147,16 +146,16 @@ Moments exact_moments(const Points& vertices) {
 }
 
 // Area and centroid, in double-double relative to a corner of the bounding box, so that polygons
-// far from the origin lose no digits. Both are rounded to doubles once. Where the error bound
-// leaves open to which double, as with thin polygons and centroids near 0, exact sums decide.
+// far from the origin lose no digits. Both are rounded to doubles once. If the error bound allows
+// more than one double, as with thin polygons and centroids near 0, exact sums decide.
 Moments moments(const Points& vertices, const Vec2& corner) {
   const Sums sums = double_double_sums(vertices, corner);
   const DoubleDouble divisor = DoubleDouble(3.0) * sums.doubled_area;
   const DoubleDouble x = sums.x / divisor + DoubleDouble(corner.x());
   const DoubleDouble y = sums.y / divisor + DoubleDouble(corner.y());
 
-  // Each operation has an error of at most 2^-100 of its operands, and a sum has fewer than 2^22 of
-  // them.
+  // Each operation has an error of at most 2^-100 of its operands, and a sum has fewer than 2^22
+  // operations.
   constexpr double unit = 0x1p-78;
   const double size = std::fabs(divisor.hi);
   const double reach = std::fabs(sums.x.hi / size) + std::fabs(sums.y.hi / size);
@@ -173,8 +172,8 @@ Moments moments(const Points& vertices, const Vec2& corner) {
 
 }  // namespace
 
-// The lowest of the leftmost vertices is a corner of the convex hull and is never straight, so its
-// turn has the polygon's orientation.
+// The lowest of the leftmost vertices is a corner of the convex hull and never straight, so its
+// turn gives the polygon's orientation.
 bool is_counter_clockwise(const Points& vertices) {
   std::size_t lowest = 0;
   for (std::size_t i = 1; i < vertices.size(); ++i) {

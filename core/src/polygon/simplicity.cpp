@@ -19,8 +19,8 @@ struct Segment {
   Vec2 left, right;
 };
 
-// Whether two closed segments have a point in common other than a shared end. Neighbours, which
-// share an end, do so only if one lies along the other.
+// Whether two closed segments have a common point other than a shared end. Neighbours, which share
+// an end, have one only if one segment overlaps the other.
 bool meet_improperly(const Segment& s, const Segment& t) {
   const int t_left = sign(orient(s.left, s.right, t.left)),
             t_right = sign(orient(s.left, s.right, t.right));
@@ -30,7 +30,7 @@ bool meet_improperly(const Segment& s, const Segment& t) {
       s.left == t.left || s.left == t.right || s.right == t.left || s.right == t.right;
   const bool parallel = t_left == 0 && t_right == 0;
   if (parallel) {
-    // Segments on one line overlap in more than an end if each begins before the other ends.
+    // Collinear segments overlap in more than an end if each begins before the other ends.
     return lexicographically_before(s.left, t.right) && lexicographically_before(t.left, s.right);
   }
   if (neighbours) return false;
@@ -66,8 +66,8 @@ class Sweep {
   }
 
  private:
-  // The vertical order of two active segments where the later one begins. It never changes while no
-  // two segments have met, so the set stays sorted. If they meet there, that is noted as found.
+  // The vertical order of two active segments where the later one begins. It never changes before
+  // two segments meet, so the set stays sorted. If the two meet there, `found_` stores them.
   struct Below {
     Sweep* sweep;
     bool operator()(Index a, Index b) const { return sweep->is_below(a, b); }

@@ -10,8 +10,8 @@
 
 namespace evenlift {
 
-// Two edges that have a point in common other than the vertex that neighbours share, the smaller
-// index first; nothing if there are none. The vertices must be distinct, and `order` their
+// Two edges with a common point other than the vertex that neighbours share, the smaller index
+// first; nullopt if there are none. The vertices must be distinct, and `order` their
 // lexicographic_order. The sweep of M. I. Shamos and D. Hoey (Geometric intersection problems,
 // 1976) with exact predicates. O(n log n).
 std::optional<std::pair<std::size_t, std::size_t>> find_crossing(const Points& vertices,

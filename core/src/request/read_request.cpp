@@ -18,7 +18,7 @@ using Kind = JsonTree::Kind;
 using Index = JsonTree::Index;
 using Problem = std::optional<InputError>;
 
-// What a command may have besides "command".
+// The members that a command may have besides "command".
 struct CommandEntry {
   std::string_view name;
   Command command;
@@ -68,8 +68,7 @@ class Reader {
   const JsonTree& tree_;
 };
 
-// The text of a string, or the digits of a number: a seed may have more of them than a double
-// holds.
+// The text of a string, or the digits of a number: a seed may have more digits than a double holds.
 std::string Reader::value_text(Index at) const {
   if (tree_.kind(at) == Kind::string) return std::string(tree_.text(at));
   if (tree_.kind(at) != Kind::number) return {};
@@ -103,7 +102,8 @@ Problem Reader::take_flag(Index object, std::string_view name, bool& flag) const
   if (!at) return std::nullopt;
   if (tree_.kind(*at) != Kind::boolean)
     return error(*at, "\"" + std::string(name) + "\" is true or false");
-  // The offset is that of the last letter: "true" and "false" end alike, but are not as long.
+  // The offset is that of the last letter: "true" and "false" have the same ending but different
+  // lengths.
   const std::size_t last = tree_.offset(*at);
   flag = last >= 3 && text_.substr(last - 3, 4) == "true";
   return std::nullopt;
@@ -156,7 +156,7 @@ Result<Document> Reader::document(Index object) const {
     document = std::move(read).value();
   }
   if (const auto centre = tree_.member(object, "centre_of_mass")) {
-    document.moved = {};  // as a setting that says where robots stand does
+    document.moved = {};  // like any setting that determines places
     if (tree_.kind(*centre) == Kind::null) {
       document.centre_of_mass.reset();
       return document;
@@ -180,12 +180,12 @@ Problem Reader::take_settings(Index object, Document& document) const {
     if (tree_.member(*settings, name) != i)
       return error(i, "the setting \"" + name + "\" is given twice", ErrorCode::bad_setting);
   }
-  // The order of members means nothing: all of a robot's size comes before its parts.
+  // The order of members does not matter: the robot's whole size is read before its parts.
   for (const bool whole_robot : {true, false})
     for (Index i = tree_.first(*settings); i != tree_.end(*settings); i = tree_.next(i)) {
       const Setting setting = *setting_from_name(tree_.name(i));
       if ((setting == Setting::robot) != whole_robot) continue;
-      if (tree_.kind(i) == Kind::null) continue;  // as if it were not given
+      if (tree_.kind(i) == Kind::null) continue;  // as if absent
       if (auto wrong = read_setting(setting, value_text(i), document)) return wrong;
     }
   return std::nullopt;
@@ -254,7 +254,7 @@ Problem Reader::take_experiment_settings(Request& request) const {
   return experiment::check_settings(given);
 }
 
-// --- The whole
+// --- The whole request
 
 Problem Reader::take_command(Request& request, std::string_view& allowed) const {
   const auto at = tree_.member(0, "command");

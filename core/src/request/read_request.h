@@ -1,4 +1,4 @@
-// A request, read from JSON.
+// Reads a request from JSON.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ namespace evenlift {
 
 enum class Command : std::uint8_t { place, candidates, svg, poses, link, experiment, version };
 
-// A polygon of an experiment. One that is no polygon's text is left out of the averages, and why is
-// told.
+// A polygon of an experiment. A text that is not a polygon does not count in the averages, and the
+// answer gives the reason.
 struct NamedPolygon {
   std::string set, name;
   Result<Document> document;
@@ -33,8 +33,8 @@ struct Request {
   experiment::ExperimentSettings experiment;
 };
 
-// Reads a request. Members that its command does not have are errors, so that no typing error goes
-// unnoticed. Of the geometry nothing is checked. O(bytes).
+// Reads a request. A member that its command does not have is an error, so no typing error goes
+// unnoticed. The geometry is not checked. O(bytes).
 Result<Request> read_request(std::string_view text);
 
 }  // namespace evenlift

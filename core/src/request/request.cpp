@@ -106,7 +106,7 @@ std::string svg_answer(const Request& request, const Placement& placement) {
   return one_member("svg", placement_svg({placement, shown}, link ? *link : std::string()));
 }
 
-// Everything that needs a placement.
+// Answers all requests that need a placement.
 std::string placed_answer(const Request& request) {
   const Result<Placement> placement = place(request.document);
   if (!placement) return error_json(placement.error());

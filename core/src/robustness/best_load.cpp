@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t most_robots_by_pairs = 64;
 
-// The sum of max(0, g) over the robots, for g = 1 + b . q, and how it changes with b.
+// The sum of max(0, g) over the robots, for g = 1 + b . q, and its gradient in b.
 struct Sum {
   double value = 0;
   Vec2 slope = Vec2::Zero();
@@ -31,8 +31,9 @@ Sum sum_at(const Points& robots, const Vec2& b) {
   return sum;
 }
 
-// The polygon of all b for which no robot's g is above m. A larger g would make the sum exceed its
-// value at b = 0, so the least sum is in the polygon. It is dual to H: an edge of H is a corner.
+// The polygon of all b for which no robot's g exceeds m. A larger g would make the sum exceed its
+// value at b = 0, so the polygon contains the least sum. It is dual to H: an edge of H becomes a
+// corner.
 Points region_of_least_sum(const Points& hull, std::size_t m) {
   Points region;
   for (std::size_t i = 0; i < hull.size(); ++i) {
@@ -69,11 +70,10 @@ double best_through(const Points& robots, const Vec2& p) {
   return best;
 }
 
-// On a line: the greatest share over the functions g that grow along it from 0 at one of the robots
-// behind C.
+// On a line: the greatest share over the functions g that grow along it from 0 at a robot behind C.
 double best_ahead(std::vector<double> along) {
   std::sort(along.begin(), along.end(), std::greater<>());
-  double best = 0, sum = 0;  // of g over the robots, which are those ahead
+  double best = 0, sum = 0;  // of g over the robots ahead
   for (std::size_t k = 1; k < along.size(); ++k) {
     sum += static_cast<double>(k) * (along[k - 1] - along[k]);
     if (along[k] < 0) best = std::max(best, -along[k] / sum);
@@ -96,7 +96,7 @@ double best_share_by_cuts(const Points& robots, const Points& hull) {
   double least = static_cast<double>(robots.size());  // the sum at b = 0
   double bound = 0;                                   // no sum is less
   for (int step = 0; step < most_steps && region.size() >= 3; ++step) {
-    // Half of the region that hangs on a line through its centroid has at most 5/9 of its area.
+    // A line through the region's centroid leaves at most 5/9 of its area on either side.
     const Vec2 middle = centroid_of(region);
     const Sum sum = sum_at(robots, middle);
     least = std::min(least, sum.value);

@@ -1,4 +1,4 @@
-// How deep C lies among the robots, by a line through C that turns once around.
+// Computes the depth of C among the robots, with a line that turns once around C.
 #include <algorithm>
 #include <cmath>
 
@@ -15,15 +15,16 @@ namespace {
 enum class OnTheLine { counts, does_not };
 
 // Looking along the unit vector u, a robot at d from C is on the side if u . d >= -near (counts) or
-// u . d > near (does not). The directions u of one robot form an arc: closed and a little more than
-// half a turn, or open and a little less. It is given by pseudo-angles.
+// u . d > near (does not). The directions u of one robot form an arc: closed and slightly more than
+// a half-turn, or open and slightly less. Pseudo-angles represent it.
 struct Arc {
   double begin, end;
 };
 
 Arc arc_of(const Vec2& d, double near, OnTheLine on_the_line) {
   const double distance = length(d);
-  // The ends are where u . d is -near or near: u has this part along d, and `across` beside it.
+  // The ends are where u . d is -near or near: u has this component along d and `across`
+  // perpendicular to it.
   const double along = on_the_line == OnTheLine::counts ? -near : near;
   const double across = std::sqrt((distance - near) * (distance + near));
   const Vec2 side = across * left_normal(d);
@@ -37,7 +38,7 @@ int least_overlap(const std::vector<Arc>& arcs, OnTheLine on_the_line) {
     const Arc& arc = arcs[event / 2];
     return event % 2 == 0 ? arc.begin : arc.end;
   };
-  // Where closed arcs meet they overlap, where open arcs meet there is a gap.
+  // Closed arcs that meet overlap; open arcs that meet leave a gap.
   const std::uint32_t first_of_equal = on_the_line == OnTheLine::counts ? 0 : 1;
   const SortedIndices events =
       sorted_indices(2 * arcs.size(), [&](std::uint32_t i, std::uint32_t j) {
@@ -56,9 +57,9 @@ int least_overlap(const std::vector<Arc>& arcs, OnTheLine on_the_line) {
 
 // The least number of robots on one side of a line through C.
 //
-// C and each robot lie at most L apart, and `near` is at least tau L, so an arc differs from half a
-// turn by at least tau on either side, and the rounding of directions, some 1e-16, decides only
-// what is at the tolerance's own edge.
+// C and each robot are at most L apart, and `near` is at least tau L. So an arc differs from a
+// half-turn by at least tau at either end. The rounding of directions, about 1e-16, matters only at
+// the limit of the tolerance.
 int depth(const Points& robots, const Vec2& centre, double near, OnTheLine on_the_line) {
   std::vector<Arc> arcs;
   arcs.reserve(robots.size());

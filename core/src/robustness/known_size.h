@@ -1,4 +1,4 @@
-// The size to which the tolerance refers where robots are far from the origin.
+// The size to which the tolerance refers when robots are far from the origin.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace evenlift {
 
-// L; or more if the coordinates are so large that rounding them moves a robot by more than tau L,
-// as with an object of 10 at 1e9. Two robots of a team and C are then on one line only within that
+// L; or more if the coordinates are so large that rounding moves a robot by more than tau L, as
+// with an object of size 10 at 1e9. Then two robots of a team and C are collinear only up to that
 // rounding, and tau times this size allows for it. O(m).
 inline double known_size(const Points& robots, const Vec2& centre, double diameter) {
   double reach = centre.cwiseAbs().maxCoeff();

@@ -1,4 +1,4 @@
-// What happens if one robot fails.
+// Computes the state of the lift after one robot fails.
 #include <algorithm>
 
 #include "evenlift/closure.h"
@@ -12,7 +12,7 @@
 namespace evenlift {
 namespace {
 
-// The robots of all teams in one row, with what does not depend on who fails.
+// The robots of all teams, and the values that do not depend on which robot fails.
 class Crew {
  public:
   Crew(const Polygon& polygon, const Vec2& centre, double weight, const std::vector<Team>& teams,
@@ -48,7 +48,7 @@ class Crew {
     return rest;
   }
 
-  // The other teams bear the weight in proportion to what they bore.
+  // The other teams carry the weight in proportion to their former loads.
   std::optional<double> greatest_by_plan(std::size_t robot) const {
     const std::size_t failed = find_robot(teams_, robot).team;
     double greatest = 0, borne = 0;
@@ -69,7 +69,7 @@ class Crew {
   const std::vector<Team>& teams_;
   std::vector<Contact> contacts_;
   Points positions_;
-  std::optional<CoverageWithin> coverage_;  // none if not even all robots have a hull with an area
+  std::optional<CoverageWithin> coverage_;  // nullopt if the lifting base has no area
 };
 
 std::optional<RestOfRobots> Crew::without(std::size_t robot) const {

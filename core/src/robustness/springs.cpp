@@ -1,11 +1,11 @@
-// The loads of equally stiff robots that only push.
+// The loads of equally stiff robots that cannot pull.
 //
-// The loads f with the least sum of squares that balance the weight, with f >= 0, are max(0, g) for
-// a function g(q) = a + b . q of the robot's place. It is the g for which 1/2 sum max(0, g)^2 - m
-// g(C) is least, in units of weight / m: a convex function of (a, b), whose slope is the lack of
-// balance. Newton's step is the g that balances the weight with the robots that bear something,
-// some of which may have to pull. They let go, others take hold, and so on until that repeats
-// itself.
+// Of all loads f >= 0 that balance the weight, those with the least sum of squares are max(0, g)
+// for a function g(q) = a + b . q of the robot's place. This g minimizes 1/2 sum max(0, g)^2 - m
+// g(C), in units of weight / m: a convex function of (a, b), whose gradient is the lack of balance.
+// Newton's step leads to the g that balances the weight with the robots that carry load at present.
+// Some of them may have to pull: they go slack, others start to carry, and so on until the loads
+// settle.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,14 +18,14 @@
 namespace evenlift {
 namespace {
 
-// A linear function of the plane, as seen from C.
+// A linear function of the plane, relative to C.
 struct Linear {
   double at_centre = 0;
   Vec2 slope = Vec2::Zero();
   double operator()(const Vec2& q) const { return at_centre + dot(slope, q); }
 };
 
-// The function with these values: at the centroid, and how it grows along the axes of the frame.
+// The function with this value at the centroid and these slopes along the axes of the frame.
 Linear in_frame(const StandardFrame& frame, double at_mean, const Vec2& along_axes) {
   const Vec2 slope = along_axes.x() * frame.axis[0] + along_axes.y() * frame.axis[1];
   return {at_mean - dot(slope, frame.mean), slope};
@@ -35,19 +35,19 @@ class Springs {
  public:
   explicit Springs(const Points& robots)
       : robots_(robots), m_(static_cast<double>(robots.size())), frame_(standard_frame(robots)) {
-    pressure_ = in_frame(frame_, 1, frame_(Vec2::Zero()));  // the solution if no robot lets go
+    pressure_ = in_frame(frame_, 1, frame_(Vec2::Zero()));  // the solution if no robot goes slack
     settle();
   }
 
-  // The load of the robot in units of weight / m; below 0, how far it is from bearing anything.
-  // Within tolerance of 0 it is 0.
+  // The load of the robot in units of weight / m. A negative value is the distance from carrying
+  // any load. Within tolerance of 0 it is 0.
   double pressure(std::size_t i) const {
     const double value = pressure_(robots_[i]);
     return std::fabs(value) <= tau ? 0 : value;
   }
 
  private:
-  // How much the loads max(0, g) fail to balance the weight, of 1 and in the robots' own frame.
+  // The error in balance of the loads max(0, g), for a weight of 1 and in the robots' own frame.
   double lack_of_balance() const {
     double sum = 0;
     Vec2 moment = Vec2::Zero();
@@ -60,7 +60,7 @@ class Springs {
     return std::max(std::fabs(sum / m_ - 1), off.cwiseAbs().maxCoeff());
   }
 
-  // The slope of the convex function along the step, after `times` of it.
+  // The slope of the convex function along the step, at `times` times the step.
   double slope_along(const Linear& step, double times) const {
     double sum = 0;
     for (const Vec2& q : robots_) {
@@ -70,7 +70,7 @@ class Springs {
     return sum - m_ * step.at_centre;
   }
 
-  // From the present function to the one that balances the weight with those that bear something.
+  // The step from the present function to the one that balances the weight with the loaded robots.
   Linear newton_step(const Points& bearing, const StandardFrame& frame) const {
     double sum = 0;
     Vec2 moment = Vec2::Zero();
@@ -82,8 +82,9 @@ class Springs {
     return in_frame(frame, (m_ - sum) / k, (m_ * frame(Vec2::Zero()) - moment) / k);
   }
 
-  // If those that bear something are on one line, or at one place, and C is not, they cannot
-  // balance the weight. The function turns about them, up on the side of C, until others take hold.
+  // If the loaded robots are on one line, or at one place, and C is not, they cannot balance the
+  // weight. Then the function turns about them, rising on the side of C, until others start to
+  // carry.
   static std::optional<Linear> turn(const StandardFrame& frame) {
     if (frame.axis[1] != Vec2::Zero()) return std::nullopt;
     Vec2 beside = -frame.mean;  // from the line, or the place, to C
@@ -102,8 +103,8 @@ class Springs {
     return turn(frame).value_or(newton_step(bearing, frame));
   }
 
-  // How many times the step is taken: so often that the slope along it is halved at least, on
-  // either side of 0.
+  // The multiple of the step to take: it at least halves the slope along the step, on either side
+  // of 0.
   double stride(const Linear& step, double slope) const {
     double low = 0, high = std::numeric_limits<double>::infinity(), times = 1;
     for (int i = 0; i < 100; ++i) {
@@ -142,20 +143,19 @@ class Springs {
   Linear pressure_;
 };
 
-// How the loads of the robots change as C moves, for a weight of 1.
+// The rate at which the robots' loads change as C moves, for a weight of 1.
 class Changes {
  public:
-  // `bearing` are the robots that bear something.
+  // `bearing` are the loaded robots.
   Changes(const Points& bearing, bool on_a_line)
       : frame_(standard_frame(bearing)),
         parts_(static_cast<double>(bearing.size())),
         determined_(frame_.axis[on_a_line ? 0 : 1] != Vec2::Zero()) {}
 
-  // Whether the robots that bear something resist every motion of C. If not, others take hold.
+  // Whether the loaded robots resist every motion of C. If not, others start to carry.
   bool determined() const { return determined_; }
 
-  // The length of S^-1 (p - mean), with S the sum of (p - mean) (p - mean)' over the robots that
-  // bear something.
+  // The length of S^-1 (p - mean), with S the sum of (p - mean) (p - mean)' over the loaded robots.
   double per_length(const Vec2& p) const {
     const Vec2 q = frame_(p);
     return length(q.x() * frame_.axis[0] + q.y() * frame_.axis[1]) / parts_;

@@ -38,7 +38,7 @@ StandardFrame standard_frame(const Points& points) {
   frame.axis[0] = with_mean_square_1(farthest, offsets);
   if (on_one_line(farthest, offsets)) return frame;
   const Vec2 across = with_mean_square_1(left_normal(farthest), offsets);
-  double together = 0;  // the mean product of the two coordinates, which the second axis must lose
+  double together = 0;  // the mean product of the coordinates, removed from the second axis
   for (const Vec2& d : offsets) together += dot(frame.axis[0], d) * dot(across, d);
   together /= static_cast<double>(points.size());
   frame.axis[1] = with_mean_square_1(across - together * frame.axis[0], offsets);

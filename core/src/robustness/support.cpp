@@ -12,7 +12,7 @@
 namespace evenlift {
 namespace {
 
-// A line and the part of it from 0 to `reach`, on which robots stand.
+// A line, and its part from 0 to `reach` with the robots.
 struct Stand {
   Vec2 from = Vec2::Zero(), along = Vec2::Zero();  // `along` has unit length
   double reach = 0;
@@ -29,12 +29,12 @@ bool holds(const Stand& stand, const Vec2& centre, double near) {
   return across <= near && along >= -near && along <= stand.reach + near;
 }
 
-// How far to the left of the line a b the point is.
+// The distance of the point to the left of the line a b.
 double left_of(const Vec2& a, const Vec2& b, const Vec2& point) {
   return orient(a, b, point) / length(b - a);
 }
 
-// C moves onto the robots' part of the line if rounding, or the tolerance, leaves it beyond.
+// Moves C onto the robots' part of the line if rounding or the tolerance leaves it beyond.
 void move_onto(std::vector<double>& along) {
   const auto [least, greatest] = std::minmax_element(along.begin(), along.end());
   const double beyond = std::max(*least, 0.0) + std::min(*greatest, 0.0);
@@ -61,7 +61,7 @@ Support on_area(const Points& robots, const Points& hull, const Vec2& centre, do
   return support;
 }
 
-// The edge of H nearest to C, of those within tolerance of it.
+// Of the edges of H within tolerance of C, the nearest one.
 std::optional<Stand> edge_below(const Points& hull, const Vec2& centre, double near) {
   std::optional<Stand> nearest;
   double least = 0;

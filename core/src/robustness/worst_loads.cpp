@@ -1,4 +1,4 @@
-// The greatest load that each robot can come to bear.
+// Computes the greatest load that each robot can come to carry.
 #include <algorithm>
 
 #include "evenlift/load_models.h"
@@ -9,7 +9,7 @@
 namespace evenlift {
 namespace {
 
-// On a line q is its other end.
+// On a line, q (load_models.h) is its other end.
 std::vector<double> shares_on_line(const Points& at) {
   double least = 0, greatest = 0;
   for (const Vec2& robot : at) {
@@ -25,8 +25,9 @@ std::vector<double> shares_on_line(const Points& at) {
   return shares;
 }
 
-// The edges of H in the order in which C, inside, sees them. Each share is the distance of C from
-// the edge through which the ray leaves, divided by that of the robot: the lever about that edge.
+// The edges of H in their order about C, which is inside. Each share is the distance of C from the
+// edge through which the ray leaves, divided by the robot's distance from it: the lever about that
+// edge.
 class Rim {
  public:
   explicit Rim(const Points& hull) {
@@ -43,8 +44,8 @@ class Rim {
     const std::size_t n = corners_.size();
     const auto next = std::upper_bound(angles_.begin(), angles_.end(), pseudo_angle(-robot));
     const auto edge = static_cast<std::size_t>(next - angles_.begin()) + n - 1;
-    // Rounding may take a ray near a corner for one through the neighbouring edge. The edge through
-    // which it leaves is that with the least share.
+    // Rounding may assign a ray near a corner to the neighbouring edge. The edge through which it
+    // leaves is the one with the least share.
     return std::min(
         {share(robot, (edge - 1) % n), share(robot, edge % n), share(robot, (edge + 1) % n)});
   }

@@ -12,10 +12,10 @@
 namespace evenlift {
 namespace {
 
-// What a bound adds, so that the rounding of what it is computed from cannot make it too low: for
-// the area of a polygon that is clipped, in units of L^2; for each distance that is summed up, in
-// units of L; and for a product of the two. Each is a thousand times the error or more, and makes
-// only that more ends are looked at in full.
+// The amounts by which bounds exceed their computed values, so that rounding cannot make them too
+// low: for the area of a clipped polygon, in units of L^2; for each summed distance, in units of L;
+// and, as a factor, for areas. Each is at least a thousand times the error, and only causes the
+// full evaluation of a few more ends.
 constexpr double clipping = 1e-13, per_distance = 1e-12, rounded_up = 1 + 1e-9;
 
 // The signed distance of v from the line a -> b, positive to the right: outside, for an edge of H.
@@ -24,7 +24,7 @@ double distance_outside(const Vec2& a, const Vec2& b, const Vec2& v) {
   return -cross(line, v - a) / length(line);
 }
 
-// The same for one line and many points.
+// distance_outside() for one line and many points.
 class Outside {
  public:
   Outside(const Vec2& a, const Vec2& b) : start_(a), line_(b - a), length_(length(line_)) {}
@@ -74,9 +74,9 @@ Wedge::Wedge(const Surroundings& surroundings, Metric metric, const Vec2& h1, co
   if (metric == Metric::distance) collect_outer_vertices();
 }
 
-// Only what lies in the triangle h1 h2 p counts in the end. What C does not see between h1 and h2
-// is left out to save time, but for a rim twice as wide as a p in the direction of a corner may
-// stand off.
+// Only the area in the triangle h1 h2 p counts in the end. To save time, this removes the area that
+// C does not see between h1 and h2, except for a rim twice as wide as the distance by which a p in
+// the direction of a corner may miss it.
 void Wedge::collect_area() {
   outside_ = clip_left(surroundings_->boundary, h2_, h1_);
   if (is_convex()) {
@@ -91,7 +91,7 @@ void Wedge::collect_area() {
   outside_area_ = signed_area(outside_);
 }
 
-// Where C lies on the edge, rounding decides on which side, and the answer is still yes.
+// If C lies on the edge, rounding decides its side, and the answer is still yes.
 bool Wedge::is_convex() const {
   const double past_180 = -cross(h1_, h2_) / std::min(length(h1_), length(h2_));
   constexpr double rounding = 0x1p-44;
@@ -218,7 +218,7 @@ Gain Wedge::sharpen(const Vec2& p, const Gain& known) {
   return {evaluate(p), Certainty::exact};
 }
 
-// Makes the close bounds once they are likely to pay off. Returns whether they exist.
+// Makes the close bounds once they are likely to pay. Returns whether they exist.
 bool Wedge::prepare_close_bounds() {
   if (area_bins_ || distance_blocks_) return true;
   constexpr std::size_t few_vertices = 48;

@@ -1,5 +1,5 @@
-// An edge of the lifting base H as C sees it, and the gain f(p) of a new lifting point p beyond it,
-// by each metric (algorithm.md, Selection).
+// An edge of the lifting base H seen from C, and the gain f(p) of a new lifting point p beyond it,
+// for each metric (algorithm.md, Selection).
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace evenlift {
 
-// The polygon as seen from C. It is made once and shared by all wedges.
+// The polygon as seen from C. All wedges share one.
 struct Surroundings {
   Surroundings(const Polygon& polygon, const Vec2& centre);  // O(n log n)
 
@@ -33,7 +33,7 @@ struct Gain {
   bool exact() const { return certainty == Certainty::exact; }
 };
 
-// The wedge that C spans with an edge of H, and what lies in it beyond the edge.
+// The wedge between C and an edge of H, and the parts of P in it beyond the edge.
 class Wedge {
  public:
   // The wedge of the edge h1 h2 of H, whose corners are relative to C and counter-clockwise. If H
@@ -50,9 +50,9 @@ class Wedge {
   // f(p) for a p in the wedge beyond the edge, or an upper bound of it. O(log n).
   Gain estimate(const Vec2& p) const;
 
-  // A better value than `known`: after an estimate a close bound, after that f(p) itself. It goes
-  // straight to f(p) until so many evaluations have been made that close bounds are likely to pay.
-  // The first close bound costs as much as a few evaluations, the others O(sqrt(m) log m).
+  // A better value than `known`: after an estimate a close bound, then f(p) itself. The first few
+  // calls evaluate f(p) directly, until close bounds are likely to pay. The first close bound costs
+  // as much as a few evaluations, the others O(sqrt(m) log m).
   Gain sharpen(const Vec2& p, const Gain& known);
 
   // f(p) itself. O(m) for the m vertices and crossings of P in the wedge beyond the edge.
@@ -68,8 +68,8 @@ class Wedge {
 
  private:
   void collect_area();
-  // Whether C sees the edge under at most 180 degrees. It sees more where the first team's chord
-  // leaves C on the outer side: by less than tau L, between opposite vertices.
+  // Whether C sees the edge under at most 180 degrees. The angle is greater where the first team's
+  // chord leaves C on the outer side: by less than tau L, between opposite vertices.
   bool is_convex() const;
   void collect_outer_vertices();
   double area_gain(const Vec2& p) const;
@@ -78,8 +78,8 @@ class Wedge {
   bool prepare_close_bounds();
   double close_bound(const Vec2& p) const;
   double distance_error_bound() const;
-  // Divides the outer vertices into those that C sees before p, in the direction of p, which are
-  // [begin, end), and after p.
+  // Divides the outer vertices, seen from C, into those before p, those in the direction of p,
+  // which are [begin, end), and those after p.
   struct Split {
     std::size_t begin, end;
   };
@@ -104,7 +104,7 @@ class Wedge {
   Points sums_;               // sums_[k] is the sum of the first k positions
   double distance_sum_ = 0;
 
-  int evaluations_ = 0;  // until close bounds were made
+  int evaluations_ = 0;  // until the close bounds exist
   std::optional<AreaBins> area_bins_;
   std::optional<DistanceBlocks> distance_blocks_;
 };

@@ -39,10 +39,10 @@ class Opening {
  private:
   static constexpr int worth_narrowing = 4;  // chords; narrowing costs about as much as two
 
-  // The edges that some line in the opening could meet farthest from C, in the same order. The
-  // distance of an edge is greatest at an end of the opening, and within the opening never less
-  // than the lesser of its two distances at the ends times the cosine of the width. A margin keeps
-  // rounding from losing an edge that ties.
+  // The edges that could be farthest from C on some line in the opening, in the same order. The
+  // distance of an edge is greatest at an end of the opening. Within the opening it is at least the
+  // lesser of the distances at the two ends times the cosine of the width. A margin ensures that
+  // rounding loses no edge that ties.
   Edges far_ones(const Edges& edges, double side) const {
     const double width = to_ - from_;
     if (edges.size() < 2 || width > 1) return edges;
@@ -110,8 +110,8 @@ void EqualAngles::for_each_chord(const std::vector<std::uint32_t>& numbers,
 
   double before = 0;  // measure of the openings before the current one
   for_each_opening([&](double from, double to, const Edges& ahead, const Edges& behind) {
-    // A target on the rim between two openings belongs to the lower one. The last opening takes all
-    // that is left, so that rounding of the sums loses no target.
+    // A target on the boundary between two openings belongs to the lower one. The last opening
+    // takes all remaining targets, so that rounding of the sums loses none.
     const double after = before + (to - from);
     Opening opening(rays_, from, to, ahead, behind);
     for (Progress& number : all) {

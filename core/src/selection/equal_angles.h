@@ -23,13 +23,13 @@ class EqualAngles {
   // sides of C. Directions along radial edges are excluded.
   double measure_rad() const { return measure_; }
 
-  // Whether there are such directions, besides those that rounding leaves between radial edges.
+  // Whether there are such directions, apart from rounding gaps between radial edges.
   bool has_chords() const { return measure_ > tau; }
 
-  // For each of `numbers`, visits the chords of a placement of so many teams: visit(i, chord) for a
-  // chord of numbers[i], by ascending angle. If it returns false, no more chords of that number are
-  // visited. O(n), and for each chord O(number of edges that its line meets), mostly O(1) if there
-  // are many chords.
+  // For each of `numbers`, visits the chords of a placement of that number of teams: visit(i,
+  // chord) for a chord of numbers[i], by ascending angle. If `visit` returns false, the visits for
+  // that number end. O(n), and for each chord O(number of edges that its line meets), mostly O(1)
+  // for many chords.
   using Visit = std::function<bool(std::size_t i, const Chord& chord)>;
   void for_each_chord(const std::vector<std::uint32_t>& numbers, const Visit& visit) const;
 

@@ -28,8 +28,8 @@ double share_up_to(double level, double s, double t) {
   return along + (1 - along) * (level / t);
 }
 
-// Into how many parts to divide m items: about as many as each part then holds. More than a few
-// dozen bins were measured to make bounds no cheaper.
+// The number of parts for m items: about the number of items in each part. In measurements, more
+// than a few dozen bins did not make bounds cheaper.
 std::size_t number_of_parts(std::size_t m, std::size_t most) {
   return std::clamp(static_cast<std::size_t>(std::sqrt(static_cast<double>(m))), std::size_t{1},
                     most);
@@ -51,8 +51,8 @@ AreaBins::AreaBins(const Points& region, const Vec2& h1, const Vec2& h2, double 
   make_bins(number_of_parts(region.size(), 64));
   const std::vector<Piece> pieces = split(region);
   measure_levels(pieces);
-  // Each sum has at most so many terms, and each term is off by some 1e-16 of the object's size
-  // squared; what is added before, in measuring a piece, is a few dozen roundings more.
+  // Each sum has at most this number of terms, and each term has an error of about 1e-16 of the
+  // object's size squared. Measuring a piece adds a few dozen more roundings.
   constexpr double per_term = 1e-14, before = 100;
   error_bound_ =
       per_term * diameter * diameter * (static_cast<double>(pieces.size() + bins_.size()) + before);
@@ -82,8 +82,8 @@ std::size_t AreaBins::bin_of(const Vec2& v) const {
   return static_cast<std::size_t>(std::clamp(part, 0.0, static_cast<double>(bins_.size() - 1)));
 }
 
-// The level at which the line a -> b meets a rim, in units of the rim's vector. The line passes h1
-// at the first rim and h2 at the last.
+// The level where the line a -> b meets a rim, in units of the rim's vector. The line passes
+// through h1 at the first rim and h2 at the last.
 double AreaBins::level_at_rim(const Vec2& a, const Vec2& b, std::size_t rim) const {
   if (rim == 0) return one_norm(h1_);
   if (rim == bins_.size()) return one_norm(h2_);
@@ -145,8 +145,8 @@ void AreaBins::measure_levels(const std::vector<Piece>& pieces) {
   }
 }
 
-// An upper bound of the area of the region in the bin up to a level. Between two known levels, the
-// region is assumed to fill the bin.
+// An upper bound of the area of the region in the bin up to a level. It assumes that the region
+// fills the bin between two known levels.
 double AreaBins::Bin::inside_at_most(double level) const {
   const double steps = (level - lowest) / step;
   if (!(steps < levels)) return inside[levels];
@@ -222,8 +222,8 @@ double DistanceBlocks::least_sum_beyond(const Vec2& a, const Vec2& b, std::size_
   return sum / line.length;
 }
 
-// Summing over any of the points gives a lower bound. It takes the points whose level is above that
-// at which the line meets the block's middle direction.
+// The sum over any subset of the points is a lower bound. This takes the points above the level
+// where the line meets the block's middle direction.
 double DistanceBlocks::least_sum_of_block(const Line& line, std::size_t block) const {
   const Vec2& ahead = aheads_[block];
   const double level = dot(ahead, ahead) * (line.side / cross(line.along, ahead));

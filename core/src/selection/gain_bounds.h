@@ -1,5 +1,5 @@
-// Close upper bounds of gains by area and distance that cost less than the gains themselves. The
-// content of a wedge is summed up in bins by direction, and in each bin by how far out it lies.
+// Close upper bounds of gains by area and distance that cost less than the gains themselves. They
+// sum up the content of a wedge in bins by direction, and in each bin by distance outward.
 #pragma once
 
 #include <array>
@@ -10,12 +10,12 @@
 
 namespace evenlift {
 
-// Bounds the area of a region that lies beyond the line h1 h2, and in the wedge from h1 to h2 or
-// hardly outside it.
+// Bounds the area of a region beyond the line h1 h2 and within the wedge from h1 to h2, or hardly
+// outside it.
 class AreaBins {
  public:
-  // `region` is a counter-clockwise ring, which may touch itself. Everything is relative to C, and
-  // h2 is at most 180 degrees to the left of h1. O((m + c) levels), where the m edges of the region
+  // `region` is a counter-clockwise ring, which may touch itself. All points are relative to C, and
+  // h2 is at most 180 degrees to the left of h1. O((m + c) levels) if the m edges of the region
   // cross the rims of bins c times.
   AreaBins(const Points& region, const Vec2& h1, const Vec2& h2, double diameter);
 
@@ -54,9 +54,9 @@ class DistanceBlocks {
   // The points are relative to C and in counter-clockwise order about it. O(m log m).
   explicit DistanceBlocks(Points points);
 
-  // A lower bound, except for rounding, of the sum of max(0, d) over the points number `first` to
-  // `last` - 1, where d is the distance of a point to the right of the line a -> b.
-  // O(blocks log(size of a block)).
+  // A lower bound, up to rounding, of the sum of max(0, d) over the points `first` to `last` - 1,
+  // where d is the distance of a point to the right of the line a -> b. O(blocks log(size of a
+  // block)).
   double least_sum_beyond(const Vec2& a, const Vec2& b, std::size_t first, std::size_t last) const;
 
  private:
@@ -66,7 +66,7 @@ class DistanceBlocks {
   Points points_;
   std::size_t size_;            // of a block; the last one may be smaller
   Points aheads_;               // the middle direction of each block
-  std::vector<double> levels_;  // ahead . v of the points of each block, ascending in each
+  std::vector<double> levels_;  // ahead . v of the points of each block, ascending
   Points sums_;                 // of the points of the block from that level up
 };
 

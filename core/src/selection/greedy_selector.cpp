@@ -14,9 +14,9 @@
 namespace evenlift {
 namespace {
 
-// The floor for score_slack. Rounding the ends of an edge of H turns its line, and a vertex far
-// from a short edge moves a long way about it: by distance the floor grows as the shortest edge
-// shrinks.
+// The floor for score_slack. Rounding the ends of an edge of H turns its line, which then moves far
+// at a vertex distant from a short edge. So the floor of the metric distance grows as the shortest
+// edge shrinks.
 double floor_of(double size, Metric metric, const Points& hull) {
   if (!scores_are_lengths(metric)) return score_floor * size * size;
   double shortest = short_edge * size;
@@ -46,7 +46,7 @@ Selector::Selector(const Polygon& polygon, const Vec2& centre,
       ends_.push_back({relative, pseudo_angle(relative), 0, {}, {}});
     }
   }
-  // Pairs of pseudo-angle and index sort twice as fast as indices alone.
+  // Sorting pairs of pseudo-angle and index is twice as fast as sorting indices alone.
   std::vector<std::pair<double, Index>> ends;
   ends.reserve(ends_.size());
   for (Index i = 0; i < ends_.size(); ++i) ends.emplace_back(ends_[i].pseudo_angle, i);
@@ -85,7 +85,7 @@ void Selector::take(std::uint32_t candidate) {
   if (stands_) drop_colliding(candidate);
 }
 
-// Whoever waits in line waits again: of those that tie others may now be the first.
+// Also clears the line, because another one of the tied candidates may now be the first.
 void Selector::drop_colliding(Index taken) {
   const Chord& team = candidates_[taken].chord;
   const auto collides = [&](const LiftingPoint& point) {
@@ -110,7 +110,7 @@ double Selector::evaluate(const End& end, Index wedge) const {
   return gains(wedges_[wedge], end.position) ? wedges_[wedge].evaluate(end.position) : 0;
 }
 
-// Finds the gain of an end. Of two wedges the one with the larger gain becomes the end's first.
+// Finds the gain of an end. If it has two wedges, the one with the larger gain becomes its first.
 void Selector::evaluate(End& end) {
   end.gain = {evaluate(end, end.wedge), Certainty::exact};
   if (!end.other_wedge) return;
@@ -120,7 +120,7 @@ void Selector::evaluate(End& end) {
   std::swap(end.wedge, *end.other_wedge);
 }
 
-// Brings what is known of a candidate that is not exact one step further: the worse known end.
+// Improves the bound of an inexact candidate by one step, at the less certain end.
 void Selector::sharpen(Index candidate) {
   End &first = ends_[2 * candidate], &second = ends_[2 * candidate + 1];
   End& end = first.gain.certainty <= second.gain.certainty ? first : second;
@@ -128,7 +128,7 @@ void Selector::sharpen(Index candidate) {
   end.gain = wedges_[end.wedge].sharpen(end.position, end.gain);
 }
 
-// The candidate that the rule takes of these.
+// The candidate that the rule selects from the given ones.
 Selector::Index Selector::best_by(Rule rule, Indices indices) const {
   std::erase_if(indices, [&](Index i) { return !is_eligible(rule, candidates_[i]); });
   for (const Key key : keys_of(rule))
@@ -138,11 +138,11 @@ Selector::Index Selector::best_by(Rule rule, Indices indices) const {
 }
 
 // The best score of the candidates that are not taken. By lazy greedy selection (greedy_selector.h)
-// the one with the largest bound is evaluated first; whoever cannot tie with the best keeps its
-// bound.
+// it first evaluates the candidate with the largest bound. Candidates that cannot tie with the best
+// keep their bounds.
 double Selector::find_best_score() {
   double best = -std::numeric_limits<double>::infinity();
-  Indices open;  // those of which only a bound is known
+  Indices open;  // candidates without exact gains
   for (Index i = 0; i < candidates_.size(); ++i) {
     if (!is_open(i)) continue;
     if (exact(i))
@@ -153,7 +153,7 @@ double Selector::find_best_score() {
   const auto smaller_bound = [&](Index a, Index b) {
     return bound(a) != bound(b) ? bound(a) < bound(b) : a > b;
   };
-  // Those that cannot tie with the first one need not enter the heap.
+  // Candidates that cannot tie with the first one need not enter the heap.
   if (!open.empty())
     best = std::max(best, score(*std::max_element(open.begin(), open.end(), smaller_bound)));
   std::erase_if(open, [&](Index i) { return exact(i) || !ties(best, bound(i)); });
@@ -191,8 +191,8 @@ void Selector::line_up(Indices leaders) {
   std::reverse(line_.begin(), line_.end());
 }
 
-// Adds the ends of a candidate to H. Returns whether H has changed. O(h) for its h corners, besides
-// new wedges.
+// Adds the ends of a candidate to H. Returns whether H changed. O(h) for its h corners, plus new
+// wedges.
 bool Selector::widen_base(Index candidate) {
   Points hull =
       widen_hull(hull_, ends_[2 * candidate].position, ends_[2 * candidate + 1].position, near_);
@@ -204,9 +204,8 @@ bool Selector::widen_base(Index candidate) {
   const auto corner = [](const Points& corners, std::size_t i) -> const Vec2& {
     return corners[i % corners.size()];
   };
-  // Corners that stay are in the same order in both hulls, and at most two of the new corners are
-  // not among the old ones. Looking for each where the last one was found takes O(h) for all of
-  // them.
+  // Corners that stay are in the same order in both hulls, and at most two corners are new.
+  // Starting each search at the last corner found takes O(h) for all corners.
   std::size_t found = 0;
   for (std::size_t i = 0; i < hull_.size(); ++i) {
     const Vec2 &h1 = hull_[i], &h2 = corner(hull_, i + 1);
@@ -214,8 +213,7 @@ bool Selector::widen_base(Index candidate) {
     while (steps < old_hull.size() && corner(old_hull, found + steps) != h1) ++steps;
     if (steps < old_hull.size()) {
       found = (found + steps) % old_hull.size();
-      // An H that is a segment has a rule of its own for points on its line, so its sides never
-      // stay.
+      // If H is a segment, its sides never stay, because points on its line follow a special rule.
       if (old_hull.size() > 2 && corner(old_hull, found + 1) == h2) {
         edges_.push_back(old_edges[found]);
         continue;
@@ -228,11 +226,11 @@ bool Selector::widen_base(Index candidate) {
   return true;
 }
 
-// Assigns the ends that C sees in a new wedge to it. Those in the direction of a corner belong to
-// the wedge on the other side of the corner as well.
+// Assigns the ends that C sees in a new wedge to it. An end in the direction of a corner also
+// belongs to the wedge on the other side of the corner.
 void Selector::enter_wedge(Index index) {
   const Wedge& wedge = wedges_[index];
-  // Whether another wedge is on the other side of the corner in whose direction C sees the end.
+  // Whether `other` is the wedge on the other side of the corner in the direction of the end.
   const auto is_beyond_corner = [&](Index other, SeenAt seen_at) {
     if (other == index) return false;
     return seen_at == SeenAt::first_corner ? wedges_[other].h2() == wedge.h1()
@@ -255,7 +253,7 @@ void Selector::enter_wedge(Index index) {
       });
 }
 
-// What can be known of the gain of an end at once.
+// The gain of an end, as far as it can be computed cheaply.
 Gain Selector::estimate(const End& end) const {
   const auto by = [&](Index wedge) {
     return gains(wedges_[wedge], end.position) ? wedges_[wedge].estimate(end.position) : Gain{};
@@ -273,7 +271,7 @@ bool Selector::gains(const Wedge& wedge, const Vec2& p) const {
   if (distance <= 0) return false;
   if (distance > near_) return true;
   if (hull_.size() <= 2) return false;
-  // p is close to the line, but may be far from H, beyond a corner.
+  // p is close to the line, but beyond a corner it may be far from H.
   for (std::size_t i = 0; i < hull_.size(); ++i) {
     if (distance_to_segment(hull_[i], hull_[(i + 1) % hull_.size()], p) <= near_) return false;
   }

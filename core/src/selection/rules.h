@@ -1,4 +1,5 @@
-// The rules by which the selection takes a candidate, and by which the lesson tells why.
+// The rules by which the selection takes a candidate, and by which the walkthrough explains the
+// choice.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +15,11 @@
 
 namespace evenlift {
 
-// What candidates are compared by.
+// The quantities by which candidates are compared.
 enum class Key : std::uint8_t { score, ratio, length };
 
-// The keys of a rule in their order. At each of them those candidates stay that tie with the best;
-// of those that are left at the end the first in candidate order wins.
+// The keys of a rule, in order. At each key the candidates that tie with the best remain. Of the
+// candidates that remain at the end, the first in candidate order wins.
 inline std::span<const Key> keys_of(Rule rule) {
   static constexpr Key by_length[] = {Key::length, Key::ratio},
                        by_ratio[] = {Key::ratio, Key::length},
@@ -51,14 +52,14 @@ inline double value_of(Key key, const Candidate& candidate, double score) {
   return key == Key::score ? score : key == Key::ratio ? candidate.chord.ratio : candidate.length;
 }
 
-// Whether a value ties with the best one, which is the largest; `floor` is that of the selector.
+// Whether a value ties with the best one, which is the largest; `floor` is the selector's floor.
 inline bool ties(Key key, double best, double value, double floor) {
   if (key == Key::ratio) return ratios_tie(best, value);
   if (key == Key::length) return lengths_tie(best, value);
   return value >= best - score_slack(std::fabs(best), floor);
 }
 
-// Keeps the candidates that tie with the best of them in a key, whose value(i) is given.
+// Keeps the candidates that tie with the best in a key; value(i) returns their values.
 template <class Value>
 void keep_best(std::vector<std::uint32_t>& indices, Key key, double floor, Value value) {
   double best = -std::numeric_limits<double>::infinity();

@@ -75,7 +75,7 @@ std::vector<Chord> random_teams(const Polygon& polygon, const Vec2& centre, std:
     const Vec2 &p = polygon.edge_start(edge), &q = polygon.edge_end(edge);
     const Vec2 offset = (p - centre) + ((along - before) / (ends[edge] - before)) * (q - p);
     const double arm = length(offset);
-    if (arm == 0) continue;  // on C itself
+    if (arm == 0) continue;  // at C itself
     const auto across = rays.hits(-offset);
     if (across.empty()) continue;
     const auto choice = static_cast<std::size_t>(rng.below(across.size()));

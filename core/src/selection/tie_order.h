@@ -9,11 +9,11 @@
 
 namespace evenlift {
 
-// The first `count` of these candidates in the order in which they are taken if their scores go on
-// to tie: each time those stay whose ratio ties with the best ratio that is left, of them those
-// whose length ties with the longest, and the first of them in candidate order is taken. Ties are
-// not transitive: when the best is taken, others may tie with the next best. So classes of ties,
-// made once, would not do. O(m log m) for m candidates left, and O(candidates).
+// The first `count` of these candidates in the order of taking them while their scores continue to
+// tie. Each time, keeps the candidates whose ratio ties with the best remaining ratio, then those
+// whose length ties with the longest, and takes the first of them in candidate order. Ties are not
+// transitive: when the best is taken, others may tie with the next best. So fixed classes of ties
+// would be wrong. O(m log m) for m candidates left, and O(candidates).
 std::vector<std::uint32_t> order_of_taking(const std::vector<Candidate>& candidates,
                                            std::vector<std::uint32_t> candidates_left,
                                            std::size_t count);

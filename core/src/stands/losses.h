@@ -1,4 +1,4 @@
-// One edge, and what it loses to which reason.
+// One edge, and the ranges that it loses, with the reasons.
 #pragma once
 
 #include <array>
@@ -10,18 +10,18 @@
 
 namespace evenlift {
 
-// All of WhyUnusable but `narrow`, which is the last.
+// All of WhyUnusable except `narrow`, the last one.
 inline constexpr std::size_t reasons_to_lose = static_cast<std::size_t>(WhyUnusable::narrow);
 
 class Losses {
  public:
-  // Takes an open stretch away, which may reach beyond the edge. O(1).
+  // Removes an open range, which may reach beyond the edge. O(1).
   void add(WhyUnusable why, const Stretch& lost) {
     lost_[static_cast<std::size_t>(why)].push_back(lost);
   }
 
-  // The parts of an edge of this length, from its beginning to its end: with the first reason for
-  // which they are lost, or without one. Neighbours differ in that. O(k log k) for k stretches.
+  // The parts of an edge of this length, from its beginning to its end, each with the first reason
+  // for its loss, or without a reason. Neighbours differ in the reason. O(k log k) for k ranges.
   struct Part {
     Stretch part;
     std::optional<WhyUnusable> why;

@@ -1,4 +1,4 @@
-// The stands that settings ask for.
+// Makes the stands for given settings.
 #include <memory>
 #include <string>
 #include <utility>
@@ -10,7 +10,7 @@
 namespace evenlift {
 namespace {
 
-// All of its size is named, since it need not be the radius that is in the way.
+// Names the robot's whole size, since the radius need not be the reason.
 InputError no_room(const Settings& settings) {
   const RobotSize& robot = settings.robot;
   const bool hand = robot.depth > 0 || robot.width > 0;

@@ -1,4 +1,4 @@
-// The edges near an edge, found in a tree of boxes over the outline.
+// Finds the edges near an edge, with a tree of boxes over the outline.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ class NearEdges {
   // The polygon must outlive it. O(n).
   explicit NearEdges(const Polygon& polygon) : polygon_(polygon), tree_(polygon) {}
 
-  // Calls visit(edge) for each edge whose box meets the rectangle, and perhaps for a few others, by
-  // ascending edge. O(log n) for each edge that it meets, if the outline does not wind much.
+  // Calls visit(edge) for each edge whose box meets the rectangle, and perhaps a few others, by
+  // ascending edge. O(log n) for each edge that meets it, if the outline does not wind much.
   template <class Visit>
   void for_each(const Surrounding& around, Visit&& visit) const {
     descend(around, 0, visit);

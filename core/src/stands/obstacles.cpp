@@ -9,7 +9,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Grows to take in values of x.
+// Extends to include values of x.
 struct Extent {
   double low = infinity, high = -infinity;
   void add(double x) {
@@ -27,7 +27,7 @@ double x_at(const Vec2& p, const Vec2& q, double y) {
   return p.x() + std::clamp(part, 0.0, 1.0) * (q.x() - p.x());
 }
 
-// The values of x that a segment has where y is from `low` to `high`, both included.
+// The values of x on a segment where y is from `low` to `high`, both included.
 Extent within(const Vec2& p, const Vec2& q, double low, double high) {
   Extent extent;
   for (const Vec2& end : {p, q})
@@ -46,8 +46,8 @@ Extent crossing(const Vec2& p, const Vec2& q, double y) {
 
 Vec2 upside_down(const Vec2& v) { return {v.x(), -v.y()}; }
 
-// The depths at which the hand must be beneath the object, to tau L. There are none if it is less
-// deep than a tenth of its width.
+// The depths at which the hand must be beneath the object, to tau L. There are none if its depth is
+// less than a tenth of its width.
 struct HandDepths {
   double from, to;
   HandDepths(const RobotSize& robot, double near)
@@ -57,9 +57,9 @@ struct HandDepths {
 
 }  // namespace
 
-// The line on which the body's middle moves, against the capsule of the body's radius about the
-// other edge. A line meets a convex set in one interval, and its ends are on the discs about the
-// two vertices or on the two straight sides.
+// Intersects the line along which the body's middle moves with the capsule of the body's radius
+// about the other edge. A line meets a convex set in one interval, whose ends are on the discs
+// about the two vertices or on the two straight sides.
 std::optional<Stretch> lost_to_body(const SeenObstacle& other, const RobotSize& robot,
                                     double near) {
   const double radius = robot.radius - near, height = robot.radius + robot.reach;
@@ -87,8 +87,7 @@ std::optional<Stretch> lost_to_body(const SeenObstacle& other, const RobotSize& 
   return extent.stretch();
 }
 
-// A part of the other edge that lies on the object's own side of the line is no obstacle to the
-// arm.
+// The part of the other edge on the object's side of the line does not obstruct the arm.
 std::optional<Stretch> lost_to_arm(const SeenObstacle& other, const RobotSize& robot) {
   const Vec2 &p = other.p, &q = other.q;
   if (robot.reach <= 0 || std::max(p.y(), q.y()) <= 0) return std::nullopt;

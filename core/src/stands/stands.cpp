@@ -9,7 +9,7 @@
 namespace evenlift {
 namespace {
 
-// Whether a vertex is in a part that must not be touched.
+// Whether each vertex is in a no-go part.
 std::vector<char> forbidden_vertices(const Polygon& polygon, const std::vector<EdgePart>& no_go,
                                      double near) {
   std::vector<char> forbidden(polygon.size(), 0);
@@ -47,7 +47,7 @@ Stands::Stands(const Polygon& polygon, const RobotSize& robot, const std::vector
     : robot_(robot), near_(near_distance(polygon.diameter())) {
   const Surveyor surveyor(polygon, robot, no_go);
   const std::vector<char> forbidden = forbidden_vertices(polygon, no_go, near_);
-  // What is left free at a vertex where nobody stands.
+  // The clearance at a vertex where no robot may stand.
   const auto margin_at = [&](std::size_t vertex) {
     return has_body() || forbidden[vertex] ? 2 * near_ : 0;
   };

@@ -89,15 +89,15 @@ void Surveyor::add_obstacles(std::uint32_t edge, const EdgeFrame& frame, Losses&
     if (other == edge) return;
     const SeenObstacle obstacle = seen_from(edge, frame, other);
     add_obstacle(obstacle, losses);
-    // On a curve the hand may reach beneath the edges beside its own.
+    // On a curve the hand may reach beneath the edges next to its own.
     for (const EdgePart& part : marked_on(other))
       if (const auto lost = lost_to_mark(obstacle, part, robot_, near_))
         losses.add(WhyUnusable::near_no_go, *lost);
     if (const auto stretch = parted_from_hand(obstacle, robot_, near_))
       parted.insert(parted.end(), {stretch->from, stretch->to});
   });
-  // A hand that meets no edge is outside the object if an odd number of them parts the contact from
-  // it.
+  // A hand that meets no edge is outside the object if an odd number of edges separates it from the
+  // contact.
   std::sort(parted.begin(), parted.end());
   for (std::size_t i = 0; i < parted.size(); i += 2)
     losses.add(WhyUnusable::hand, {parted[i], parted[i + 1]});

@@ -1,4 +1,4 @@
-// What each edge loses: to parts that must not be touched, to corners, and to other edges.
+// Computes the losses of each edge: to no-go parts, to corners, and to other edges.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ class Surveyor {
   // The polygon must outlive it. O(n), and O(p log p) for p parts.
   Surveyor(const Polygon& polygon, const RobotSize& robot, const std::vector<EdgePart>& no_go);
 
-  // O(log n) for each edge that is near enough to stand in a robot's way.
+  // O(log n) for each edge near enough to obstruct a robot.
   Losses survey(std::uint32_t edge, const EdgeFrame& frame) const;
 
  private:

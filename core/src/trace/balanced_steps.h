@@ -1,17 +1,17 @@
-// What a trace holds of balanced robots, and what one of their steps shows.
+// The data of balanced robots in a trace, and the details of their steps.
 #pragma once
 
 #include "evenlift/trace.h"
 
 namespace evenlift {
 
-// Searches once more and notes what the search did. The trace's placement becomes what it came to.
+// Repeats the search and records it. The trace's placement becomes the result of the search.
 std::optional<InputError> trace_search(Trace& trace, HistoryLength length);
 
-// Fills in what a step of balanced robots shows.
+// Fills in the details of a step of balanced robots.
 void look_at_balanced(const Trace& trace, StepDetail& detail);
 
-// The robots that stand at step k: those of the set that it is about, or of the last one.
+// The robots at step k: those of the step's own set, or of the last set.
 const BalancedSet* balanced_set_at(const Trace& trace, const Step& step);
 
 }  // namespace evenlift

@@ -7,13 +7,13 @@
 namespace evenlift {
 namespace {
 
-constexpr std::uint32_t teams_shown = 3;  // besides the last
+constexpr std::uint32_t teams_shown = 3;  // in addition to the last
 constexpr std::uint32_t exchanges_shown = 3;
 
-// The pair that stands for all.
+// The edge pair that represents all of them.
 std::uint32_t telling_pair(const Trace& trace) {
   constexpr std::uint32_t most_looked_at = 200;
-  constexpr double as_long = 1 + 1e-6;  // of copies of one shape the same pair tells
+  constexpr double as_long = 1 + 1e-6;  // so that congruent shapes choose the same pair
   const auto pairs = static_cast<std::uint32_t>(trace.pairs.size());
   std::uint32_t telling = 0, looked_at = 0;
   double longest = 0;
@@ -29,7 +29,7 @@ std::uint32_t telling_pair(const Trace& trace) {
   return telling;
 }
 
-// The exchanges that gain the most coverage, in their order.
+// The swaps that gain the most coverage, in order.
 std::vector<std::uint32_t> telling_exchanges(const Trace& trace) {
   const BalancedHistory& history = trace.history;
   std::vector<double> gains;

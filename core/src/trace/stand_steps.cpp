@@ -1,4 +1,4 @@
-// The step of robots with a size: which boundary can be used, and what is in the way of the rest.
+// The step of robots with a size: the usable boundary, and the obstacles along the rest.
 #include <algorithm>
 
 #include "evenlift/stands.h"
@@ -15,7 +15,7 @@ LiftingPoint contact_at(const Polygon& polygon, std::uint32_t edge, const Stretc
   return {p + (stretch.from + stretch.to) / 2 / length(q - p) * (q - p), edge};
 }
 
-// The middle of the longest stretch that can be used.
+// The middle of the longest usable range.
 LiftingPoint roomiest(const Polygon& polygon, const Stands& stands) {
   std::uint32_t edge = 0;
   Stretch longest;
@@ -66,7 +66,7 @@ void StepNumbers::stands() {
       add(name(static_cast<WhyUnusable>(why)), stands.lost[why] / stands.boundary);
 }
 
-// What cannot be used, for each reason a robot that does not fit there, and one that fits.
+// The unusable parts, for each reason a robot that does not fit, and one that fits.
 void StepFigures::stands() {
   const std::vector<UnusablePart>& parts = placement_.stands->unusable();
   for (std::uint32_t i = 0; i < parts.size(); ++i) {

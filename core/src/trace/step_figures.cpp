@@ -27,7 +27,7 @@ void StepFigures::add_edge(FigureKind kind, std::uint32_t edge) {
 
 void StepFigures::polygon() { add(FigureKind::object, trace_.polygon.vertices()); }
 
-// A fan of triangles from vertex 1. Those that fold back are subtracted.
+// A fan of triangles from vertex 1. Triangles that fold back are subtracted.
 void StepFigures::centroid() {
   const Points& v = trace_.polygon.vertices();
   const double whole = (trace_.polygon.counter_clockwise() ? 2 : -2) * trace_.polygon.area();
@@ -103,7 +103,7 @@ void StepFigures::candidates() {
 
 // --- Teams ---------------------------------------------------------------------------------------
 
-// The candidates that are left, with their scores.
+// The remaining candidates, with their scores.
 void StepFigures::scores() {
   add(FigureKind::base_before, detail_.base_before);
   for (std::uint32_t i = 0; i < placement_.candidates.size(); ++i) {
@@ -172,7 +172,7 @@ void StepFigures::share() { add_team(item_, true); }
 
 void StepFigures::loads() {
   if (trace_.balanced()) {
-    if (!detail_.balanced) return;  // none were placed
+    if (!detail_.balanced) return;  // no robots were placed
     add_arms();
     return add_balanced(placement_.loads->max);
   }
@@ -199,7 +199,7 @@ void StepFigures::contacts() {
   add_contacts(trace_.contacts.size());
 }
 
-// The contacts up to the one that cuts, which comes with its edge and its normal line.
+// The contacts up to the one that cuts, which is shown with its edge and its normal line.
 void StepFigures::cut() {
   const Contact& contact = trace_.contacts[item_];
   add_regions(detail_.clockwise, detail_.counterclockwise);

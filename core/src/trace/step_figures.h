@@ -1,4 +1,4 @@
-// What each kind of step shows, as figures with a meaning.
+// The figures that each kind of step shows.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 namespace evenlift {
 
 // Collects the figures of one step, back to front. The step's row in steps.cpp names the function
-// that knows which.
+// that collects them.
 class StepFigures : LookedAtStep {
  public:
   StepFigures(const Trace& trace, const StepDetail& detail) : LookedAtStep(trace, detail) {}

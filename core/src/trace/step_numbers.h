@@ -1,4 +1,4 @@
-// The numbers of each kind of step, under the names that JSON gives them.
+// The numbers of each kind of step, under their JSON names.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace evenlift {
 
-// Collects the numbers of one step. The step's row in steps.cpp names the function that knows
-// which.
+// Collects the numbers of one step. The step's row in steps.cpp names the function that collects
+// them.
 class StepNumbers : LookedAtStep {
  public:
   StepNumbers(const Trace& trace, const StepDetail& detail) : LookedAtStep(trace, detail) {}

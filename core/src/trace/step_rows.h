@@ -1,4 +1,4 @@
-// What the tables of steps have in common.
+// The common parts of the tables of steps.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ constexpr bool has_each_step(const Row (&rows)[size]) {
   return size == step_kind_count;
 }
 
-// What the functions of a row look at: one step of a trace.
+// The input of a row's functions: one step of a trace.
 class LookedAtStep {
  protected:
   LookedAtStep(const Trace& trace, const StepDetail& detail)

@@ -14,7 +14,7 @@ constexpr std::string_view chapter_names[] = {
     "further_teams", "start", "exchange",      "swaps",  "loads", "failures",   "grasp"};
 static_assert(std::size(chapter_names) == chapter_count);
 
-// What a kind of step is called, and which numbers and figures it has. Its words are a row of
+// The name of a kind of step, and its numbers and figures. Its words are in a row of
 // output/words/step_words.cpp.
 struct StepRow {
   StepKind kind;

@@ -15,7 +15,7 @@ namespace evenlift {
 namespace {
 
 // The rays in the order of the sweep that finds the chords. The sweep lists a chord between two
-// vertices at the forward vertex; here the backward vertex gets it, too.
+// vertices at the forward vertex; here the backward vertex also lists it.
 Trace::Rays make_rays(const Polygon& polygon, const Vec2& centre,
                       const std::vector<VertexChord>& chords) {
   const RadialView view(polygon, centre);
@@ -69,7 +69,7 @@ class BlockWriter {
   std::uint64_t steps_ = 0;
 };
 
-// Teams that are chosen among candidates, and how these are found.
+// The steps that find candidates for teams.
 void write_candidates(const Trace& trace, BlockWriter& blocks) {
   blocks.add(Chapter::vertex_chords, {StepKind::radial}, !trace.radial_edges.empty());
   blocks.add(Chapter::vertex_chords, {StepKind::ray}, trace.rays.vertices.size());
@@ -77,7 +77,7 @@ void write_candidates(const Trace& trace, BlockWriter& blocks) {
   blocks.add(Chapter::pairs, {StepKind::sections, StepKind::outcome}, trace.pairs.size());
   blocks.add(Chapter::pairs, {StepKind::opposite}, trace.opposite.size());
   blocks.add(Chapter::pairs, {StepKind::range}, trace.ranges.size());
-  // To robots with a size a pair may offer several chords, which are not told one by one.
+  // With robots that have a size, a pair may offer several chords, without a step for each.
   blocks.add(Chapter::pairs, {StepKind::duplicates}, trace.placement.stands ? 0 : 1);
   blocks.add(Chapter::candidates, {StepKind::candidates});
 }
@@ -93,7 +93,7 @@ void write_teams(const Trace& trace, BlockWriter& blocks, std::initializer_list<
   blocks.add(last, {StepKind::fewer}, teams == 0 || teams < placement.requested_teams);
 }
 
-// The exchanges round by round.
+// The swaps, round by round.
 void write_rounds(const BalancedHistory& history, BlockWriter& blocks) {
   const auto moves_of = [&](std::uint32_t round) {
     return static_cast<std::uint32_t>(
@@ -175,7 +175,7 @@ std::optional<InputError> check_steps(std::uint64_t steps) {
                     {}};
 }
 
-// The candidates, and from where each of them came.
+// The candidates, and the source of each.
 std::optional<InputError> collect_candidates(Trace& trace) {
   const double min_ratio = trace.placement.settings.min_ratio;
   const Positions positions = trace.placement.settings.positions;
@@ -203,7 +203,7 @@ std::optional<InputError> collect_candidates(Trace& trace) {
   return std::nullopt;
 }
 
-// What the stages before the selection find.
+// The results of the stages before the selection.
 std::optional<InputError> collect(Trace& trace) {
   if (auto error = check_steps(2 * count_edge_pairs(trace.polygon, trace.centre))) return error;
   auto chords = vertex_chords(trace.polygon, trace.centre);
@@ -225,7 +225,7 @@ std::vector<Team> teams_on(const Placement& placement, const std::vector<std::ui
   return distribute_weight(chords_of(placement.candidates, taken), placement.settings.weight);
 }
 
-// The exchanges once more.
+// Repeats the swaps.
 void trace_exchanges(Trace& trace) {
   const Placement& placement = trace.placement;
   const Settings& settings = placement.settings;
@@ -243,7 +243,7 @@ void trace_exchanges(Trace& trace) {
 }  // namespace
 
 Result<Trace> make_trace(const Placement& placement, HistoryLength length, const Units& units) {
-  // The steps are those of teams where they were found.
+  // The steps show the teams where the method placed them.
   if (!placement.moved.teams.empty()) {
     const auto found = place(placement.polygon, placement.centre_of_mass, placement.settings);
     if (!found) return found.error();
@@ -278,7 +278,7 @@ Result<Trace> make_trace(const Placement& placement, HistoryLength length, const
     if (auto error = trace_search(trace, length)) return *error;
   if (trace.by_candidates())
     if (auto error = collect(trace)) return *error;
-  // Where the page has not exchanged them, during a drag, they are not exchanged here either.
+  // During a drag the page does not swap teams, so the trace does not either.
   if (exchanges_teams(placement.settings) && placement.search_ended) trace_exchanges(trace);
   trace.contacts = contacts(trace.polygon, contact_points(trace.placement));
   if (auto error = check_steps(write_blocks(trace))) return *error;
@@ -380,8 +380,8 @@ Points lifting_base(const Trace& trace, const Progress& known) {
   return lifting_base(trace.polygon, lifting_points({teams.begin(), teams.begin() + number}));
 }
 
-// The sweep turns left from the direction of the x axis, whereas slopes rise from just after the
-// vertical to the vertical itself. So the order is that of the sweep, begun after the vertical.
+// The sweep turns left from the direction of the x axis, but slopes rise from just after the
+// vertical to the vertical itself. So the order is that of the sweep, started after the vertical.
 std::vector<std::uint32_t> chords_by_slope(const Trace& trace) {
   std::vector<std::uint32_t> falling, others;
   for (std::uint32_t i = 0; i < trace.rays.vertices.size(); ++i) {
@@ -389,7 +389,7 @@ std::vector<std::uint32_t> chords_by_slope(const Trace& trace) {
     const Vec2 u = trace.polygon.vertex(vertex) - trace.centre;
     const bool falls = u.x() * u.y() < 0 && !is_vertical(u);
     for (std::uint32_t c = trace.rays.begins[i]; c < trace.rays.begins[i + 1]; ++c) {
-      // Otherwise an earlier ray has listed it.
+      // Otherwise an earlier ray lists it.
       const VertexChord& chord = trace.rays.chords[c];
       if (chord.vertex == vertex) (falls ? falling : others).push_back(c);
     }

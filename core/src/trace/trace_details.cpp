@@ -1,4 +1,4 @@
-// What one step shows beyond the trace itself.
+// The details of one step beyond the trace itself.
 #include <algorithm>
 
 #include "evenlift/predicates.h"
@@ -21,7 +21,7 @@ void cut_regions(const Trace& trace, std::uint32_t contacts, StepDetail& detail)
   detail.counterclockwise_before = before.counterclockwise.exists;
 }
 
-// H before a team and with it, and of a choice among candidates the scores.
+// H before and with a team and, for a choice among candidates, the scores.
 void look_at_team(const Trace& trace, StepDetail& detail) {
   const std::uint32_t team = detail.step.item;
   if (trace.by_candidates() && detail.step.kind != StepKind::base)
@@ -30,7 +30,7 @@ void look_at_team(const Trace& trace, StepDetail& detail) {
   detail.base = lifting_base(trace, team + 1);
 }
 
-// H before an exchange and after it.
+// H before and after a swap.
 void look_at_bases_of_swap(const Trace& trace, StepDetail& detail) {
   Progress known;
   known.base_teams = static_cast<std::uint32_t>(trace.placement.teams.size());

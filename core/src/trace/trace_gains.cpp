@@ -1,4 +1,4 @@
-// What a metric measures, as figures, from the same wedges of H as the scores.
+// Shows the quantity that a metric measures, with figures from the same wedges of H as the scores.
 #include <algorithm>
 
 #include "evenlift/trace.h"
@@ -61,7 +61,7 @@ class GainScene {
     }
   }
 
-  // An arm leads from a vertex outside of the line from -> to to its foot on the line.
+  // An arm leads from a vertex outside the line from -> to to its foot on the line.
   void add_arm(FigureKind kind, const Vec2& vertex, const Vec2& from, const Vec2& to,
                double distance) {
     if (!(distance > 0)) return;

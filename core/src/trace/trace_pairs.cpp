@@ -1,5 +1,5 @@
-// The details of an edge-pair and of two opposite vertices: what the candidate stage decided about
-// them, and why.
+// The details of an edge pair and of two opposite vertices: the decision of the candidate stage and
+// its reasons.
 #include "candidates/pair_candidate.h"
 #include "chords/section.h"
 #include "evenlift/predicates.h"
@@ -21,7 +21,7 @@ Outcome outcome_of(const PairVerdict& verdict) {
   return accepted ? Outcome::nearer_end : Outcome::too_uneven;
 }
 
-// What robots with a size leave of a pair's candidate.
+// Adjusts a pair's candidate to robots with a size.
 void find_standing(const Trace& trace, PairDetail& detail) {
   const double near = near_distance(trace.polygon.diameter());
   if (!detail.candidate) {
@@ -70,7 +70,7 @@ PairDetail look_at_pair(const Trace& trace, std::uint32_t index) {
   detail.ends = {begin.chord, end.chord};
   detail.reflected = {2 * centre - b.first, 2 * centre - b.last};
   if (!detail.verdict.parallel) detail.meeting = centre + bisecting_offset(centre, a, b);
-  // The candidate stage compares the ends by g alone, too.
+  // The candidate stage also compares the ends by g alone.
   const auto evenness = [](double g) { return g < 1 ? g : 1 / g; };
   detail.nearer = evenness(detail.verdict.g0) > evenness(detail.verdict.g1) ? 0 : 1;
 

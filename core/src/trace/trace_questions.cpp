@@ -1,4 +1,4 @@
-// Which steps a learner could guess, and what the choices are.
+// The steps that a learner could guess, and their choices.
 #include <algorithm>
 #include <numeric>
 
@@ -8,12 +8,13 @@
 namespace evenlift {
 namespace {
 
-// The candidates of the teams before an exchange.
+// The candidates of the teams before a swap.
 const std::vector<std::uint32_t>& taken_before(const Trace& trace, std::uint32_t swap) {
   return swap == 0 ? trace.exchanges->start : trace.exchanges->exchanges[swap - 1].taken;
 }
 
-// What is asked about an exchange: of several teams first which one goes, next time where to.
+// The question about a swap. With several teams it alternates between the team that leaves and the
+// place where it goes.
 std::optional<QuestionKind> asked_of_swap(const Trace& trace, std::uint32_t swap) {
   const Exchange& exchange = trace.exchanges->exchanges[swap];
   if (exchange.kind != ExchangeKind::single) return std::nullopt;
@@ -36,7 +37,7 @@ std::vector<LiftingPoint> robots_on(const Trace& trace, const std::vector<std::u
   return robots;
 }
 
-// Where the team of an exchange could go.
+// The candidates to which the team of a swap could move.
 std::vector<std::uint32_t> open_to(const Trace& trace, std::uint32_t swap, std::uint32_t team) {
   std::vector<std::uint32_t> taken = taken_before(trace, swap);
   const Stands* stands = trace.placement.stands.get();

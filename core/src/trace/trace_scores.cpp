@@ -1,4 +1,4 @@
-// The detail of a choice: the score of every candidate, by the selection's own gain functions.
+// The details of a choice: the score of every candidate, by the selection's own gain functions.
 #include "evenlift/trace.h"
 #include "exact/sorted_indices.h"
 #include "selection/greedy_selector.h"
@@ -7,8 +7,8 @@
 namespace evenlift {
 namespace {
 
-// The selection's tournament once more, with a note of where each candidate drops out. A
-// candidate's `stage` is the number of keys that it survived.
+// Repeats the selection's tournament and records where each candidate drops out. A candidate's
+// `stage` is the number of keys that it survived.
 class Tournament {
  public:
   Tournament(const std::vector<Candidate>& candidates, const TeamScores& scores, double floor)
@@ -38,7 +38,7 @@ class Tournament {
     return ranking;
   }
 
-  // The key at which a candidate that did not win was out.
+  // The key that eliminated a candidate.
   DecidedBy lost_by(std::uint32_t i) const {
     if (stage_[i] == keys_.size()) return DecidedBy::order;
     if (stage_[i] == 0) return DecidedBy::first_key;

@@ -1,4 +1,4 @@
-// The details of an exchange of teams.
+// The details of a swap of teams.
 #include "trace/margin_of.h"
 
 namespace evenlift {

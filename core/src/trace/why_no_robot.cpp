@@ -1,4 +1,5 @@
-// Why no balanced robot stands at a place: the best set with one there is computed and compared.
+// Explains why no balanced robot stands at a place: computes the best set with a robot there and
+// compares it.
 #include <algorithm>
 
 #include "evenlift/plane.h"
@@ -23,7 +24,7 @@ bool has_robot(const std::vector<LiftingPoint>& robots, const Vec2& place) {
                      [&](const LiftingPoint& robot) { return robot.position == place; });
 }
 
-// Since when a robot stands at its place, looked for from the step's set backwards.
+// Finds the move that put a robot at its place, searching backwards from the step's set.
 void find_arrival(const Trace& trace, const BalancedSet& set, const Vec2& place,
                   WhyNoRobot& answer) {
   const BalancedHistory& history = trace.history;
@@ -40,8 +41,8 @@ void find_arrival(const Trace& trace, const BalancedSet& set, const Vec2& place,
   }
 }
 
-// Which robots of a set stay, and which come: first the one at the place that is asked about. Two
-// that come to where robots of the set before stood are as good as if they stayed.
+// Separates the robots of a set that stay from those that come, first the one at the place in
+// question. A robot that comes to another's former place counts as one that stays.
 void part_by_place(const std::vector<LiftingPoint>& before, const Vec2& place, BalancedSet& set) {
   for (const LiftingPoint& robot : set.robots)
     (has_robot(before, robot.position) ? set.kept : set.came).push_back(robot);

@@ -37,7 +37,7 @@ bool is_same(const Trace& trace, const Chord& a, const Chord& b) {
   return same_chord(a, b, near_distance(trace.polygon.diameter()));
 }
 
-// The candidate that a chord is.
+// The candidate with this chord.
 std::optional<std::uint32_t> candidate_at(const Trace& trace, const Chord& chord) {
   const std::vector<Candidate>& candidates = trace.placement.candidates;
   for (std::uint32_t i = 0; i < candidates.size(); ++i)
@@ -58,8 +58,8 @@ bool is_uneven_opposite(const Trace& trace, const Chord& chord) {
   return false;
 }
 
-// What the pair on whose edges a chord ends says of it. If an end is at a vertex there may be
-// several; the pair with the best chord tells most.
+// The reason according to the edge pair of a chord. A chord that ends at a vertex may belong to
+// several pairs; the pair with the best chord is the most informative.
 void answer_by_pair(const Trace& trace, const Chord& chord, WhyNot& answer) {
   answer.why = Why::no_pair;
   for (std::uint32_t i = 0; i < trace.pairs.size(); ++i) {

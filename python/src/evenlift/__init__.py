@@ -1,12 +1,12 @@
-"""Where teams of robots should stand round an object so that they lift it together, each with nearly the same load.
+"""Decides where teams of robots should stand around an object to lift it together, each with nearly the same load.
 
     import evenlift
     placement = evenlift.place([(0, 0), (4, 0), (4, 3), (0, 3)], teams=2, weight=30)
     placement["robots"][0]["load"]
 
-A polygon is a sequence of points (x, y), such as a list of pairs or a NumPy array of two columns; or a text: WKT, GeoJSON,
-the thesis's format, or a share link, whose settings then count, too. Settings are keyword arguments with the names and
-values of the program's options (see Settings). What is wrong with them raises EvenliftError.
+A polygon is a sequence of points (x, y), such as a list of pairs or a NumPy array with two columns; or a text: WKT, GeoJSON,
+the thesis's format, or a share link, which also sets the defaults. Settings are keyword arguments with the names and values
+of the program's options (see Settings). Invalid input raises EvenliftError.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 else:
     try:
         from typing import Unpack
-    except ImportError:  # before Python 3.11; those who ask for the hints get the settings themselves
+    except ImportError:  # before Python 3.11: hints resolve to the settings themselves
         Unpack = {Settings: Settings}
 
 __all__ = [
@@ -52,7 +52,7 @@ def place(
     failures: bool = False,
     **settings: Unpack[Settings],
 ) -> Placement:
-    """Places robots under the object. `candidates` lists the candidate chords, too, and `failures` what happens if a robot fails."""
+    """Places robots under the object. `candidates` also lists the candidate chords, and `failures` the effect of each failure."""
     asked = _requests.request(polygon, centre_of_mass, settings, also=("candidates", "failures"))
     if candidates:
         asked["candidates"] = True
@@ -62,8 +62,8 @@ def place(
 
 
 def candidates(polygon: Polygon, *, centre_of_mass: Optional[Point] = None, **settings: Unpack[Settings]) -> Candidates:
-    """The chords on which a team may stand, as a list of {"ends", "ratio", "kind"}. Of the settings those count that have a say in
-    it: min_ratio, centre_of_mass, positions, the robots' size and no_go."""
+    """The chords on which a team may stand, as a list of {"ends", "ratio", "kind"}. Only these settings have an effect: min_ratio,
+    centre_of_mass, positions, the robots' size and no_go, and clear with positions="range"."""
     return Candidates({"command": "candidates", **_requests.request(polygon, centre_of_mass, settings)})
 
 
@@ -103,9 +103,9 @@ def experiment(
     max_teams: int = 1000,
     max_balanced: int = 12,
 ) -> Experiment:
-    """Measures every method with every number of robots on each polygon, as `evenlift experiment` does. It takes long: a polygon
-    with 30 candidates some seconds. Polygons have their names in a mapping, and else numbers. One that cannot be measured is left
-    out, and `refused` says why."""
+    """Measures every method with every number of robots on each polygon, like `evenlift experiment`. A polygon with 30 candidates
+    takes some seconds. A mapping gives the polygons names; otherwise they have numbers. A polygon that cannot be measured is
+    omitted, with the reason in `refused`."""
     named = polygons.items() if isinstance(polygons, Mapping) else ((f"polygon {i}", p) for i, p in enumerate(polygons, 1))
     settings = {"min_ratio": min_ratio, "samples": samples, "max_teams": max_teams, "max_balanced": max_balanced}
     asked = {"command": "experiment", "polygons": _requests.named_shapes(named), "settings": _requests.values(settings)}
@@ -113,7 +113,7 @@ def experiment(
 
 
 def version() -> str:
-    """The version of the library inside."""
+    """The version of the library in this package."""
     number: str = ask({"command": "version"})["version"]
     return number
 

@@ -1,4 +1,4 @@
-"""The C library inside the package: requests and answers as JSON."""
+"""The package's C library: requests and answers as JSON."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _library.evenlift_free.restype = None
 
 
 class EvenliftError(ValueError):
-    """A request that evenlift cannot answer. `code` is one word for programs, `place` says where, if that is known."""
+    """A request that evenlift cannot answer. `code` is one word for programs; `place` is the place of the error, if known."""
 
     code: str
     place: Optional[Place]
@@ -34,13 +34,13 @@ class EvenliftError(ValueError):
 
 
 def _made_again(kind: type[EvenliftError], args: tuple[Any, ...]) -> EvenliftError:
-    """An error of a copy or of another process, whose attributes follow. Without __init__, whose arguments an error does not keep
-    and a subclass may change: pools of processes would wait for ever for an error that cannot be made again."""
+    """Recreates an error from a copy or another process; its attributes follow. Does not call __init__, since an error does not
+    keep its arguments and a subclass may change them. A process pool would wait for ever for an error that cannot be recreated."""
     return kind.__new__(kind, *args)
 
 
 def answer(request: str) -> str:
-    """The answer to a request, both JSON (docs/requests.md). Other threads run meanwhile."""
+    """Returns the answer to a request, both JSON (docs/requests.md). Other threads can run meanwhile."""
     if "\0" in request:
         raise EvenliftError("A request has no zero bytes", "bad_syntax")
     try:
@@ -57,7 +57,7 @@ def answer(request: str) -> str:
 
 
 def ask_for_text(request: dict[str, Any]) -> str:
-    """The answer's own bytes; an error raises."""
+    """Returns the unchanged text of the answer. Raises EvenliftError or MemoryError for an error."""
     text = answer(json.dumps(request, allow_nan=False))
     if text.startswith('{"error": '):
         error = json.loads(text)["error"]

@@ -1,5 +1,5 @@
-"""What type checkers know of the members of results. A dictionary with methods cannot be a TypedDict, so its members are told one
-by one here; tests/consumers/python/check_types.py compares them with types.py."""
+"""The members of results, for type checkers. A dictionary with methods cannot be a TypedDict, so its members are declared one by
+one here; tests/consumers/python/check_types.py compares them with types.py."""
 
 # pyright: reportIncompatibleMethodOverride=false
 

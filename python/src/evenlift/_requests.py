@@ -1,5 +1,5 @@
-"""Requests, made of what a function was called with. The core says where in a request something is wrong; nobody who calls a
-function has written one, so what the core would give a line and a column of it is refused here, by its own name or place."""
+"""Makes requests from the arguments of a function. The core's errors refer to places in a request, which the caller of a function
+never wrote. So errors that the core would report with a line and a column are detected here, with the setting or the place."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def _bad_setting(name: str, message: str) -> EvenliftError:
 
 
 def _broken_at(text: str) -> Optional[int]:
-    """Where half a surrogate pair stands, which no text in UTF-8 can have."""
+    """The index of half a surrogate pair, which UTF-8 cannot contain."""
     try:
         text.encode("utf-8")
     except UnicodeEncodeError as error:
@@ -55,11 +55,11 @@ class _NotTwoNumbers(Exception):
 
 
 def _numbers(point: Any) -> list[float]:
-    """The two numbers of a point, as Python's own."""
+    """The two numbers of a point, as Python floats."""
     try:
         x, y = point
         return [float(x), float(y)]
-    except OverflowError:  # The core says that it is too large.
+    except OverflowError:  # the core reports that it is too large
         return [sys.float_info.max, sys.float_info.max]
     except (TypeError, ValueError):
         raise _NotTwoNumbers from None
@@ -77,7 +77,7 @@ def _vertex(point: Any, index: int) -> list[float]:
 
 
 def shape(polygon: Polygon) -> dict[str, Any]:
-    """The members of a request that say what the polygon is."""
+    """The members of a request that describe the polygon."""
     if isinstance(polygon, str):
         return {"text": _polygon_text(polygon)}
     try:
@@ -101,7 +101,7 @@ def _centre(point: Any) -> list[float]:
 
 
 def named_shapes(polygons: Iterable[tuple[Any, Polygon]]) -> list[dict[str, Any]]:
-    """The polygons of an experiment with their names, which errors tell, too."""
+    """The polygons of an experiment with their names, which also appear in errors."""
     shapes: list[dict[str, Any]] = []
     for given_name, polygon in polygons:
         if len(shapes) == _most_polygons:
@@ -121,14 +121,14 @@ def named_shapes(polygons: Iterable[tuple[Any, Polygon]]) -> list[dict[str, Any]
 
 
 def _number(value: Any) -> Any:
-    """A number as JSON has it: one of Python's own, whatever it was."""
+    """Any number as a Python number, for JSON."""
     if isinstance(value, int):
         return value
     return value.item() if hasattr(value, "item") else float(value)
 
 
 def _value(name: str, value: Any) -> Any:
-    """A setting's value. What the core refuses by the setting's name is left to it."""
+    """A setting's value. Values that the core refuses by the setting's name are passed on."""
     if value is None or isinstance(value, bool):
         return value
     if isinstance(value, str):
@@ -156,10 +156,10 @@ def _unknown(name: str, known: list[str]) -> EvenliftError:
 
 
 def request(polygon: Polygon, centre_of_mass: Optional[Point], settings: Mapping[str, Any], also: tuple[str, ...] = ()) -> dict[str, Any]:
-    """A request, without its command. `also` are names that may be meant besides the settings'."""
+    """A request without its command. `also` contains further names for suggestions, in addition to the settings'."""
     known = [*Settings.__annotations__, "centre_of_mass", *also]
     for name in settings:
-        # "com" is what the program calls the centre of mass, and the core takes it, too.
+        # The program calls the centre of mass "com", and the core also accepts that.
         if name not in Settings.__annotations__ and name != "com":
             raise _unknown(name, known)
     made = shape(polygon)

@@ -1,4 +1,4 @@
-"""Answers as plain dictionaries and lists, with what Python makes easier: arrays, tables, pictures."""
+"""Answers as plain dictionaries and lists, with additions for Python: arrays, tables, pictures."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ else:
 
 
 class Placement(PlacementMembers):
-    """What `evenlift place --json` prints, as a dictionary (docs/cli.md lists its members). `json` has its very bytes."""
+    """The output of `evenlift place --json` as a dictionary (docs/cli.md lists its members). `json` is its exact text."""
 
     def __init__(self, request: dict[str, Any]) -> None:
         self.json = ask_for_text(request)
@@ -35,7 +35,7 @@ class Placement(PlacementMembers):
         return self.svg()
 
     def arrays(self) -> types.PlacementArrays:
-        """The numbers as NumPy arrays: `polygon` and `hull` (n × 2), and in the robots' order `at`, `stand` and `contact`
+        """The numbers as NumPy arrays: `polygon` and `hull` (n × 2), and in the order of the robots `at`, `stand` and `contact`
         (m × 2), `load`, `heading` in degrees, and `team`."""
         import numpy
 
@@ -83,12 +83,12 @@ def _number(text: str) -> Union[int, float, str, None]:
         return text
 
 
-_names = {"set", "polygon", "method", "metric", "problem"}  # columns of words, whatever they look like
+_names = {"set", "polygon", "method", "metric", "problem"}  # always text, even if a value looks like a number
 
 
 class Experiment(ExperimentMembers):
-    """What `evenlift experiment` finds. `measurements`, `aggregates` and `polygons` are lists of rows, each a dictionary by the
-    columns of the files of the same names, with None where a field is empty; csv() has the files themselves."""
+    """The results of `evenlift experiment`. `measurements`, `aggregates` and `polygons` are lists of rows. Each row is a dictionary
+    with the columns of the file of that name, and None for an empty field; csv() returns the files themselves."""
 
     def __init__(self, request: dict[str, Any]) -> None:
         self.json = ask_for_text(request)
@@ -100,11 +100,11 @@ class Experiment(ExperimentMembers):
         super().__init__(content)
 
     def csv(self, table: types.Table = "measurements") -> str:
-        """A table as the text of a CSV file, the bytes that the program writes."""
+        """A table as the text of a CSV file, the same as the program writes."""
         return self._tables[table]
 
     def arrays(self, table: types.Table = "measurements") -> dict[str, types.Array]:
-        """A table's columns as NumPy arrays; where a field of numbers is empty there is NaN."""
+        """A table's columns as NumPy arrays; an empty field of numbers is NaN."""
         import numpy
 
         rows: Any = self[table]

@@ -1,7 +1,7 @@
-"""The types of what evenlift takes and gives, for type checkers and for those who read results from files.
+"""The types of evenlift's arguments and results, for type checkers and for code that reads results from files.
 
-docs/cli.md of the repository says what each member of a result is. In classes whose name begins with an underscore are the members
-that are always there.
+docs/cli.md in the repository explains each member of a result. Classes with a leading underscore contain the members that always
+exist.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ if TYPE_CHECKING:
     Array: TypeAlias = NDArray[Any]
     FloatArray: TypeAlias = NDArray[float64]
     IntArray: TypeAlias = NDArray[int_]
-else:  # NumPy is asked for no sooner than an array is.
+else:  # NumPy is imported only when an array is requested.
     Array = FloatArray = IntArray = Any
 
-# --- What is given
+# --- Arguments
 
 Point = Iterable[SupportsFloat]
 """(x, y): a pair, or a row of a NumPy array."""
@@ -38,7 +38,7 @@ Table = Literal["measurements", "aggregates", "polygons"]
 
 
 class Settings(TypedDict, total=False):
-    """What may be set; docs/cli.md of the repository tells more of each. None means as usual."""
+    """The settings, which docs/cli.md in the repository explains. None means the default."""
 
     teams: Union[int, Literal["max"], None]
     metric: Optional[Metric]
@@ -117,7 +117,7 @@ class Loads(TypedDict):
 
 
 class Closure(TypedDict):
-    """`margin` is None without contacts, and `clearance` where no contact is beside a corner."""
+    """`margin` is None without contacts, and `clearance` is None if no contact is beside a corner."""
 
     form_closure: bool
     margin: Optional[float]
@@ -138,7 +138,7 @@ class _Robustness(TypedDict):
 
 
 class Robustness(_Robustness, total=False):
-    """These with a com_radius above 0 only."""
+    """These members exist only with a com_radius above 0."""
 
     com_radius: float
     exact_within: Optional[float]
@@ -161,14 +161,14 @@ class _Failure(TypedDict):
 
 
 class Failure(_Failure, total=False):
-    """What is left of the lift if `robot`, counted from 0, fails. All after `clear` is None where the others do not carry the object;
-    the last with a capacity only."""
+    """The lift after `robot`, counted from 0, fails. All members after `clear` are None if the others do not carry the object; the
+    last exists only with a capacity."""
 
     over_capacity: Optional[bool]
 
 
 class FailurePlan(TypedDict):
-    """How many robots are needed so that any one of them may fail."""
+    """The number of robots needed so that any one of them may fail."""
 
     robots_needed: Optional[int]
     greatest_load: Optional[float]
@@ -223,7 +223,7 @@ class _PlacementDict(TypedDict):
 
 
 class PlacementDict(_PlacementDict, total=False):
-    """What `evenlift place --json` prints: a Placement has these members, and json.loads() of its text gives this."""
+    """The output of `evenlift place --json`: a Placement has these members, and json.loads() of its text returns this type."""
 
     unit: LengthUnit
     weight_unit: WeightUnit
@@ -247,7 +247,7 @@ class PlacementDict(_PlacementDict, total=False):
 
 
 class PlacementArrays(TypedDict):
-    """n × 2: `polygon` and `hull`; by robots, m × 2: `at`, `stand` and `contact`, and m: `load`, `heading` and `team`."""
+    """n × 2: `polygon` and `hull`; for m robots, m × 2: `at`, `stand` and `contact`, and m: `load`, `heading` and `team`."""
 
     polygon: FloatArray
     hull: FloatArray
@@ -270,7 +270,7 @@ class CandidateArrays(TypedDict):
 
 
 class MeasurementRow(TypedDict):
-    """A row of measurements.csv, with None where a field is empty."""
+    """A row of measurements.csv, with None for an empty field."""
 
     set: str
     polygon: str
@@ -315,7 +315,7 @@ class AggregateRow(TypedDict):
 
 
 class PolygonRow(TypedDict):
-    """A row of polygons.csv: the polygon's numbers, or the problem because of which it was refused."""
+    """A row of polygons.csv: the polygon's numbers, or the reason why it was refused."""
 
     set: str
     polygon: str
@@ -387,7 +387,7 @@ class ExperimentDict(TypedDict):
 
 
 class Place(TypedDict, total=False):
-    """Where something is wrong: the members of one line. Vertices and edges count from 0, all else from 1."""
+    """The place of an error; one line below lists the members of one kind. Vertices and edges count from 0, all else from 1."""
 
     line: int
     column: int

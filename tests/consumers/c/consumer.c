@@ -1,4 +1,4 @@
-/* A program of somebody else in plain C. It answers the requests of its arguments; without any it tries what must not harm. */
+/* A third-party program in plain C. It answers the requests in its arguments; without any it tries misuse that must do no harm. */
 #include <evenlift/evenlift.h>
 #include <pthread.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-// What robots bear under a square of 80 kg: the core alone.
+// The loads of robots under a square of 80 kg: the core alone.
 #include <evenlift/placement.h>
 
 #include <cstdio>

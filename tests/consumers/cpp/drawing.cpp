@@ -1,4 +1,4 @@
-// How many shapes a drawing has, and what robots bear below the first.
+// The number of shapes in a drawing, and the loads of robots below the first.
 #include <evenlift/import.h>
 #include <evenlift/output/words.h>
 

@@ -1,4 +1,4 @@
-"""What is wrong with what a function is called with: it raises EvenliftError, which says where, and which reaches everybody who
+"""Wrong arguments: each raises EvenliftError, which names the place of the fault and reaches every caller that
 waits for it. usage.py runs these checks."""
 
 import copy
@@ -32,7 +32,7 @@ def with_vertex(vertex):
 
 
 class Noted(evenlift.EvenliftError):
-    """An error of somebody else's, which is made of other arguments."""
+    """A third-party error, made from other arguments."""
 
     def __init__(self, robot):
         super().__init__(f"robot {robot} is noted", "noted", {"vertices": [robot]})
@@ -48,7 +48,7 @@ def all_of(error):
 
 
 def check_copies():
-    """An error is the same after pickling, by every protocol, and after copying; so are those that others derive, and results."""
+    """An error is the same after pickling, by every protocol, and after copying; so are errors of derived classes, and results."""
     errors = [refused(evenlift.place, crossing), refused(evenlift.place, l_shape, teams=0), Noted(3), Both("both", "noted", None)]
     for error in errors:
         copies = [pickle.loads(pickle.dumps(error, protocol)) for protocol in range(pickle.HIGHEST_PROTOCOL + 1)]
@@ -62,18 +62,18 @@ def check_copies():
 
 
 def check_pools():
-    """A refused polygon of a pool's map() raises for the one who waits, however the processes begin."""
+    """A refused polygon of a pool's map() raises for the caller that waits, however the processes begin."""
     expected = refused(evenlift.place, crossing)
     for way in multiprocessing.get_all_start_methods():
         with multiprocessing.get_context(way).Pool(2) as pool:
-            # The time only ends what hangs.
+            # The timeout only ends a call that hangs.
             placements = pool.map_async(evenlift.place, [l_shape, l_shape]).get(timeout=300)
             assert [each.json for each in placements] == [evenlift.place(l_shape).json] * 2
             error = refused(pool.map_async(evenlift.place, [l_shape, crossing, l_shape]).get, 300)
             assert (str(error), error.code, error.place) == (str(expected), "edges_cross", {"edges": [0, 2]}), way
 
 
-# --- Errors say where
+# --- Places in errors
 
 
 def check_refusals():
@@ -86,7 +86,7 @@ def check_refusals():
 
 
 def check_names():
-    """A wrong name is told, with the one that was meant."""
+    """A wrong name is reported together with the intended one."""
     meant = {"team": "teams", "min_ration": "min_ratio", "wieght": "weight", "minRatio": "min_ratio", "robots_radius": "robot_radius",
              "center_of_mass": "centre_of_mass", "Apart": "apart", "failure": "failures"}  # fmt: skip
     for wrong, right in meant.items():
@@ -102,7 +102,7 @@ def check_names():
 
 
 def check_numbers():
-    """What is no finite number is told of by its vertex, of the centre of mass or by its setting."""
+    """A number that is not finite is reported by its vertex, by the centre of mass or by its setting."""
     for bad in (math.nan, math.inf, -math.inf, numpy.nan, numpy.float32("inf"), decimal.Decimal("nan")):
         for vertex in ((bad, 1), (1, bad)):
             error = refused(evenlift.place, with_vertex(vertex))
@@ -123,7 +123,7 @@ def check_numbers():
 
 
 def check_other_values():
-    """So is what is no number, no point, no polygon or no text at all. Nothing raises but EvenliftError."""
+    """So is a value that is not a number, a point, a polygon or a text. Only EvenliftError is raised."""
     for vertex in ((1, 2, 3), (1,), (), 1, None, (None, 1), ("a", "b"), (1j, 0), (10**400, 0), (1, -(10**5000)), (1e300, 0)):
         assert refused(evenlift.place, with_vertex(vertex)).place == {"vertices": [2]}, vertex
     for centre in ((1, 2, 3), 3, ("a", "b"), (10**400, 0), [[1, 2]]):
@@ -142,7 +142,7 @@ def check_other_values():
 
 
 def check_poses():
-    """The options of poses are refused by their names, and just those that the core refuses."""
+    """The options of poses are refused by their names, and exactly when the core refuses them."""
     request = {"command": "poses", "polygon": l_shape}
     for name, values in {
         "format": ["csv", "json", "yaml", "CSV", "xml", "", None, 3],

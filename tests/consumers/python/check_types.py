@@ -1,8 +1,9 @@
-"""Has mypy and pyright check the Python package, those who use it well, and those who do not.
+"""Runs mypy and pyright on the Python package, on correct uses of it, and on wrong ones.
 
-    EVENLIFT_MYPY=mypy EVENLIFT_PYRIGHT=tests/page/node_modules/.bin/pyright python3 tests/consumers/python/check_types.py
+    EVENLIFT_MYPY=mypy EVENLIFT_PYRIGHT=tests/page/node_modules/.bin/pyright python3
+    tests/consumers/python/check_types.py
 
-Nothing of it is built or run. The Python that runs this file must have NumPy, whose types are looked up, too.
+Nothing of it is built or run. The Python that runs this file must have NumPy, because its types are also looked up.
 """
 
 import ast
@@ -28,7 +29,7 @@ class Failed(Exception):
 
 
 def output_of(*command, cwd):
-    """What a checker prints. It ends with 1 where it found something."""
+    """The output of a checker, which ends with status 1 if it found something."""
     done = subprocess.run(
         [*map(str, command)], cwd=cwd, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False
     )
@@ -37,11 +38,11 @@ def output_of(*command, cwd):
     return done.stdout
 
 
-# Each gives the complaints of all in a folder, as {(file's name, line): message}.
+# Each returns the complaints about all files in a folder, as {(file's name, line): message}.
 
 
 def mypy_complaints(folder):
-    # Before mypy 1.7 `Unpack` was not finished, though it does all that is asked of it here.
+    # Before mypy 1.7 `Unpack` was not finished, but it does all that is needed here.
     shown = ["--no-error-summary", "--hide-error-context", "--no-pretty", "--config-file=", f"--cache-dir={folder.parent / 'cache'}"]
     options = ["--strict", "--enable-incomplete-feature=Unpack", f"--python-executable={sys.executable}"]
     printed = output_of(mypy, *options, *shown, ".", cwd=folder)
@@ -50,7 +51,7 @@ def mypy_complaints(folder):
 
 
 def pyright_complaints(folder):
-    # Strict, but for the values that wrong_usage.py does nothing with, and what follows from each mistake there.
+    # Strict, except for values that wrong_usage.py does not use, and for the consequences of each mistake there.
     unknown = {f"reportUnknown{what}Type": False for what in ("Argument", "Member", "Variable")}
     project = {"include": ["."], "typeCheckingMode": "strict", "reportUnusedExpression": False, **unknown}
     (folder / "pyrightconfig.json").write_text(json.dumps(project))
@@ -61,7 +62,7 @@ def pyright_complaints(folder):
 
 
 def members_file():
-    """A program that asks each member of a result for the type that it has in the TypedDict: those of _members.pyi are written apart."""
+    """A program that checks each member of a result against its type in the TypedDict: the types of _members.pyi are written separately."""
     tree = ast.parse((sources / "evenlift/types.py").read_text(encoding="utf-8"))
     classes = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
     lines, used = [], set()
@@ -85,7 +86,7 @@ def wrong_lines(file):
 
 
 def lay_out(folder):
-    """The package, those who use it, and what asks for each member."""
+    """The package, its users, and the program that checks each member."""
     shutil.copytree(sources / "evenlift", folder / "evenlift", ignore=shutil.ignore_patterns("__pycache__", "*.so", "*.dylib", "*.dll"))
     for name in ("typed_usage.py", "wrong_usage.py"):
         shutil.copyfile(here / name, folder / name)

@@ -1,5 +1,5 @@
-"""The types that the package declares: every hint can be asked for, the settings are those of the manual, and results have the
-members that their types tell, no more and no less. usage.py runs these checks."""
+"""The types that the package declares: every hint can be resolved, the settings are those of the manual, and results
+have exactly the members of their types. usage.py runs these checks."""
 
 import inspect
 import json
@@ -19,7 +19,7 @@ l_shape = [(0, 0), (4, 0), (4, 1.5), (1.5, 1.5), (1.5, 3), (0, 3)]
 
 
 def public_callables():
-    """All functions and classes that the package shows, with the methods of the classes."""
+    """All public functions and classes of the package, with the methods of the classes."""
     things = [getattr(evenlift, name) for name in evenlift.__all__]
     things += [thing for thing in vars(types).values() if inspect.isclass(thing) and thing.__module__ == types.__name__]
     for thing in things:
@@ -58,7 +58,7 @@ def check_settings():
 
 
 def complaints(value, hint, where="it"):
-    """What of the value is not of the type."""
+    """The parts of the value that do not match the type."""
     origin, arguments = typing.get_origin(hint), typing.get_args(hint)
     if typing.is_typeddict(hint):
         if type(value) is not dict:
@@ -108,7 +108,7 @@ def check_placements(samples):
 
 
 def check_complaints():
-    """The check above finds what differs."""
+    """The check above finds differences."""
     content = json.loads(evenlift.place(l_shape).json)
     assert complaints({**content, "news": 1}, types.PlacementDict) == ["it has news"]
     hull = content.pop("hull")
@@ -127,7 +127,7 @@ def check_experiments():
 
 
 def check_places():
-    """Where an error says that something is wrong is a Place, whatever is wrong."""
+    """The place in an error is a Place, whatever is wrong."""
     link = evenlift.link(l_shape)
     wrong = [(l_shape, {"teams": 0}), (l_shape[:2] * 2, {}), (l_shape, {"centre_of_mass": (9, 9)}), ("(0,0", {}), (link[:-1], {}), ([], {})]
     for polygon, settings in wrong:

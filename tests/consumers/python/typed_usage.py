@@ -1,4 +1,4 @@
-"""What those who check types write: neither mypy nor pyright complains of any of it. check_types.py runs them."""
+"""Typed code of users: neither mypy nor pyright complains about any of it. check_types.py runs them."""
 
 from __future__ import annotations
 

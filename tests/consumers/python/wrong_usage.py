@@ -1,4 +1,4 @@
-"""Mistakes that mypy and pyright find: on just the lines that say so. check_types.py runs them."""
+"""Mistakes that mypy and pyright find, on exactly the lines marked "wrong". check_types.py runs them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-// What the thesis calls "our algorithm": the mean of the three metrics.
+// The thesis's "our algorithm": the mean of the three metrics.
 #pragma once
 
 #include <cstdint>
@@ -9,21 +9,21 @@
 
 namespace evenlift::experiment {
 
-// Picks a value of an aggregate; nothing if the aggregate does not have it.
+// Returns a value of an aggregate; nothing if the aggregate does not have it.
 using Pick = std::optional<double> (*)(const Aggregate&);
 std::optional<double> pick_spread(const Aggregate& a);
 std::optional<double> pick_share(const Aggregate& a);
 std::optional<double> pick_coverage(const Aggregate& a);
 std::optional<double> pick_closure(const Aggregate& a);
 
-// The mean of the methods that choose among candidates with that many robots, if all of them have a
-// value. O(rows).
+// The mean of the methods that choose among candidates, with that number of robots; nothing unless
+// all of them have a value. O(rows).
 std::optional<double> algorithm_average(const std::vector<Aggregate>& aggregates,
                                         std::uint32_t robots, Pick pick);
 
-// The ratio of the method's spread to the algorithm's with that many robots, for objects of
-// experiment_weight. Nothing if either is missing, or if the algorithm's loads are even to within τ
-// of their mean. O(rows).
+// The ratio of the method's spread of loads to the algorithm's with that number of robots, for
+// objects of experiment_weight. Nothing if either is missing, or if the algorithm's loads are even
+// to within τ of their mean. O(rows).
 std::optional<double> spread_times(const std::vector<Aggregate>& aggregates, Method method,
                                    std::uint32_t robots);
 
@@ -31,13 +31,13 @@ struct Range {
   double least = 0, most = 0;
 };
 
-// The least and the greatest spread_times for 2, 4, .. most_robots; nothing if there is none.
+// The least and the greatest spread_times() for 2, 4, .. most_robots; nothing if no value exists.
 // O(rows most_robots).
 std::optional<Range> spread_ratio(const std::vector<Aggregate>& aggregates, Method method,
                                   std::uint32_t most_robots);
 
-// The mean over 4, 6, .. most_robots of the algorithm's coverage less the method's (two robots
-// cover nothing). O(rows most_robots).
+// The mean over 4, 6, .. most_robots of the algorithm's coverage minus the method's (the coverage
+// of two robots is 0). O(rows most_robots).
 std::optional<double> coverage_lead(const std::vector<Aggregate>& aggregates, Method method,
                                     std::uint32_t most_robots);
 

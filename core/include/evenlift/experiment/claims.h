@@ -1,5 +1,5 @@
-// Every number that chapter 5 of the thesis states in its text (and 6.1 repeats), beside the same
-// number on the measured polygons.
+// Every number that chapter 5 of the thesis states in its text (and 6.1 repeats), with the same
+// number for the measured polygons.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@ namespace evenlift::experiment {
 
 struct Claim {
   std::string section;  // of the thesis
-  std::string what;     // what is counted, and how where the thesis leaves it open
-  std::string thesis;   // what it states; "—" where the text gives no number for this one
-  std::string ours;     // the same from the data; "—" where the data have none
+  std::string what;     // the quantity, and how it is counted if the thesis leaves that open
+  std::string thesis;   // the thesis's number; "—" if its text gives no number for this
+  std::string ours;     // the number from the data; "—" if the data have none
 };
 
 // The claims of one set from its sorted `results` and their `aggregates`. Every set has the same

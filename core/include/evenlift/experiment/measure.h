@@ -1,5 +1,5 @@
-// What chapter 5 of the thesis measures of one polygon: every method with every number of teams;
-// and beside it, beyond the thesis, balanced robots with every number of them.
+// Measures one polygon as in chapter 5 of the thesis: every method with every number of teams.
+// Beyond the thesis, it also measures balanced robots with every number of robots.
 #pragma once
 
 #include <cstdint>
@@ -16,69 +16,68 @@ namespace evenlift::experiment {
 // As in the thesis (5.2, 5.3).
 inline constexpr double experiment_weight = 100;  // of an object, kg
 
-// Bounds on what is asked for.
+// Upper limits of settings.
 inline constexpr std::uint32_t max_samples = 100000;
 inline constexpr std::uint32_t max_experiment_teams = 10000;
 
 struct ExperimentSettings {
   double min_ratio = 0.8;       // minimum load ratio, 0 .. 1, both included
   std::uint32_t samples = 200;  // random placements of each polygon, 1 .. max_samples
-  // Every polygon is measured with at most this many teams, 1 .. max_experiment_teams: the time
-  // grows with the square.
+  // The greatest number of teams, 1 .. max_experiment_teams: time grows with its square.
   std::uint32_t most_teams = 1000;
-  // And with at most this many balanced robots, least_robots .. most_robots: their search takes
-  // most of the time, and the more robots the more.
+  // The greatest number of balanced robots, least_robots .. most_robots: their search takes most of
+  // the time, more with more robots.
   std::uint32_t most_balanced = 12;
   double weight = experiment_weight;        // of the object; above 0
   WeightUnit weight_unit = WeightUnit::kg;  // its label, in the figures of a single polygon
   bool operator==(const ExperimentSettings&) const = default;
 };
 
-// An error if a setting is out of its range; its place names the option. O(1).
+// An error if a setting is out of range; its place names the option. O(1).
 std::optional<InputError> check_settings(const ExperimentSettings& settings);
 
 // A polygon ready to be measured.
 struct Subject {
   Polygon polygon;
   Vec2 centre = Vec2::Zero();
-  std::vector<Candidate> candidates;  // as many teams as the algorithm can place
+  std::vector<Candidate> candidates;  // their number is the greatest number of teams
 };
 
 // Validates a document and finds its candidates. The errors are those of place(). The document's
 // settings do not matter. O(n log n + K log K) for K edge-pairs.
 Result<Subject> prepare(const Document& document, double min_ratio);
 
-// One method with one number of robots on one polygon. Random placements are averaged.
+// One method with one number of robots on one polygon. Values of random placements are averages.
 struct Measurement {
   Method method = Method::area;
   std::uint32_t robots = 0;   // 2, 4, .. twice the number of candidates; balanced 2, 3, ..
-  std::uint32_t samples = 1;  // placements averaged; 1 for all methods but random
+  std::uint32_t samples = 1;  // number of averaged placements; 1 for all methods but random
   double coverage = 0;        // 0 .. 1
-  double form_closure = 0;    // part of the placements in form closure, 0 .. 1; 0 or 1 of one
-  double no_area = 0;         // the same by the thesis's own test: that no region of free rotation
+  double form_closure = 0;    // share of placements in form closure, 0 .. 1; 0 or 1 for one
+  double no_area = 0;         // the same by the thesis's own test: no region of free rotation
                               // centres has an area
-  double held_clear =
-      0;  // the same without contacts that are nearer than usual_clear R to a corner
+  double held_clear = 0;      // the same without contacts nearer than usual_clear R to a corner
   double load_min = 0, load_mean = 0, load_max = 0;  // over the robots, kg
   double spread = 0;                                 // load_max - load_min, kg (figure 5.3)
-  double max_share = 0.5;  // greatest share of its team's load that a robot bears (figure 5.5); of
-                           // balanced robots any two count as a team, so it is a half
-  std::optional<std::uint32_t> chosen;  // the candidate that the last team took, from 0, in
-                                        // candidate order; none for the other methods
+  double max_share = 0.5;  // greatest share of its team's load on one robot (figure 5.5); any two
+                           // balanced robots count as a team, so it is a half
+  std::optional<std::uint32_t> chosen;  // the candidate of the last team, from 0, in candidate
+                                        // order; none for the other methods
   bool operator==(const Measurement&) const = default;
 };
 
-// How many teams so many robots are: balanced robots are one, others stand two in a team. O(1).
+// The number of teams that this number of robots forms: one for balanced, otherwise one for every
+// two robots. O(1).
 std::uint32_t teams_of(Method method, std::uint32_t robots);
 
-// Measures one method with 1, 2, ... teams: as many as there are candidates and settings allow, for
-// distributed and random placements, too. A number of teams that a method cannot place is left out
-// (distributed and random, with C on the boundary). The random sample k = 1 .. samples is
-// random_teams with seed k, whose first t teams are its placement of t teams. For t teams: O(t^2)
-// loads, and coverage and closure once for each team.
+// Measures one method with 1, 2, ... teams, up to the number of candidates and the limit in the
+// settings; this also applies to equal angles and random. Numbers of teams that a method cannot
+// place are omitted (equal angles and random, with C on the boundary). The random sample k = 1 ..
+// samples is random_teams() with seed k, and its first t teams are the placement of t teams. For t
+// teams: O(t^2) loads, and coverage and form closure once for each team.
 //
-// Balanced robots are measured with each number of them from 2 on, candidates or not, where there
-// is such a placement: what place() finds with the settings left as they are, for the search of
+// Balanced robots are measured with 2, 3, ... robots, whether or not there are candidates, wherever
+// place() finds a placement with the other settings at their defaults. This costs the search of
 // balanced.h once for each number.
 //
 // The values are those that place() reports, except for the max_share of balanced robots.

@@ -1,4 +1,4 @@
-// Everything that an experiment reports, from the polygons' results.
+// All outputs of an experiment, from the results of its polygons.
 #pragma once
 
 #include <string>
@@ -13,16 +13,16 @@ namespace evenlift::experiment {
 
 struct Outputs {
   std::string measurements_csv, aggregates_csv, polygons_csv;
-  std::vector<std::pair<std::string, std::string>> refused;  // polygon, why it was left out
+  std::vector<std::pair<std::string, std::string>> refused;  // polygon, reason for leaving it out
   std::vector<Figure> figures;                               // by the thesis's figure, then by set
-  std::vector<SetClaims> claims;                             // none of a single polygon
-  std::vector<FewRobots> few_robots;                         // the same
+  std::vector<SetClaims> claims;                             // empty for a single polygon
+  std::vector<FewRobots> few_robots;                         // empty for a single polygon
 };
 
-// The outputs of sets of polygons, each with its averages. O(rows).
+// The outputs for sets of polygons, each with its averages. O(rows).
 Outputs make_outputs(const std::vector<ResultSet>& sets);
 
-// The outputs of one polygon: its measurements and make_polygon_figures. O(rows).
+// The outputs for one polygon: its measurements and make_polygon_figures(). O(rows).
 Outputs make_polygon_outputs(const PolygonResult& result, const ExperimentSettings& settings);
 
 // {"measurements", "aggregates", "polygons": the CSV files as strings; "thesis": the table in

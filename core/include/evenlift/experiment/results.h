@@ -1,5 +1,5 @@
-// The measurements of many polygons, and their texts: tidy CSV, and the part files from which an
-// interrupted or shared run is put together.
+// The measurements of many polygons, and their texts: tidy CSV, and the part files that assemble an
+// interrupted or shared run.
 #pragma once
 
 #include <cstdint>
@@ -13,23 +13,23 @@
 namespace evenlift::experiment {
 
 struct PolygonResult {
-  std::string set;      // of the polygons that it is averaged with, by name
-  std::string polygon;  // its name, unique in its set
+  std::string set;      // name of the set of polygons with which it is averaged
+  std::string polygon;  // name, unique in its set
   std::string problem;  // why it could not be measured; empty if it could
   std::uint32_t vertices = 0;
   bool convex = false;
-  std::uint32_t candidates = 0;           // as many teams as the algorithm can place
-  std::vector<Measurement> measurements;  // by method, then robots
+  std::uint32_t candidates = 0;           // greatest number of teams that the algorithm can place
+  std::vector<Measurement> measurements;  // by method, then by robots
   bool operator==(const PolygonResult&) const = default;
 };
 
-// Seconds that a stage took ("candidates", or a method's name).
+// The seconds of each stage ("candidates", or a method's name).
 using Times = std::vector<std::pair<std::string, double>>;
 
-// 16 hexadecimal digits that tell texts apart (FNV-1a, 64 bits). O(bytes).
+// 16 hexadecimal digits that distinguish texts (FNV-1a, 64 bits). O(bytes).
 std::string fingerprint(std::string_view bytes);
 
-// The fingerprint of everything that a polygon's result depends on: settings, centre of mass and
+// The fingerprint of everything on which a polygon's result depends: settings, centre of mass and
 // vertices. O(n).
 std::string fingerprint(const Document& document, const ExperimentSettings& settings);
 
@@ -48,10 +48,10 @@ struct ResultSet {
   std::vector<PolygonResult> results;
 };
 
-// Divides sorted results into their sets, which keep their order. O(n).
+// Divides sorted results into sets and keeps their order. O(n).
 std::vector<ResultSet> group_by_set(std::vector<PolygonResult> results);
 
-// One finished polygon. write_part gives it as text that ends in a newline. O(rows).
+// One finished polygon. write_part() returns it as text that ends in a newline. O(rows).
 struct Part {
   ExperimentSettings settings;
   std::string fingerprint;  // of its input
@@ -61,20 +61,20 @@ struct Part {
 };
 std::string write_part(const Part& part);
 
-// Reads exactly what write_part wrote. Nothing for any other text, such as one that lacks a line.
-// O(bytes).
+// Reads exactly the output of write_part(). Nothing for any other text, such as one that lacks a
+// line. O(bytes).
 std::optional<Part> read_part(std::string_view text);
 
 // One row for each set, polygon, method and number of robots, in that order, under a heading;
-// numbers have the fewest digits that read back to the same double. Columns as Measurement's
-// fields; `chosen` is empty where there is none. O(rows).
+// numbers have the fewest digits that read back to the same double. The columns are the fields of
+// Measurement; `chosen` is empty if there is none. O(rows).
 std::string measurements_csv(const std::vector<ResultSet>& sets);
 
-// One row for each polygon: its size, how many teams the algorithm can place, or why it was
-// refused. O(polygons).
+// One row for each polygon: its size, and the number of teams that the algorithm can place or the
+// reason why it was refused. O(polygons).
 std::string polygons_csv(const std::vector<ResultSet>& sets);
 
-// One row for each polygon and stage, with the seconds that it took.
+// One row for each polygon and stage, with its seconds.
 std::string times_csv(const std::vector<Part>& parts);
 
 }  // namespace evenlift::experiment

@@ -22,13 +22,13 @@ struct ShardList {
   Shard shard;
   ExperimentSettings settings;
   struct Entry {
-    std::string set, polygon, fingerprint;  // as in its part
+    std::string set, polygon, fingerprint;  // as in the polygon's part
   };
   std::vector<Entry> entries;
 };
 
-// The list as text, and back. Reading gives nothing for what write_shard_list did not write.
-// O(entries).
+// The list as text, and the list from its text. read_shard_list() returns nothing for a text that
+// write_shard_list() did not write. O(entries).
 std::string write_shard_list(const ShardList& list);
 std::optional<ShardList> read_shard_list(std::string_view text);
 

@@ -1,4 +1,4 @@
-// Text within SVG and HTML, and how long it is.
+// Text within SVG and HTML, and its length.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,11 @@
 
 namespace evenlift {
 
-// The text with `&`, `<`, `>` and `"` written as entities, for between tags and for the values of
-// attributes. O(bytes).
+// The text with `&`, `<`, `>` and `"` written as entities, for use between tags and in attribute
+// values. O(bytes).
 std::string escaped(std::string_view text);
 
-// How many characters the UTF-8 text has. O(bytes).
+// The number of characters in a UTF-8 text. O(bytes).
 std::size_t character_count(std::string_view text);
 
 }  // namespace evenlift

@@ -1,4 +1,4 @@
-// A Placement as shapes with roles, in polygon coordinates: no colours, no pixels. The SVG writer
+// A placement as shapes with roles, in polygon coordinates: no colours, no pixels. The SVG writer
 // and the page's canvas both draw it.
 #pragma once
 
@@ -16,9 +16,9 @@ enum class Role : std::uint8_t {
   object,            // filled polygon P
   lifting_base,      // filled lifting base H
   clockwise,         // filled region of free clockwise rotation centres
-  counterclockwise,  // filled region of free counter-clockwise ones
+  counterclockwise,  // filled region of free counter-clockwise rotation centres
   candidate,         // a candidate chord that no team took
-  chord,             // a line that joins a team
+  chord,             // a line that joins the robots of a team
   robot,             // a lifting point
   centre_of_mass,
 };
@@ -26,19 +26,20 @@ enum class Role : std::uint8_t {
 struct Shape {
   Role role = Role::object;
   Points points;                      // closed area (3 or more), segment (2) or spot (1)
-  std::optional<std::uint32_t> team;  // index of the team, of chords and robots
+  std::optional<std::uint32_t> team;  // index of the team, for chords and robots
   double load = 0;                    // for robots
 };
 
-// The lines that join a team: the chord of a team of two, else one from each robot to C.
+// The lines that join a team: the chord of a team of two, otherwise a line from each robot to C.
 // O(robots of the team).
 struct Segment {
   Vec2 from = Vec2::Zero(), to = Vec2::Zero();
 };
 std::vector<Segment> joining_lines(const Team& team, const Vec2& centre);
 
-// What the overlays ask for, back to front. If there are more than `most_lines` candidates or
-// chords, only every second, third and so on is shown: nobody could tell them apart. O(output).
+// The shapes that the overlays select, back to front. If there are more than `most_lines`
+// candidates or teams, only every second, third and so on is shown, since more would be
+// indistinguishable. O(output).
 std::vector<Shape> make_picture(const Placement& placement, const Overlays& overlays,
                                 std::size_t most_lines = SIZE_MAX);
 

@@ -1,4 +1,4 @@
-// Who bears what, failures and doubt about C, in words.
+// Loads by each model, failures and C uncertainty, in words.
 #pragma once
 
 #include <cstddef>
@@ -11,43 +11,43 @@
 
 namespace evenlift {
 
-// What the robots bear by a model: "If all robots are equally stiff and level and the object does
-// not bend, they bear 15.9–17.5 kg each. Robots 2 and 5 let go." Empty for the plan, of which
-// loads_in_words speaks. Robots count from 1.
+// The loads of the robots by a model: "If all robots are equally stiff and level and the object
+// does not bend, they bear 15.9–17.5 kg each. Robots 2 and 5 let go." Empty for the plan; use
+// loads_in_words() for it. Robots count from 1.
 std::string model_in_words(LoadModel model, const ModelLoads& loads, const Units& units = {});
 
 // "It can tip: the centre of mass may be off by 200 mm, and 177 mm in one direction is enough."
 // Empty if it cannot. O(1).
 std::string tipping_in_words(const Robustness& robustness, double com_radius, const Units& units);
 
-// How the loads change while C is anywhere within the radius, from where on the object tips, and
-// whether some robot lets go before.
+// How the loads change while C is anywhere within the radius, and the distance from which on the
+// object can tip or, before that, different robots carry the load.
 std::string doubt_in_words(const ModelLoads& loads, const Robustness& robustness, double com_radius,
                            const Units& units = {});
 
-// How far C may be off so that no robot bears more than the capacity by springs.
+// How far C may be off before a robot exceeds the capacity, with loads by springs.
 std::string doubt_of_capacity_in_words(const ModelLoads& loads, const Robustness& robustness,
                                        double capacity, const Units& units = {});
 
-// Which robots the object cannot do without, what the others bear at most, and with a capacity
-// whose failure leaves some robot with more than that.
+// The indispensable robots, the greatest load of a robot if any other fails, the failures that let
+// the object tip and, with a capacity, the failures that overload a robot.
 std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& failures,
                               const Units& units = {},
                               const std::optional<double>& capacity = std::nullopt);
 
-// "Robot 3 fails: carried by the other five, at most 21.3 kg." What it bears is by springs. If that
-// is more than the capacity, it says so.
+// "Robot 3 fails: carried by the other five, at most 21.3 kg." Loads are by springs. If the load
+// exceeds the capacity, the text adds the capacity.
 std::string failure_in_words(std::size_t robot, std::size_t robots,
                              const std::optional<RestOfRobots>& rest,
                              const std::optional<double>& capacity = std::nullopt,
                              const Units& units = {});
 
-// What holds while a robot fails, beside failure_in_words(): coverage and closure, or why the
-// others cannot hold the object. `failing` comes from with_failure().
+// The state while a robot fails, in addition to failure_in_words(): coverage and closure, or why
+// the others cannot carry the object. `failing` comes from with_failure().
 std::string rest_in_words(const ShownPlacement& failing);
 
-// How many robots may fail, and how far C may be off. While one of them fails (`failing`) the
-// robustness is that of the others, of whom it is not counted how many more may fail.
+// The number of robots that may fail, and the tipping distance. While one of them fails
+// (`failing`), the robustness is that of the others, and further failures are not counted.
 std::vector<Fact> robustness_facts(const ShownPlacement& of, const Robustness& robustness,
                                    bool failing = false);
 

@@ -8,14 +8,14 @@
 
 namespace evenlift {
 
-// Polygon, H, chords, robots with their loads, centre of mass and the two closure regions (hatched,
-// so that they are told apart without colour), fitted with a margin; a caption and a <title>/<desc>
-// in words. The same bytes on every platform. With the `link` of its document (link.h), the
-// picture opens again as that document. O(output).
+// The polygon, H, chords, robots with their loads, the centre of mass and the two regions of free
+// rotation centres (hatched, so that they differ without colour), fitted with a margin; a caption
+// and a <title>/<desc> in words. The bytes are the same on every platform. With the `link` of its
+// document (link.h), evenlift can open the picture as that document. O(output).
 std::string placement_svg(const ShownPlacement& of, std::string_view link = {});
 
-// The same picture half as large, with letters and robots of the same size, and without the caption
-// and the link: for pictures beside each other. O(output).
+// The picture at half the size, for pictures side by side: letters and robots keep their size, and
+// there is no caption or link. O(output).
 std::string placement_sketch(const ShownPlacement& of);
 
 }  // namespace evenlift

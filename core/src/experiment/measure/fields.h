@@ -1,5 +1,5 @@
-// Reads the fields of a row one after another, and the settings that parts and shard lists hold as
-// fields.
+// Reads the fields of a row one after another, and the settings stored as fields in parts and shard
+// lists.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ class Fields {
     return good_ ? static_cast<std::uint32_t>(*value) : 0;
   }
 
-  // Whether all fields have been read, and each was as expected.
+  // Whether all fields have been read, and all were valid.
   bool done() const { return good_ && at_ == row_.size(); }
 
  private:

@@ -14,7 +14,7 @@
 namespace evenlift::experiment {
 namespace {
 
-// Follows a placement while teams are added to it one by one.
+// Measures a placement while teams are added one by one.
 class Growing {
  public:
   Growing(const Subject& subject, double weight)
@@ -31,7 +31,7 @@ class Growing {
 
   const std::vector<LiftingPoint>& points() const { return points_; }
 
-  // Everything except form closure.
+  // All measurements except form closure.
   Measurement measured() {
     Measurement m;
     m.robots = static_cast<std::uint32_t>(points_.size());
@@ -50,7 +50,7 @@ class Growing {
   Points widened(const Chord& chord) const {
     const Vec2 &p = chord.r1.position, &q = chord.r2.position;
     if (hull_.size() >= 3) return widen_hull(hull_, p, q, near_);
-    // While H is a segment, what lies beside it within tolerance is not among its corners.
+    // While H is a segment, points beside it within tolerance are not among its corners.
     return lifting_base(subject_.polygon, points_);
   }
 
@@ -60,7 +60,7 @@ class Growing {
   std::vector<Chord> chords_;
   std::vector<LiftingPoint> points_;
   Points hull_;
-  std::optional<double> coverage_;  // of this hull, once asked for
+  std::optional<double> coverage_;  // of this hull, once computed
 };
 
 using Test = bool (*)(const Polygon&, const Vec2&, const std::vector<LiftingPoint>&);
@@ -85,7 +85,7 @@ std::vector<Measurement> measure_selected(const Subject& subject, Method method,
   return rows;
 }
 
-// With equal angles every number of teams has a placement of its own.
+// With equal angles, each number of teams has its own placement.
 std::vector<Measurement> measure_distributed(const Subject& subject,
                                              const ExperimentSettings& settings) {
   std::vector<Measurement> rows;
@@ -102,8 +102,8 @@ std::vector<Measurement> measure_distributed(const Subject& subject,
   return rows;
 }
 
-// The least number of teams that passes, or one more than there are teams. More teams never fail
-// where fewer pass, so bisection finds it.
+// The smallest number of teams that passes the test, or the number of teams plus one if all fail.
+// If some teams pass, more teams also pass, so bisection finds the number.
 std::size_t first_passing(const Subject& subject, const std::vector<LiftingPoint>& points,
                           Test test) {
   std::size_t fails = 0, passes = points.size() / 2 + 1;

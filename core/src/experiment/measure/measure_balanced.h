@@ -1,5 +1,5 @@
-// The measures of balanced robots (evenlift/experiment/measure.h), and the test of closure that all
-// methods share.
+// The measurements of balanced robots (evenlift/experiment/measure.h), and the tests of form
+// closure that all methods share.
 #pragma once
 
 #include <vector>
@@ -14,8 +14,8 @@ namespace evenlift::experiment {
 bool holds_clearly(const Polygon& polygon, const Vec2& centre,
                    const std::vector<LiftingPoint>& points);
 
-// Fills in whether robots at these points are in form closure, pass the thesis's own test, and hold
-// clearly. As in_form_closure, no_region_has_area and holds_clearly.
+// Fills in three tests of robots at these points: form closure (in_form_closure), the thesis's own
+// test (no_region_has_area), and a clear hold (holds_clearly).
 void test_closure(const Subject& subject, const std::vector<LiftingPoint>& points, Measurement& m);
 
 // measure() for Method::balanced.

@@ -10,8 +10,8 @@
 namespace evenlift::experiment {
 namespace {
 
-// Increase it whenever the same polygon gives other rows or the rows look different: older parts
-// are then measured again.
+// Increase it whenever the rows of a polygon or their format change: older parts are then measured
+// again.
 constexpr const char* part_format = "evenlift experiment 4";
 
 const csv::Row measurement_columns = {"set",      "polygon",    "method",    "teams",
@@ -174,7 +174,7 @@ std::optional<Part> read_part(std::string_view text) {
                                            : false;
     if (!read) return std::nullopt;
   }
-  // The same numbers can be written in other ways, but write_part writes them in this one.
+  // The same numbers can be written in other ways, but write_part writes them in this way.
   if (write_part(part) != text) return std::nullopt;
   return part;
 }

@@ -8,7 +8,7 @@
 namespace evenlift::experiment {
 namespace {
 
-// The candidate that the last team of each method took; none if one has no such team.
+// The candidate of the last team by each metric; nothing if a metric has no such team.
 std::optional<std::vector<std::uint32_t>> choices(const PolygonResult& result,
                                                   std::uint32_t teams) {
   std::vector<std::uint32_t> chosen;
@@ -35,7 +35,7 @@ std::optional<double> algorithm_coverage(const PolygonResult& result, std::uint3
   return sum / static_cast<double>(std::size(candidate_methods));
 }
 
-// The largest number of robots in teams of two that was measured.
+// The largest measured number of robots in teams of two.
 std::uint32_t most_in_teams(const PolygonResult& result) {
   std::uint32_t most = 0;
   for (const Measurement& m : result.measurements)
@@ -46,7 +46,7 @@ std::uint32_t most_in_teams(const PolygonResult& result) {
 }  // namespace
 
 const Measurement* find(const PolygonResult& result, Method method, std::uint32_t robots) {
-  // Rows are by method, then robots.
+  // Rows are sorted by method, then by robots.
   const auto at = std::lower_bound(
       result.measurements.begin(), result.measurements.end(), std::pair(method, robots),
       [](const Measurement& m, auto key) { return std::pair(m.method, m.robots) < key; });

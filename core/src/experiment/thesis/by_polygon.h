@@ -1,4 +1,4 @@
-// What chapter 5 counts polygon by polygon, not from averages.
+// The counts of chapter 5 over single polygons, not over averages.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,9 @@ struct Count {
 // The measurement of a method with a number of robots, or null. O(rows).
 const Measurement* find(const PolygonResult& result, Method method, std::uint32_t robots);
 
-// Polygons with candidates for `teams` on which all that choose among candidates choose the same
-// last team; with more than two teams, of those on which they chose the same one before, too (5.4).
-// Only polygons with up to `most_vertices`.
+// Counts the polygons with candidates for `teams` teams, and among them those on which all metrics
+// choose the same last team. With more than two teams, a polygon counts only if they chose the same
+// preceding team (5.4). Only polygons with up to `most_vertices`.
 Count same_choice(const std::vector<PolygonResult>& results, std::uint32_t teams,
                   std::size_t most_vertices = max_vertices);
 
@@ -28,36 +28,37 @@ Count same_choice(const std::vector<PolygonResult>& results, std::uint32_t teams
 // those on which the coverages still differ by less than `difference` of the polygon.
 Count alike_coverage(const std::vector<PolygonResult>& results, double difference);
 
-// For each polygon with two teams or more the mean, over 2 .. its most teams, of the coverage of
-// the method less that of the algorithm (the mean of its metrics).
+// For each polygon with two teams or more: the coverage of the method less the coverage of the
+// algorithm (the mean of its metrics), averaged over 2 teams to the greatest number.
 std::vector<double> coverage_differences(const std::vector<PolygonResult>& results, Method method);
 
-// For each polygon with candidates the algorithm's coverage with the most teams.
+// For each polygon with candidates: the algorithm's coverage with the greatest number of teams.
 std::vector<double> final_coverages(const std::vector<PolygonResult>& results);
 
-// The algorithm's coverage in every measurement with two teams or more (one covers nothing): of
-// each polygon, metric, and number of teams.
+// The algorithm's coverage in every measurement with two teams or more (one team covers nothing):
+// for each polygon, metric, and number of teams.
 std::vector<double> all_coverages(const std::vector<PolygonResult>& results);
 
-// The greatest loss of coverage (method area) with so many robots from a polygon NAME to NAME-moved
-// or NAME-moved-1, NAME-moved-2 ..., and the name of the latter; none without such a couple.
+// The greatest loss of coverage (method area) with `robots` robots from a polygon NAME to
+// NAME-moved or NAME-moved-1, NAME-moved-2 ..., and the name of the latter; nothing if there are no
+// such polygons.
 struct Loss {
   std::string polygon;
   double before = 0, after = 0;
 };
 std::optional<Loss> greatest_loss(const std::vector<PolygonResult>& results, std::uint32_t robots);
 
-// Polygons that some method of the thesis closes with some number of teams, and that one which
-// chooses among candidates closes, too. (With all candidates placed these are one.)
+// Counts the polygons on which some thesis method passes the test with some number of teams, and
+// among them those on which a metric passes it. (With all candidates placed, all metrics agree.)
 Count closed(const std::vector<PolygonResult>& results, Closed closed);
 
-// Polygons with up to `most_vertices` that can be closed and on which the method can place so many
-// robots, and those that it closes with them.
+// Counts the polygons with up to `most_vertices` on which the test can be passed and the method can
+// place `robots` robots, and among them those on which these robots pass it.
 Count closed_with(const std::vector<PolygonResult>& results, Closed closed, Method method,
                   std::uint32_t robots, std::size_t most_vertices);
 
-// Steps from one number of teams to the next at which a polygon in form closure loses it; and the
-// numbers of robots after the step at which that happens, each once, rising.
+// Counts the steps from one number of teams to the next that begin with a passed test, and among
+// them those that lose it; and the numbers of robots after such a loss, each once, ascending.
 struct Lost {
   Count steps;
   std::vector<std::uint32_t> robots;

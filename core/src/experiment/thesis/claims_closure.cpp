@@ -8,7 +8,7 @@ struct Reading {
   Closed closed;
   std::optional<double> Aggregate::*rate;
   std::uint32_t Aggregate::*of;
-  const char* in_words;  // after what is counted
+  const char* in_words;  // appended to the name of the quantity
 };
 constexpr Reading readings[] = {
     {&Measurement::form_closure, &Aggregate::form_closure, &Aggregate::closable, ""},
@@ -28,7 +28,8 @@ std::string lost_in_words(const Lost& lost) {
   return text + " robots";
 }
 
-// Numbers of robots from 4 to 12 with which no other method closes more polygons than distributed.
+// The numbers of robots from 4 to 12 for which no method of teams passes the test on more polygons
+// than equal angles.
 std::string distributed_leads(const Rows& rows, const Reading& reading) {
   std::string text;
   for (std::uint32_t robots = 4; robots <= 12; robots += 2) {

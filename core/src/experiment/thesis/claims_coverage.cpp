@@ -41,7 +41,7 @@ void add_choices(std::vector<Claim>& claims, const Results& results) {
        "most", rate(alike_coverage(results, 0.1))});
 }
 
-// What the algorithm covers.
+// The coverage of the algorithm.
 void add_algorithm(std::vector<Claim>& claims, const Results& results, const Rows& rows,
                    std::uint32_t most_robots) {
   const auto mean = mean_of_figure(rows, most_robots);
@@ -57,7 +57,7 @@ void add_algorithm(std::vector<Claim>& claims, const Results& results, const Row
                     mean_and_deviation(final_coverages(results), 1)});
 }
 
-// What it covers beside the other methods, and after the centre of mass is moved.
+// Its coverage compared with the other methods, and after the centre of mass has moved.
 void add_comparisons(std::vector<Claim>& claims, const Results& results) {
   claims.push_back(
       {"5.4",

@@ -12,7 +12,7 @@ namespace evenlift::experiment::claims {
 using Results = std::vector<PolygonResult>;
 using Rows = std::vector<Aggregate>;
 
-// The cell of a claim that has no number.
+// The cell of a claim without a number.
 inline constexpr const char* none = "—";
 
 std::string percent(double share, int decimals = 0);
@@ -21,8 +21,8 @@ std::string rate(const Count& count);  // "56 % (63 of 113)"
 std::string with_deviation(const std::string& value, const std::optional<double>& deviation,
                            double scale, int decimals, const char* unit);
 
-// Each function adds its claims. `most_robots` is the largest number of robots in teams of two that
-// the charts show.
+// Each function adds its claims. `most_robots` is the largest number of robots in teams of two in
+// the charts.
 void add_loads(std::vector<Claim>& claims, const Rows& rows, std::uint32_t most_robots);  // 5.3
 void add_coverage(std::vector<Claim>& claims, const Results& results, const Rows& rows,
                   std::uint32_t most_robots);                                            // 5.4

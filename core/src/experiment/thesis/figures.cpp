@@ -34,7 +34,7 @@ constexpr Plan plans[] = {
     {"5.11", "Polygons in form closure", "%", "form_closure_mean", pick_closure, closure_sentence},
 };
 
-// How far the charts go: in teams of two, and with balanced robots.
+// The greatest number of robots in the charts: in teams of two, and balanced robots.
 struct Shown {
   std::uint32_t in_teams = 0, balanced = 0;
 

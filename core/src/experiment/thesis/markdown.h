@@ -7,8 +7,8 @@
 
 namespace evenlift::experiment::markdown {
 
-// A text as a cell that shows it as it is. Names of polygons and sets may hold anything: neither
-// HTML nor what Markdown would take for its own becomes more than text.
+// A cell that shows a text unchanged. Names of polygons and sets may contain anything, so HTML and
+// Markdown syntax is escaped.
 inline std::string cell(std::string_view text) {
   std::string out;
   for (const char c : text) {

@@ -1,4 +1,4 @@
-// One polygon's measures against the number of robots.
+// The measurements of one polygon against the number of robots.
 #include <algorithm>
 
 #include "evenlift/experiment/figures.h"
@@ -10,7 +10,7 @@ namespace {
 
 using Value = double Measurement::*;
 
-// The most robots of teams of two, or of balanced ones if those cannot be placed.
+// The greatest number of robots in teams of two, or of balanced robots if there are no teams.
 std::uint32_t most_robots(const PolygonResult& result) {
   std::uint32_t in_teams = 0, balanced = 0;
   for (const Measurement& m : result.measurements) {
@@ -41,7 +41,7 @@ bool has(const PolygonResult& result, Method method) {
                      [&](const Measurement& m) { return m.method == method; });
 }
 
-// "by area with 8 robots", "by circle with none": with how many robots a method first closes.
+// "by area with 8 robots", "by circle with none": the smallest number of robots in form closure.
 std::string first_closed(const PolygonResult& result, Method method) {
   for (const Measurement& m : result.measurements)
     if (m.method == method && m.form_closure > 0)
@@ -49,8 +49,8 @@ std::string first_closed(const PolygonResult& result, Method method) {
   return by(method) + " with none";
 }
 
-// Equal angles and balanced robots are placed anew for each number, so that closure may be lost
-// again. `who` are such robots.
+// Equal angles and balanced robots are placed independently for each number, so form closure may be
+// lost again. `who` names these robots.
 std::string lost_again(const PolygonResult& result, Method method, const std::string& who) {
   std::vector<std::string> numbers;
   const Measurement* before = nullptr;

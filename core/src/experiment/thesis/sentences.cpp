@@ -33,8 +33,8 @@ std::string times(const Range& range) {
   return least == most ? least : least + " to " + most;
 }
 
-// Says which method's values vary most between the polygons, and which least. The greatest
-// deviation with any number of teams decides.
+// Names the method whose values vary most between the polygons, and the method whose values vary
+// least. The greatest deviation over all numbers of robots decides.
 template <class Write>
 std::string deviations(const Rows& rows, std::uint32_t most_robots, Pick pick, Write write) {
   const Aggregate *most = nullptr, *least = nullptr;
@@ -56,7 +56,7 @@ std::string deviations(const Rows& rows, std::uint32_t most_robots, Pick pick, W
          of_robots(least->robots) + ").";
 }
 
-// What the most balanced robots cover that were measured, if they are fewer than `robots`.
+// The coverage of the greatest measured number of balanced robots, if it is below `robots`.
 std::string fewer_in_balance(const Rows& rows, std::uint32_t robots) {
   const Aggregate* most = nullptr;
   for (const Aggregate& a : rows)

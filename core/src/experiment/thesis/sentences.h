@@ -1,4 +1,4 @@
-// What each figure shows, in a sentence or two made from the data.
+// A sentence or two about each figure, made from its data.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace evenlift::experiment {
 
-// A sentence from the aggregates, those of teams of two with up to most_robots; 0 if there are
-// none. O(rows most_robots).
+// A sentence from the aggregates, with teams of two up to most_robots robots; 0 if there are no
+// teams. O(rows most_robots).
 using Sentence = std::string (*)(const std::vector<Aggregate>& aggregates,
                                  std::uint32_t most_robots);
 
@@ -22,14 +22,14 @@ std::string coverage_sentence(const std::vector<Aggregate>&, std::uint32_t);
 std::string coverage_deviation_sentence(const std::vector<Aggregate>&, std::uint32_t);
 std::string closure_sentence(const std::vector<Aggregate>&, std::uint32_t);
 
-// The pieces of such sentences. A value and its unit stay on one line.
+// Parts of such sentences. A value and its unit stay on one line.
 std::string in_unit(double value, const std::string& unit);
 std::string in_kg(double value);
 std::string in_percent(double share);
 std::string of_robots(std::uint32_t robots);  // "6 robots"
-// How a method's placements came about: "by area", "at equal angles", "in balance".
+// The method of placement in words: "by area", "at equal angles", "in balance".
 std::string by(Method method);
-// "1, 2 and 3"; empty if there are none.
+// "1, 2 and 3"; empty if there are no items.
 std::string listed(const std::vector<std::string>& items);
 
 }  // namespace evenlift::experiment

@@ -74,7 +74,7 @@ std::string closure_json(const Closure& closure) {
       1);
 }
 
-// How far C may be off so that no robot bears more than the limit.
+// The greatest distance that C may be off while no robot carries more than the limit.
 std::string com_radius_json(const Placement& placement, const std::optional<ModelLoads>& models,
                             double limit) {
   if (!models) return "null";
@@ -112,7 +112,7 @@ void add_moved(std::vector<json::Member>& members, const Moved& moved) {
   if (moved.any()) members.push_back({"moved", json::text(moved_text(moved))});
 }
 
-// Parts of edges, counted from 1, from 0 to 1 along each.
+// Parts of edges: edges counted from 1, with positions from 0 to 1 along each.
 std::string unusable_json(const Placement& placement) {
   std::vector<std::string> items;
   const Polygon& polygon = placement.polygon;
@@ -124,7 +124,7 @@ std::string unusable_json(const Placement& placement) {
   return json::long_array(items, 1);
 }
 
-// Where robots with a size can stand.
+// Adds the places where robots with a size can stand.
 void add_stands(std::vector<json::Member>& members, const Placement& placement) {
   if (!placement.stands) return;
   members.push_back({"robot", json::robot(placement.settings.robot)});
@@ -132,9 +132,9 @@ void add_stands(std::vector<json::Member>& members, const Placement& placement) 
   members.push_back({"unusable", unusable_json(placement)});
 }
 
-// What was asked for in so far as the results do not say it, so that who opens them again has all
-// of it: how many teams of two, where that is "max" or the robots are balanced, and the overlays;
-// each where it is another than usual.
+// Adds the settings that the results do not show, so that a program can open the result with all of
+// them: the number of teams if it is "max" or the robots are balanced, and the overlays; each only
+// if it is not the default.
 void add_asked(std::vector<json::Member>& members, const Settings& settings,
                const Overlays& overlays) {
   const Settings usual;

@@ -1,5 +1,5 @@
-// The members of a placement's JSON that say who bears what and how much may go wrong. `depth` is
-// the number of levels at which the value stands.
+// The members of a placement's JSON about loads and robustness. `depth` is the nesting level of the
+// value.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ std::string robots(const Placement& placement, int depth);
 
 std::string models(const std::optional<ModelLoads>& models, int depth);
 
-// With a radius above 0, also the ranges of the loads while C is anywhere within it.
+// With a radius above 0, includes the ranges of the loads while C is anywhere within it.
 std::string robustness(const Placement& placement, const std::optional<ModelLoads>& models,
                        double com_radius, int depth);
 

@@ -3,7 +3,7 @@
 namespace evenlift::json {
 namespace {
 
-// Whether the document's method has any use for a setting; the others are left out.
+// Whether the document's method uses a setting; unused settings are omitted.
 bool is_of_use(const SettingRow& row, const Settings& settings) {
   if (row.setting == Setting::goal)
     return exchanges_teams(settings) || (settings.method == Method::balanced && settings.goal);

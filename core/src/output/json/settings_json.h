@@ -8,8 +8,8 @@
 
 namespace evenlift::json {
 
-// Adds the settings from `first` to `last` that a list (SettingRow::in_document, in_result) names,
-// where they count for the document's method; in the order of Setting. O(output).
+// Adds the settings from `first` to `last` in a list (SettingRow::in_document, in_result) that
+// affect the document's method, in the order of Setting. O(output).
 void add_settings(std::vector<Member>& members, const Document& document, Listed SettingRow::*list,
                   Setting first, Setting last);
 

@@ -25,7 +25,7 @@ std::string_view name(PoseOrigin origin) { return origin == PoseOrigin::file ? "
 // Zero has no sign in a table or a message.
 double without_sign(double value) { return value == 0 ? 0 : value; }
 
-// The robots, each where it stands.
+// The robots at their stands, with coordinates relative to the origin.
 std::vector<PlacedRobot> robots_from(const Placement& placement, PoseOrigin origin) {
   std::vector<PlacedRobot> robots = placed_robots(placement);
   for (PlacedRobot& robot : robots) {
@@ -96,8 +96,8 @@ double in_metres(double length, LengthUnit unit) {
   return length;
 }
 
-// A number that every reader of YAML takes for one with a fraction: some want the point, and a sign
-// in the exponent.
+// A number that every YAML reader treats as a floating-point number: some require the point, and a
+// sign in the exponent.
 std::string yaml_number(double value) {
   std::string text = shortest(without_sign(value));
   const std::size_t exponent = text.find('e');
@@ -106,10 +106,10 @@ std::string yaml_number(double value) {
   return text;
 }
 
-// The rotation about z that turns x into the direction, as the z and w of its quaternion, w >= 0:
-// by the half-angle formulas, each used where nothing cancels.
+// The rotation about z that turns x into the direction, as the z and w of its quaternion, w >= 0.
+// Uses the half-angle formulas where they have no cancellation.
 std::array<double, 2> half_turn(const Vec2& direction) {
-  const double x = direction.x(), y = direction.y() + 0.0;  // straight back is a turn to the left
+  const double x = direction.x(), y = direction.y() + 0.0;  // straight back is a left turn
   if (x >= 0) {
     const double w = std::sqrt((1 + x) / 2);
     return {y / (2 * w), w};

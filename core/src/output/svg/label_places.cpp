@@ -12,11 +12,11 @@ namespace {
 constexpr double cost_of_edge = 60;
 constexpr double cost_of_inside = 40;
 constexpr double cost_of_chord = 25;
-constexpr double cost_of_turning = 24;  // to the side opposite of the one preferred
+constexpr double cost_of_turning = 24;  // to the side opposite the preferred one
 constexpr int directions = 24;
 constexpr double distances[] = {5, 12, 22};
 constexpr double room = 2;                    // between two labels
-constexpr std::size_t large_outline = 20000;  // has no visible inside
+constexpr std::size_t large_outline = 20000;  // has no visible interior
 
 bool overlap(const Box& a, const Box& b) {
   return a.low.x() < b.high.x() && b.low.x() < a.high.x() && a.low.y() < b.high.y() &&
@@ -43,7 +43,7 @@ bool touches(const Box& a, const Box& b) {
          b.low.y() <= a.high.y();
 }
 
-// The bounds meet and the box's corners are not all on one side of the segment's line.
+// Whether the bounding boxes meet and the box has corners on both sides of the segment's line.
 bool meets(const Segment& s, const Box& box) {
   if (!touches(bounds(s), box)) return false;
   const Vec2 along = s.second - s.first;
@@ -57,13 +57,12 @@ bool meets(const Segment& s, const Box& box) {
   return left && right;
 }
 
-// The box of `size` that touches `owner` grown by `distance`, in direction (dx, dy) from its
-// middle.
+// The box of `size` that touches `owner` grown by `distance`, in a direction from its middle.
 Box beside(const Box& owner, const Vec2& size, double distance, const Vec2& direction) {
   const Vec2 half = (owner.high - owner.low) / 2;
   const Vec2 middle = owner.low + half;
-  // How far the centres must be apart along the direction: as for an ellipse around owner and
-  // label, which lies closer than their boxes' corners would allow.
+  // Diagonally, the distance mostly follows an ellipse around owner and label, so that they are
+  // closer than their boxes' corners would allow.
   const Vec2 reach = half + size / 2 + Vec2(distance, distance);
   const double scale =
       1 / std::max(std::abs(direction.x()) / reach.x(), std::abs(direction.y()) / reach.y());
@@ -73,7 +72,7 @@ Box beside(const Box& owner, const Vec2& size, double distance, const Vec2& dire
   return {at - size / 2, at + size / 2};
 }
 
-// The obstacles that are near enough to a label to matter.
+// The obstacles near a label.
 struct Nearby {
   std::vector<Segment> edges, chords;
 };

@@ -9,12 +9,12 @@ void add_area(std::vector<Shape>& shapes, Role role, const Points& points) {
   if (!points.empty()) shapes.push_back({role, points});
 }
 
-// Of `count` lines every stride-th is shown.
+// For `count` lines: every stride-th line is shown.
 std::size_t stride(std::size_t count, std::size_t most) {
   return count <= most ? 1 : (count - 1) / most + 1;
 }
 
-// Adds the candidates that no team took, in their order.
+// Adds the candidates that no team uses, in order.
 void add_candidates(std::vector<Shape>& shapes, const Placement& placement, std::size_t most) {
   std::vector<bool> taken(placement.candidates.size(), false);
   for (const std::uint32_t i : placement.team_candidates) taken[i] = true;
@@ -39,7 +39,7 @@ std::vector<Shape> make_picture(const Placement& placement, const Overlays& over
                                 std::size_t most_lines) {
   std::vector<Shape> shapes;
   shapes.push_back({Role::object, placement.vertices()});
-  // Without contacts every point is free: that is a word, not a region.
+  // Without contacts every point is free, so there is no region to draw.
   const bool touches = placement.closure.margin.has_value();
   if (touches && overlays.clockwise)
     add_area(shapes, Role::clockwise, placement.closure.clockwise.clipped);
@@ -58,7 +58,7 @@ std::vector<Shape> make_picture(const Placement& placement, const Overlays& over
     }
   }
   shapes.push_back({Role::centre_of_mass, {placement.centre_of_mass}});
-  // The first teams, which matter most, lie on top.
+  // The first teams, which matter most, are on top.
   for (std::uint32_t i = teams; i-- > 0;) {
     for (const Robot& robot : placement.teams[i].robots)
       shapes.push_back({Role::robot, {robot.point.position}, i, robot.load});

@@ -18,7 +18,7 @@ namespace evenlift {
 namespace svg {
 namespace {
 
-// Nobody could read more loads than these. The JSON has them all.
+// The greatest number of readable loads. The JSON contains all loads.
 constexpr std::size_t most_labels = 150;
 
 class Drawing {
@@ -34,7 +34,7 @@ class Drawing {
     number_size_ = 1.15 * disc_;
     label_size_ = robots <= 12 ? 14 : robots <= 40 ? 12 : 10;
     chord_width_ = robots <= 24 ? 2 : robots <= 200 ? 1.25 : 0.6;
-    // Lines to C only say that the robots belong together.
+    // Lines to C only show that the robots belong together.
     if (placement.settings.method == Method::balanced) chord_width_ = 0.75;
     largest_load_ = placement.loads ? placement.loads->max : 0;
     stands_ = find_stands(placement, sized_, paper_, 0.8 * disc_);
@@ -48,7 +48,7 @@ class Drawing {
   std::string without_caption() { return document(drawn(), {}, {}); }
 
  private:
-  // Draws step by step: what is drawn tells later steps what to avoid and what to explain.
+  // Draws step by step: later steps avoid and explain the shapes drawn before.
   std::string drawn() {
     std::string drawing;
     for (const Shape& shape : make_picture(placement_, of_.shown.overlays)) drawing += drawn(shape);
@@ -115,7 +115,7 @@ class Drawing {
       case Role::centre_of_mass:
         return centre_mark(paper_(shape.points[0]), 8);
       case Role::robot:
-        break;  // with those it shares its place with: robots()
+        break;  // robots() draws robots at the same place together
     }
     return "";
   }
@@ -147,7 +147,7 @@ class Drawing {
         region_fill(clockwise) +
         attribute("stroke", clockwise ? clockwise_colour : counterclockwise_colour) +
         attribute("stroke-width", 1.5) + attribute("stroke-opacity", 0.7) +
-        // Both may have shrunk to the same line: one is seen through the other.
+        // Both regions may shrink to the same line; then one is dashed so that both are visible.
         (shape.points.size() == 2 && !clockwise ? attribute("stroke-dasharray", "8 8") : "");
     if (shape.points.size() > 1) return drawn_path(name, area, true, look);
     return element("circle", attribute("class", name) + attribute("cx", area[0].x()) +
@@ -162,14 +162,14 @@ class Drawing {
     return {stand.at - half, stand.at + half};
   }
 
-  // Text about a point; a capital's middle lies 0.36 of the size above its baseline.
+  // Text centred on a point; the middle of a capital is 0.36 of the size above its baseline.
   static std::string centred(const Vec2& at, double size, std::string_view words,
                              const std::string& look) {
     return text(at + Vec2(0, 0.36 * size), size, words,
                 attribute("text-anchor", "middle") + attribute("font-weight", 600) + look);
   }
 
-  // What robots with a size cannot use, and they themselves.
+  // The unusable boundary, and the robots with their size.
   std::string stands() {
     const Stands& rules = *placement_.stands;
     seen_.body = rules.has_body();
@@ -178,7 +178,7 @@ class Drawing {
     return unusable_boundary(placement_, paper_) + bodies(sized_, rules.robot(), paper_);
   }
 
-  // From C in a direction in which nothing stops the object.
+  // An arrow from C in a direction in which the object can slide freely.
   std::string slide() {
     const Closure& closure = placement_.closure;
     seen_.slide = closure.translation_free && closure.translation && !placement_.teams.empty();
@@ -252,13 +252,13 @@ class Drawing {
 
   const ShownPlacement of_;
   const Placement& placement_;
-  const std::vector<PlacedRobot> sized_;  // all robots or, if they are points, none
+  const std::vector<PlacedRobot> sized_;  // all robots, or none if they are points
   const Paper paper_;
   double disc_ = 0;  // a robot's radius
   double number_size_ = 0, label_size_ = 0, chord_width_ = 0;
   double largest_load_ = 0;
   std::vector<Stand> stands_;
-  // Known once they are drawn:
+  // Known after drawing:
   Points outline_;
   std::vector<labels::Segment> chords_;
   Seen seen_;

@@ -1,4 +1,4 @@
-// Robots with a size in a picture: the boundary that they cannot use, and they themselves to scale.
+// Robots with a size in a picture: the unusable boundary, and the robots to scale.
 #pragma once
 
 #include <string>
@@ -11,17 +11,17 @@
 
 namespace evenlift::svg {
 
-// The robots, team after team, if they have a size; else none. O(n + robots).
+// The robots, team after team, if they have a size; otherwise empty. O(n + robots).
 std::vector<PlacedRobot> robots_with_size(const Placement& placement);
 
-// What the paper must have room for: the vertices, and around them the bodies of these robots. O(n
+// The points that must fit on the paper: the vertices and the outlines of these robots' bodies. O(n
 // + robots).
 Points extent(const Placement& placement, const std::vector<PlacedRobot>& robots);
 
-// Nothing for points that may stand anywhere. O(parts).
+// Empty for points that may stand anywhere. O(parts).
 std::string unusable_boundary(const Placement& placement, const Paper& paper);
 
-// The robots that have a size. O(robots).
+// The robots with a size. O(robots).
 std::string bodies(const std::vector<PlacedRobot>& robots, const RobotSize& size,
                    const Paper& paper);
 

@@ -10,8 +10,8 @@
 namespace evenlift::svg {
 namespace {
 
-// "Method: area · 3 teams · minimum load ratio 0.8 · coverage 81 % · no form closure", and what is
-// known of the robots and of C.
+// "Method: area · 3 teams · minimum load ratio 0.8 · coverage 81 % · no form closure", and the
+// capacity and the C uncertainty if they are given.
 std::string settings_line(const ShownPlacement& of) {
   const Placement& placement = of.placement;
   const Shown& shown = of.shown;
@@ -32,7 +32,7 @@ std::string settings_line(const ShownPlacement& of) {
 }
 
 struct KeyEntry {
-  std::string swatch;  // about (0, 0), in a box of 18 x 12
+  std::string swatch;  // centred on (0, 0), in a box of 18 x 12
   std::string_view words;
 };
 

@@ -1,4 +1,4 @@
-// Below the picture: the verdict, what was asked for, and a key to the colours that are seen.
+// The caption below the picture: the verdict, the settings, and a key to the visible colours.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace evenlift::svg {
 
-// What of the key is in the picture.
+// The entries of the key that the picture needs.
 struct Seen {
   bool hull = false, clockwise = false, counterclockwise = false;
   bool no_go = false, unusable = false, body = false, overload = false, slide = false;
@@ -18,11 +18,11 @@ struct Caption {
   double height = 0;  // in pixels
 };
 
-// Its top is `top` pixels from above, and it is `width` pixels wide.
+// The caption begins `top` pixels from above and is `width` pixels wide.
 Caption make_caption(const ShownPlacement& of, const Seen& seen, double top, double width);
 
-// The fill of a region: hatched at +45 degrees (clockwise) or -45, so that they differ without
-// colour too, also where they overlap. `fills` defines them.
+// The fill of a region, hatched at +45 degrees (clockwise) or -45, so that the regions differ even
+// without colour and where they overlap. `fills` defines the fills.
 std::string region_fill(bool clockwise);
 std::string fills();
 

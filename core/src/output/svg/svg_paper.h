@@ -5,7 +5,7 @@
 
 namespace evenlift::svg {
 
-// From polygon coordinates (y up) to pixels: the object's box in the middle of the ground.
+// Maps polygon coordinates (y up) to pixels, with the object's box in the middle of the ground.
 struct Paper {
   // The object is at most `share` of the usual size.
   Paper(const Points& vertices, double share);
@@ -18,10 +18,10 @@ struct Paper {
   Points operator()(const Points& points) const;
 };
 
-// The part of a convex area, segment or spot (in pixels) that lies on the ground. O(points).
+// The part of a convex area, segment or spot (in pixels) on the ground. O(points).
 Points clipped(Points area, const Paper& paper);
 
-// The outline (in pixels) without the vertices that nobody could tell from the one before. O(n).
+// The outline (in pixels) without vertices that look the same as the preceding one. O(n).
 Points visible(const Points& outline);
 
 }  // namespace evenlift::svg

@@ -30,7 +30,7 @@ std::vector<Stand> find_stands(const Placement& placement, const std::vector<Pla
   for (std::size_t i = 0; i < placement.teams.size(); ++i) {
     const std::vector<Robot>& robots = placement.teams[i].robots;
     for (std::size_t k = 0; k < robots.size(); ++k) {
-      // One team alone has numbers for its robots.
+      // A single team of balanced robots has numbers for its robots.
       const bool alone = placement.settings.method == Method::balanced;
       add(robots[k].point, std::to_string((alone ? k : i) + 1), robots[k].load);
     }

@@ -16,16 +16,16 @@ struct Stand {
   Vec2 at = Vec2::Zero();     // in pixels
   std::string numbers;        // of the teams, or of balanced robots: "3", "1·4", "×5" for five
   std::vector<double> loads;  // of the robots
-  std::optional<Box> body;    // of the first of them, where robots have a size
+  std::optional<Box> body;    // of the first of them, if robots have a size
 };
 
-// Robots nearer to each other than `apart` pixels share a stand. The first teams first.
-// O(robots * stands), of which a picture has room for some thousands.
-// `sized` are those that have a size: all or none.
+// Robots closer than `apart` pixels share a stand. The first teams come first.
+// O(robots * stands); a picture has room for a few thousand stands.
+// `sized` contains the robots with a size: all or none.
 std::vector<Stand> find_stands(const Placement& placement, const std::vector<PlacedRobot>& sized,
                                const Paper& paper, double apart);
 
-// "16.7 kg"; of several robots "2 × 16.7 kg", "16.7 + 15.9 kg" or their sum, "Σ 50.1 kg".
+// "16.7 kg"; for several robots "2 × 16.7 kg", "16.7 + 15.9 kg" or their sum, "Σ 50.1 kg".
 std::string load_text(const Stand& stand, double largest, const Units& units);
 
 }  // namespace evenlift::svg

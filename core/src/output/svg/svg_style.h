@@ -6,7 +6,7 @@
 namespace evenlift::svg {
 
 inline constexpr double largest_width = 720, largest_height = 520;    // of the object
-inline constexpr double smallest_width = 680, smallest_height = 300;  // of the ground it lies on
+inline constexpr double smallest_width = 680, smallest_height = 300;  // of the ground around it
 inline constexpr double margin = 72;          // of ground around the object, for the loads
 inline constexpr double caption_margin = 24;  // of panel around the caption
 
