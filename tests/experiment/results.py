@@ -61,19 +61,10 @@ def few_robots(folder, of):
     return cells
 
 
-def readme_table(folder):
-    """The README's short table, of the samples."""
-    means = {(int(row["robots"]), row["method"]): row for row in table(folder, "aggregates.csv") if row["set"] == "polygons"}
-
-    def cell(robots, method):
-        if (robots, method) not in means:
-            return "–"
-        coverage, held, spread = (float(means[robots, method][f"{name}_mean"]) for name in ("coverage", "held_clear", "spread"))
-        return f"{100 * coverage:.0f} %, {100 * held:.0f} %, {spread:.1f} kg"
-
-    shown = {"pairs by area": "area", "distributed": "distributed", "random": "random", "balanced": "balanced"}
-    lines = [["robots", *shown], ["---"] * (1 + len(shown)), *([str(robots), *(cell(robots, method) for method in shown.values())] for robots in range(3, 9))]
-    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
+def readme_spreads(folder):
+    """The spreads of loads that the README gives: of six robots at random places and in pairs by area, averaged over the samples."""
+    means = {row["method"]: row for row in table(folder, "aggregates.csv") if (row["set"], row["robots"]) == ("polygons", "6")}
+    return [f"{float(means[method]['spread_mean']):.1f} kg" for method in ("random", "area")]
 
 
 class Recomputed:

@@ -51,20 +51,14 @@ Names found(const std::string& text, const std::string& pattern) {
 
 // --- The doors: the settings at each of them, and their names there
 
-bool any(const SettingRow&) { return true; }
 bool is_option(const SettingRow& row) { return row.option.group != OptionGroup::none; }
-bool is_key(const SettingRow& row) { return is_option(row) || row.setting == Setting::overlays; }
 bool is_in_result(const SettingRow& row) { return row.in_result != Listed::never; }
-bool is_of_place_and_link(const SettingRow& row) {
-  return is_option(row) && row.option.group != OptionGroup::placement;
-}
 // Requests and the packages have a separate member for the centre of mass.
 bool is_asked(const SettingRow& row) {
   return row.changes != Changes::view && row.setting != Setting::com;
 }
 
 std::string as_is(const SettingRow& row) { return std::string(row.name); }
-std::string as_key(const SettingRow& row) { return hyphened(row.name); }
 std::string as_option(const SettingRow& row) { return "--" + hyphened(row.name); }
 std::string as_member(const SettingRow& row) {
   return std::string(row.json.empty() ? row.name : row.json);
@@ -90,16 +84,7 @@ const Door lists[] = {
      as_option,
      {"--loads", "--failures", "--json", "--candidates", "--svg", "--poses", "--frame",
       "--origin"}},
-    {"docs/lessons.md",
-     "## The settings\n",
-     "\n## ",
-     "`([a-z-]+)`",
-     "has no setting %",
-     is_key,
-     as_key,
-     {"title", "polygon", "link", "predict"}},
     {"docs/requests.md", "## Settings\n", "\n## ", "`(\\w+)`", "has no row for %", is_asked},
-    {"docs/page.md", "| setting of `set` |", "\n\n", "`(\\w+)`", "has no row for % of set()", any},
     {"npm/evenlift.d.ts",
      "interface Settings {",
      "\n}",
@@ -114,8 +99,6 @@ const Door lists[] = {
 
 // These also contain other names.
 const Door mentions[] = {
-    {"docs/cli.md", "## `evenlift link`\n", "`decode` prints", "`(--[a-z-]+)`",
-     "does not say that link encode takes %", is_of_place_and_link, as_option},
     {"docs/cli.md", "### The JSON object\n", "\n## ", "`(\\w+)`",
      "has no row for % of the JSON object", is_in_result, as_member},
     {"npm/evenlift.d.ts", "interface Placement {", "\n}",

@@ -1,11 +1,11 @@
 """Checks that the folders of the code match their READMEs, and that no two use each other in a circle.
 
-    python3 tests/rooms/check_rooms.py
+    python3 tests/folders/check_folders.py
 
 The README.md of a folder of sources describes its input and output, and ends with these lines:
 
     Public headers: polygon.h, hull.h.     of core/include/evenlift, in folders of the core that have any
-    May use: exact, errors.                the folders whose files it includes or imports, or "no other room"
+    May use: exact, errors.                the folders whose files it includes or imports, or "no other folder"
     May load later: windows.               the folders from which it loads files with import(), in web only
 
 These folders are in core/src, native, wasm and web, and docs/architecture.md has the plan of them: each is below, or
@@ -35,7 +35,7 @@ def sources(folder):
     return [f for f in folder.iterdir() if f.suffix in (".h", ".cpp", ".js", ".mjs") and f.is_file()]
 
 
-def rooms_of(tree):
+def folders_of(tree):
     """The folders with sources, by their path within the tree."""
     folders = [p for p in sorted(tree.rglob("*")) if p.is_dir() and "node_modules" not in p.parts and sources(p)]
     return {folder.relative_to(tree).as_posix(): folder for folder in folders}
@@ -43,7 +43,7 @@ def rooms_of(tree):
 
 def line_of(readme, heading):
     found = re.search(rf"^{heading}: (.*)\.$", readme, re.MULTILINE)
-    return found[1].split(", ") if found and found[1] != "no other room" else []
+    return found[1].split(", ") if found and found[1] != "no other folder" else []
 
 
 def paths_in(file):
@@ -62,13 +62,13 @@ def uses_of(files, name, target_of):
     return used
 
 
-def loads_of(folder, name, rooms):
+def loads_of(folder, name, folders):
     """The other folders from which a file is loaded later. Such a file has no folder in its path: the page is one flat folder."""
     paths = {path for file in sources(folder) for path in loaded_later.findall(file.read_text())}
-    return {room for room, other in rooms.items() if room != name and any((other / path).is_file() for path in paths)}
+    return {other_name for other_name, other in folders.items() if other_name != name and any((other / path).is_file() for path in paths)}
 
 
-def planned(tree, rooms):
+def planned(tree, folders):
     """The folders in the order of the plan: line by line, each from the left."""
     block = re.search(r"## The plan\n.*?```\n(.*?)```", (root / "docs/architecture.md").read_text(), re.DOTALL)[1]
     order, now = [], ""
@@ -76,18 +76,18 @@ def planned(tree, rooms):
         head = re.match(r"\S+", line)
         now = head[0] if head else now
         cells = re.split(r"\s{2,}", line[head.end() if head else 0 :].strip())
-        order += [cell for cell in cells if cell in rooms] if now == tree else []
+        order += [cell for cell in cells if cell in folders] if now == tree else []
     return order
 
 
 def check_plan(tree, graph):
     order = planned(tree, graph)
-    for room in graph:
-        if order.count(room) != 1:
-            problems.append(f"docs/architecture.md names {tree}/{room} {order.count(room)} times in its plan")
+    for name in graph:
+        if order.count(name) != 1:
+            problems.append(f"docs/architecture.md names {tree}/{name} {order.count(name)} times in its plan")
             continue
-        for used in sorted(graph[room] & set(order[order.index(room) :])):
-            problems.append(f"{tree}/{room} uses {used}, which comes after it in the plan of docs/architecture.md")
+        for used in sorted(graph[name] & set(order[order.index(name) :])):
+            problems.append(f"{tree}/{name} uses {used}, which comes after it in the plan of docs/architecture.md")
 
 
 def circles(graph):
@@ -113,7 +113,7 @@ def check_circles(tree, graph, kind):
 
 def uses_of_files(tree):
     """For the headers and scripts of a tree, the files that each uses, by their paths within the tree."""
-    files = {f.relative_to(tree).as_posix(): f for folder in [tree, *rooms_of(tree).values()] for f in sources(folder)}
+    files = {f.relative_to(tree).as_posix(): f for folder in [tree, *folders_of(tree).values()] for f in sources(folder)}
 
     def target_of(name, path):
         folders = [posixpath.dirname(name), "", "src", "include"]  # in the compiler's order
@@ -135,24 +135,24 @@ def check_readme(tree, name, folder, used, loaded=frozenset()):
         return
     for heading, verb, found in [("May use", "use", used), ("May load later", "load", loaded)]:
         said = set(line_of(path.read_text(), heading))
-        for room in sorted(found - said):
-            problems.append(f"{tree}/{name} {verb}s {room}, which its README does not say")
-        for room in sorted(said - found):
-            problems.append(f"{tree}/{name} does not {verb} {room}, as its README says")
+        for other in sorted(found - said):
+            problems.append(f"{tree}/{name} {verb}s {other}, which its README does not say")
+        for other in sorted(said - found):
+            problems.append(f"{tree}/{name} does not {verb} {other}, as its README says")
 
 
 def check_size(tree, name, folder):
     count = len(sources(folder))
     if count > most_files:
-        problems.append(f"{tree}/{name} has {count} files: it is time for another room")
+        problems.append(f"{tree}/{name} has {count} files: split it")
 
 
 def check_core():
     tree = root / "core/src"
     public = root / "core/include/evenlift"
-    rooms = rooms_of(tree)
+    folders = folders_of(tree)
     owner = {}
-    for name, folder in rooms.items():
+    for name, folder in folders.items():
         readme = folder / "README.md"
         for header in line_of(readme.read_text(), "Public headers") if readme.exists() else []:
             if header in owner:
@@ -160,9 +160,9 @@ def check_core():
             owner[header] = name
     headers = {h.relative_to(public).as_posix(): h for h in public.rglob("*.h")}
     for header in sorted(headers.keys() - owner.keys()):
-        problems.append(f"core/include/evenlift/{header} belongs to no room of core/src")
+        problems.append(f"core/include/evenlift/{header} belongs to no folder of core/src")
     for header in sorted(owner.keys() - headers.keys()):
-        problems.append(f"core/src/{owner[header]}/README.md names {header}, which is no public header")
+        problems.append(f"core/src/{owner[header]}/README.md names {header}, which is not a public header")
 
     def target_of(_, path):
         if path.startswith("evenlift/"):
@@ -170,32 +170,32 @@ def check_core():
         return pathlib.PurePosixPath(path).parent.as_posix()
 
     graph = {}
-    for name, folder in rooms.items():
-        own = [headers[h] for h, room in owner.items() if room == name and h in headers]
+    for name, folder in folders.items():
+        own = [headers[h] for h, of in owner.items() if of == name and h in headers]
         graph[name] = uses_of(sources(folder) + own, name, target_of)
         check_readme("core/src", name, folder, graph[name])
         check_size("core/src", name, folder)
-    check_circles("core/src", graph, "rooms")
+    check_circles("core/src", graph, "folders")
     check_plan("core/src", graph)
 
 
 def check_tree(tree, with_readmes):
-    rooms = rooms_of(root / tree)
+    folders = folders_of(root / tree)
 
     def target_of(file, path):
         if path.startswith("."):
             at = (file.parent / path).resolve().parent
             return at.relative_to(root / tree).as_posix() if at.is_relative_to(root / tree) and at != root / tree else None
         parent = pathlib.PurePosixPath(path).parent.as_posix()
-        return parent if parent in rooms else None
+        return parent if parent in folders else None
 
     graph = {}
-    for name, folder in rooms.items():
+    for name, folder in folders.items():
         graph[name] = uses_of(sources(folder), name, target_of)
         check_size(tree, name, folder)
         if with_readmes:
-            check_readme(tree, name, folder, graph[name], loads_of(folder, name, rooms))
-    check_circles(tree, graph, "rooms")
+            check_readme(tree, name, folder, graph[name], loads_of(folder, name, folders))
+    check_circles(tree, graph, "folders")
     if with_readmes:
         check_plan(tree, graph)
 
@@ -219,13 +219,13 @@ def check_state():
 
 def check_itself():
     texts = {
-        "a.h": '#include <map>\n#include "room/b.h"',
+        "a.h": '#include <map>\n#include "folder/b.h"',
         "a.cpp": '#include "a.h"',
         "include/tree/a.h": '#include "b.h"',
         "include/tree/b.h": "",
-        "room/b.h": '#include "c.h"',
-        "room/c.h": '#include "room/d.h"\n#include "tree/a.h"',
-        "room/d.h": '#include "room/b.h"',
+        "folder/b.h": '#include "c.h"',
+        "folder/c.h": '#include "folder/d.h"\n#include "tree/a.h"',
+        "folder/d.h": '#include "folder/b.h"',
         "page/a.js": 'import {\n  b,\n} from "./b.mjs";\nconst later = () => import("./d.js");',
         "page/b.mjs": 'import "../parts/c.js";',
         "page/d.js": 'import { a } from "./a.js";',
@@ -237,7 +237,7 @@ def check_itself():
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_text(text, encoding="utf-8")
         found = list(circles(uses_of_files(pathlib.Path(folder))))
-    assert found == [["room/b.h", "room/c.h", "room/d.h"], ["page/a.js", "page/b.mjs", "parts/c.js"]], found
+    assert found == [["folder/b.h", "folder/c.h", "folder/d.h"], ["page/a.js", "page/b.mjs", "parts/c.js"]], found
 
 
 check_itself()
@@ -250,5 +250,5 @@ check_tree("web", with_readmes=True)
 check_tree("tests", with_readmes=False)
 for problem in problems:
     print(problem)
-print("the rooms are as they should be" if not problems else f"{len(problems)} problems")
+print("the folders match their READMEs" if not problems else f"{len(problems)} problems")
 sys.exit(1 if problems else 0)

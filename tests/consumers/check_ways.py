@@ -1,12 +1,9 @@
-"""Runs the lines of README.md's section "Five ways in" unchanged, on a copy of the files they use, and checks the
-results.
+"""Runs the lines of docs/packages.md, "In five lines each", on a copy of what they use, and checks the results.
 
-    EVENLIFT_BUILD=build/native EVENLIFT_PROGRAM=build/bin/evenlift python3 tests/consumers/check_readme.py
-    [--compile]
+    EVENLIFT_BUILD=build/native EVENLIFT_PROGRAM=build/bin/evenlift python3 tests/consumers/check_ways.py [--compile]
 
-The lines begin after `./dev build`, so the copy has its build folder. pip uses the build's own library, unless
---compile is given, and works without a network. The page and its packages for JavaScript, which `./dev build` alone
-does not build, have separate tests.
+They begin after `./dev build`, so the copy has its build folder. pip takes the build's own library, unless --compile is given, and
+works without a network. The page and the package for npm, which `./dev build` alone does not build here, have tests of their own.
 """
 
 import re
@@ -20,8 +17,8 @@ ours = ["The program", "C++", "Python"]
 
 
 def section():
-    text = (root / "README.md").read_text()
-    return re.search(r"^## Five ways in\n(.*?)^## ", text, re.MULTILINE | re.DOTALL)[1]
+    text = (root / "docs/packages.md").read_text()
+    return re.search(r"^## In five lines each\n(.*?)^## ", text, re.MULTILINE | re.DOTALL)[1]
 
 
 def copy_of_repository(folder):
@@ -50,7 +47,7 @@ def run_lines(lines, folder):
 
 def check(folder):
     ways = {found["way"]: found["lines"] for found in block.finditer(section())}
-    expect(set(ours) <= set(ways), f"the README has the ways {sorted(ways)}")
+    expect(set(ours) <= set(ways), f"docs/packages.md has the ways {sorted(ways)}")
     folder = copy_of_repository(folder / "evenlift")
     printed = {way: run_lines(ways[way], folder) for way in ours}
     for way in ours:

@@ -1,4 +1,4 @@
-// The lines of README that serve and script the page run unchanged.
+// The lines of docs/page.md that serve and script the page run as they are printed.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { readFileSync } from "node:fs";
@@ -8,8 +8,8 @@ import { test } from "node:test";
 import { pageFolder, root, sharedBrowser } from "./browser.mjs";
 
 const browser = sharedBrowser();
-const readme = readFileSync(path.join(root, "README.md"), "utf8");
-const block = (language, begin) => new RegExp(`\`\`\`${language}\n(${begin}[^\`]*)\`\`\``).exec(readme)[1];
+const manual = readFileSync(path.join(root, "docs/page.md"), "utf8");
+const block = (language, begin) => new RegExp(`\`\`\`${language}\n(${begin}[^\`]*)\`\`\``).exec(manual)[1];
 
 test("the page is served, opens at the address that is printed, and can be scripted", async (t) => {
   const [command, ...more] = block("sh", "node web/serve").trim().split("\n");

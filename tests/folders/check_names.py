@@ -1,6 +1,6 @@
 """Checks that no two files define different types of one name.
 
-    python3 tests/rooms/check_names.py
+    python3 tests/folders/check_names.py
 
 Within a program a type may have only one definition. If two source files each define a type of the same name,
 neither the compiler nor the linker reports an error. The linker then merges functions that do not belong together:
