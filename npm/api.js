@@ -20,7 +20,7 @@ function hostOf(compiled) {
       name === "emscripten_notify_memory_growth"
         ? () => {}
         : () => {
-            throw new WebAssembly.RuntimeError(`evenlift cannot go on: ${name}`);
+            throw new WebAssembly.RuntimeError(`evenlift cannot continue: ${name}`);
           };
   }
   return host;
@@ -117,7 +117,7 @@ const isPoint = (point) =>
 
 function vertexOf(point, i) {
   const place = { vertices: [i] };
-  if (!isPoint(point)) throw refusal("bad_syntax", `Vertex ${i + 1}: a point is two numbers [x, y]`, place);
+  if (!isPoint(point)) throw refusal("bad_syntax", `Vertex ${i + 1}: a point must be two numbers [x, y]`, place);
   if (!point.every(Number.isFinite))
     throw refusal("bad_coordinate", `Vertex ${i + 1}: a coordinate is not a finite number`, place);
   return point;
@@ -126,7 +126,7 @@ function vertexOf(point, i) {
 function centreOf(point) {
   if (point === null) return null; // the centroid
   const place = { centre_of_mass: true };
-  if (!isPoint(point)) throw refusal("bad_syntax", "The centre of mass is two numbers [x, y]", place);
+  if (!isPoint(point)) throw refusal("bad_syntax", "The centre of mass must be two numbers [x, y]", place);
   if (!point.every(Number.isFinite))
     throw refusal("bad_coordinate", "A coordinate of the centre of mass is not a finite number", place);
   return point;
@@ -135,7 +135,7 @@ function centreOf(point) {
 // The members of a request that describe the polygon.
 function shapeOf(polygon) {
   if (typeof polygon === "string") return { text: textOf(polygon) };
-  if (!Array.isArray(polygon)) throw refusal("bad_syntax", "A polygon is an array of points [x, y], or a text");
+  if (!Array.isArray(polygon)) throw refusal("bad_syntax", "A polygon must be an array of points [x, y], or a text");
   if (polygon.length > mostVertices)
     throw refusal("too_many_vertices", `The polygon has more than ${mostVertices} vertices`);
   return { polygon: Array.from(polygon, vertexOf) };
@@ -152,7 +152,7 @@ function valueOf(name, value) {
       if (!Number.isFinite(value)) throw badSetting(name, `${name}: ${value} is not a finite number`);
       break;
     case "string":
-      if (broken.test(value)) throw badSetting(name, `${name}: there is half a character in the text`);
+      if (broken.test(value)) throw badSetting(name, `${name}: the text contains half a character`);
       break;
     case "function":
     case "symbol": // JSON.stringify() omits these
@@ -169,11 +169,11 @@ const frame = /^[A-Za-z0-9_.-][A-Za-z0-9_./-]{0,254}$/;
 const memberRules = {
   candidates: { allows: isOneOf(true, false), requirement: "candidates: expected true or false" },
   failures: { allows: isOneOf(true, false), requirement: "failures: expected true or false" },
-  format: { allows: isOneOf("csv", "json", "yaml"), requirement: "The format of poses is csv, json or yaml" },
-  origin: { allows: isOneOf("file", "com"), requirement: "The origin of poses is file or com" },
+  format: { allows: isOneOf("csv", "json", "yaml"), requirement: "The format of poses must be csv, json or yaml" },
+  origin: { allows: isOneOf("file", "com"), requirement: "The origin of poses must be file or com" },
   frame: {
     allows: (value) => typeof value === "string" && frame.test(value),
-    requirement: "The frame is 1 to 255 letters, digits, _, -, . and /, and does not begin with /",
+    requirement: "The frame must be 1 to 255 letters, digits, _, -, . and /, without / at the beginning",
   },
 };
 
@@ -200,7 +200,7 @@ function requestOf(settingNames, command, polygon, options) {
 // --- Requests for experiments
 
 function nameOf(name) {
-  if (typeof name !== "string" || broken.test(name)) throw refusal("bad_syntax", "A name is a text");
+  if (typeof name !== "string" || broken.test(name)) throw refusal("bad_syntax", "A name must be a text");
   return name;
 }
 
@@ -217,11 +217,11 @@ function measuredOf(polygon) {
     else
       throw refusal(
         "bad_syntax",
-        name === "text" ? "The text of a polygon is a string" : "A polygon is an array of points [x, y]",
+        name === "text" ? "The text of a polygon must be a string" : "A polygon must be an array of points [x, y]",
       );
   }
   if (shapes.length !== 1)
-    throw refusal("bad_syntax", 'A polygon comes as "polygon", an array of points [x, y], or as "text"');
+    throw refusal("bad_syntax", 'A polygon must be given either as "polygon", an array of points [x, y], or as "text"');
   return { ...asked, ...shapes[0] };
 }
 
@@ -237,7 +237,7 @@ function namedOf(polygon, i) {
 }
 
 function experimentOf(polygons, settings) {
-  if (!Array.isArray(polygons)) throw refusal("bad_syntax", "An experiment has an array of polygons");
+  if (!Array.isArray(polygons)) throw refusal("bad_syntax", "An experiment needs an array of polygons");
   if (polygons.length > mostPolygons) throw refusal("unsupported", `There are more than ${mostPolygons} polygons`);
   const request = { command: "experiment", polygons: Array.from(polygons, namedOf), settings: {} };
   for (const [name, value] of given(settings)) {

@@ -3,7 +3,7 @@ import { createApi } from "./api.js";
 
 async function compile(url) {
   const answer = await fetch(url);
-  if (!answer.ok) throw new Error(`${url} cannot be fetched: the server answers ${answer.status}`);
+  if (!answer.ok) throw new Error(`${url} cannot be fetched: the server answered ${answer.status}`);
   return WebAssembly.compile(await answer.arrayBuffer()); // whatever type the server declares
 }
 

@@ -125,7 +125,7 @@ async function main([folder, port = "8080", ...rest]) {
   const { url, close } = server;
   const taken = port === "0" || url.endsWith(`:${port}/`) ? "" : ` (port ${port} is taken)`;
   console.log(`evenlift: the page is on ${url}${taken}`);
-  console.log("evenlift: Ctrl+C ends it");
+  console.log("evenlift: press Ctrl+C to stop");
   for (const signal of ["SIGINT", "SIGTERM", "SIGHUP"]) process.once(signal, close);
 }
 

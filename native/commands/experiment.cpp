@@ -50,7 +50,7 @@ unsigned jobs_of(const Options& options) {
   if (!options.jobs) return processors;
   const std::uint32_t jobs = whole_option_32("--jobs", *options.jobs);
   if (jobs < 1 || jobs > 1024)
-    throw Failure{bad_input_status, "--jobs", "the number of threads is from 1 to 1024"};
+    throw Failure{bad_input_status, "--jobs", "the number of threads must be from 1 to 1024"};
   return jobs;
 }
 
@@ -79,7 +79,7 @@ void check_out(const std::string& out, const std::vector<PolygonFile>& read) {
     for (const PolygonFile& file : read)
       if (is_same_file(file.path, out + "/" + name))
         throw Failure{bad_input_status, "--out",
-                      "would overwrite " + file.path + ", which is read"};
+                      "would overwrite " + file.path + ", an input file"};
 }
 
 // Writes all files of a finished experiment. The same parts give the same bytes.
@@ -119,7 +119,7 @@ void report_refused(const std::vector<Failure>& refused, std::size_t polygons) {
 
 void run(const Options& options) {
   if (options.paths.empty())
-    throw Failure{bad_input_status, "PATH", "missing; `evenlift experiment --help` tells more"};
+    throw Failure{bad_input_status, "PATH", "missing; see `evenlift experiment --help`"};
   const experiment::ExperimentSettings settings = settings_of(options);
   const experiment::Shard shard = shard_of(options);
   const unsigned jobs = jobs_of(options);
@@ -130,7 +130,7 @@ void run(const Options& options) {
   std::string said;
   if (outcome.resumed > 0)
     said = std::to_string(outcome.resumed) + " of " + std::to_string(outcome.polygons) +
-           " polygons had been measured before\n";
+           " polygons were already measured\n";
   if (shard == experiment::Shard{}) {
     said += write_results(collect({folder}), folder);
   } else {
@@ -150,7 +150,7 @@ void merge(const Options& options) {
         std::pair("--shard", &options.shard)})
     if (*given)
       throw Failure{bad_input_status, option,
-                    "does not go with --merge: the shards are measured already"};
+                    "not allowed with --merge: the shards are already measured"};
   check_out(*options.out, {});
   std::vector<ExperimentFolder> folders;
   for (const std::string& path : options.paths) folders.push_back(ExperimentFolder::open(path));
@@ -169,28 +169,30 @@ void merge(const Options& options) {
 void cmd_experiment(const Arguments& arguments) {
   CommandLine line(
       "evenlift experiment",
-      "Measures every method with every number of robots on many polygons, as chapter 5 of the\n"
-      "thesis does, and writes tables and a report with its figures.",
-      "PATH is a polygon's file, or a folder of them; each folder is a set with averages of its\n"
-      "own. What is measured stays in DIR/parts: a run\n"
-      "that was interrupted goes on where it was.\n\n"
+      "Measures every method with every number of robots on many polygons, as in chapter 5 of the\n"
+      "thesis, and writes tables and a report with its figures.",
+      "PATH is a polygon's file or a folder of polygons; each folder is a set with its own\n"
+      "averages. Measurements are kept in DIR/parts, so an interrupted run continues where\n"
+      "it stopped.\n\n"
       "Examples:\n"
       "  evenlift experiment assets/polygons --out report\n"
       "  evenlift experiment assets/polygons assets/thesis-like --out report     (two sets)\n"
-      "  evenlift experiment assets/polygons --out report --shard 2/8   (each of 8 machines its own)\n"
+      "  evenlift experiment assets/polygons --out report --shard 2/8   (on the second of 8 machines)\n"
       "  evenlift experiment --merge --out report                       (when all 8 are done)\n");
   Options options;
   line.positionals(options.paths, "PATH", "polygons and folders; with --merge folders of shards");
   line.value(options.out, "--out", "DIR", "the folder to write to");
-  line.value(options.samples, "--samples", "N", "random placements to average (default 200)");
+  line.value(options.samples, "--samples", "N",
+             "number of random placements to average (default 200)");
   line.value(options.min_ratio, "--min-ratio", "R", "minimum load ratio, 0 to 1 (default 0.8)");
   line.value(options.max_teams, "--max-teams", "N",
-             "measure no more teams than that (default 1000)");
+             "greatest number of teams to measure (default 1000)");
   line.value(options.max_balanced, "--max-balanced", "M",
-             "measure no more balanced robots than that, 2 to 64 (default 12)");
-  line.value(options.jobs, "--jobs", "N", "threads (default as many as processors)");
+             "greatest number of balanced robots to measure, 2 to 64 (default 12)");
+  line.value(options.jobs, "--jobs", "N", "number of threads (default one for each processor)");
   line.value(options.shard, "--shard", "I/N", "measure only the I-th of N parts of the work");
-  line.flag(options.merge, "--merge", "only make the report, of the shards that PATHs or DIR hold");
+  line.flag(options.merge, "--merge",
+            "only make the report, from the shards in the PATHs or in DIR");
   if (!line.parse(arguments)) return;
   if (!options.out)
     throw Failure{bad_input_status, "--out", "missing; it names the folder to write to"};

@@ -19,13 +19,13 @@ std::string family_names() {
 
 void cmd_generate(const Arguments& arguments) {
   CommandLine line("evenlift generate",
-                   "Writes a polygon in the thesis's format: the same seed, the same polygon.",
+                   "Writes a polygon in the thesis's format. The same seed gives the same polygon.",
                    "Example:\n  evenlift generate random --n 50 --seed 7 | evenlift place -\n");
   std::string family_text;
   std::optional<std::string> n_text, seed_text;
   line.positional(family_text, "FAMILY", family_names());
   line.value(n_text, "--n", "N", "number of vertices (default 12)");
-  line.value(seed_text, "--seed", "S", "chooses one of the family (default 1)");
+  line.value(seed_text, "--seed", "S", "selects a polygon of the family (default 1)");
   if (!line.parse(arguments)) return;
 
   const std::optional<Family> family = family_from_name(family_text);

@@ -23,13 +23,13 @@ void encode(const Arguments& arguments) {
   CommandLine line(
       "evenlift link encode",
       "Prints a polygon and its settings as a share link's fragment, without #.",
-      "FILE is a path, - for standard input, or a share link, whose settings then are changed.\n");
+      "FILE is a path, - for standard input, or a share link, whose settings the options change.\n");
   InputOptions options;
   bool candidates = false;
   options.declare(line, "the polygon, in any format of `evenlift place`");
   options.settings.declare(line, OptionGroup::doubt);
   options.settings.declare(line, OptionGroup::units);
-  line.flag(candidates, "--candidates", "the page shows the candidates too");
+  line.flag(candidates, "--candidates", "also show the candidates on the page");
   if (!line.parse(arguments)) return;
 
   Input input = options.read();
@@ -42,7 +42,7 @@ void encode(const Arguments& arguments) {
 
 void decode(const Arguments& arguments) {
   CommandLine line(
-      "evenlift link decode", "Prints what a share link holds as JSON.",
+      "evenlift link decode", "Prints the contents of a share link as JSON.",
       "LINK is a link's fragment, with or without #, or a whole address that ends in one.\n");
   std::string link;
   line.positional(link, "LINK", "VERSION.PAYLOAD");
@@ -55,7 +55,7 @@ void decode(const Arguments& arguments) {
 constexpr const char* help =
     "Usage: evenlift link encode FILE [options]\n"
     "       evenlift link decode LINK\n\n"
-    "`evenlift link encode --help` and `evenlift link decode --help` tell more.\n";
+    "See also `evenlift link encode --help` and `evenlift link decode --help`.\n";
 
 }  // namespace
 

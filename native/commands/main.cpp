@@ -17,17 +17,17 @@ struct Command {
 };
 
 constexpr Command commands[] = {
-    {"place", "where teams of robots lift a polygon, and what holds of it", cmd_place},
+    {"place", "places for robots around a polygon, with loads and stability", cmd_place},
     {"trace", "the algorithm step by step, in words and numbers", cmd_trace},
     {"link", "a polygon and its settings as a share link, and back", cmd_link},
     {"generate", "a polygon from a family, a size and a seed", cmd_generate},
     {"optimum", "how far the greedy choice of teams is from the best one", cmd_optimum},
-    {"experiment", "chapter 5's measurements over many polygons, with a report", cmd_experiment},
+    {"experiment", "the measurements of chapter 5 on many polygons, with a report", cmd_experiment},
 };
 
 std::string help() {
   std::string text =
-      "evenlift places teams of two robots around a polygonal object so that each robot bears\n"
+      "evenlift places teams of two robots around a polygonal object so that each robot carries\n"
       "about the same load.\n\n"
       "Usage: evenlift COMMAND ...\n\nCommands:\n";
   for (const Command& command : commands) {
@@ -36,7 +36,7 @@ std::string help() {
     text += "  " + name + command.summary + "\n";
   }
   return text +
-         "\n`evenlift COMMAND --help` tells more of each. Exit status: 0 done, 2 bad usage or\n"
+         "\n`evenlift COMMAND --help` explains a command. Exit status: 0 done, 2 bad usage or\n"
          "bad input, 1 anything else.\n";
 }
 

@@ -18,8 +18,8 @@ double time_limit_option(const std::optional<std::string>& text) {
   if (!text) return usual_time_limit_s;
   const std::optional<double> seconds = read_number(*text);
   if (!seconds || !(*seconds > 0 && *seconds <= longest_time_limit_s))
-    throw bad_value("--time-limit", "the time limit is a number of seconds above 0 and up to 86400",
-                    *text);
+    throw bad_value("--time-limit",
+                    "the time limit must be a number of seconds above 0 and up to 86400", *text);
   return *seconds;
 }
 
@@ -36,7 +36,7 @@ Placement greedy_placement(const Input& input, const SettingOptions& options) {
   if (!selects_candidates(document.settings.method))
     throw Failure{
         bad_input_status, "--metric",
-        "the optimum is of area, circle and distance, which choose among candidates, not of " +
+        "only area, circle and distance choose among candidates and have an optimum, not " +
             std::string(name(document.settings.method))};
   const Result<Placement> placement = place(document);
   if (!placement) throw options.failure(input.source, placement.error());
@@ -68,14 +68,15 @@ std::string candidates_in_words(const std::vector<std::uint32_t>& taken) {
 
 std::string verdict_on(const FirmestChoice& firmest) {
   if (firmest.proved && firmest.keys.level > 0)
-    return std::string("It holds the object, and of all choices it is the best one by ") +
+    return std::string("It holds the object, and it is the best of all choices by ") +
            (firmest.compared ? "hold, coverage and load ratios." : "hold and coverage.");
-  if (firmest.most_level == 0) return "No choice of so many teams holds the object.";
-  if (firmest.keys.level == 0) return "It does not hold the object; that none does is not proved.";
+  if (firmest.most_level == 0) return "No choice of this number of teams holds the object.";
+  if (firmest.keys.level == 0)
+    return "It does not hold the object; it is not proved that no choice does.";
   return std::string("It holds the object") +
          (firmest.keys.level == firmest.most_level
-              ? ", and none holds it more firmly. It is not proved to cover most of those: none covers more than "
-              : ". It is not proved to be the best: none covers more than ") +
+              ? ", and no choice has a greater margin. It is not proved to have the greatest coverage of such choices: none covers more than "
+              : ". It is not proved to be the best: no choice covers more than ") +
          percentage(firmest.most_coverage, 2) + ".";
 }
 
@@ -90,7 +91,7 @@ std::string for_people(const Compared& compared) {
   text += std::string("  ") + (widest.proved ? "The optimum" : "The best found") + "   covers " +
           percentage(widest.coverage, 2) + "   candidates " + candidates_in_words(widest.taken) +
           "\n";
-  text += widest.proved ? "  It is proved: no choice of so many teams covers more.\n"
+  text += widest.proved ? "  It is proved: no choice of this number of teams covers more.\n"
                         : "  It is not proved: no choice covers more than " +
                               percentage(widest.bound, 2) + ".\n";
   text += "  The greedy choice is " +
@@ -138,8 +139,8 @@ std::string answer(const Input& input, const SettingOptions& options, double sec
   const Compared compared = compare(greedy, holds, seconds);
   if (holds && !compared.firmest && !greedy.teams.empty())
     throw Failure{bad_input_status, "--goal",
-                  "choices of at most " + std::to_string(most_exchanged_teams) +
-                      " teams are compared by how they hold, not of " +
+                  "at most " + std::to_string(most_exchanged_teams) +
+                      " teams can be compared by their hold, not " +
                       std::to_string(greedy.teams.size())};
   return json ? as_json(compared) : for_people(compared);
 }
@@ -148,16 +149,17 @@ std::string answer(const Input& input, const SettingOptions& options, double sec
 
 void cmd_optimum(const Arguments& arguments) {
   CommandLine line(
-      "evenlift optimum", "How far the greedy choice of teams is from the best one that there is.",
-      "Among up to 160 candidates the widest base is proved to be the best if the time allows; with\n"
-      "more there is a bound. With --goal hold all choices are compared, up to 4,194,304 of them, or else bounded.\n\n"
+      "evenlift optimum", "How far the greedy choice of teams is from the best one.",
+      "Among up to 160 candidates, the widest lifting base is proved to be the best if time allows;\n"
+      "with more, there is only a bound. With --goal hold, up to 4,194,304 choices are all compared;\n"
+      "with more, there is only a bound.\n\n"
       "Example:\n  evenlift optimum table.txt --teams 2\n");
   InputOptions options;
   std::optional<std::string> time_limit;
   bool json = false;
   options.declare(line);
   line.value(time_limit, "--time-limit", "S",
-             "seconds after which the bound is left as it is (default 10)");
+             "seconds until the search stops with its present bound (default 10)");
   line.flag(json, "--json", "one JSON object instead of sentences");
   if (!line.parse(arguments)) return;
   const double seconds = time_limit_option(time_limit);

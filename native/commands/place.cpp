@@ -150,7 +150,7 @@ struct PlaceOptions {
     input.settings.declare(line, OptionGroup::units);
     robustness.declare(line);
     line.flag(as_json, "--json", "one JSON object instead of a table");
-    line.flag(candidates, "--candidates", "list the candidates too, and show them in the picture");
+    line.flag(candidates, "--candidates", "also list the candidates, and show them in the picture");
     line.value(svg, "--svg", "OUT", "also write a picture as SVG");
     poses.declare(line);
   }
@@ -172,7 +172,7 @@ void check_outputs(const PlaceOptions& options, const std::optional<PosesAsked>&
   if (options.svg && poses &&
       (*options.svg == poses->file || is_same_file(*options.svg, poses->file)))
     throw Failure{bad_input_status, "--poses",
-                  "would overwrite " + poses->file + ", to which --svg writes"};
+                  "would overwrite " + poses->file + ", which --svg writes"};
 }
 
 struct Outputs {
@@ -205,9 +205,9 @@ Outputs make_outputs(const Input& input, const PlaceOptions& options,
 void cmd_place(const Arguments& arguments) {
   CommandLine line(
       "evenlift place", "Places teams of two robots, or any number of balanced ones, on a polygon.",
-      "FILE is a path, - for standard input, or a share link. Its format is told by its content:\n"
+      "FILE is a path, - for standard input, or a share link. Its format is recognised by its content:\n"
       "the thesis's text, columns of numbers (CSV), SVG, DXF, WKT POLYGON, GeoJSON, or a result\n"
-      "of --json. If it has several shapes, --shape takes one.\n\n"
+      "of --json. If it has several shapes, --shape selects one.\n\n"
       "Examples:\n"
       "  evenlift place table.txt --teams 4 --svg table.svg\n"
       "  evenlift place drawing.dxf --shape 2\n"

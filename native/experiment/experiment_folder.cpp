@@ -108,7 +108,7 @@ std::vector<experiment::ShardList> ExperimentFolder::finished() const {
   for (const fs::path& path : shard_files(path_)) {
     std::optional<experiment::ShardList> list =
         experiment::read_shard_list(read_file(path.string()).value_or(""));
-    if (!list) refuse(path.string(), "this is no list of a finished shard");
+    if (!list) refuse(path.string(), "this is not a list of a finished shard");
     lists.push_back(*std::move(list));
   }
   return lists;
@@ -125,7 +125,7 @@ std::vector<experiment::Part> collect(const std::vector<ExperimentFolder>& folde
       const experiment::Shard shard = list.shard;
       if (!shards.empty() && (shard.n != shards.begin()->second.list.shard.n ||
                               list.settings != shards.begin()->second.list.settings))
-        refuse(folder.path(), "its shards do not belong to those of " +
+        refuse(folder.path(), "its shards do not match the shards of " +
                                   shards.begin()->second.folder->path() +
                                   ": their number or settings differ");
       shards.insert_or_assign(shard.i, Found{&folder, std::move(list)});
@@ -145,7 +145,7 @@ std::vector<experiment::Part> collect(const std::vector<ExperimentFolder>& folde
         refuse(folder->path(), "the measurements of " + entry.polygon +
                                    " are missing or damaged; run its shard again");
       if (!all.emplace(std::pair(entry.set, entry.polygon), *std::move(part)).second)
-        refuse(folder->path(), entry.polygon + " was measured in another shard, too");
+        refuse(folder->path(), entry.polygon + " was also measured in another shard");
     }
   }
   std::vector<experiment::Part> sorted;

@@ -48,9 +48,8 @@ std::string summary(const std::vector<experiment::PolygonResult>& results) {
   std::string text = count(measured, "polygon") + " (" + std::to_string(convex) + " convex), " +
                      count(rows, "measurement") + ".";
   if (without > 0)
-    text +=
-        " On " + std::to_string(without) +
-        " of the polygons the algorithm can place no team, so only balanced robots were measured there.";
+    text += " The algorithm can place no team on " + std::to_string(without) +
+            " of the polygons, so only balanced robots were measured there.";
   return text;
 }
 
@@ -106,9 +105,9 @@ std::string shown(const std::vector<experiment::ResultSet>& sets,
   std::string text;
   if (const std::string ends = ends_of_charts(sets, figures); !ends.empty())
     text = "The charts end " + ends +
-           ", which at least a fifth of the polygons take; the files go on. ";
+           ", the greatest number on at least a fifth of the polygons; the files continue. ";
   return text + "Balanced robots are measured up to " + std::to_string(settings.most_balanced) +
-         ", odd numbers included: searching for more takes long, and adds little.";
+         ", odd numbers included: a search for more takes long and adds little.";
 }
 
 std::string value_text(const experiment::Figure& figure, double value) {

@@ -37,7 +37,7 @@ CommandLine::CommandLine(const std::string& command, const std::string& purpose,
   const auto layout = std::make_shared<Layout>();
   layout->column_width(26);
   app_->formatter(layout);
-  app_->set_help_flag("-h,--help", "print this and stop");
+  app_->set_help_flag("-h,--help", "print this help and exit");
   app_->footer(examples);
   app_->allow_extras();
 }
@@ -120,8 +120,7 @@ bool CommandLine::parse(const std::vector<std::string>& arguments) {
   }
   for (const std::string& name : positionals_)
     if (app_->get_option(name)->empty())
-      throw Failure{bad_input_status, name,
-                    "missing; `" + app_->get_name() + " --help` tells more"};
+      throw Failure{bad_input_status, name, "missing; see `" + app_->get_name() + " --help`"};
   return true;
 }
 

@@ -88,7 +88,7 @@ void check_output_file(const std::string& option, const std::string& path,
                        const std::string& input) {
   if (path == "-") throw bad_value(option, "expected the name of a file", path);
   if (is_same_file(input, path))
-    throw Failure{bad_input_status, option, "would overwrite " + path + ", which is read"};
+    throw Failure{bad_input_status, option, "would overwrite " + path + ", an input file"};
 }
 
 void write_file(const std::string& path, std::string_view text) {

@@ -11,18 +11,18 @@ std::string as_typed(std::string_view setting) { return "--" + hyphened(setting)
 // Why a setting has no effect with the others; empty if it has one.
 std::string why_unused(const SettingRow& row, const Settings& settings) {
   if (row.setting == Setting::teams && settings.method == Method::balanced)
-    return "balanced robots are no teams; give --robots";
+    return "balanced robots do not form teams; give --robots";
   if (counts(row.counts_for, settings)) return {};
   const std::string method(name(settings.method));
   switch (row.counts_for) {
     case CountsFor::all:
       break;
     case CountsFor::candidates:
-      return "it is for --metric area, circle and distance, not for " + method;
+      return "applies only to --metric area, circle and distance, not to " + method;
     case CountsFor::firm_hold:
-      return "it is for --goal hold";
+      return "applies only to --goal hold";
     case CountsFor::balanced:
-      return "it is for --metric balanced, not for " + method;
+      return "applies only to --metric balanced, not to " + method;
   }
   return {};
 }

@@ -60,7 +60,7 @@ void add_folder(const std::string& folder, std::vector<PolygonFile>& files) {
   if (files.size() == before)
     throw Failure{
         bad_input_status, folder,
-        "no polygon in this folder: no file that ends in .txt, .wkt, .json, .geojson, .svg or .dxf"};
+        "no polygon in this folder: no file name ends in .txt, .wkt, .json, .geojson, .svg or .dxf"};
 }
 
 // A folder's name identifies its set.
@@ -70,12 +70,12 @@ void check_set_names(const std::vector<std::string>& folders, bool with_files) {
     if (with_files && set == single_files)
       throw Failure{
           bad_input_status, folders[i],
-          "would be a set of the same name, files, as the files given by themselves; rename the folder"};
+          "would be a set with the same name, files, as the files given directly; rename the folder"};
     for (std::size_t j = 0; j < i; ++j)
       if (folder_name(folders[j]) == set)
         throw Failure{bad_input_status, folders[i],
-                      "would be a set of the same name, " + set + ", as " + folders[j] +
-                          "; rename one, or give a folder that holds both"};
+                      "would be a set with the same name, " + set + ", as " + folders[j] +
+                          "; rename one, or give a folder that contains both"};
   }
 }
 
@@ -105,7 +105,7 @@ std::vector<PolygonFile> find_polygon_files(const std::vector<std::string>& path
     if (files[i].set == files[i - 1].set && files[i].name == files[i - 1].name)
       throw Failure{bad_input_status, files[i].path,
                     "would have the same name, " + files[i].name + ", as " + files[i - 1].path +
-                        "; rename one, or give a folder that holds both"};
+                        "; rename one, or give a folder that contains both"};
   return files;
 }
 

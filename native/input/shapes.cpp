@@ -15,7 +15,7 @@ ImportOptions import_options(const ShapeOptions& options) {
   if (!options.flatten) return import;
   import.tolerance = read_number(*options.flatten);
   if (!import.tolerance || !(*import.tolerance > 0))
-    throw bad_value("--flatten", "the distance between curves and edges is a number above 0",
+    throw bad_value("--flatten", "the distance between curves and edges must be a number above 0",
                     *options.flatten);
   return import;
 }
@@ -35,9 +35,8 @@ std::size_t only_shape(const Import& import, const std::string& source,
   if (import.shapes.size() == 1) return 0;
   const std::string count = "it has " + std::to_string(import.shapes.size()) + " shapes";
   if (!options.offered)
-    throw Failure{bad_input_status, source, count + ", and here a file has one"};
-  throw Failure{bad_input_status, source, count + "; --shape N takes one of them",
-                listed(import.shapes)};
+    throw Failure{bad_input_status, source, count + ", but only one is allowed here"};
+  throw Failure{bad_input_status, source, count + "; --shape N selects one", listed(import.shapes)};
 }
 
 std::size_t named_shape(const Import& import, const std::string& typed) {
@@ -51,7 +50,7 @@ std::size_t named_shape(const Import& import, const std::string& typed) {
     if (found)
       throw Failure{bad_input_status, "--shape",
                     "shapes " + std::to_string(*found + 1) + " and " + std::to_string(i + 1) +
-                        " are both called \"" + typed + "\"; a number tells them apart"};
+                        " are both called \"" + typed + "\"; give a number instead"};
     found = i;
   }
   if (found) return *found;
@@ -65,9 +64,9 @@ std::size_t named_shape(const Import& import, const std::string& typed) {
 
 void ShapeOptions::declare(CommandLine& line) {
   offered = true;
-  line.value(shape, "--shape", "N", "which shape of a file with several: its number or name");
+  line.value(shape, "--shape", "N", "number or name of a shape, if the file has several");
   line.value(flatten, "--flatten", "T",
-             "how far edges may be from curves (default about 1/1000 of the shape)");
+             "greatest distance of edges from curves (default about 1/1000 of the shape)");
 }
 
 Document choose_shape(const std::string& text, const std::string& source,
@@ -83,7 +82,7 @@ Document choose_shape(const std::string& text, const std::string& source,
     print_failure({0,
                    source,
                    "curves were flattened to within " + shortest(*shape.tolerance) +
-                       (options.flatten || !options.offered ? "" : "; --flatten T sets that"),
+                       (options.flatten || !options.offered ? "" : "; --flatten T changes this"),
                    {}});
   return shape.document;
 }

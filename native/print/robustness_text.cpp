@@ -15,7 +15,7 @@ const char* heading(LoadModel model) {
   switch (model) {
     case LoadModel::plan:
     case LoadModel::springs:
-      return "bears";
+      return "load";
     case LoadModel::best:
       return "at most";
     case LoadModel::worst:
@@ -47,8 +47,8 @@ Row failure_row(std::size_t robot, std::size_t team, const std::optional<RestOfR
 
 void RobustnessOptions::declare(CommandLine& line) {
   line.value(loads, "--loads", "MODEL",
-             "which loads the table shows: plan (default), springs, best or worst");
-  line.flag(failures, "--failures", "what happens if one robot fails, for each of them");
+             "loads in the table: plan (default), springs, best or worst");
+  line.flag(failures, "--failures", "for each robot, what happens if it fails");
 }
 
 RobustnessAsked::RobustnessAsked(const RobustnessOptions& options, const Shown& shown)
@@ -57,9 +57,8 @@ RobustnessAsked::RobustnessAsked(const RobustnessOptions& options, const Shown& 
   if (com_radius > 0 && !has_ranges(model))
     throw Failure{
         bad_input_status, "--loads",
-        "the centre of mass is known within " + with_length_unit(plain(com_radius), shown.units) +
-            " only, which plan and springs take into account; ask for one of them, or set "
-            "--com-radius 0"};
+        "with a C uncertainty of " + with_length_unit(plain(com_radius), shown.units) +
+            ", only plan and springs can be shown; choose one of them, or set --com-radius 0"};
 }
 
 RobustnessKnown::RobustnessKnown(const Placement& placement, const RobustnessAsked& wanted)
@@ -104,8 +103,8 @@ std::string failure_table(const Placement& placement, const RobustnessKnown& kno
   for (const auto& rest : known.failures)
     if (rest)
       largest = std::max({largest, rest->greatest_by_plan.value_or(0), rest->greatest_by_springs});
-  std::vector<Row> rows = {{"fails", "of team", "carried", "steady", "tips at", "coverage",
-                            "closure", "by plan", "springs", "best"}};
+  std::vector<Row> rows = {{"fails", "of team", "carried", "steady", "tipping distance", "coverage",
+                            "form closure", "by plan", "springs", "best"}};
   if (capacity) rows[0].push_back("overloaded");
   for (std::size_t robot = 0; robot < known.failures.size(); ++robot) {
     const std::optional<RestOfRobots>& rest = known.failures[robot];

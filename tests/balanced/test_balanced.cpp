@@ -176,9 +176,9 @@ TEST_CASE("where no set has its centroid at the centre of mass, no robot is plac
     CHECK(placement.teams.empty());
     CHECK_FALSE(placement.loads);
     CHECK_FALSE(placement.goal_reached);
-    CHECK(verdict(placement) ==
-          "No robots can be placed. No balanced placement of " + std::to_string(robots) +
-              " robots was found: none whose centroid is the centre of mass.");
+    CHECK(verdict(placement) == "No robots can be placed. No places were found for " +
+                                    std::to_string(robots) +
+                                    " balanced robots: their centroid must be the centre of mass.");
   }
 }
 

@@ -260,9 +260,10 @@ TEST_CASE("if a robot fails the step shows the others, and whether they carry th
   const StepDetail pairs = look_at(trace, at(trace, StepKind::pairs));
   CHECK(trace.in_pairs->teams.size() == 3);
   CHECK(trace.in_pairs->coverage < trace.placement.coverage);
-  CHECK(caption(trace, pairs)
-            .find("3 pairs carry any 2 failures at once, wherever they stand; "
-                  "here they stay steady in any 1.") != std::string::npos);
+  CHECK(
+      caption(trace, pairs)
+          .find("3 teams still carry the object after any 2 failures at once, wherever they stand; "
+                "here it stays steady after any 1 failure.") != std::string::npos);
   CHECK(traced(document_of("worktop", 5)).count(StepKind::pairs) == 0);
 }
 
@@ -270,16 +271,17 @@ TEST_CASE("two pairs carry any one failure, but on a knife's edge", "[trace][bal
   const Trace trace = traced(document_of("worktop", 4));
   REQUIRE(trace.count(StepKind::pairs) == 1);
   const StepDetail pairs = look_at(trace, at(trace, StepKind::pairs));
-  CHECK(caption(trace, pairs)
-            .find("2 pairs carry any 1 failure at once, wherever they stand; but "
-                  "already one can leave them on a knife's edge.") != std::string::npos);
+  CHECK(
+      caption(trace, pairs)
+          .find("2 teams still carry the object after any 1 failure at once, wherever they stand; "
+                "but a single failure can leave it on a knife's edge.") != std::string::npos);
 }
 
 TEST_CASE("the law of the centroid says what equal loads presume", "[trace][balanced]") {
   const Trace trace = traced(document_of("worktop", 6));
   REQUIRE(trace.count(StepKind::many) == 1);
   const std::string text = caption(trace, look_at(trace, at(trace, StepKind::many)));
-  CHECK(text.find("can bear the same") != std::string::npos);
+  CHECK(text.find("can carry equal loads") != std::string::npos);
   CHECK(text.find("if forces are controlled, or if all are equally stiff and level") !=
         std::string::npos);
 }

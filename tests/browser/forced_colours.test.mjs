@@ -132,8 +132,8 @@ for (const colorScheme of ["light", "dark"]) {
     const page = await forced({ colorScheme });
     await load(page, asset("square"));
     const window = await openWindow(page, "experiment");
-    await window.getByLabel("Most teams").fill("2");
-    await window.getByLabel("Most balanced robots").fill("3");
+    await window.getByLabel("Max. teams").fill("2");
+    await window.getByLabel("Max. balanced robots").fill("3");
     await window.getByRole("button", { name: "Compare", exact: true }).click();
     await window.getByText("Done.").waitFor();
     const drawn = await window.evaluate((root) => {

@@ -77,11 +77,11 @@ def check_errors(consumer):
     bad = {
         '{"polygon": [[0, 0], [4, 4], [4, 0], [0, 4]]}': ("edges_cross", "Edges 1 and 3 cross, touch or overlap", {"edges": [0, 2]}),
         '{"polygon": [[0, 0], [4, 0], [4, 3]], "settings": {"teams": 0}}': (
-            "bad_setting", "The number of teams is a whole number from 1 to 1048576, or max", {"setting": "teams"}),
+            "bad_setting", "The number of teams must be a whole number from 1 to 1048576, or max", {"setting": "teams"}),
         '{"polygon": [[0, 0], [4, 0], [4, 3]], "setings": {}}': (
             "unsupported", 'Line 1, column 50: there is no member "setings" here', {"line": 1, "column": 50}),
         '{"command": "fly"}': (
-            "unsupported", "Line 1, column 17: the command is place, candidates, svg, poses, link, experiment or version", {"line": 1, "column": 17}),
+            "unsupported", "Line 1, column 17: the command must be place, candidates, svg, poses, link, experiment or version", {"line": 1, "column": 17}),
     }  # fmt: skip
     for request, (code, message, place) in bad.items():
         expect(json.loads(answers(consumer, request)) == {"error": {"code": code, "message": message, "place": place}}, answers(consumer, request))

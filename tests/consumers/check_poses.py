@@ -77,8 +77,8 @@ def check_message(text, answer, unit, frame):
         angle = math.radians(robot["heading"])
         expect(near(w * w - z * z, math.cos(angle)) and near(2 * w * z, math.sin(angle)), f"another heading: {robot}")
         expect(near(w * w + z * z, 1), "no unit quaternion")
-    comments = [line for line in text.splitlines() if "bears" in line]
-    loads = [f"bears {robot['load']:.12g} kg" for robot in answer["robots"]]
+    comments = [line for line in text.splitlines() if "carries" in line]
+    loads = [f"carries {robot['load']:.12g} kg" for robot in answer["robots"]]
     expect(len(comments) == len(loads), "a robot has no comment")
 
 

@@ -55,15 +55,14 @@ TEST_CASE("the order of settings in a request means nothing", "[request]") {
 
 TEST_CASE("the notice of a hole says whose the centre of mass is", "[import][geojson]") {
   const std::string open = notes(ring("", true));
-  CHECK(
-      open ==
-      "1 hole was left out, since holes are not supported: the shape and, unless one is given, its "
-      "centre of mass are those of what the outer ring encloses\n");
+  CHECK(open ==
+        "1 hole was left out, since holes are not supported: only the outer ring defines the shape "
+        "and, unless one is given, its centre of mass\n");
   const std::string given = notes(ring(R"("centre_of_mass": [2, 3])", true));
   CHECK(
       given ==
-      "1 hole was left out, since holes are not supported: the shape is that of what the outer ring "
-      "encloses, with the centre of mass that is given\n");
+      "1 hole was left out, since holes are not supported: only the outer ring defines the shape; "
+      "the centre of mass is the given one\n");
   const auto collection = [](const std::string& a, const std::string& b) {
     return R"({"type": "FeatureCollection", "features": [)" + a + "," + b + "]}";
   };
@@ -71,7 +70,7 @@ TEST_CASE("the notice of a hole says whose the centre of mass is", "[import][geo
   CHECK(notes(collection(ring(R"("centre_of_mass": [2, 3])", true), ring("", true)))
             .find("unless one is given") != std::string::npos);
   CHECK(notes(collection(ring(R"("centre_of_mass": [2, 3])", true), ring("", false)))
-            .find("with the centre of mass that is given") != std::string::npos);
+            .find("the centre of mass is the given one") != std::string::npos);
 }
 
 TEST_CASE("a list of robots is refused by name, and is no polygon", "[import][errors]") {
@@ -82,7 +81,7 @@ TEST_CASE("a list of robots is refused by name, and is no polygon", "[import][er
        "robot,team,x,y,heading_deg,load,unit,weight_unit\n1,1,0,0,90,5,,kg\n2,1,4,4,0,5,,kg\n",
        R"([{"robot": 1, "x": 0, "y": 0}, {"robot": 2, "x": 4, "y": 0}, {"robot": 3, "x": 4, "y": 4}])"}) {
     INFO(text);
-    CHECK(refusal(text).starts_with("these are the robots of a result and no polygon"));
+    CHECK(refusal(text).starts_with("these are the robots of a result, not a polygon"));
   }
   // Other columns beside x and y do no harm.
   CHECK(read_shapes("corner,x,y\n1,0,0\n2,4,0\n3,4,4\n").ok());

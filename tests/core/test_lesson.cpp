@@ -153,15 +153,15 @@ TEST_CASE("what is wrong in a lesson is said with its line", "[lesson]") {
   refused("", 1, "no title");
   refused("polygon: square\n[end]\nWords.", 3, "no title");
   refused("title: T\n[end]\nWords.", 3, "neither a polygon nor a link");
-  refused("title: T\npolygon: square\nlink: 1.x\n[end]\nWords.", 5, "give one of them");
-  refused("title: T\npolygon: square\n", 2, "shows no step");
+  refused("title: T\npolygon: square\nlink: 1.x\n[end]\nWords.", 5, "give only one");
+  refused("title: T\npolygon: square\n", 2, "has no steps");
   refused("title: T\ntitle: U\n", 2, "twice");
   refused("title:\n", 1, "no value");
   refused("title: " + std::string(101, 'x') + "\n", 1, "longer than 100");
-  refused("title: T\npolygon: ../square\n", 2, "small letters");
+  refused("title: T\npolygon: ../square\n", 2, "lower-case letters");
   refused(
       "title: T\npolygn: square\n", 2,
-      "unknown setting; there are title, polygon, link, predict, teams, metric, min-ratio, com, "
+      "unknown setting; the settings are title, polygon, link, predict, teams, metric, min-ratio, com, "
       "weight, seed, overlays, com-radius, capacity, robot, no-go, unit, weight-unit, goal, robots, "
       "positions, min-margin, apart, survive and clear");
   refused("title: T\nHello\n", 2, "expected a setting");
@@ -181,9 +181,9 @@ TEST_CASE("what is wrong in a lesson is said with its line", "[lesson]") {
        {"[]", "[ ]", "[nothing]", "[team 0]", "[team -1]", "[team 1 2]", "[team x]", "[edges 1]",
         "[edges 1 2 3]", "[vertex]", "[step]", "[end 1]", "[team 99999999999]"})
     refused(head + address + "\nWords.", 3, "address of a step");
-  refused(head + "[team 2\nWords.", 3, "ends in ]");
-  refused(head + "[team 2]\n\n[end]\nWords.", 3, "no words");
-  refused(head + "[team 2]\n", 3, "no words");
+  refused(head + "[team 2\nWords.", 3, "must end in ]");
+  refused(head + "[team 2]\n\n[end]\nWords.", 3, "no text");
+  refused(head + "[team 2]\n", 3, "no text");
   refused(head + "[end]\n" + std::string(1001, 'x'), 3, "more than 1000");
   refused(head + "[end]\nA \xff byte.", 4, "not readable");
   refused(head + "[end]\nA \xed\xa0\x80 surrogate.", 4, "not readable");
@@ -191,9 +191,9 @@ TEST_CASE("what is wrong in a lesson is said with its line", "[lesson]") {
   refused(head + "[end]\nA " + std::string(1, '\0') + " byte.", 4, "not readable");
   const std::string one = head + "[end]\nWords.\n";
   refused(head + "[question]\nWhy?\n", 3, "after the steps");
-  refused(one + "[question]\n", 5, "no words");
+  refused(one + "[question]\n", 5, "no text");
   refused(one + "[question]\nWhy?\n", 5, "no answer");
-  refused(one + "[question]\nWhy?\n[answer]\n", 7, "no words");
+  refused(one + "[question]\nWhy?\n[answer]\n", 7, "no text");
   refused(one + "[answer]\nSo.\n", 5, "without a question");
   refused(one + "[question]\nWhy?\n[question]\nHow?\n", 7, "one question");
   refused(one + "[question]\nWhy?\n[answer]\nSo.\n[answer]\nOr so.\n", 9, "one answer");
@@ -268,7 +268,7 @@ TEST_CASE("a step is found by its address, and a missing one named by its line",
   CHECK(told("team 4") == "there is no step [team 4]:" + with + " there are [team 1] to [team 3]");
   CHECK(told("radial") == "there is no step [radial]" + with);
   CHECK(told("vertex 99").find("there is no vertex 99: the polygon has ") == 0);
-  CHECK(told("edges 1 2").find("edges 1 and 2 are not looked at together") == 0);
+  CHECK(told("edges 1 2").find("edges 1 and 2 are not examined together") == 0);
   CHECK(told("step 54") == "there is no step 54: there are " + std::to_string(trace.size()));
 }
 

@@ -282,39 +282,40 @@ TEST_CASE("every setting has a name that leads back to it and a sentence", "[set
 // Users know these messages, and scripts search for them.
 TEST_CASE("what each setting may be is said as ever", "[settings]") {
   const std::pair<Setting, const char*> sentences[] = {
-      {Setting::teams, "the number of teams is a whole number from 1 to 1048576, or max"},
-      {Setting::method, "the metric is area, circle, distance, distributed, random or balanced"},
-      {Setting::min_ratio, "the minimum load ratio is a number from 0 to 1"},
-      {Setting::com, "the centre of mass is two numbers X,Y, or centroid"},
-      {Setting::weight, "the weight is a number greater than 0, from 1e-100 to 1e100"},
-      {Setting::seed, "the seed is a whole number from 0 to 18446744073709551615"},
+      {Setting::teams, "the number of teams must be a whole number from 1 to 1048576, or max"},
+      {Setting::method,
+       "the method must be area, circle, distance, distributed, random or balanced"},
+      {Setting::min_ratio, "the minimum load ratio must be a number from 0 to 1"},
+      {Setting::com, "the centre of mass must be two numbers X,Y, or centroid"},
+      {Setting::weight, "the weight must be a number greater than 0, from 1e-100 to 1e100"},
+      {Setting::seed, "the seed must be a whole number from 0 to 18446744073709551615"},
       {Setting::overlays,
-       "the overlays are none, or some of candidates, chords, hull, clockwise, counterclockwise, tipping and halo"},
-      {Setting::step, "the step is a whole number from 0 to 4294967295, or none"},
+       "the overlays must be none or some of candidates, chords, hull, clockwise, counterclockwise, tipping and halo"},
+      {Setting::step, "the step must be a whole number from 0 to 4294967295, or none"},
       {Setting::capacity,
-       "the capacity of a robot is a number greater than 0, from 1e-100 to 1e100, or none"},
+       "the capacity of a robot must be a number greater than 0, from 1e-100 to 1e100, or none"},
       {Setting::com_radius,
-       "the radius within which the centre of mass is known is a number from 0 to 1000000000"},
-      {Setting::loads, "the loads are those of plan, springs, best or worst"},
-      {Setting::failed, "the robot that fails is its number, a whole number from 1, or none"},
-      {Setting::robots, "the number of robots is a whole number from 2 to 64"},
-      {Setting::goal, "the goal is cover or hold"},
-      {Setting::min_margin, "the margin of a firm hold is a number from 0 to 1"},
-      {Setting::apart, "the distance that parts robots is a number from 0 to 1000000000"},
-      {Setting::survive, "the number of failures to survive is a whole number from 0 to 30"},
-      {Setting::unit, "the unit of lengths is m, cm, mm or in, or none"},
-      {Setting::weight_unit, "the unit of weights is kg, t, N or lb"},
-      {Setting::positions, "the positions are best or range"},
+       "the uncertainty of the centre of mass must be a number from 0 to 1000000000"},
+      {Setting::loads, "the load model must be plan, springs, best or worst"},
+      {Setting::failed, "the failed robot must be a whole number from 1, or none"},
+      {Setting::robots, "the number of robots must be a whole number from 2 to 64"},
+      {Setting::goal, "the goal must be cover or hold"},
+      {Setting::min_margin, "the minimum margin must be a number from 0 to 1"},
+      {Setting::apart, "the minimum distance between robots must be a number from 0 to 1000000000"},
+      {Setting::survive, "the number of failures to survive must be a whole number from 0 to 30"},
+      {Setting::unit, "the unit of lengths must be m, cm, mm, in or none"},
+      {Setting::weight_unit, "the unit of weights must be kg, t, N or lb"},
+      {Setting::positions, "the positions must be best or range"},
       {Setting::robot,
-       "the size of a robot is none, or some of r, reach, depth, width and gap with numbers from 0 to 1000000000, such as r=30,reach=5"},
+       "the size of a robot must be none or some of r, reach, depth, width and gap with numbers from 0 to 1000000000, such as r=30,reach=5"},
       {Setting::no_go,
-       "the edges that must not be touched are none, or at most 1000 edges from 1 or parts of them from 0 to 1, such as 3,5:0.25-0.75"},
-      {Setting::robot_radius, "the radius of a robot is a number from 0 to 1000000000"},
-      {Setting::robot_reach, "the reach of a robot's arm is a number from 0 to 1000000000"},
-      {Setting::robot_depth, "the depth of a robot's hand is a number from 0 to 1000000000"},
-      {Setting::robot_width, "the width of a robot's hand is a number from 0 to 1000000000"},
-      {Setting::robot_gap, "the gap between robots is a number from 0 to 1000000000"},
-      {Setting::clear, "the distance that is not relied on is a number from 0 to 1000000000"},
+       "the no-go edges must be none, or at most 1000 edges from 1 or parts of them from 0 to 1, such as 3,5:0.25-0.75"},
+      {Setting::robot_radius, "the radius of a robot must be a number from 0 to 1000000000"},
+      {Setting::robot_reach, "the reach of a robot's arm must be a number from 0 to 1000000000"},
+      {Setting::robot_depth, "the depth of a robot's hand must be a number from 0 to 1000000000"},
+      {Setting::robot_width, "the width of a robot's hand must be a number from 0 to 1000000000"},
+      {Setting::robot_gap, "the gap between robots must be a number from 0 to 1000000000"},
+      {Setting::clear, "the clearance must be a number from 0 to 1000000000"},
   };
   CHECK(std::size(sentences) == all_settings().size());
   for (const auto& [setting, sentence] : sentences) CHECK(requirement(setting) == sentence);
@@ -341,8 +342,9 @@ TEST_CASE("the texts of a document's settings read back as the document", "[sett
   int read = 0;
   for (int i = 0; i < 5000; ++i) {
     const Document document = any_document(rng);
-    if (check_ranges(document.settings, document.shown)) continue;  // allowed in a link, but not in
-                                                                    // a text
+    if (check_ranges(document.settings, document.shown))
+      continue;  // allowed in a link, but not in
+                 // a text
     Document back;
     for (const SettingRow& row : all_settings()) {
       const std::string text = text_of(row.setting, document);

@@ -497,15 +497,16 @@ TEST_CASE("why a team stands here is said without the algorithm's own words", "[
     const Trace trace = traced(*place(document), {unit, WeightUnit::kg});
     return why_here_text(trace, look_at_scores(trace, team));
   };
-  CHECK(why("puzzle-piece", Method::area, 0, LengthUnit::mm) ==
-        "The first team takes the longest chord with two equal halves: the farther apart robots "
-        "stand, the wider the lifting base can become. The next one is 122.9\u00A0mm shorter.");
+  CHECK(
+      why("puzzle-piece", Method::area, 0, LengthUnit::mm) ==
+      "The first team takes the longest chord with two equal halves: the farther apart the robots "
+      "stand, the wider the lifting base can become. The next chord is 122.9\u00A0mm shorter.");
   CHECK(
       why("puzzle-piece", Method::area, 1, LengthUnit::mm) ==
-      "Team 2 takes the chord that adds the most area to the lifting base: the wider the base, "
-      "the harder the object is to tip. It adds an area of 329625\u00A0mm²; the next best chord would add 328147\u00A0mm².");
+      "Team 2 takes the chord that adds the most area to the lifting base: the wider the lifting "
+      "base, the harder it is to tip the object. It adds an area of 329625\u00A0mm²; the next best chord would add 328147\u00A0mm².");
   CHECK(why("square", Method::circle, 1, LengthUnit::none)
-            .starts_with("Team 2 takes the chord beyond whose ends"));
+            .starts_with("Team 2 takes the chord whose ends leave room"));
   for (const char* name : {"thesis-sample-centroid", "square", "horseshoe", "cross"})
     for (const Method method : {Method::area, Method::circle, Method::distance}) {
       INFO(name << ' ' << evenlift::name(method));

@@ -104,7 +104,7 @@ class Runs(Case):
         self.assertFalse((out / "measurements.csv").exists())
         more = run("experiment", self.inputs, "--out", out, "--samples", 1000, *FEW)
         self.assertEqual(more.returncode, 0, more.stderr)
-        self.assertIn(f"{len(kept)} of {len(SOME)} polygons had been measured before", more.stdout)
+        self.assertIn(f"{len(kept)} of {len(SOME)} polygons were already measured", more.stdout)
         for name, changed in kept.items():
             self.assertEqual((parts / name).stat().st_mtime_ns, changed, f"{name} was measured again")
         fresh = run("experiment", self.inputs, "--out", self.folder / "fresh", "--samples", 1000, *FEW)
@@ -119,12 +119,12 @@ class Runs(Case):
         parts[1].write_text("")
         parts[2].unlink()
         done = self.experiment("out")
-        self.assertIn(f"{len(SOME) - 3} of {len(SOME)} polygons had been measured before", done.stdout)
+        self.assertIn(f"{len(SOME) - 3} of {len(SOME)} polygons were already measured", done.stdout)
         self.assert_same("out", expected)
         # Another outline under the same name.
         shutil.copy(POLYGONS / "hexagon.txt", self.inputs / "square.txt")
         done = self.experiment("out")
-        self.assertIn(f"{len(SOME) - 1} of {len(SOME)} polygons had been measured before", done.stdout)
+        self.assertIn(f"{len(SOME) - 1} of {len(SOME)} polygons were already measured", done.stdout)
         self.experiment("anew")
         self.assert_same("out", results.contents(self.folder / "anew"))
         # Other settings.
@@ -171,29 +171,29 @@ class Runs(Case):
         for arguments, message in [
                 ([], "--out: missing; it names the folder to write to"),
                 ([self.inputs], "--out: missing; it names the folder to write to"),
-                (["--out", out], "PATH: missing; `evenlift experiment --help` tells more"),
-                ([self.inputs, "--out", out, "--samples", "0"], "--samples: the number of random samples is from 1 to 100000"),
+                (["--out", out], "PATH: missing; see `evenlift experiment --help`"),
+                ([self.inputs, "--out", out, "--samples", "0"], "--samples: the number of random samples must be from 1 to 100000"),
                 ([self.inputs, "--out", out, "--samples", "many"], '--samples: expected a whole number, not "many"'),
-                ([self.inputs, "--out", out, "--min-ratio", "2"], '--min-ratio: the minimum load ratio is a number from 0 to 1, not "2"'),
-                ([self.inputs, "--out", out, "--jobs", "0"], "--jobs: the number of threads is from 1 to 1024"),
-                ([self.inputs, "--out", out, "--max-teams", "0"], "--max-teams: the greatest number of teams is from 1 to 10000"),
-                ([self.inputs, "--out", out, "--max-balanced", "65"], "--max-balanced: the greatest number of balanced robots is from 2 to 64"),
-                (["--merge", "--out", out, "--max-balanced", "6"], "--max-balanced: does not go with --merge: the shards are measured already"),
+                ([self.inputs, "--out", out, "--min-ratio", "2"], '--min-ratio: the minimum load ratio must be a number from 0 to 1, not "2"'),
+                ([self.inputs, "--out", out, "--jobs", "0"], "--jobs: the number of threads must be from 1 to 1024"),
+                ([self.inputs, "--out", out, "--max-teams", "0"], "--max-teams: the greatest number of teams must be from 1 to 10000"),
+                ([self.inputs, "--out", out, "--max-balanced", "65"], "--max-balanced: the greatest number of balanced robots must be from 2 to 64"),
+                (["--merge", "--out", out, "--max-balanced", "6"], "--max-balanced: not allowed with --merge: the shards are already measured"),
                 ([self.inputs, "--out", out, "--shard", "3/2"],
                  '--shard: expected I/N, with I from 1 to N and N up to 100000, not "3/2"'),
                 ([self.folder / "nowhere", "--out", out], f"{self.folder}/nowhere: no such file or directory"),
                 ([self.folder / "empty", "--out", out],
-                 f"{self.folder}/empty: no polygon in this folder: no file that ends in .txt, .wkt, .json, .geojson, .svg or .dxf"),
+                 f"{self.folder}/empty: no polygon in this folder: no file name ends in .txt, .wkt, .json, .geojson, .svg or .dxf"),
                 ([self.inputs / "star.txt", self.folder / "other" / "star.txt", "--out", out],
                  f"{self.inputs}/star.txt: would have the same name, star, as {self.folder}/other/star.txt; "
-                 "rename one, or give a folder that holds both"),
+                 "rename one, or give a folder that contains both"),
                 ([self.inputs, self.folder / "other" / "polygons", "--out", out],
-                 f"{self.folder}/other/polygons: would be a set of the same name, polygons, as {self.inputs}; "
-                 "rename one, or give a folder that holds both"),
+                 f"{self.folder}/other/polygons: would be a set with the same name, polygons, as {self.inputs}; "
+                 "rename one, or give a folder that contains both"),
                 ([self.inputs / "star.txt", self.folder / "files", "--out", out],
-                 f"{self.folder}/files: would be a set of the same name, files, as the files given by themselves; rename the folder"),
+                 f"{self.folder}/files: would be a set with the same name, files, as the files given directly; rename the folder"),
                 (["--merge", "--out", out], f"{out}: no experiment has run here: there is no folder {out}/parts"),
-                (["--merge", "--out", out, "--jobs", "2"], "--jobs: does not go with --merge: the shards are measured already")]:
+                (["--merge", "--out", out, "--jobs", "2"], "--jobs: not allowed with --merge: the shards are already measured")]:
             done = run("experiment", *arguments)
             self.assertEqual((done.returncode, done.stderr, done.stdout), (2, f"evenlift: {message}\n", ""), arguments)
             self.assertFalse(out.exists())

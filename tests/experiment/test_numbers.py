@@ -144,7 +144,7 @@ class Numbers:
                 value = float(re.search(rf"([\d.]+) (?:kg|%) {by}", sentences[figure]).group(1))
                 self.assertAlmostEqual(value, scale * self.made.aggregate(method, robots)[column], delta=0.5001 * 10 ** -places)
         least, most = self.made.times_more_even("distributed")
-        self.assertIn(f"{least:.1f} to {most:.1f} times that of the algorithm", sentences["5.3"])
+        self.assertIn(f"{least:.1f} to {most:.1f} times the spread of the algorithm", sentences["5.3"])
         report = (self.folder / "report.html").read_text(encoding="utf-8")
         for sentence in sentences.values():
             self.assertIn(sentence.replace(" kg", "\u00a0kg").replace(" %", "\u00a0%"), report)
@@ -153,33 +153,33 @@ class Numbers:
         for robots in (4, 30):
             for method in results.PAIRS:
                 made = self.made.aggregate(method, robots)
-                ours = self.claims[f"Difference of loads with {robots} robots, {method}"]
+                ours = self.claims[f"Spread of loads with {robots} robots, {method}"]
                 self.near(ours, made["spread_mean"], made["spread_sd"], places=2)
         for method in results.PAIRS:
             made = self.made.aggregate(method, 20)
-            ours = self.claims[f"Shares of their team’s load with 10 teams, {method}"]
+            ours = self.claims[f"Shares of the team’s load with 10 teams, {method}"]
             self.near(ours, 100 - 100 * made["max_share_mean"], 100 * made["max_share_mean"], 100 * made["max_share_sd"], places=1)
-            ours = self.claims[f"Fewest robots whose greatest load is at most 5 kg of 100 kg, averaged over the polygons, {method}"]
+            ours = self.claims[f"Fewest robots with a greatest load of at most 5 kg of 100 kg, averaged over the polygons, {method}"]
             self.assertEqual(numbers(ours)[0], self.made.robots_needed(method))
         for method in ("distributed", "random"):
-            ours = self.claims[f"How many times more evenly than {method} the algorithm shares the weight, over the numbers of robots shown"]
+            ours = self.claims[f"Spread of loads of {method} in multiples of the algorithm’s, over the numbers of robots shown"]
             self.near(ours, *self.made.times_more_even(method), places=1)
 
     def test_claims_about_choices_and_coverage(self):
         same, of = self.made.same_second()
         self.assertIn(f"({len(same)} of {len(of)})", self.claims["All three metrics choose the same second team"])
         same, of = self.made.same_third()
-        self.assertIn(f"({len(same)} of {len(of)})", self.claims["Of these, all three choose the same third team"])
+        self.assertIn(f"({len(same)} of {len(of)})", self.claims["The same third team, where the second is the same"])
         small = {row["polygon"] for row in self.polygons if int(row["vertices"]) <= 12}
-        for what, (same, of) in [("The same second team", self.made.same_second()), ("Of these the same third team", self.made.same_third())]:
+        for what, (same, of) in [("The same second team", self.made.same_second()), ("The same third team, where the second is the same", self.made.same_third())]:
             self.assertIn(f"({len(small.intersection(same))} of {len(small.intersection(of))})", self.claims[f"{what}, polygons with at most 12 vertices"])
         self.near(self.claims["Coverage by the algorithm: with 36 robots"], 100 * self.made.algorithm("coverage_mean", 36), places=1)
         rows = [100 * row["coverage"] for row in self.rows if row["method"] in results.ALGORITHM and row["teams"] >= 2]
         self.near(self.claims["Coverage by the algorithm: mean over all its measurements from 4 robots on"], statistics.fmean(rows), statistics.stdev(rows), places=1)
         covered = [self.made.algorithm("coverage_mean", robots) for robots in range(4, self.made.shown() + 1, 2)]
         self.near(self.claims["Coverage by the algorithm: mean of figure 5.7 from 4 robots on"], 100 * statistics.fmean(covered), places=1)
-        for what, method, sign in [("Coverage of distributed less that of the algorithm, mean over a polygon’s numbers of teams", "distributed", 1),
-                                   ("Coverage of the algorithm less that of random, likewise", "random", -1)]:
+        for what, method, sign in [("Coverage of distributed less coverage of the algorithm, mean over a polygon’s numbers of teams", "distributed", 1),
+                                   ("Coverage of the algorithm less coverage of random, mean over a polygon’s numbers of teams", "random", -1)]:
             made = self.made.coverage_difference(method)
             ours = self.claims[what]
             self.near(ours, abs(sign * 100 * statistics.fmean(made)), 100 * statistics.stdev(made), places=1)
@@ -188,26 +188,26 @@ class Numbers:
     def test_claims_about_closure(self):
         for test, how in (("form_closure", ""), ("no_area", ", by the thesis’s test that no region has an area")):
             possible = self.made.possible[test]
-            self.assertEqual(self.claims[f"Polygons that no method closes{how}"],
+            self.assertEqual(self.claims[f"Polygons that no method brings into form closure{how}"],
                              f"{len(self.made.polygons) - len(possible)} of {len(self.made.polygons)}")
             for robots in (4, 8):
                 for method in results.PAIRS:
                     made = self.made.aggregate(method, robots)
                     count = made["closable" if test == "form_closure" else "no_area_possible"]
-                    self.near(self.claims[f"Closed with {robots} robots, {method}{how}"], 100 * made[f"{test}_mean"], count, places=0)
+                    self.near(self.claims[f"In form closure with {robots} robots, {method}{how}"], 100 * made[f"{test}_mean"], count, places=0)
             small = [row for row in self.rows if row["method"] == "distance" and row["teams"] == 4 and row["polygon"] in possible
                      and next(int(p["vertices"]) for p in self.polygons if p["polygon"] == row["polygon"]) <= 12]
-            self.assertIn(f"({sum(row[test] > 0 for row in small)} of {len(small)})", self.claims[f"Closed with 8 robots, distance, polygons with at most 12 vertices{how}"])
+            self.assertIn(f"({sum(row[test] > 0 for row in small)} of {len(small)})", self.claims[f"In form closure with 8 robots, distance, polygons with at most 12 vertices{how}"])
             for method in results.ALGORITHM:
                 lost, steps = self.made.lost(method, test)
                 self.assertEqual(lost, [], method)
-                self.assertEqual(self.claims[f"Closure lost by adding a team, {method}{how}"], f"never (in {len(steps)} steps)")
+                self.assertEqual(self.claims[f"Form closure lost by adding a team, {method}{how}"], f"never (in {len(steps)} steps)")
             lost, steps = self.made.lost("distributed", test)
-            ours = self.claims[f"Closure lost by adding a team, distributed{how}"]
+            ours = self.claims[f"Form closure lost by adding a team, distributed{how}"]
             self.assertEqual(numbers(ours), [len(lost), len(steps), *sorted({row["robots"] for row in lost})])
             closed = self.made.closed_by_algorithm(test) & possible
             self.assertIn(f"({len(closed)} of {len(possible)})",
-                          self.claims[f"Of the polygons that any method closes, the algorithm does{how}"])
+                          self.claims[f"Polygons in form closure by the algorithm, of those in form closure by any method{how}"])
 
     def test_the_table_of_few_robots_has_the_means_of_the_rows(self):
         cells = results.few_robots(self.folder, self.of)

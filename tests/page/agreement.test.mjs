@@ -59,7 +59,7 @@ function said(name, metric, { teams, min_ratio = 0.8, capacity, ...more }) {
   return [
     lines[0],
     capacity === undefined ? "" : ` ${lines[1]}`,
-    ` ${rows.length} team${rows.length === 1 ? "" : "s"} of ${teams} asked for, method ${metric}, minimum load ratio ${min_ratio}.`,
+    ` ${rows.length} team${rows.length === 1 ? "" : "s"} of ${teams} requested, method ${metric === "distributed" ? "equal angles" : metric}, minimum load ratio ${min_ratio}.`,
     ...of_teams,
   ].join("");
 }

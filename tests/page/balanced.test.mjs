@@ -74,7 +74,7 @@ test("how many it takes if any one may fail is counted beside the page, to the p
   await idle(page);
   assert.deepEqual(await state(page), program("grand-piano", "--capacity", "20"));
   const words = evenlift("place", sample("grand-piano"), "--metric", "balanced", "--capacity", "20").split("\n")[1];
-  assert.match(words, /If any one may fail: 9 robots/);
+  assert.match(words, /To allow for any one failure: 9 robots/);
   assert.ok((await summary(page)).includes(words));
   const [kept, unknown] = await page.evaluate(() => {
     const counted = () => evenlift.state().capacity.if_one_fails;
@@ -165,8 +165,8 @@ test("the first answer is there at once, and the verdict says that the search go
   assert.ok(first.coverage < last.coverage, "the start is shown first");
   await idle(page);
   assert.equal((await state(page)).coverage, last.coverage);
-  assert.match(await summary(page), /^8 robots carry 12\.5\skg each, all the same \(100\skg in all\)\./);
-  assert.doesNotMatch(await summary(page), /being looked for/);
+  assert.match(await summary(page), /^8 robots carry equal loads of 12\.5\skg \(100\skg in all\)\./);
+  assert.doesNotMatch(await summary(page), /The search/);
   await page.done();
 });
 
@@ -257,7 +257,10 @@ test("the method, its robots and its goal are chosen in the panel", async () => 
   await page.keyboard.type("65");
   await page.keyboard.press("Enter");
   await idle(page);
-  assert.match(await page.locator("#alert").textContent(), /^The number of robots is a whole number from 2 to 64\.$/);
+  assert.match(
+    await page.locator("#alert").textContent(),
+    /^The number of robots must be a whole number from 2 to 64\.$/,
+  );
   await page.keyboard.press("Escape");
   await press(page, "goals");
   await press(page, "Cover");
@@ -300,7 +303,7 @@ test("the lesson of balanced robots tells the search, and a link opens it at its
   const settled = steps.findIndex((step) => step.kind === "settled");
   await set(page, { step: settled });
   await idle(page);
-  assert.match(await summary(page), /No three robots can move to make it better/);
+  assert.match(await summary(page), /No move of three robots makes the set better/);
   const shared = await link(page);
   const other = await browser.open();
   await load(other, shared);
@@ -370,14 +373,14 @@ test("balanced robots beside teams are as many as those", async () => {
 test("set() refuses with a sentence what balanced robots cannot be asked", async () => {
   const page = await browser.open();
   const bad = [
-    [{ robots: 1 }, /^The number of robots is a whole number from 2 to 64/],
+    [{ robots: 1 }, /^The number of robots must be a whole number from 2 to 64/],
     [{ robots: 65 }, /robots/],
     [{ robots: 2.5 }, /robots/],
     [{ robots: "6" }, /robots/],
-    [{ goal: "best" }, /^The goal is cover or hold/],
-    [{ metric: "random", goal: "hold" }, /goal: distributed and random teams/],
+    [{ goal: "best" }, /^The goal must be cover or hold/],
+    [{ metric: "random", goal: "hold" }, /^The methods distributed and random choose/],
     [{ min_margin: 2 }, /margin/],
-    [{ apart: -1 }, /parts robots/],
+    [{ apart: -1 }, /distance between robots/],
     [{ metric: "balanced", robots: 6, survive: 2 }, /survive/],
   ];
   for (const [changes, why] of bad) assert.match(await thrown(page, "set", changes), why);

@@ -37,7 +37,7 @@ test("a robot is let fail from its card, and works again by its button, Esc or a
     await page.mouse.click(...(await toScreen(page, robotAt(before, 2))));
     await press(page, "fail");
     await idle(page);
-    assert.match(await summary(page), /^Robot 3 fails: carried by the other five, at most \d+\.\d\skg\./);
+    assert.match(await summary(page), /^Robot 3 fails: the other five carry the object, at most \d+\.\d\skg each\./);
     assert.doesNotMatch(await page.locator("#alert").textContent(), /fails/, "it is told once");
     assert.deepEqual((await state(page)).failures, program("grand-piano", "--failures").failures);
     await back();
@@ -70,7 +70,7 @@ test("set() lets a robot fail, and refuses one that there is not", async () => {
   assert.match(await thrown(page, "set", { teams: 2, failed: 5 }), /^failed: there is no robot 5: there are 4/);
   assert.equal((await state(page)).teams.length, 3, "nothing has changed");
   for (const failed of [0, -1, 1.5, "3", true])
-    assert.match(await thrown(page, "set", { failed }), /^The robot that fails/, String(failed));
+    assert.match(await thrown(page, "set", { failed }), /^The failed robot/, String(failed));
   await set(page, { failed: 2 });
   await set(page, { teams: 2 });
   await idle(page);
@@ -141,7 +141,7 @@ test("capacity, doubt and halo are in links, in undo and there after a reload", 
   const { overlays, ...results } = before;
   assert.equal(overlays.halo, true);
   assert.deepEqual(results, program("grand-piano", "--capacity", "30", "--com-radius", "12.5"));
-  assert.match(await page.locator("#news").textContent(), /Shown: how far the centre of mass may be off\./);
+  assert.match(await page.locator("#news").textContent(), /Shown: the tipping distance\./);
   await reload(page);
   assert.deepEqual(await state(page), before);
   assert.equal(await page.locator("#news").textContent(), "", "what holds from the start is not told");
@@ -159,7 +159,7 @@ test("capacity, doubt and halo are in links, in undo and there after a reload", 
 test("the ring of the halo is dragged, and is one step of undo", async () => {
   const page = await browser.open();
   await load(page, asset("grand-piano"));
-  await press(page, "Halo");
+  await press(page, "Tipping distance");
   await idle(page);
   const centre = await toScreen(page, (await state(page)).centre_of_mass);
   const grip = [centre[0] + 28 * Math.SQRT1_2, centre[1] - 28 * Math.SQRT1_2];
@@ -186,7 +186,7 @@ test("which loads are shown, how well C is known, and what balanced robots keep 
   await idle(page);
   assert.match(
     await summary(page),
-    /If the robots' heights are unequal or the object bends, a robot may come to bear up to [\d.]+\skg\./,
+    /If the robots' heights are unequal or the object bends, a robot may have to carry up to [\d.]+\skg\./,
   );
   await press(page, "survive +");
   await idle(page);
@@ -206,7 +206,7 @@ test("which loads are shown, how well C is known, and what balanced robots keep 
   await idle(page);
   assert.equal((await state(page)).robustness.com_radius, 15);
   await set(page, { loads: "plan" });
-  assert.match(await thrown(page, "set", { loads: "most" }), /^The loads are those of/);
+  assert.match(await thrown(page, "set", { loads: "most" }), /^The load model must be/);
   assert.match(await thrown(page, "set", { com_radius: -1 }), /^The radius within which/);
   await page.done();
 });

@@ -72,7 +72,7 @@ test("it says what was undone", async () => {
     [() => load(page, asset("arrow")), "opened a polygon"],
     [() => page.keyboard.press("v").then(() => page.keyboard.press("ArrowUp")), "moved a vertex"],
     [() => page.keyboard.press("i"), "added a vertex"],
-    [() => set(page, { capacity: 30 }), "changed what a robot can carry"],
+    [() => set(page, { capacity: 30 }), "changed the capacity"],
     [() => page.keyboard.press("k"), "changed the comparison"],
   ];
   for (const [edit] of steps) {
@@ -85,7 +85,7 @@ test("it says what was undone", async () => {
     assert.equal(await noticed(page), `Undone: ${words}.`);
   }
   await redo(page);
-  assert.equal(await noticed(page), "Done again: changed the number of teams.");
+  assert.equal(await noticed(page), "Redone: changed the number of teams.");
   await page.done();
 });
 

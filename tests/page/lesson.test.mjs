@@ -222,7 +222,7 @@ test("presenting: large words, no settings, full screen, and Escape leaves it", 
   await idle(page);
   assert.equal(await shown("Samples"), false);
   await page.evaluate(() => document.dispatchEvent(new Event("fullscreenchange"))); // as when the browser's own key
-                                                                                    // leaves it
+  // leaves it
   await idle(page);
   assert.ok(await shown("Samples"));
   await page.done();
@@ -395,7 +395,7 @@ test("the link carries the step and opens there; one beyond the last is told", a
   assert.equal(await summary(other), await summary(page));
   await other.done();
   const beyond = await browser.open({ address: `#${beyondTheLast}` });
-  assert.match(await noticed(beyond), /has no step 1000: it is at its last, \d+\./);
+  assert.match(await noticed(beyond), /has no step 1000: this is its last, \d+\./);
   assert.equal(await step(beyond), stone.length - 1);
   await beyond.done();
   await page.done();
@@ -449,7 +449,7 @@ test("where no step has a choice, predictions are not switched on, and that is s
   const page = await browser.open({ address: "?lesson=slides" });
   await idle(page);
   await page.keyboard.press("q");
-  assert.match(await noticed(page), /^No step of this lesson has a choice to predict\.$/);
+  assert.match(await noticed(page), /^No step here has a choice to predict\.$/);
   const predict = page.locator("#mirror").getByRole("button", { name: "Predict first" });
   assert.equal(await predict.getAttribute("aria-pressed"), "false");
   await page.done();
@@ -537,17 +537,17 @@ test("a copied address opens the same lesson at the same stop", async () => {
   const page = await browser.open({ address: "?lesson=moved", permissions: ["clipboard-read", "clipboard-write"] });
   await page.locator("#canvas").focus();
   for (let i = 0; i < 2; ++i) await page.keyboard.press("ArrowRight");
-  await spoken(page, /^Step 3 of 6, .*Whole pairs of edges/);
+  await spoken(page, /^Step 3 of 6, .*In some edge pairs/);
   await page.keyboard.press("Control+c");
   await noticed(page);
   const copied = await page.evaluate(() => navigator.clipboard.readText());
   assert.match(copied, /\?lesson=moved#1\./);
   const other = await browser.open({ address: copied.slice(browser.server.url.length) });
-  await spoken(other, /^Step 3 of 6, .*Whole pairs of edges/);
+  await spoken(other, /^Step 3 of 6, .*In some edge pairs/);
   assert.equal(await named(other), "?lesson=moved");
   await other.reload();
   await other.evaluate(() => evenlift.ready);
-  await spoken(other, /^Step 3 of 6, .*Whole pairs of edges/);
+  await spoken(other, /^Step 3 of 6, .*In some edge pairs/);
   // Puts another step of the same lesson into the same tab.
   await page.keyboard.press("ArrowRight");
   await spoken(page, /^Step 4 of 6/);
@@ -579,7 +579,10 @@ test("an edited polygon is not the lesson's any more, and its address does not s
 
 test("a lesson with a link of another polygon: the link is opened, and the page says so", async () => {
   const page = await browser.open({ address: `?lesson=moved#${await linkAt("star", 4)}` });
-  assert.match(await noticed(page), /^The lesson “moved” cannot be opened: it is of another polygon than the link\.$/);
+  assert.match(
+    await noticed(page),
+    /^The lesson “moved” cannot be opened: it is about another polygon than the link\.$/,
+  );
   assert.equal(await link(page), await linkAt("star", 4));
   await page.waitForFunction(() => location.search === "");
   await page.done();
@@ -618,7 +621,7 @@ test("a teacher's file beside the page opens by its name; other addresses do not
     await other.done();
   }
   const missing = await browser.open({ address: "?lesson=no-such-file.txt", quiet: false }); // the browser itself
-                                                                                             // reports a 404
+  // reports a 404
   assert.match(
     await noticed(missing),
     /^The lesson “no-such-file\.txt” cannot be opened: the server does not have it\.$/,
@@ -714,7 +717,7 @@ test("a challenge begins at the beginning, whatever step its link has, and has s
 test("the window begins the polygon's own lesson, or a challenge from its first step", async () => {
   const page = await inLesson("stone-slab", 9);
   let window = await openWindow(page, "lessons");
-  await window.getByRole("button", { name: /^Step by step All/ }).click();
+  await window.getByRole("button", { name: /^Step by step How/ }).click();
   await allClosed(page);
   await stands(page, 9, "where it was");
   window = await openWindow(page, "lessons");
@@ -764,7 +767,10 @@ test("a lesson's text is dropped, pasted, typed, chosen, or loaded by a script",
   await spoken(page, /Held or not\?/);
   await load(page, linked);
   await spoken(page, /Here is the centre\./);
-  assert.match(await thrown(page, "load", sampled), /with a link: only; this one is about the sample “letter-k-moved”/);
+  assert.match(
+    await thrown(page, "load", sampled),
+    /only lessons that have a link; this one is about the sample “letter-k-moved”/,
+  );
   window = await openWindow(page, "lessons");
   await window
     .locator("input[type=file]")
@@ -783,10 +789,10 @@ const broken = [
     "title: X\npolygon: square\n[team 40]\nWords.\n",
     /line 3: .*there is no step \[team 40\]: .*there are \[team 1\] to \[team \d\]/i,
   ],
-  ["title: X\npolygon: square\n[end]\n", /line 3: .*no words/i],
+  ["title: X\npolygon: square\n[end]\n", /line 3: .*no text/i],
   ["title: X\npolygon: square\ncom: 9,99999\n[end]\nWords.\n", /centre of mass/i],
-  ["title: X\npolygon: no-such-sample\n[end]\nWords.\n", /sample “no-such-sample”, and there is none/],
-  ["title: X\npolygon: constructor\n[end]\nWords.\n", /there is none of that name/],
+  ["title: X\npolygon: no-such-sample\n[end]\nWords.\n", /sample “no-such-sample”, which does not exist/],
+  ["title: X\npolygon: constructor\n[end]\nWords.\n", /“constructor”, which does not exist/],
   ["title: X\nlink: 1.AAAA\n[end]\nWords.\n", /link/i],
   ["title: X\npolygon: square\n[end]\nWo\uFFFDrds.\n", /line 4: not readable/i],
   [`title: X\npolygon: square\n[end]\nWords.\n${"#".repeat(70000)}`, /65,536 bytes/],

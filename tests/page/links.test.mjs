@@ -145,7 +145,7 @@ test("a bad link at the start gives a message and a page that works", async () =
   const page = await browser.open({ address: `#${encoded("anchor").slice(0, -3)}` });
   assert.match(
     await page.locator("#alert").textContent(),
-    /^This link cannot be opened: the link .* What you see is a sample\.$/,
+    /^This link cannot be opened: the link .* The page shows a sample instead\.$/,
   );
   assert.ok((await state(page)).teams.length > 0);
   await page.done();

@@ -113,7 +113,7 @@ test("a link with robots that cannot stand there is refused with a sentence", as
   const bad = evenlift("link", "encode", path.join(root, "tests/data/moved_nowhere.json")).trim();
   await assert.rejects(
     load(page, bad),
-    /Error: Robots that were moved by hand: the centroid of the robots is not the centre of mass/,
+    /Error: Robots moved by hand: the centroid of the robots is not the centre of mass/,
   );
   assert.deepEqual(await state(page), before);
   await page.done();

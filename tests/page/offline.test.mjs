@@ -160,7 +160,7 @@ test("after one visit it opens without a network: the work, a link, a lesson, an
   await page.waitForFunction(() => evenlift.state().polygon.length === 4);
   await openWindow(page, "experiment");
   await page.locator("#experiment").getByLabel("Random placements").fill("1");
-  await page.locator("#experiment").getByLabel("Most balanced robots").fill("3");
+  await page.locator("#experiment").getByLabel("Max. balanced robots").fill("3");
   await page.locator("#experiment").getByRole("button", { name: "Compare", exact: true }).click();
   await page.locator("#experiment .results figure svg").first().waitFor();
   await closeAll(page);
@@ -264,7 +264,7 @@ test("a new version says so in a sentence, is loaded by its button, and other ta
   await card(page).waitFor();
   assert.equal(
     await card(page).getByRole("status").textContent(),
-    "A new version of evenlift is ready, and what you have open stays.",
+    "A new version of evenlift is ready. Your work stays open.",
   );
   await idle(page);
   assert.ok(await sameVisit(page), "no reload behind the back");
@@ -406,7 +406,10 @@ test("the card of a new version waits until no other card is open, and says what
   assert.equal(await card(page).count(), 0);
   await photo.getByRole("button", { name: "Close" }).click();
   await card(page).waitFor();
-  assert.match(await card(page).getByRole("status").textContent(), /stays but for the picture behind the drawing\.$/);
+  assert.match(
+    await card(page).getByRole("status").textContent(),
+    /stays open, except for the picture behind the drawing\.$/,
+  );
   await page.done();
 });
 

@@ -133,19 +133,19 @@ test("a unit of another kind is refused, and so is one where numbers have none",
     [
       "robot radius",
       "5 mm",
-      /^“5 mm” has the unit mm, but lengths have none here: type the number alone, or choose their unit under More settings\.$/,
+      /^“5 mm” has the unit mm, but lengths have none here: type the number alone, or choose a unit of length under More settings\.$/,
     ],
     ["weight", "5 mm", /^“5 mm” is a length, but this number is a weight in kg\.$/],
     ["teams", "4 kg", /^“4 kg” has the unit kg, but this number has none/],
     ["min ratio", "0.5 m", /^“0\.5 m” has the unit m,/],
     ["com", "300 mm, 250 mm", /^“300 mm, 250 mm” has the unit mm,/],
-    ["weight", "heavy", /^The weight is a number greater than 0/],
+    ["weight", "heavy", /^The weight must be a number greater than 0/],
     [
       "weight",
       "500 g",
-      /^“g” is no unit that is known here: lengths are in m, cm, mm or in, and weights in kg, t, N or lb\.$/,
+      /^“g” is not a unit that evenlift knows: lengths are in m, cm, mm or in, and weights in kg, t, N or lb\.$/,
     ],
-    ["weight", "1,000", /^“1,000” may be 1000 or 1\.000: type it like one of these\.$/],
+    ["weight", "1,000", /^“1,000” may mean 1000 or 1\.000: type one of these\.$/],
   ]) {
     await type(page, name, typed);
     assert.match(await page.locator("#alert").textContent(), why);
@@ -172,7 +172,7 @@ test("what cannot be a value is refused with a sentence, and changes nothing", a
   await page.keyboard.type("many");
   await page.keyboard.press("Enter");
   await idle(page);
-  assert.match(await page.locator("#alert").textContent(), /^The number of teams is a whole number .*\.$/);
+  assert.match(await page.locator("#alert").textContent(), /^The number of teams must be a whole number .*\.$/);
   assert.equal(await field(page, "Teams").getAttribute("aria-invalid"), "true");
   assert.equal((await state(page)).requested_teams, 3);
   await page.keyboard.press("Escape");
@@ -350,7 +350,7 @@ test("a list that is open covers the fields below it", async () => {
   for (const [name, metric] of [
     ["Random", "random"],
     ["Distance", "distance"],
-    ["Distributed", "distributed"],
+    ["Equal angles", "distributed"],
     ["Circle", "circle"],
     ["Area", "area"],
   ]) {
@@ -411,7 +411,7 @@ test("no control moves because the result changed", async () => {
       );
     const at = await settings();
     assert.ok(Object.keys(at).length >= (options.viewport ? 4 : 9), Object.keys(at).join(" · ")); // of the closed sheet
-                                                                                                  // only its first rows
+    // only its first rows
     for (const change of [
       { teams: 4 },
       { teams: 1 },
@@ -635,7 +635,7 @@ test("choosing a unit says that no number changes, and sizes have it, too", asyn
   await press(page, "more settings");
   await idle(page);
   await page.locator("#mirror select[aria-label='Unit of lengths']").selectOption("mm");
-  assert.equal(await noticed(page), "Lengths are now in mm. Their numbers stay as they are.");
+  assert.equal(await noticed(page), "Lengths are now in mm. The numbers stay the same.");
   assert.match(await page.locator("#mirror input[aria-label='Radius of a robot']").inputValue(), /^0\smm$/);
   await page.done();
 });
@@ -644,7 +644,7 @@ test("a limit is typed where there is none, and a section that is opened comes i
   const page = await browser.open();
   await page.keyboard.press("Y");
   await page.waitForFunction(() =>
-    document.activeElement?.getAttribute("aria-label")?.startsWith("What a robot carries"),
+    document.activeElement?.getAttribute("aria-label")?.startsWith("Capacity of a robot"),
   );
   await page.keyboard.press("Escape");
   await idle(page);
@@ -716,7 +716,7 @@ test("a tip covers neither the button that it is about nor a neighbour", async (
   for (const [x, y] of [
     (await control(page, "Draw")).middle,
     [960, (await control(page, "weight")).middle[1]],
-    (await control(page, "Show all of the object")).middle,
+    (await control(page, "Show the whole object")).middle,
   ]) {
     await page.mouse.move(x, y);
     await idle(page);
@@ -795,10 +795,10 @@ test("what is copied is said as it is", async () => {
   };
   assert.match(await said(), /It holds the polygon and all settings\. It has \d+ characters\.$/);
   await page.evaluate(() => evenlift.set({ loads: "springs" }));
-  assert.match(await said(), /It does not hold which loads are shown\. It has \d+ characters\.$/);
+  assert.match(await said(), /It does not hold the choice of loads\. It has \d+ characters\.$/);
   await page.keyboard.press("d");
   await page.mouse.click(500, 400);
-  assert.match(await said(), /not closed yet: the link holds the one before\. It has \d+ characters\.$/);
+  assert.match(await said(), /not closed yet: the link holds the previous one\. It has \d+ characters\.$/);
   await page.done();
 });
 
@@ -818,7 +818,7 @@ test("the numbers of the result are there for screen readers", async () => {
     await row.getAttribute("aria-label"),
     /^Team 2: loads 16\.9 and 16\.4 kg, length \d+, ratio 0\.972\. Why here\?$/,
   );
-  assert.equal(await field(page, "What a robot carries, in kg").inputValue(), "no limit");
+  assert.equal(await field(page, "Capacity of a robot, in kg").inputValue(), "no limit");
   await page.done();
 });
 
@@ -1006,8 +1006,8 @@ test("a button that has done its work keeps the focus", async () => {
       document.activeElement.getAttribute("aria-disabled"),
       document.activeElement.disabled,
     ]);
-  assert.deepEqual(await now(), ["As many as are needed", "true", false]);
+  assert.deepEqual(await now(), ["Use the number needed", "true", false]);
   await page.keyboard.press("Tab");
-  assert.equal(await page.locator('#mirror [aria-label="As many as are needed"]').isDisabled(), true);
+  assert.equal(await page.locator('#mirror [aria-label="Use the number needed"]').isDisabled(), true);
   await page.done();
 });

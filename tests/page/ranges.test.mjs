@@ -97,7 +97,7 @@ test("a team is dragged along its range with its loads, and reset puts it back",
 test("set() refuses with a sentence what teams cannot be asked", async () => {
   const page = await browser.open();
   for (const [changes, why] of [
-    [{ positions: "any" }, /^The positions are best or range/],
+    [{ positions: "any" }, /^The positions must be best or range/],
     [{ metric: "distributed", goal: "hold" }, /^goal: distributed and random/],
   ])
     assert.match(await thrown(page, "set", changes), why);

@@ -136,7 +136,7 @@ test("without memory for what is opened, the last polygon comes back with a mess
   );
   assert.match(
     await noticed(page),
-    /^The page stopped when this was opened, and has started anew with the last polygon that was shown\. It is kept: Save has it as a file\.$/,
+    /^The page stopped while opening this, and has started again with the last polygon that was shown\. It is kept: use Save to get it as a file\.$/,
   );
   assert.deepEqual(await state(page), good);
   assert.equal(await savedAside(page), large);
@@ -157,7 +157,7 @@ test("an exception while a picture is drawn: the same, and what had no picture i
       evenlift.load(text);
     }, asset("star")),
   );
-  assert.match(await noticed(page), /^The page stopped when this was opened/);
+  assert.match(await noticed(page), /^The page stopped while opening this/);
   assert.deepEqual(await state(page), good);
   assert.equal(await savedAside(page), asset("star"));
   await page.done();
@@ -205,7 +205,7 @@ test("a start that failed is not repeated with the same document, which is kept"
   await startsAnew(page, () => page.goto(browser.server.url + "?plain"));
   assert.match(
     await noticed(page),
-    /^The page stopped when the last polygon was opened, so it is not opened again\. It is kept: Save has it as a file\.$/,
+    /^The page stopped while opening the last polygon, so it was not opened again\. It is kept: use Save to get it as a file\.$/,
   );
   assert.deepEqual(await state(page), first);
   const saved = await savedAside(page);
@@ -230,7 +230,7 @@ test("a link that stopped a start is not opened again; the work of this browser 
   await other.done();
   await page.evaluate(() => localStorage.setItem("test.starts", "1"));
   await startsAnew(page, () => page.goto(`${browser.server.url}?plain#${bad}`));
-  assert.match(await noticed(page), /^The page stopped when this link was opened, so it is not opened again\./);
+  assert.match(await noticed(page), /^The page stopped while opening this link, so it was not opened again\./);
   assert.deepEqual(await state(page), mine);
   await page.waitForFunction((l) => location.hash !== `#${l}`, bad);
   assert.equal(await savedAside(page), bad);

@@ -217,7 +217,7 @@ test("without WebGL 2 the link's polygon is the picture that Save writes, with i
   assert.equal(await shown(page), await page.evaluate(() => evenlift.svg()));
   const said = await words(page);
   assert.ok(said.includes(verdict("guitar", "--teams", "4")), said);
-  assert.match(said, /stands still[^]*no WebGL 2[^]*Firefox[^]*The link in the address bar keeps everything/);
+  assert.match(said, /still picture[^]*WebGL 2[^]*Firefox[^]*The link in the address bar holds everything/);
   assert.equal((await state(page)).teams.length, 4);
   await page.done();
 });

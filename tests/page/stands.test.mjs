@@ -33,7 +33,7 @@ test("set() gives robots a size and marks edges, and the placement is the progra
   await page.keyboard.press("Control+z");
   await idle(page);
   assert.deepEqual(await state(page), points, "one step of undo");
-  assert.match(await thrown(page, "set", { robot: "r=-1" }), /^The size of a robot is none, or some of/);
+  assert.match(await thrown(page, "set", { robot: "r=-1" }), /^The size of a robot must be none or some of/);
   assert.match(
     await thrown(page, "set", { robot: "depth=5000" }),
     /^No edge has room for a hand of depth 5000 and width 0/,

@@ -67,7 +67,7 @@ std::string said_of(const std::vector<std::string>& lines, const Asked& a) {
             found.str(4) + " and " + found.str(6) + "\u00A0kg, load ratio " + found.str(2) + ".";
   }
   return text + " " + count_of(teams, "team", "teams") + " of " + std::to_string(a.teams) +
-         " asked for, method " + std::string(name(a.method)) + ", minimum load ratio " +
+         " requested, method " + method_in_words(a.method) + ", minimum load ratio " +
          plain(a.min_ratio) + "." + rows;
 }
 

@@ -182,7 +182,7 @@ TEST_CASE("several shapes are listed, and one is taken by its number or name", "
     Outcome outcome = run(folder, line);
     CHECK(outcome.status == 2);
     CHECK(outcome.errors ==
-          "evenlift: shapes.svg: it has 2 shapes; --shape N takes one of them\n" + list);
+          "evenlift: shapes.svg: it has 2 shapes; --shape N selects one\n" + list);
     CHECK(outcome.output.empty());
     outcome = run(folder, line + " --shape lad");
     CHECK(outcome.status == 2);
@@ -197,7 +197,7 @@ TEST_CASE("several shapes are listed, and one is taken by its number or name", "
     outcome = run(folder, line + " --shape lid");
     CHECK(outcome.status == 0);
     CHECK(outcome.errors ==
-          "evenlift: shapes.svg: curves were flattened to within 0.01; --flatten T sets that\n");
+          "evenlift: shapes.svg: curves were flattened to within 0.01; --flatten T changes this\n");
     const Outcome finer = run(folder, line + " --shape lid --flatten 0.001");
     CHECK(finer.errors == "evenlift: shapes.svg: curves were flattened to within 0.001\n");
     CHECK(finer.output != outcome.output);
@@ -215,13 +215,13 @@ TEST_CASE("tables have each number under its heading, in columns as wide as thei
   };
   // A range of loads has 9 characters in 11 bytes.
   shows(" --com-radius 0.1",
-        "  team  ratio        robot at      bears        robot at      bears\n"
+        "  team  ratio        robot at       load        robot at       load\n"
         "     1  1.000  (0.000, 4.000)  15.2–18.2  (4.000, 0.000)  15.2–18.2");
   // The loads of the others by plan, by springs and at best.
   shows(
       " --com 1.9,2 --min-ratio 0.5 --failures",
-      "  fails  of team  carried  steady  tips at  coverage  closure  by plan  springs  best\n"
-      "      1        1      yes     yes    0.885    73.8\u00A0%       no     26.3     30.5  25.6");
+      "  fails  of team  carried  steady  tipping distance  coverage  form closure  by plan  springs  best\n"
+      "      1        1      yes     yes             0.885    73.8\u00A0%            no     26.3     30.5  25.6");
 }
 
 TEST_CASE("a result is a document: it opens again with all its settings", "[cli]") {

@@ -42,8 +42,7 @@ std::string why_not(const Document& document, const std::string& moved) {
   REQUIRE_FALSE(placement.ok());
   CHECK(placement.error().code == ErrorCode::bad_setting);
   CHECK(placement.error().place.kind == Place::Kind::nowhere);  // no setting is named
-  const std::string of_whom = "robots that were moved by hand: ",
-                    message = placement.error().message;
+  const std::string of_whom = "robots moved by hand: ", message = placement.error().message;
   CHECK(message.starts_with(of_whom));
   return message.substr(of_whom.size());
 }
@@ -188,24 +187,24 @@ TEST_CASE("moved robots that cannot stand there are refused with a sentence", "[
   CHECK(why_not(square, "99@1:0.5/3") == "there is no team 99");
   CHECK(why_not(square, "1@99:0.5/3") == "there is no edge 99");
   CHECK(why_not(square, "1@1:0.5/99") == "there is no edge 99");
-  CHECK(why_not(square, "1@1:0.5/1") == "team 1 is not within its range there");
-  CHECK(why_not(square, "1@1:0.5/2") == "team 1 is not within its range there");
-  CHECK(why_not(square, "1:0.5,2:0.5,3:0.5") == "3 balanced robots were not asked for");
+  CHECK(why_not(square, "1@1:0.5/1") == "team 1 is outside its range there");
+  CHECK(why_not(square, "1@1:0.5/2") == "team 1 is outside its range there");
+  CHECK(why_not(square, "1:0.5,2:0.5,3:0.5") == "3 balanced robots were not requested");
   Document best = square;
   best.settings.positions = Positions::best;
-  CHECK(why_not(best, "1@1:0.5/3") == "teams move with the positions range only");
+  CHECK(why_not(best, "1@1:0.5/3") == "teams can be moved only with the positions range");
   Document balanced = corpus::polygon("square");
   balanced.settings.method = Method::balanced;
   balanced.settings.robots = 4;
-  CHECK(why_not(balanced, "1:0.5,2:0.5,3:0.5") == "3 balanced robots were not asked for");
+  CHECK(why_not(balanced, "1:0.5,2:0.5,3:0.5") == "3 balanced robots were not requested");
   CHECK(why_not(balanced, "1:0.5,2:0.5,3:0.5,9:0.5") == "there is no edge 9");
   CHECK(why_not(balanced, "1:0.5,2:0.5,3:0.5,4:0.75") ==
         "the centroid of the robots is not the centre of mass");
-  CHECK(why_not(balanced, "1@1:0.5/3") == "teams move with the positions range only");
+  CHECK(why_not(balanced, "1@1:0.5/3") == "teams can be moved only with the positions range");
   balanced.settings.robot.radius = 10;
   balanced.moved = *read_moved("1:0.5,2:0.5,3:0.5,4:0.5");
   CHECK(place(balanced).ok());
-  CHECK(why_not(balanced, "1:0.5,1:0.5,3:0.5,3:0.5") == "two robots get into each other's way");
+  CHECK(why_not(balanced, "1:0.5,1:0.5,3:0.5,3:0.5") == "two robots collide");
   balanced.settings.no_go = {{0, 0.25, 0.75}};
   CHECK(why_not(balanced, "1:0.5,2:0.5,3:0.5,4:0.5") == "robot 1 has no room there");
 }

@@ -400,7 +400,7 @@ TEST_CASE("more teams of robots with a size than can be exchanged are refused",
   const auto placed = place(document);
   REQUIRE_FALSE(placed.ok());
   CHECK(placed.error().place.option == "goal");
-  CHECK(placed.error().message.find("at most 32 teams can be exchanged") == 0);
+  CHECK(placed.error().message.find("at most 32 teams can be swapped") == 0);
 }
 
 TEST_CASE("distributed and random refuse robots with a size", "[stands][errors]") {

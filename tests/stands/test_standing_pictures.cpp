@@ -69,7 +69,7 @@ TEST_CASE("JSON says where robots stand and what they cannot use", "[json][stand
 TEST_CASE("fewer teams than were asked for come with the reason", "[stands]") {
   const Placement placement = piano({500, 0, 0, 0, 0}, {});
   CHECK(placement.teams.size() < placement.requested_teams);
-  CHECK(shortage_in_words(placement).find("would not fit beside each other") != std::string::npos);
+  CHECK(shortage_in_words(placement).find("would be too close to each other") != std::string::npos);
   for (std::size_t why = 0; why < why_unusable_count; ++why)
     CHECK_FALSE(unusable_in_words(static_cast<WhyUnusable>(why), {1, 2, 3, 4, 5}, {}).empty());
 }

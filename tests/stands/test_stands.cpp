@@ -491,7 +491,7 @@ TEST_CASE("errors of stands name the setting and say why", "[stands][errors]") {
   CHECK(refusedThere.error().place.option == "no_go");
   settings.no_go = {{0, 0, 1}, {1, 0, 1}, {2, 0, 1}, {3, 0, 1}};
   CHECK(make_stands(square(), settings).error().message ==
-        "no edge is left that a robot may touch");
+        "the no-go edges leave no edge for the robots");
   settings.no_go.clear();
   settings.robot = sized(0, 0, 2, 0.1);
   CHECK(make_stands(square(), settings).error().message ==

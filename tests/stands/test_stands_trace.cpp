@@ -106,8 +106,8 @@ TEST_CASE("the step about stands says how much is lost to each reason", "[stands
         if (figure.kind == FigureKind::body) CHECK(figure.value == document.settings.robot.radius);
       }
       const std::string text = caption(trace, detail);
-      CHECK(text.find("Robots take room: of the boundary ") == 0);
-      CHECK(text.find("are marked, and no robot may touch them") != std::string::npos);
+      CHECK(text.find("Robots take room: ") == 0);
+      CHECK(text.find(" is no-go, and no robot may touch it") != std::string::npos);
       CHECK(text.find('#') == std::string::npos);
       CHECK(formula(trace, detail).empty() == !stands.has_body());
       CHECK(formula_letters(trace, detail).empty() == !stands.has_body());

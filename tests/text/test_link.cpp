@@ -352,7 +352,7 @@ TEST_CASE("robots that were moved read back in every bit", "[link]") {
   document.moved.robots = {{0, 0.5}};
   CHECK(encode(document) == link);
   document.moved.teams = {{0, {0, 0.5}, 3}};
-  CHECK(encode_refusal(document).message == "robots that were moved by hand stand where none can");
+  CHECK(encode_refusal(document).message == "robots moved by hand stand where robots cannot");
   document.moved.robots.clear();
   document.moved.teams[0].end.part = 2;
   CHECK_FALSE(encode_link(document).ok());

@@ -105,7 +105,7 @@ TEST_CASE("robots that a link moved to where they cannot stand are the fault of 
   const json error = refusal("{\"text\": \"" + *encode_link(document) + "\"}");
   CHECK(error["code"] == "bad_setting");
   CHECK(error["message"] ==
-        "Robots that were moved by hand: the centroid of the robots is not the centre of mass");
+        "Robots moved by hand: the centroid of the robots is not the centre of mass");
   CHECK(error["place"].is_null());
 }
 

@@ -132,7 +132,7 @@ TEST_CASE(
     const std::string robots = std::to_string(count_robots(placement.teams)) + " robots";
     CHECK(plainly(loads_in_words({placement, document.shown}, LoadModel::plan, ranges)) ==
           robots + " carry " + fixed(least, 1) + "–" + fixed(greatest, 1) +
-              " kg each, with C known within 3 cm (100 kg in all).");
+              " kg each, with a C uncertainty of 3 cm (100 kg in all).");
     // The loads of other models have separate sentences; the plan's loads assume C at its given
     // place.
     CHECK(loads_in_words(placement, LoadModel::springs, ranges) ==
@@ -191,16 +191,16 @@ TEST_CASE("the models of loads are told in a sentence", "[words][robustness]") {
   const auto words = [&](LoadModel model) { return plainly(model_in_words(model, loads)); };
   CHECK(words(LoadModel::plan).empty());
   CHECK(words(LoadModel::springs) ==
-        "If all robots are equally stiff and level and the object does not bend, they bear "
-        "0.0–18.1 kg each. Robots 2 and 4 let go.");
+        "If all robots are equally stiff and level and the object does not bend, they carry "
+        "0.0–18.1 kg each. Robots 2 and 4 go slack.");
   loads.springs.loads = {15.2, 1, 18.1, 0};
   CHECK(words(LoadModel::springs) ==
-        "If all robots are equally stiff and level and the object does not bend, they bear "
-        "0.0–18.1 kg each. Robot 4 lets go.");
+        "If all robots are equally stiff and level and the object does not bend, they carry "
+        "0.0–18.1 kg each. Robot 4 goes slack.");
   CHECK(words(LoadModel::best) ==
-        "However well the weight is shared, some robot bears at least 17.0 kg.");
+        "However well the weight is shared, some robot carries at least 17.0 kg.");
   CHECK(words(LoadModel::worst) ==
-        "If the robots' heights are unequal or the object bends, a robot may come to bear up to "
+        "If the robots' heights are unequal or the object bends, a robot may have to carry up to "
         "54.0 kg.");
 }
 
@@ -214,15 +214,15 @@ TEST_CASE("doubt about the centre of mass is told in sentences", "[words][robust
   CHECK(plainly(words(4, 30)) == off + "4" + change + "4.00 kg.");
   CHECK(plainly(words(25, 30)) ==
         off + "25" + change +
-            "25.0 kg. From 20.0 on other robots bear something, and the ranges are too narrow.");
+            "25.0 kg. From 20.0 on, other robots carry load, and the ranges are too narrow.");
   CHECK(plainly(words(31, 30)) ==
-        off + "31" + change + "31.0 kg. From 30.0 on the object can tip.");
+        off + "31" + change + "31.0 kg. From 30.0 on, the object can tip.");
   CHECK(plainly(words(1, 0)) ==
-        off + "1" + change + "1.00 kg. The object can tip however little it is off.");
+        off + "1" + change + "1.00 kg. Even the smallest error can tip the object.");
   CHECK(plainly(doubt_of_capacity_in_words(loads, {1, 1, 30}, 12)) ==
-        "Equally stiff robots stay within 12 kg as long as it is off by no more than 4.00.");
+        "Equally stiff robots stay within 12 kg as long as C is off by at most 4.00.");
   CHECK(plainly(doubt_of_capacity_in_words(loads, {1, 1, 30}, 9)) ==
-        "If all robots are equally stiff, some bear more than 9 kg.");
+        "If all robots are equally stiff, some carry more than 9 kg.");
 }
 
 TEST_CASE("an object can tip from the very distance on at which it tips", "[words][robustness]") {
@@ -242,25 +242,26 @@ TEST_CASE("failures are told in sentences", "[words][robustness]") {
   const auto words = [](const std::vector<std::optional<RestOfRobots>>& failures) {
     return plainly(failures_in_words(failures));
   };
-  const std::string sudden = " A sudden failure can double the change of load for a moment.";
+  const std::string sudden = " A sudden failure can briefly double the change of load.";
   CHECK(words({rest(true, 20), rest(true, 21.34), rest(true, 5)}) ==
         "Whichever robot fails, the others carry the object, at most 21.3 kg each if equally "
         "stiff." +
             sudden);
   CHECK(words({std::nullopt, std::nullopt}) == "The object falls whichever robot fails.");
   CHECK(words({std::nullopt, rest(true, 20), rest(false, 30), std::nullopt}) ==
-        "The object falls if one of the robots 1 or 4 fails. If another fails, the others carry "
+        "The object falls if any of robots 1 and 4 fails. If another fails, the others carry "
         "it, at most 30.0 kg each if equally stiff. It can tip if robot 3 fails." +
             sudden);
   CHECK(plainly(failure_in_words(2, 6, rest(true, 21.34))) ==
-        "Robot 3 fails: carried by the other five, at most 21.3 kg.");
+        "Robot 3 fails: the other five carry the object, at most 21.3 kg each.");
   CHECK(plainly(failure_in_words(0, 14, rest(false, 21.34))) ==
-        "Robot 1 fails: carried by the other 13, at most 21.3 kg, but it can tip.");
+        "Robot 1 fails: the other 13 carry the object, at most 21.3 kg each, but it can tip.");
   CHECK(plainly(failure_in_words(2, 6, rest(true, 21.34), 21.4)) ==
-        "Robot 3 fails: carried by the other five, at most 21.3 kg.");
+        "Robot 3 fails: the other five carry the object, at most 21.3 kg each.");
   CHECK(plainly(failure_in_words(2, 6, rest(true, 21.34), 20.0)) ==
-        "Robot 3 fails: carried by the other five, at most 21.3 kg. One can carry 20 kg.");
-  CHECK(failure_in_words(1, 2, std::nullopt) == "Robot 2 fails: the other one cannot carry it.");
+        "Robot 3 fails: the other five carry the object, at most 21.3 kg each. Capacity: 20 kg.");
+  CHECK(failure_in_words(1, 2, std::nullopt) ==
+        "Robot 2 fails: the other one cannot carry the object.");
 }
 
 TEST_CASE("what may go wrong is told in two facts", "[words][robustness]") {

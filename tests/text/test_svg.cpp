@@ -152,7 +152,7 @@ TEST_CASE("loads keep clear of robots' bodies, and the key explains what is seen
   const std::string svg = placement_svg({*place(document), document.shown});
   check_picture(svg);
   CHECK(svg.find(">robot's body<") != std::string::npos);
-  CHECK(svg.find(">no robot may touch this<") != std::string::npos);
+  CHECK(svg.find(">no-go edge<") != std::string::npos);
   CHECK(svg.find(">no robot fits here<") != std::string::npos);
   CHECK(svg.find(">more than a robot can carry<") != std::string::npos);
   CHECK(occurrences(svg, "class=\"load overload\"") >= 1);

@@ -43,17 +43,18 @@ TEST_CASE("marked parts of the boundary are named while they are few", "[words]"
   CHECK(plainly(no_go_in_words({{0, 0.3088, 0.7576}, {2, 0, 1}})) ==
         "No robot touches edge 1 between 31 % and 76 % of its length, nor edge 3.");
   CHECK(no_go_in_words(std::vector<EdgePart>(4)) ==
-        "No robot touches 4 marked parts of the boundary.");
+        "No robot touches the 4 no-go parts of the boundary.");
 }
 
 TEST_CASE("the verdict is a few plain sentences", "[words]") {
   Placement placement = three_teams();
   CHECK(verdict(placement) ==
         "6 robots carry 15.2–18.1\u00A0kg each (100\u00A0kg in all). It can still turn clockwise. "
-        "A push down on 81\u00A0% of the object does not tip it.");
+        "81\u00A0% of the object can be pressed down on without tipping it.");
   placement.coverage = 0.4;
-  CHECK(plainly(detail_in_words(placement)) ==
-        "A push down on 40 % of the object does not tip it. It can still turn clockwise.");
+  CHECK(
+      plainly(detail_in_words(placement)) ==
+      "40 % of the object can be pressed down on without tipping it. It can still turn clockwise.");
   placement.requested_teams = 5;
   placement.loads = LoadSummary{16.66, 16.66, 16.66, 0, 0.5};
   CHECK(plainly(loads_in_words(placement)) == "6 robots carry 16.7 kg each (100 kg in all).");
@@ -87,10 +88,9 @@ TEST_CASE("units are labels in words and JSON, and change no number", "[words][j
 TEST_CASE("with no team the reason is given, and what helps", "[words]") {
   Placement placement = nothing_placed();
   placement.requested_teams = 3;
-  CHECK(
-      verdict(placement) ==
-      "No team can be placed. No chord through the centre of mass is this even. Lower the minimum "
-      "load ratio, or move the centre of mass.");
+  CHECK(verdict(placement) ==
+        "No team can be placed. No chord through the centre of mass meets the minimum load ratio. "
+        "Lower the minimum, or move the centre of mass.");
   placement.settings.method = Method::distributed;
   CHECK(
       verdict(placement) ==
@@ -104,13 +104,15 @@ TEST_CASE("on what part of the object a push does not tip it is said in words", 
     placement.coverage = share;
     return plainly(coverage_in_words(placement));
   };
-  CHECK(coverage(0.5) == "A push down on 50 % of the object does not tip it.");
-  CHECK(coverage(1) == "A push down anywhere on the object does not tip it.");
-  CHECK(coverage(1 - 1e-12) == "A push down anywhere on the object does not tip it.");
-  CHECK(coverage(0.999) == "A push down on more than 99 % of the object does not tip it.");
-  CHECK(coverage(0.004) == "A push down on less than 1 % of the object does not tip it.");
-  CHECK(coverage(0) == "A push down anywhere on the object can tip it.");
-  CHECK(coverage(1e-12) == "A push down anywhere on the object can tip it.");
+  CHECK(coverage(0.5) == "50 % of the object can be pressed down on without tipping it.");
+  CHECK(coverage(1) == "Pressing down anywhere on the object does not tip it.");
+  CHECK(coverage(1 - 1e-12) == "Pressing down anywhere on the object does not tip it.");
+  CHECK(coverage(0.999) ==
+        "More than 99 % of the object can be pressed down on without tipping it.");
+  CHECK(coverage(0.004) ==
+        "Less than 1 % of the object can be pressed down on without tipping it.");
+  CHECK(coverage(0) == "Pressing down anywhere on the object can tip it.");
+  CHECK(coverage(1e-12) == "Pressing down anywhere on the object can tip it.");
   placement.lifting_base.pop_back();
   CHECK(coverage(0) == "They stand on one line, so the object can tip.");
 }
@@ -128,7 +130,7 @@ TEST_CASE("what can still move is named, and what holds the object", "[words]") 
   placement.closure.translation_free = false;
   placement.closure.second_order = true;
   CHECK(closure_in_words(placement) ==
-        "It is held, but only by the curvature of the contact (second order).");
+        "It is held only to second order: any movement jams as soon as it begins.");
   placement.closure.form_closure = true;
   placement.closure.second_order = false;
   placement.closure.clearance = {100, 4, 12.9};
@@ -141,14 +143,14 @@ TEST_CASE("what can still move is named, and what holds the object", "[words]") 
   placement.closure.clearance = {0.0912, 4, 0.05};
   CHECK(
       plainly(closure_in_words(placement)) ==
-      "It is held only as long as a robot of team 3 stands exactly: it is 0.091 beside a corner.");
+      "It is held only while a robot of team 3 stands exactly in place: it is 0.091 from a corner.");
   CHECK_FALSE(is_held(placement));
   placement.settings.clear = 0.09;
   CHECK(is_held(placement));
   placement.closure = {};
   placement.closure.margin.reset();
   CHECK(closure_in_words(placement) ==
-        "All robots stand on corners, where they are not counted: nothing else keeps it from "
+        "All robots stand on corners, where contacts are not counted: nothing else keeps it from "
         "sliding or turning.");
 }
 
@@ -166,14 +168,15 @@ TEST_CASE("a capacity names the teams that are overloaded and the robots that ar
   CapacityPlan plan{true, 4, 12.48, 4};
   CHECK(
       words(20, &plan) ==
-      "No robot carries more than 20 kg. By load alone this method needs 8 robots, with at most 12.5 kg each.");
+      "No robot carries more than 20 kg. Considering load only, this method needs 8 robots, with at most 12.5 kg each.");
   placement.settings.method = Method::balanced;  // whose places are not tried
-  CHECK(words(20, &plan) ==
-        "No robot carries more than 20 kg. By load alone it takes 8 robots, with 12.5 kg each.");
+  CHECK(
+      words(20, &plan) ==
+      "No robot carries more than 20 kg. Considering load only, it takes 8 robots, with 12.5 kg each.");
   placement.settings.method = Method::area;
   plan = {false, 0, 0, 9};
   CHECK(words(20, &plan) ==
-        "No robot carries more than 20 kg. Not even all 18 robots that find a place are enough.");
+        "No robot carries more than 20 kg. Even all 18 robots that can be placed are too few.");
   plan.tried = most_teams_for_capacity;
   CHECK(words(20, &plan) == "No robot carries more than 20 kg. Even 1024 robots are too few.");
   placement.teams.resize(12, bearing(30, 30));
@@ -195,13 +198,12 @@ TEST_CASE("a capacity says of which loads and of which robots it speaks", "[word
       "needs 8 robots, with at most 12.5 kg each.");
   CHECK(
       words(LoadModel::worst, {}, none) ==
-      "No robot carries more than 17 kg. As planned, not even all 18 robots that find a place are "
-      "enough.");
+      "No robot carries more than 17 kg. As planned, even all 18 robots that can be placed are too "
+      "few.");
   // While one fails, discs have the robots' numbers, and the failed robot carries nothing.
-  CHECK(
-      words(LoadModel::springs, {2, 3, 5}, plan, 1) ==
-      "3 of the other 5 robots are overloaded, with more than 17 kg: robots 3, 4 and 6. While none "
-      "fails, this method needs 8 robots, with at most 12.5 kg each.");
+  CHECK(words(LoadModel::springs, {2, 3, 5}, plan, 1) ==
+        "3 of the other 5 robots are overloaded, with more than 17 kg: robots 3, 4 and 6. With no "
+        "failures, this method needs 8 robots, with at most 12.5 kg each.");
   CHECK(words(LoadModel::springs, {0, 2, 3, 4, 5}, plan, 1)
             .starts_with(
                 "All the other 5 robots are overloaded, with more than 17 kg: robots 1, 3, 4, "
@@ -344,8 +346,8 @@ TEST_CASE("an error is a sentence that begins with its place", "[words]") {
 
 TEST_CASE("what is said of a setting does not name it twice", "[words]") {
   CHECK(sentence(setting_error(Setting::weight)) ==
-        "The weight is a number greater than 0, from 1e-100 to 1e100");
-  CHECK(sentence(setting_error(Setting::goal)) == "The goal is cover or hold");
+        "The weight must be a number greater than 0, from 1e-100 to 1e100");
+  CHECK(sentence(setting_error(Setting::goal)) == "The goal must be cover or hold");
   CHECK(sentence(setting_error(Setting::robot, "no edge has room for a robot of radius 9")) ==
         "No edge has room for a robot of radius 9");
   CHECK(sentence(setting_error(Setting::no_go, "there is no edge 9; the polygon has 4")) ==
@@ -361,7 +363,7 @@ TEST_CASE("how firmly an object is held is a number only where it is held", "[wo
     Placement placement = three_teams();
     placement.closure = closure;
     for (const Fact& fact : facts_in_words(placement))
-      if (fact.label == std::string("How firmly held")) return fact.value;
+      if (fact.label == std::string("Margin")) return fact.value;
     return std::string();
   };
   Closure closure;

@@ -74,8 +74,8 @@ TEST_CASE("where the start is slow, nothing is shown until the search has found 
   begin(state, placed(comb));
   REQUIRE(state.derived().search.under_way);
   CHECK(state.derived().placement->teams.empty());
-  CHECK(verdict(state).headline == "Places for 4 robots are not found yet.");
-  CHECK(verdict(state).detail == "They are being looked for.");
+  CHECK(verdict(state).headline == "Still looking for places for 4 robots.");
+  CHECK(verdict(state).detail == "The search is under way.");
   SECTION("the robots are taken over") {
     REQUIRE(take_robots(state, state.derived().search.number, last_robots(state), true));
     CHECK(robots_text(standing(state)) == last_robots(state));
@@ -169,7 +169,7 @@ TEST_CASE("how many balanced robots it takes if any one may fail is taken over w
   SECTION("it is shown, and kept while it can have stayed the same") {
     REQUIRE(take_robots(state, number, plan_text(plan), true));
     CHECK(state.derived().spare == plan);
-    CHECK(need_in_words(state).find("If any one may fail: ") != std::string::npos);
+    CHECK(need_in_words(state).find("To allow for any one failure: ") != std::string::npos);
     Settings fewer = settings(state);
     fewer.robots = 5;
     give(state, SetSettings{fewer});
@@ -401,8 +401,8 @@ TEST_CASE("arrows move the robot whose card is open", "[view][balanced]") {
 TEST_CASE("the summary names each balanced robot", "[view][balanced]") {
   const AppState state = balanced_state();
   const std::string text = summary(state);
-  CHECK(text.find("6 robots carry 16.7\u00A0kg each, all the same (100\u00A0kg in all).") == 0);
-  CHECK(text.find("6 robots of 6 asked for, method balanced, goal hold.") != std::string::npos);
+  CHECK(text.find("6 robots carry equal loads of 16.7\u00A0kg (100\u00A0kg in all).") == 0);
+  CHECK(text.find("6 robots of 6 requested, method balanced, goal hold.") != std::string::npos);
   CHECK(text.find("Robot 6 at (") != std::string::npos);
 }
 
@@ -451,7 +451,7 @@ TEST_CASE("a press on the edge asks why no robot stands there", "[view][balanced
   const Vec2 middle = (state.work.document().vertices[0] + state.work.document().vertices[1]) / 2;
   give(state, AskWhy{middle});
   CHECK_FALSE(walk.why_taken);
-  CHECK(walk.why.find("With a robot here ") == 0);
+  CHECK(walk.why.find("With a robot here, ") == 0);
   CHECK(length(walk.asked_places.front() - middle) < 1e-6);
   // The next step forgets it.
   give(state, MoveSteps{-1});

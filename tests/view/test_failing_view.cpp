@@ -167,7 +167,7 @@ TEST_CASE("while a robot fails the verdict has the row's sign, and says what the
     REQUIRE(failing(state));
     CHECK(verdict(state).mood == mood_of(state, state.derived().failures[i]));
     CHECK(verdict(state).detail.ends_with(
-        "The discs number the robots, not the teams, while one fails."));
+        "While one fails, the discs show robot numbers, not team numbers."));
   }
 }
 
@@ -326,9 +326,8 @@ TEST_CASE("while a robot fails, a capacity speaks of the others by their numbers
   const std::string words = need_in_words(state);
   CHECK(words.find("the other 5 robots") != std::string::npos);
   CHECK(words.find("team") == std::string::npos);
-  CHECK(words.find(state.derived().plan->possible
-                       ? "While none fails, this method needs"
-                       : "While none fails, not even") != std::string::npos);
+  CHECK(words.find(state.derived().plan->possible ? "With no failures, this method needs"
+                                                  : "With no failures, even") != std::string::npos);
   give(state, Fail{});
-  CHECK(need_in_words(state).find("While none fails") == std::string::npos);
+  CHECK(need_in_words(state).find("With no failures") == std::string::npos);
 }

@@ -136,7 +136,7 @@ TEST_CASE("the tips of undo and redo say what they would do", "[view][history]")
   page.press({"z", true});
   CHECK(tip(action(ActionId::undo), state) == "Undo: changed the number of teams (Ctrl+Z)");
   CHECK(tip(action(ActionId::redo), state) == "Redo: removed a vertex (Ctrl+Shift+Z)");
-  CHECK(tip(action(ActionId::fit), state) == "Show all of the object (0)");
+  CHECK(tip(action(ActionId::fit), state) == "Show the whole object (0)");
   page.press({"d"});
   CHECK(tip(action(ActionId::redo), state) == "Redo (Ctrl+Shift+Z)");
 }
@@ -153,7 +153,7 @@ TEST_CASE("each setting that is changed alone is named, also after it was kept",
     if (!row.edit.empty()) CHECK(in_words(edit_of(row)) == "changed " + std::string(row.edit));
   // Steps kept by 1.0.0 keep their meaning.
   CHECK(in_words(static_cast<Edit>(3)) == "changed the number of teams");
-  CHECK(in_words(static_cast<Edit>(22)) == "changed what robots may not touch");
+  CHECK(in_words(static_cast<Edit>(22)) == "changed the no-go edges");
   // A setting without a number in the history uses the number of its record in links.
   const SettingRow later{.setting = Setting::apart,
                          .name = "later",
@@ -162,7 +162,7 @@ TEST_CASE("each setting that is changed alone is named, also after it was kept",
                          .record = 77};
   CHECK(static_cast<std::size_t>(edit_of(later)) == edit_of_records + 77);
   const std::size_t apart = edit_of_records + row_of(Setting::apart).record;
-  CHECK(in_words(static_cast<Edit>(apart)) == "changed what the robots are for");
+  CHECK(in_words(static_cast<Edit>(apart)) == "changed the goal or its limits");
   for (const int unknown : {-1, 26, 100, 999})
     CHECK(in_words(static_cast<Edit>(unknown)) == "changed settings");
 }

@@ -263,7 +263,8 @@ TEST_CASE("teams that would be exchanged for minutes are not, and a notice says 
   AppState state;
   begin(state, placed(comb));
   CHECK(waits_for_exchange(*state.derived().placement));
-  CHECK(state.session.notice.text.find("So many teams are not exchanged here") == 0);
+  CHECK(state.session.notice.text.find("The teams are not swapped here until they hold: with ") ==
+        0);
 }
 
 TEST_CASE("a robot is dragged along its range with the pointer, and drawn with its range",

@@ -826,7 +826,7 @@ TEST_CASE("a capacity that no number of robots stays within says so", "[view]") 
   apply(page.app.state, commands);
   REQUIRE(page.app.state.derived().plan);
   CHECK_FALSE(page.app.state.derived().plan->possible);
-  CHECK(need_in_words(page.app.state).find("Not even all 6 robots") != std::string::npos);
+  CHECK(need_in_words(page.app.state).find("Even all 6 robots") != std::string::npos);
 }
 
 TEST_CASE("a capacity is planned for anew only when the plan can change", "[view][capacity]") {
@@ -1177,7 +1177,7 @@ TEST_CASE("an edge that is typed begins with its length, and ends where length a
   give(state, SetTool{Tool::draw});
   give(state, AddPoint{{10, 20}});
   give(state, TypeEdge{.degrees = 90.0, .place = true});
-  CHECK(state.session.notice.text == "Type the length of the edge, too.");
+  CHECK(state.session.notice.text == "Also type the length of the edge.");
   CHECK(state.view.drawing.points.size() == 1);
   give(state, TypeEdge{.length = 30.0, .place = true});
   REQUIRE(state.view.drawing.points.size() == 2);

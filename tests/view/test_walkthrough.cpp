@@ -550,7 +550,7 @@ TEST_CASE("what was edited in a lesson is one undo away when it is closed", "[vi
   page.press({"Escape"});
   CHECK(link(state) == before);
   CHECK(state.session.notice.text ==
-        "What was open before the lesson is back. Undo shows the lesson's object as you left it.");
+        "Your work from before the lesson is back. Undo shows the lesson's object as you left it.");
   page.press({"z", true});
   CHECK(state.work.document().vertices.size() == 4);
   CHECK(state.work.document().centre_of_mass == Vec2(90, 110));

@@ -98,7 +98,7 @@ async function finished(window) {
 
 async function compare(window, samples) {
   await window.getByLabel("Random placements").fill(String(samples));
-  await window.getByLabel("Most balanced robots").fill(String(mostBalanced));
+  await window.getByLabel("Max. balanced robots").fill(String(mostBalanced));
   await window.getByRole("button", { name: "Compare", exact: true }).click();
   await finished(window);
 }
@@ -195,8 +195,8 @@ test("the polygon on the screen is measured with its own centre of mass, ratio a
   await compare(window, 4);
   assert.deepEqual(await window.locator("h3").allTextContents(), [
     "Greatest load of a robot (lb)",
-    "Difference between the greatest and the least load of a robot (lb)",
-    "Coverage: part of the object inside the lifting base (%)",
+    "Spread of loads: the greatest less the least load of a robot (lb)",
+    "Coverage: share of the object above the lifting base (%)",
     "Form closure (%)",
   ]);
   const rows = rowsOf(await saved(page, "Measurements"));
@@ -265,7 +265,7 @@ test("the polygon on the screen is measured with its own centre of mass, ratio a
         .map(({ robots, coverage }) => `${method}: ${fixed(100 * coverage, 1)} % with ${robots} robots`),
     );
   }
-  assert.ok(await window.getByText("Balanced robots are measured up to 5, since").isVisible());
+  assert.ok(await window.getByText("At most 5 balanced robots are measured, since").isVisible());
   // The results are there when the window is opened again, until the polygon changes.
   await page.keyboard.press("Escape");
   await allClosed(page);
@@ -284,11 +284,13 @@ test("balanced robots come last, and whoever cancels then keeps the other curves
   await load(page, asset("labyrinth"));
   const window = await openWindow(page, "experiment");
   await window.getByLabel("Random placements").fill("2");
-  await window.getByLabel("Most balanced robots").fill("64"); // this takes minutes
+  await window.getByLabel("Max. balanced robots").fill("64"); // this takes minutes
   await window.getByRole("button", { name: "Compare", exact: true }).click();
   await window.locator(".plot svg").nth(3).waitFor();
   await window
-    .getByText("Balanced robots are measured up to 64, since the search for more takes longer. They are still missing.")
+    .getByText(
+      "At most 64 balanced robots are measured, since the search for more takes longer. Their results are still missing.",
+    )
     .waitFor();
   assert.ok(await window.getByRole("progressbar").isVisible(), "it still computes");
   assert.equal(await window.locator(".dots-balanced").count(), 0);
@@ -309,7 +311,7 @@ test("where no team can be placed it says so, and measures balanced robots", asy
   await window.getByRole("button", { name: "Compare", exact: true }).click();
   await window
     .getByText(
-      "No chord through the centre of mass is this even: the algorithm can place no team here, so only balanced robots were measured.",
+      "No chord through the centre of mass meets this minimum load ratio: the algorithm can place no team here, so only balanced robots were measured.",
     )
     .waitFor();
   await window.locator(".plot svg").nth(3).waitFor();
@@ -442,18 +444,18 @@ test("it says what is wrong with files and settings", async () => {
   await window.getByText("Two files have the name “star”.").waitFor();
   await window.locator("input[type=file]").setInputFiles(filesOf(["star"]));
   for (const [label, value, message] of [
-    ["Minimum load ratio", "1.2", "The minimum load ratio is a number from 0 to 1."],
-    ["Random placements", "0", "The number of random samples is from 1 to 100000."],
-    ["Random placements", "", "The number of random samples is from 1 to 100000."],
-    ["Most teams", "0", "The greatest number of teams is from 1 to 10000."],
-    ["Most balanced robots", "1", "The greatest number of balanced robots is from 2 to 64."],
-    ["Most balanced robots", "", "The greatest number of balanced robots is from 2 to 64."],
+    ["Minimum load ratio", "1.2", "The minimum load ratio must be a number from 0 to 1."],
+    ["Random placements", "0", "The number of random samples must be from 1 to 100000."],
+    ["Random placements", "", "The number of random samples must be from 1 to 100000."],
+    ["Max. teams", "0", "The greatest number of teams must be from 1 to 10000."],
+    ["Max. balanced robots", "1", "The greatest number of balanced robots must be from 2 to 64."],
+    ["Max. balanced robots", "", "The greatest number of balanced robots must be from 2 to 64."],
   ]) {
-    const ofOne = label === "Most teams";
+    const ofOne = label === "Max. teams";
     await window.getByLabel(ofOne ? "This polygon" : "My files").check();
     if (!ofOne) await window.getByLabel("Minimum load ratio").fill("0.8");
     await window.getByLabel("Random placements").fill("5");
-    await window.getByLabel("Most balanced robots").fill("5");
+    await window.getByLabel("Max. balanced robots").fill("5");
     await window.getByLabel(label).fill(value);
     await press();
     await window.getByText(message).waitFor();
@@ -595,8 +597,8 @@ test("on a phone the results are seen when they are there", async () => {
   const page = await browser.open({ viewport: phone, hasTouch: true, isMobile: true });
   await load(page, asset("square"));
   const window = await openWindow(page, "experiment");
-  await window.getByLabel("Most teams").fill("2");
-  await window.getByLabel("Most balanced robots").fill("2");
+  await window.getByLabel("Max. teams").fill("2");
+  await window.getByLabel("Max. balanced robots").fill("2");
   await window.getByRole("button", { name: "Compare", exact: true }).tap();
   await window.getByText("Done.").waitFor();
   await idle(page);

@@ -85,7 +85,7 @@ test("by key alone: filter, arrows, Enter, Escape", async () => {
   await page.keyboard.press("ArrowUp");
   assert.equal(await page.evaluate(() => document.activeElement.type), "search");
   await page.keyboard.type("no such thing");
-  await root.getByText("No sample has that name.").waitFor();
+  await root.getByText("No sample matches.").waitFor();
   await page.keyboard.press("Enter");
   await page.locator("#samples input").fill("heart");
   await page.keyboard.press("Enter");

@@ -216,7 +216,7 @@ test("the card at the end covers no control of the player, wide and on a phone",
     await goToEnd(page);
     const card = await end(page).boundingBox();
     // A low screen has the tools of the view in the toolbar's menu.
-    const tools = options.viewport?.height < 480 ? [] : ["Show all of the object"];
+    const tools = options.viewport?.height < 480 ? [] : ["Show the whole object"];
     for (const name of ["timeline", "play", "Next step", "Samples", ...tools]) {
       const place = await control(page, name);
       const apart =
@@ -469,7 +469,7 @@ test("what was edited in a lesson is one undo away when it is left, and a notice
   assert.deepEqual(await open(page), before);
   assert.equal(
     await page.locator("#alert").textContent(),
-    "What was open before the lesson is back. Undo shows the lesson's object as you left it.",
+    "Your work from before the lesson is back. Undo shows the lesson's object as you left it.",
   );
   await undo(page);
   const again = await state(page);
@@ -581,7 +581,7 @@ test("the sample of a lesson that there is not: those with nearly that name are 
   await idle(page);
   assert.match(
     await page.locator("#open .problem").textContent(),
-    /“stone-slap”, and there is none of that name; near it are “stone-slab”, “.+” and “.+”\.$/,
+    /“stone-slap”, which does not exist; similar names are “stone-slab”, “.+” and “.+”\.$/,
   );
   await page.done();
 });
@@ -739,7 +739,7 @@ test("what the editor says about an unknown setting names every one that a lesso
   const [, section] = /^## The settings\n(.*?)^## /ms.exec(readFileSync(path.join(root, "docs/lessons.md"), "utf8"));
   const table = section.split("\n").filter((line) => line.startsWith("| `"));
   const listed = table.flatMap((line) => [...line.split("|")[1].matchAll(/`([a-z-]+)`/g)].map(([, name]) => name));
-  const said = /^Line 2: unknown setting; there are (.+)\.$/.exec(await problem.textContent())[1];
+  const said = /^Line 2: unknown setting; the settings are (.+)\.$/.exec(await problem.textContent())[1];
   assert.deepEqual(said.split(/, | and /).sort(), listed.sort());
   await page.getByRole("button", { name: "Go to line 2" }).click();
   assert.equal(
@@ -826,7 +826,7 @@ test("the handout has a picture and the words for each stop of the lesson, and o
     await page.locator("#handout .paper-question").textContent(),
     /A question.*Do the even chords stay even\?.*an even chord moves along with C/,
   );
-  assert.match(await figures.first().textContent(), /Eight vertices, no corner that points inwards/);
+  assert.match(await figures.first().textContent(), /Eight vertices, and no corner points inwards/);
   assert.equal(await page.locator("#handout figure svg .object").count(), await figures.count());
   assert.match(
     await figures.nth(3).locator("svg").textContent(),
@@ -906,7 +906,7 @@ test("the handout of a lesson about balanced robots has the robots, with their o
   for (const figure of await figures.all())
     assert.deepEqual((await figure.locator(".robot-number").allTextContents()).sort(), ["1", "2", "3", "4", "5", "6"]);
   assert.ok((await page.locator("#handout .left").count()) > 0, "where robots stood before");
-  assert.match(await page.locator("#handout .paper-legend").textContent(), /an even chord.*where a robot goes/);
+  assert.match(await page.locator("#handout .paper-legend").textContent(), /an even chord.*where a robot moves/);
   await page.done();
 });
 

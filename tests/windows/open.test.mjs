@@ -148,13 +148,13 @@ const triangleShape = '<polygon points="0,0 4,0 4,4"/>';
 const bad = [
   ["", /empty/i],
   [" \n ", /empty/i],
-  ["hello", /in no format that is known here: evenlift reads lines/],
+  ["hello", /in an unknown format: evenlift reads lines/],
   ["(0,0)\n(1,0)\n(1;1)\n", /line 3/i],
   ["(0,0)\n(1,0)\n", /at least 3 vertices/i],
   ["(0,0)\n(4,4)\n(4,0)\n(0,4)\n", /edges 1 and 3/i],
   ["POLYGON ((0 0, 4 0, 4 4, 0 0), (1 1, 2 1, 2 2, 1 1))", /hole/i],
   ["1.abcdefgh", /link/i],
-  ["(0,0)\n\0", /not a text/i],
+  ["(0,0)\n\0", /not text/i],
   ["<html></html>", /no SVG.*<html>/],
   ["<svg", /not well-formed/],
   ["<svg>\n<g></svg>", /not well-formed/],
@@ -175,11 +175,11 @@ const bad = [
     "0\nSECTION\n2\nENTITIES\n0\nLINE\n11\n5\n0\nENDSEC\n0\nEOF\n",
     /DXF drawing has no closed outline: the chain from \(0, 0\) ends at \(5, 0\)/,
   ],
-  ["robot,team,end,x,y,load\n1,1,r1,0,0,5\n", /the robots of a result and no polygon: open the JSON/],
+  ["robot,team,end,x,y,load\n1,1,r1,0,0,5\n", /the robots of a result, not a polygon: open the JSON/],
   ["1,5 2,3\n2,5 4,3\n", /write decimals with a point/],
   ['{"type":"Point","coordinates":[1,2]}', /no polygon, only 1 Point/],
   [svg('<path d="L0 0 1 1"/>'), /character 1/],
-  [svg('<path d="M0 0L4 0 4"/>'), /character 11: a number is expected here/],
+  [svg('<path d="M0 0L4 0 4"/>'), /character 11: expected a number here/],
   [svg('<path d="M0 0L4 0 x 4"/>'), /character \d+: no command/],
   [svg('<polygon points="0,0 4,0 4"/>'), /no y/],
   [svg('<polygon points="0,0 4,0 4,z"/>'), /character 11: not a number/],
@@ -228,7 +228,7 @@ test("of several shapes one is chosen, by the keys or a click", async () => {
   ]);
   assert.match(
     await page.locator("#shapes .second").first().textContent(),
-    /^Outlines inside another .* without a hole\. 1 text, 1 copy \(<use>\) and 1 hidden element were left out\.$/,
+    /^Outlines inside another .* ignore them\. 1 text, 1 copy \(<use>\) and 1 hidden element were left out\.$/,
   );
   assert.equal((await polygon()).length, 12, "nothing is opened yet");
   assert.match(
@@ -270,7 +270,7 @@ test("how near the edges are to curves can be set, before and after", async () =
     await field.fill(wrong);
     await field.press("Enter");
     await idle(page);
-    assert.match(await page.locator("#shapes .problem").textContent(), /is a number above 0, in .*, and not “.*”\.$/);
+    assert.match(await page.locator("#shapes .problem").textContent(), /must be a number above 0, in .*, not “.*”\.$/);
   }
   await field.fill("0,001");
   await field.press("Enter");
@@ -356,13 +356,13 @@ test("files that are no texts are refused with what to do", async () => {
     );
   const codes = (text) => Array.from(text, (c) => c.charCodeAt(0));
   for (const [name, list, pattern] of [
-    ["a.png", [0x89, ...codes("PNG\r\n"), 0], /damaged, or no picture/],
-    ["a.jpg", [0xff, 0xd8, 0xff, 0xe0], /damaged, or no picture/],
-    ["a.gif", codes("GIF89a"), /PNG, JPEG or WebP can/],
+    ["a.png", [0x89, ...codes("PNG\r\n"), 0], /damaged, or this browser/],
+    ["a.jpg", [0xff, 0xd8, 0xff, 0xe0], /damaged, or this browser/],
+    ["a.gif", codes("GIF89a"), /PNG, JPEG and WebP can/],
     ["a.pdf", codes("%PDF-1.7\n"), /PDF.*Inkscape/],
     ["a.xlsx", [...codes("PK"), 3, 4, 20, 0], /save the sheet as CSV/],
     ["a.dxf", [...codes("AutoCAD Binary DXF\r\n"), 26, 0], /ASCII DXF/],
-    ["zeros", [0, 0, 0], /not a text/],
+    ["zeros", [0, 0, 0], /not text/],
   ]) {
     await bytes(name, list);
     assert.match(await noticed(page), pattern, name);

@@ -55,7 +55,7 @@ test("the optimum stands beside the greedy choice, with its picture and its team
       shown.map(([first]) => first),
       ["Greedy, by area", "The optimum"],
     );
-    assert.match(await text(page), /It is proved: no choice of so many teams covers more\./);
+    assert.match(await text(page), /It is proved: no choice of this number of teams covers more\./);
     assert.match(
       await text(page),
       optimum.coverage - greedy.coverage > 1e-9
@@ -94,7 +94,7 @@ test("where the optimum would take too long, a sentence says so", async () => {
   );
   assert.deepEqual(
     (await rows(page)).map(([first]) => first),
-    ["Greedy, by area", "The best that was found"],
+    ["Greedy, by area", "The best found"],
   );
   await page.done();
 });
@@ -107,7 +107,7 @@ test("methods that do not choose among candidates are compared by area", async (
   await openOptimum(page);
   assert.match(
     await text(page),
-    /The method balanced does not choose among candidates, so as many teams are chosen by area here\./,
+    /The method balanced does not choose among candidates, so the same number of teams is chosen by area here\./,
   );
   const { optimum } = JSON.parse(
     evenlift("optimum", path.join(root, "assets/polygons/guitar.txt"), "--teams", 2, "--json"),

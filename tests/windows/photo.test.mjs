@@ -61,7 +61,7 @@ test("a picture that is dropped is seen behind the drawing, and drawing begins",
       `${type}: ${colours.join("; ")}`,
     );
     assert.match(await page.locator("#photo").textContent(), /stays on this device/);
-    assert.match(await page.locator("#alert").textContent(), /^“table\.\w+” lies behind the drawing/);
+    assert.match(await page.locator("#alert").textContent(), /^“table\.\w+” is behind the drawing/);
     assert.equal(
       await page.evaluate(() => document.querySelector('#mirror [aria-label^="Draw"]').getAttribute("aria-pressed")),
       "true",
@@ -238,7 +238,7 @@ test("what was traced goes with the picture when its scale is set afterwards, an
   );
   assert.match(
     await page.locator("#alert").textContent(),
-    /The picture is now 800 wide\. What is traced on it goes with it\./,
+    /The picture is now 800 wide\. Shapes traced on it are scaled with it\./,
   );
   const about = async () => {
     // the place of the picture relative to the polygon

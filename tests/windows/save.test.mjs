@@ -270,10 +270,10 @@ test("the length of the link is told wherever it is copied; a long one is not pr
   await page.keyboard.press("Control+c");
   assert.match(
     await noticed(page),
-    /^The link is copied\. It holds the polygon and all settings\. It has [\d,]+ characters: some programs cut links from 2,000 on\. The JSON file in Save holds the same\.$/,
+    /^The link is copied\. It holds the polygon and all settings\. It has [\d,]+ characters: some programs cut links of 2,000 or more\. The JSON file in Save holds the same\.$/,
   );
   const window = await openWindow(page, "save");
-  assert.match(await window.getByRole("status").first().textContent(), /some programs cut links from 2,000 on/);
+  assert.match(await window.getByRole("status").first().textContent(), /some programs cut links of 2,000 or more/);
   await window.getByRole("button", { name: "QR code" }).click();
   await window.getByText("The link is too long for a QR code").waitFor();
   await page.done();
@@ -287,7 +287,7 @@ test("Save says as the copied link does what the link lacks", async () => {
   const copied = (await noticed(page)).replace(/^The link is copied\. /, "");
   assert.match(
     copied,
-    /^The shape that you are drawing is not closed yet: the link holds the one before\. It has \d+ characters\.$/,
+    /^The shape that you are drawing is not closed yet: the link holds the previous one\. It has \d+ characters\.$/,
   );
   const window = await openWindow(page, "save");
   assert.equal(await window.getByRole("status").first().textContent(), copied);
@@ -298,7 +298,7 @@ test("a polygon that is too large for a link: the window says so and saves files
   const page = await browser.open();
   await load(page, evenlift("generate", "regular", "--n", "33000", "--seed", "1"));
   const window = await openWindow(page, "save");
-  assert.match(await window.locator(".problem").textContent(), /^There is no link: .*\. A file holds it\.$/);
+  assert.match(await window.locator(".problem").textContent(), /^There is no link: .*\. Save a file instead\.$/);
   assert.equal(await window.locator("#link").count(), 0);
   const { bytes } = await saved(page, window.getByRole("button", { name: /^Text/ }));
   assert.equal(String(bytes).trimEnd().split("\n").length, 33000);

@@ -71,7 +71,7 @@ test("numbers that are none get a sentence and change nothing", async () => {
   const window = await opened();
   const before = JSON.stringify(await state(page));
   for (const [typed, said] of [
-    ["1,234", /^Vertex 1, x: “1,234” may be 1234 or 1\.234: type it like one of these\.$/],
+    ["1,234", /^Vertex 1, x: “1,234” may mean 1234 or 1\.234: type one of these\.$/],
     ["2 kg", /^Vertex 1, x: “2 kg” has the unit kg, but this number has none: type the number alone\.$/],
     ["abc", /“abc” is not a number/],
     ["", /A number is missing/],

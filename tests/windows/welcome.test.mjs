@@ -59,7 +59,7 @@ for (const [width, height, touch] of [
         "Undo",
         "Copy link",
         "Zoom in",
-        "Show all of the object",
+        "Show the whole object",
         "Coordinates",
         "teams +",
         "teams -",
@@ -371,7 +371,7 @@ test("with balanced robots the tour speaks of them", async () => {
   assert.match((await stop(page)).words, /^Each disc is a robot\./);
   assert.equal((await ringed(page)).length, 5);
   await goToStop(page, "Settings");
-  assert.match((await stop(page)).words, /how many robots/);
+  assert.match((await stop(page)).words, /number of robots/);
   await page.done();
 });
 

@@ -41,7 +41,7 @@ void tell_of_no_exchange(AppState& state) {
   if (!state.session.notice.text.empty()) return;  // the command's own notice
   if (!waits_for_exchange(*facts.placement)) return;
   show(state,
-       {Notice::Kind::info, "So many teams are not exchanged here until they hold: among " +
+       {Notice::Kind::info, "The teams are not swapped here until they hold: with " +
                                 std::to_string(facts.placement->candidates.size()) +
                                 " candidates that would take too long. The program does it."});
 }

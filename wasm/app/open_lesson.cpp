@@ -20,7 +20,7 @@ namespace {
 std::optional<InputError> join(AppState& state, Script script) {
   if (state.derived().refusal || !state.derived().placement ||
       state.work.document().vertices != script.of.vertices)
-    return InputError{ErrorCode::bad_syntax, "it is of another polygon than the link", {}};
+    return InputError{ErrorCode::bad_syntax, "it is about another polygon than the link", {}};
   const bool begins = !walkthrough_is_open(state);
   open_walkthrough(state);
   conclude(state);

@@ -105,7 +105,7 @@ struct Applier {
     const std::string what = lengths ? "Lengths are now " : "Weights are now ",
                       unit{lengths ? name(now.length) : name(now.weight)};
     show(state, {Notice::Kind::info, what + (lengths && none ? "without a unit" : "in " + unit) +
-                                         ". Their numbers stay as they are."});
+                                         ". The numbers stay the same."});
   }
   void operator()(const SetTool& c) const { take_tool(state, c.tool); }
   void operator()(const GripPolygon&) const {
@@ -168,8 +168,7 @@ struct Applier {
     // If no bar shows the change, a notice does.
     if (state.view.tool == Tool::parts && !state.view.selected && !(c.snap == state.view.snap)) {
       const bool grid = c.snap.grid != state.view.snap.grid, on = grid ? c.snap.grid : c.snap.axis;
-      std::string words =
-          on ? "What is dragged now snaps to the " : "What is dragged no longer snaps to the ";
+      std::string words = on ? "Points now snap to the " : "Points no longer snap to the ";
       words += grid ? "grid." : "axis through a neighbour.";
       show(state, {Notice::Kind::info, std::move(words)});
     }
@@ -218,7 +217,7 @@ struct Applier {
   void operator()(const SetCamera& c) const { look_through(state, c.camera); }
   void operator()(const FitView&) const {
     fit_view(state);
-    announce(state, "All of the object is in view.");
+    announce(state, "The whole object is in view.");
   }
   void operator()(const ZoomView& c) const {
     zoom_view(state, c.about.value_or(layout(state).room.middle()), c.factor);

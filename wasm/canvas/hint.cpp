@@ -28,7 +28,7 @@ std::string hint_of_vertex(const AppState& state, std::size_t i) {
   const Pick robot = pick_explained(state, state.view.camera.to_screen(vertices[i]), false);
   return "Vertex " + std::to_string(i + 1) + " " + given_point(vertices[i]) +
          " · drag to move, Delete to remove" +
-         (can_take_robot(state, robot) ? " · press it once, and a drag moves the robot" : "");
+         (can_take_robot(state, robot) ? " · press it once, then drag to move the robot" : "");
 }
 
 bool on_centroid(const AppState& state) {
@@ -55,10 +55,11 @@ std::string hint_of_team(const Placement* placement, std::size_t i, const Units&
 
 std::string hint_of_doubt(const AppState& state) {
   const double radius = shown(state).com_radius;
-  return (radius > 0 ? "The centre of mass is known within " +
-                           with_length_unit(plain(radius), shown(state).units)
-                     : std::string("The centre of mass is known exactly")) +
-         " · drag away from it for a doubt";
+  return radius > 0
+             ? "C uncertainty " + with_length_unit(plain(radius), shown(state).units) +
+                   " · drag to change it"
+             : std::string(
+                   "The centre of mass is known exactly · drag outwards to set an uncertainty");
 }
 
 // The hint while a robot fails.
@@ -88,7 +89,7 @@ std::string hint_of_robot(const AppState& state, const Pick& at) {
       team_in_words(*placement, 0, coordinate_decimals(placement->vertices()));
   if (robot >= words.at.size()) return {};
   return "Robot " + std::to_string(robot + 1) + " " + words.at[robot] + " · " +
-         with_weight_unit(words.loads[robot], units) + ", as each of them · " +
+         with_weight_unit(words.loads[robot], units) + ", like all the others · " +
          (can_take_robot(state, at) ? "drag it along the edge: its neighbours follow"
                                     : "press it to see why");
 }
@@ -97,7 +98,7 @@ std::string hint_of_candidate(const Placement* placement, std::size_t i) {
   if (!placement || i >= placement->candidates.size()) return {};
   return "Candidate " + std::to_string(i + 1) + " · load ratio " +
          ratio_in_words(placement->candidates[i].chord.ratio) +
-         " · press it to see why it was not taken";
+         " · press it to see why it was not chosen";
 }
 
 std::string hint_of_drawing(const AppState& state) {
@@ -107,7 +108,7 @@ std::string hint_of_drawing(const AppState& state) {
   if (state.view.hover.kind == Pick::Kind::vertex && state.view.hover.index < points.size())
     return "Vertex " + std::to_string(state.view.hover.index + 1) + " " +
            given_point(points[state.view.hover.index]) + " · drag to move";
-  return "Click to place vertices, or type a length · click the first, or Enter, to close · Esc takes one back";
+  return "Click to place vertices, or type a length · click the first or press Enter to close · Esc removes the last";
 }
 
 std::string hint_of_pick(const AppState& state, const Pick& at) {
@@ -146,7 +147,7 @@ std::string hint(const AppState& state) {
   if (state.view.tool == Tool::transform)
     return "Drag inside to move, a corner to scale, the knob to turn · arrow keys, [ ] and { } do the same";
   if (state.view.tool == Tool::mark)
-    return "Drag along the boundary to mark what no robot may touch, over a mark to erase it · click an edge for all of it";
+    return "Drag along the boundary to mark no-go parts, over a mark to erase it · click an edge to mark all of it";
   const bool holds =
       state.view.held.kind != Pick::Kind::none && state.view.held.kind != Pick::Kind::ground;
   const Pick& at = holds ? state.view.held : state.view.hover;

@@ -58,8 +58,7 @@ void take_tool(AppState& state, Tool tool) {
   if (tool == Tool::mark)
     announce(
         state,
-        "What no robot may touch is marked by dragging along the boundary, or typed as numbers of edges in the field "
-        "No-go edges.");
+        "Drag along the boundary to mark no-go parts, or type the numbers of edges in the field No-go edges.");
 }
 
 void add_point(AppState& state, const Vec2& at) {
@@ -105,15 +104,16 @@ void type_edge(AppState& state, const TypeEdge& typed) {
   Drawing& drawing = state.view.drawing;
   if (drawing.points.empty()) return;
   if (typed.length && !(*typed.length > 0 && *typed.length <= max_coordinate))
-    return show(state, {Notice::Kind::problem, "The length of an edge is a number above 0."});
+    return show(state, {Notice::Kind::problem, "The length of an edge must be a number above 0."});
   if (typed.degrees && !(std::abs(*typed.degrees) <= 360))
-    return show(state, {Notice::Kind::problem, "The angle of an edge is between −360° and 360°."});
+    return show(state,
+                {Notice::Kind::problem, "The angle of an edge must be between −360° and 360°."});
   if (typed.length) drawing.length = typed.length;
   if (typed.degrees) drawing.degrees = typed.degrees;
   const Vec2 from = drawing.points.back(),
              towards = drawing.cursor.value_or(drawing.last_cursor.value_or(from));
   if (!drawing.length && towards == from) {
-    if (typed.place) show(state, {Notice::Kind::problem, "Type the length of the edge, too."});
+    if (typed.place) show(state, {Notice::Kind::problem, "Also type the length of the edge."});
     return;
   }
   const Vec2 to = typed_end(drawing, towards);

@@ -68,7 +68,7 @@ std::optional<History::Recalled> before_lesson(AppState& state) {
 // Announces that what was open before the lesson is back. After an edit in the lesson, the message
 // explains how to return to it.
 void tell_of_return(AppState& state, bool edited) {
-  const std::string back = "What was open before the lesson is back.";
+  const std::string back = "Your work from before the lesson is back.";
   if (edited)
     show(state, {Notice::Kind::info, back + " Undo shows the lesson's object as you left it."});
   else
@@ -95,7 +95,7 @@ void undo(AppState& state) {
 void redo(AppState& state) {
   if (state.work.history.can_redo())
     step_back(state, state.work.history.redo(state.work.document(), beside(state.work)),
-              "Done again: ");
+              "Redone: ");
 }
 
 void leave_walkthrough(AppState& state) {

@@ -99,8 +99,8 @@ void draw_push(const Painter& painter, const CanvasView& view) {
   painter.list().AddCircle(at, 5, view.theme.panel.packed(), 20, 4);
   painter.list().AddCircle(at, 5, colour.packed(), 20, 2);
   const std::string text =
-      safe ? "A push down here does not tip it"
-           : "Tips if pushed down with " +
+      safe ? "A press down here does not tip it"
+           : "Tips under a press down of " +
                  load_in_words(force, placement.settings.weight, shown(view.state).units);
   // The box has the panel's colour, on which the lifting base's dark green would be illegible.
   draw_word(painter.list(), Vec2(static_cast<double>(at.x), static_cast<double>(at.y)),
@@ -142,13 +142,13 @@ std::string result_in_words(const Placement& placement, const Units& units, std:
   if (!placement.loads) return "no team";
   const LoadSummary& loads = *placement.loads;
   std::string words = load_in_words(loads.min, loads.max, loads.max, units);
-  if (further > 0) words += " · " + percentage(placement.coverage) + " covered";
+  if (further > 0) words += " · coverage " + percentage(placement.coverage);
   if (further > 1) words += is_held(placement) ? " · held" : " · not held";
   return words;
 }
 
 std::string name_in_caption(const Placement& placement) {
-  return capitalised(std::string(evenlift::name(placement.settings.method))) + ", " +
+  return capitalised(method_in_words(placement.settings.method)) + ", " +
          count_of(count_robots(placement.teams), "robot", "robots");
 }
 

@@ -50,9 +50,9 @@ experiment::PolygonResult measured(const std::string& set, const std::string& na
   const Result<Import> import = read_shapes(text);
   if (!import) return refused(set, name, problem_of(import.error()));
   if (import->shapes.size() != 1)
-    return refused(
-        set, name,
-        "it has " + std::to_string(import->shapes.size()) + " shapes, and here a file has one");
+    return refused(set, name,
+                   "it has " + std::to_string(import->shapes.size()) +
+                       " shapes; here a file may have only one");
   const Document& document = import->shapes.front().document;
   const Result<experiment::Subject> subject = experiment::prepare(document, settings().min_ratio);
   if (!subject) return refused(set, name, problem_of(subject.error()));

@@ -78,17 +78,16 @@ std::string how_sure(const Compared& compared) {
   const std::string bound = fixed(100 * optimum.bound, 2) + "\u00A0%";
   const std::size_t candidates = compared.greedy.candidates.size();
   const std::string many = "With " + count_of(candidates, "candidate", "candidates");
-  if (optimum.proved) return "It is proved: no choice of so many teams covers more.";
+  if (optimum.proved) return "It is proved: no choice of this number of teams covers more.";
   if (compared.stopped)
-    return "It takes longer than " + plain(compared.seconds) +
-           " seconds to be sure here, so this is the best choice that was found by then: no choice "
-           "covers more than " +
+    return "A proof would take longer than " + plain(compared.seconds) +
+           " seconds here. This is the best choice found in that time; no choice covers more than " +
            bound + ". The program takes the time that you give it: evenlift optimum FILE --teams " +
            std::to_string(compared.greedy.requested_teams) + " --time-limit 600.";
   if (candidates > most_candidates_bounded)
     return many + " the optimum would take too long. All of them together cover " + bound +
            ", and no choice covers more.";
-  return many + " it is not proved to be the best: no choice covers more than " + bound + ".";
+  return many + " there is no proof that it is the best: no choice covers more than " + bound + ".";
 }
 
 std::string gap(const Compared& compared) {
@@ -107,11 +106,12 @@ std::string as_json(const Compared& compared, Method asked) {
   const std::string method(name(greedy.settings.method));
   std::vector<std::string> said = {json::text(gap(compared)), json::text(how_sure(compared))};
   if (asked != greedy.settings.method)
-    said.push_back(json::text("The method " + std::string(name(asked)) +
-                              " does not choose among candidates, so as many teams are chosen by " +
-                              method + " here."));
+    said.push_back(
+        json::text("The method " + method_in_words(asked) +
+                   " does not choose among candidates, so the same number of teams is chosen by " +
+                   method + " here."));
   return json::object({{"rows", json::array({row("Greedy, by " + method, {greedy, shown}),
-                                             row(proved ? "The optimum" : "The best that was found",
+                                             row(proved ? "The optimum" : "The best found",
                                                  {compared.best, shown})})},
                        {"said", json::array(said)}});
 }
@@ -133,7 +133,7 @@ EMSCRIPTEN_KEEPALIVE const char* optimum_compare(const char* link, double second
   const Result<Placement> greedy = place(with_teams(*document));
   if (!greedy) return hand_over(problem(sentence(greedy.error())));
   if (greedy->teams.empty())
-    return hand_over(problem("no chord through the centre of mass has the minimum load ratio"));
+    return hand_over(problem("no chord through the centre of mass meets the minimum load ratio"));
   last() = compare(*greedy, document->shown, seconds);
   return hand_over(as_json(*last(), document->settings.method));
 }

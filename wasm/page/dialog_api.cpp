@@ -56,7 +56,7 @@ std::optional<double> coordinate(std::string_view text, std::string& problem) {
   else if (text.empty())
     problem = "A number is missing";
   else if (text.find(',') != std::string_view::npos)
-    problem = "Decimals are written with a point, not with a comma: 2.5";
+    problem = "Write decimals with a point, not a comma: 2.5";
   else
     problem = "“" + std::string(text.substr(0, 40)) + "” is not a number";
   return std::nullopt;
@@ -166,8 +166,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_set_coordinate(int vertex, int axis, const
   std::string problem;
   const std::optional<double> value = coordinate(text, problem);
   if (!value) return hand_over(std::move(problem));
-  if (vertex >= static_cast<int>(vertices.size()))
-    return hand_over("There is no such vertex any more");
+  if (vertex >= static_cast<int>(vertices.size())) return hand_over("This vertex no longer exists");
   Vec2 to =
       vertex < 0
           ? state.work.document().centre_of_mass.value_or(state.derived().placement->centre_of_mass)

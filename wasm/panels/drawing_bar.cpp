@@ -73,7 +73,7 @@ float width_of(const FieldWidths& fields) {
 
 // Whether buttons with their whole names and the fields of the next edge fit in one row.
 bool is_roomy(const Ui& ui) {
-  return ui.layout.wide && row_width(ui, {"Close the shape", "Take one back", "Cancel"}) + 12 +
+  return ui.layout.wide && row_width(ui, {"Close the shape", "Remove last", "Cancel"}) + 12 +
                                    width_of(roomy_fields) <=
                                room_of_bar(ui);
 }
@@ -87,7 +87,7 @@ void draw_drawing_bar(const Ui& ui) {
   if (word_button(ui, roomy || !ui.layout.wide ? "Close the shape" : "Close", closes, true))
     ui.push(FinishDrawing{});
   ImGui::SameLine(0, gap);
-  if (word_button(ui, roomy ? "Take one back" : "Back", some)) ui.push(TakePointBack{});
+  if (word_button(ui, roomy ? "Remove last" : "Back", some)) ui.push(TakePointBack{});
   ImGui::SameLine(0, gap);
   if (word_button(ui, "Cancel", true)) ui.push(SetTool{Tool::parts});
   if (!ui.layout.wide) return;
@@ -95,7 +95,7 @@ void draw_drawing_bar(const Ui& ui) {
   const FieldWidths fields = roomy ? roomy_fields : small_fields;
   if (some) return draw_edge_fields(ui, fields.length, fields.angle);
   // The bar has its full size before the first vertex, so that it will not cover that vertex.
-  constexpr char hint[] = "Each vertex can be moved as you draw.";
+  constexpr char hint[] = "Placed vertices can be dragged.";
   const ImVec2 at = ImGui::GetCursorScreenPos(), text = text_size(Face::label, hint);
   ImGui::Dummy(ImVec2(std::max(text.x, width_of(fields)), ui.control()));
   draw_text(*ImGui::GetWindowDrawList(), Face::label,

@@ -43,7 +43,7 @@ void draw_length(const Ui& ui, const LengthRow& row) {
   Document changed{{}, {}, settings(ui.state), shown(ui.state)};
   const std::optional<double> length = read_number(text_of(row.setting, changed));
   const std::string setting(name(row.setting)),
-      value = length ? with_length_unit(plain(*length), shown(ui.state).units) : "usual";
+      value = length ? with_length_unit(plain(*length), shown(ui.state).units) : "default";
   std::string id = setting;
   std::replace(id.begin(), id.end(), '_', ' ');
   const bool resets = row.member && length;

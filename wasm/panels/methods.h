@@ -20,9 +20,9 @@ inline constexpr MethodWords methods[] = {
     {Method::area, "Area", "each team adds the most area"},
     {Method::circle, "Circle", "each team fits the largest circles"},
     {Method::distance, "Distance", "each team shortens the tipping arms"},
-    {Method::distributed, "Distributed", "teams at equal angles, to compare"},
-    {Method::random, "Random", "teams at random, to compare"},
-    {Method::balanced, "Balanced", "robots that can all bear the same"},
+    {Method::distributed, "Equal angles", "between teams, for comparison"},
+    {Method::random, "Random", "teams at random, for comparison"},
+    {Method::balanced, "Balanced", "all robots can carry the same load"},
 };
 
 inline const MethodWords& words_of(Method method) {

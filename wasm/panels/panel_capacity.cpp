@@ -47,7 +47,7 @@ void draw_need(const Ui& ui) {
       plan && plan->possible && !(changed == now) && !failing(ui.state) && is_overloaded(ui.state);
   const std::string label =
       can_take ? "Use " + count_of(plan->team_size * plan->teams, "robot", "robots")
-               : std::string("As many as are needed");
+               : std::string("Use the number needed");
   const float width = ImGui::GetContentRegionAvail().x;
   if (!flat_button(ui, "use needed", label.c_str(), width, can_take)) return;
   ui.push(SetSettings{changed});
@@ -59,8 +59,8 @@ void draw_capacity(const Ui& ui) {
   const std::optional<double>& capacity = shown(ui.state).capacity;
   const float width =
       labelled(ui, "A robot carries",
-               "What one robot can lift at most; type it to see how many robots are needed");
-  const std::string label = "What a robot carries, in " + weight_unit(ui.state);
+               "The greatest load of one robot; type it to see the number of robots needed");
+  const std::string label = "Capacity of a robot, in " + weight_unit(ui.state);
   if (!capacity) return text_field(ui, "capacity", label.c_str(), "capacity", "no limit", width);
   const float clear = ui.control();
   const int by =

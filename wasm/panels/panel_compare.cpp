@@ -34,7 +34,7 @@ std::vector<Row> rows(const Placement& a, const Placement& b, std::size_t failed
        {std::to_string(count_robots(a.teams) - failed), std::to_string(count_robots(b.teams))}},
       {"Least load" + unit, both(load(&LoadSummary::min))},
       {"Greatest load" + unit, both(load(&LoadSummary::max))},
-      {"Difference" + unit, both(load(&LoadSummary::spread))},
+      {"Spread of loads" + unit, both(load(&LoadSummary::spread))},
       {"Coverage", both([](const Placement& p) { return percentage(p.coverage, 1); })},
       {"Form closure", both([](const Placement& p) { return form_closure_in_words(p.closure); })}};
 }
@@ -71,7 +71,7 @@ void draw_compare(const Ui& ui) {
     choices.push_back({m.label, m.about});
     of_choice.push_back(m.method);
   }
-  choices.push_back({"Optimum …", "the best choice of as many teams"});
+  choices.push_back({"Optimum …", "the best for this number of teams"});
   choices.push_back({"All methods …", "in charts, by the number of teams"});
   const auto chosen = dropdown(ui, "compared", "Compare with", choices, current, width);
   if (!chosen) return;

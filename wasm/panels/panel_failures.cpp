@@ -79,7 +79,7 @@ const char* caption(const AppState& state, std::size_t count) {
   if (count > 0) return "If one robot fails";
   const bool many = state.derived().placement && !state.derived().refusal &&
                     state.view.tool != Tool::draw && !state.derived().placement->teams.empty();
-  return many ? "If one robot fails: too many robots to look at each" : "";
+  return many ? "If one robot fails: too many robots to check each" : "";
 }
 
 // For a finger the signs of many robots are too small: these buttons step from one to the next.
@@ -87,7 +87,7 @@ void draw_steps(const Ui& ui, ImVec2 at, std::size_t count, std::optional<std::s
   const float size = ui.control();
   ImGui::SetCursorScreenPos(at);
   if (icon_button(ui, "failure -", Icon::step_back, now.has_value(),
-                  "The robot before fails; before the first one, none", size))
+                  "The previous robot fails; before the first one, none", size))
     ui.push(Fail{*now > 0 ? std::optional(*now - 1) : std::nullopt});
   ImGui::SetCursorScreenPos(ImVec2(at.x + size, at.y));
   if (icon_button(ui, "failure +", Icon::step_on, !now || *now + 1 < count, "The next robot fails",

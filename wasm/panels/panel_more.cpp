@@ -18,7 +18,7 @@ namespace {
 
 constexpr Choice models[] = {{"As planned", "each robot's force is controlled"},
                              {"Springs", "all equally stiff and level"},
-                             {"At best", "shared as well as can be"},
+                             {"At best", "shared as evenly as possible"},
                              {"At worst", "unequal heights, or it bends"}};
 static_assert(std::size(models) == std::size(all_load_models));
 
@@ -29,7 +29,7 @@ void draw_block(const Ui& ui, const std::string& text, std::size_t lines) {
 
 void draw_model(const Ui& ui) {
   const float width =
-      labelled(ui, "Loads shown", "What the loads in the drawing and the table presume");
+      labelled(ui, "Loads shown", "The assumption behind the loads in the drawing and the table");
   const auto now = static_cast<std::size_t>(ui.state.view.load_model);
   const auto chosen = dropdown(ui, "loads", "Loads shown", models, now, width);
   if (chosen && *chosen != now) ui.push(SetLoadModel{static_cast<LoadModel>(*chosen)});
@@ -37,21 +37,21 @@ void draw_model(const Ui& ui) {
 }
 
 constexpr LengthRow doubt{
-    Setting::com_radius, "C known within",
-    "The centre of mass lies somewhere within this distance of where it is shown",
-    "Distance within which the centre of mass is known"};
+    Setting::com_radius, "C uncertainty",
+    "The centre of mass may be anywhere within this distance of its shown place",
+    "Uncertainty of the centre of mass"};
 constexpr LengthRow clear{Setting::clear,
                           "Clear of corners",
-                          "A hold does not rely on robots that are nearer to a corner than this",
-                          "Distance from corners that holds keep",
+                          "A hold does not rely on robots nearer to a corner than this",
+                          "Distance of holds from corners",
                           &Settings::clear,
-                          "As usual: 2 % of the object's radius"};
+                          "Default: 2 % of the object's radius"};
 constexpr LengthRow apart{Setting::apart,
                           "Keep apart",
-                          "Robots nearer to each other than this are too near",
-                          "Distance that robots keep apart",
+                          "Robots should be at least this far from each other",
+                          "Least distance between robots",
                           &Settings::apart,
-                          "As usual: 12 % of the object's radius"};
+                          "Default: 12 % of the object's radius"};
 
 constexpr Choice length_units[] = {{"no unit"}, {"m"}, {"cm"}, {"mm"}, {"in"}};
 constexpr Choice weight_units[] = {{"kg"}, {"t"}, {"N"}, {"lb"}};
@@ -76,7 +76,7 @@ void draw_survive(const Ui& ui) {
   Settings changed = settings(ui.state);
   const std::uint32_t most = std::min(most_survived, (std::max(changed.robots, 3u) - 3) / 2);
   const float width = labelled(
-      ui, "Survive", "So many robots may fail, whichever they are, and the object stays steady");
+      ui, "Survive", "The object should stay steady if any robots, up to this number, fail");
   const int by = stepper(ui, "survive", count_of(changed.survive, "failure", "failures"), width,
                          {.can_lower = changed.survive > 0,
                           .can_raise = changed.survive < most,
@@ -91,7 +91,7 @@ void draw_survive(const Ui& ui) {
 void draw_positions(const Ui& ui) {
   Settings changed = settings(ui.state);
   constexpr Choice positions[] = {{"Best", "one place for two edges, as in the thesis"},
-                                  {"Anywhere in the range", "wherever the ratio allows it"}};
+                                  {"Anywhere in the range", "wherever the minimum ratio is met"}};
   const float width = labelled(ui, "Positions", "Where on two edges a team may stand");
   const auto now = static_cast<std::size_t>(changed.positions);
   const auto chosen = dropdown(ui, "positions", "Positions", positions, now, width);

@@ -20,7 +20,7 @@ struct Overlay {
 };
 constexpr Overlay overlays[] = {
     {&Overlays::lifting_base, Swatch::hull, "Base",
-     "Lifting base H, the hull of all robots: no push down there tips it, if robots push back and none is overloaded (H)"},
+     "Lifting base H, the convex hull of the robots: no press down there tips it, if robots push back and none is overloaded (H)"},
     {&Overlays::chords, Swatch::chord, "Chords",
      "The two robots of a team and the line between them (C)"},
     {&Overlays::candidates, Swatch::candidate, "Candidates", "All chords that were compared (A)"},
@@ -29,9 +29,9 @@ constexpr Overlay overlays[] = {
     {&Overlays::counterclockwise, Swatch::counterclockwise, "Counter-clockwise",
      "Points about which it can still turn counter-clockwise, robots on corners not counted (L)"},
     {&Overlays::tipping, Swatch::tipping, "Tipping",
-     "How hard a push tips the object, and where (F)"},
-    {&Overlays::halo, Swatch::halo, "Halo",
-     "How far the centre of mass may be off before the object tips (Shift+C)"},
+     "The press down that tips the object, at each point (F)"},
+    {&Overlays::halo, Swatch::halo, "Tipping distance",
+     "How far the centre of mass may be off before the object tips, if robots push back and none is overloaded (Shift+C)"},
 };
 
 // Why this overlay is always empty for the method; null if it is not.
@@ -62,7 +62,7 @@ std::string about(const AppState& state, const Overlay& overlay) {
   if (!state.derived().placement || !is_empty(shown_placement(state), overlay))
     return overlay.about;
   const std::string text = overlay.about;
-  return text.substr(0, text.rfind(" (")) + ": here there are none" + text.substr(text.rfind(" ("));
+  return text.substr(0, text.rfind(" (")) + ": none here" + text.substr(text.rfind(" ("));
 }
 
 // The heat map's colours, and the forces between them.
@@ -74,7 +74,7 @@ void draw_heat_key(const Ui& ui) {
   const float each = width / bands, top = low.y + 20;
   float written = low.x - 4;  // end of the last number
   draw_text(list, Face::label, ImVec2(low.x, low.y), ui.theme.second_text,
-            "A push that tips it, in " + weight_unit(ui.state));
+            "Force that tips it, in " + weight_unit(ui.state));
   for (int i = 0; i < bands; ++i) {
     const float left = low.x + each * static_cast<float>(i);
     list.AddRectFilled(ImVec2(left, top), ImVec2(left + each - 1, top + 10),

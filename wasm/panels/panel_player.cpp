@@ -51,7 +51,7 @@ void draw_timeline(const Ui& ui, float width) {
       [&](double share) { return static_cast<double>(position_at(parts, share)); }};
   const double last = std::max(now.count, 2u) - 1;
   const SliderResult moved =
-      slider(ui, "timeline", "Step of the lesson", now.at, 0, last, 1, width, track);
+      slider(ui, "timeline", "Step of the walkthrough", now.at, 0, last, 1, width, track);
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const bool hovered = ImGui::IsItemHovered();
   draw_chapters(ui, low, high, parts.size());
@@ -134,7 +134,7 @@ void draw_leave(const Ui& ui, float size) {
     if (icon_button(ui, "leave", Icon::close, true, "Stop presenting (Esc)", size))
       ui.push(SetPresenting{false});
   } else if (!ui.layout.wide) {
-    if (icon_button(ui, "leave", Icon::close, true, "Leave the lesson (B)", size))
+    if (icon_button(ui, "leave", Icon::close, true, "Leave the walkthrough (B)", size))
       ui.push(CloseWalkthrough{});
   }
 }

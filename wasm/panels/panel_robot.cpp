@@ -20,12 +20,13 @@ namespace {
 
 constexpr LengthRow rows[] = {
     {Setting::robot_reach, "Reach",
-     "Of the arm, from the body's rim to where it touches the object", "Reach of a robot's arm"},
-    {Setting::robot_depth, "Hand's depth",
-     "How far the hand goes beneath the object, where it lifts", "Depth of a robot's hand"},
-    {Setting::robot_width, "Hand's width", "Along the edge; it must not stick out at a corner",
-     "Width of a robot's hand"},
-    {Setting::robot_gap, "Gap", "That stays free between two robots", "Gap between two robots"},
+     "Length of the arm, from the body's rim to the contact with the object",
+     "Reach of a robot's arm"},
+    {Setting::robot_depth, "Hand's depth", "How far the hand reaches under the object to lift it",
+     "Depth of a robot's hand"},
+    {Setting::robot_width, "Hand's width",
+     "Along the edge; the hand must not project past a corner", "Width of a robot's hand"},
+    {Setting::robot_gap, "Gap", "Free distance between two robots", "Gap between two robots"},
 };
 
 // Up to a tenth of the object, for which few places have room; the user can type more.
@@ -34,7 +35,7 @@ void draw_radius(const Ui& ui) {
   const double radius = changed.robot.radius, size = size_of_object(ui.state),
                coarse = first_length(size), most = std::floor(size / 10 / coarse) * coarse;
   const Units& units = shown(ui.state).units;
-  const float width = labelled(ui, "Radius", "Of the robot's round body"),
+  const float width = labelled(ui, "Radius", "Radius of the robot's round body"),
               number = units.length == LengthUnit::none ? 60.0f : 84.0f;
   const SliderResult moved = slider(ui, "radius", "Radius of a robot, as a slider",
                                     std::min(radius, most), 0, most, coarse / 10, width - number);
@@ -51,12 +52,12 @@ void draw_radius(const Ui& ui) {
 
 // Typed no-go edges, as an alternative to the brush.
 void draw_marks_row(const Ui& ui) {
-  const float width =
-      labelled(ui, "No-go edges", "Edges that must not be touched, such as 3,5:0.25-0.75; or none");
-  text_field(ui, "no go", "Edges that no robot may touch", "no_go",
-             no_go_text(settings(ui.state).no_go), width);
+  const float width = labelled(
+      ui, "No-go edges",
+      "Edges, or parts of them, that robots must not touch, such as 3,5:0.25-0.75; or none");
+  text_field(ui, "no go", "No-go edges", "no_go", no_go_text(settings(ui.state).no_go), width);
   const bool marks = ui.state.view.tool == Tool::mark;
-  if (flat_button(ui, "mark edges", marks ? "Done with marking" : "Mark them with a brush",
+  if (flat_button(ui, "mark edges", marks ? "Finish marking" : "Mark no-go parts",
                   ImGui::GetContentRegionAvail().x))
     action(ActionId::mark).run(ui.state, ui.commands);
 }
@@ -70,7 +71,7 @@ std::string left_in_words(const Placement& placement) {
     all += length(placement.polygon.edge_end(edge) - placement.polygon.edge_start(edge));
   for (const UnusablePart& part : placement.stands->unusable())
     lost += part.part.to - part.part.from;
-  if (lost == 0) return marked + "All of the boundary can be used.";
+  if (lost == 0) return marked + "The whole boundary can be used.";
   return marked + percentage(std::clamp(1 - lost / all, 0.0, 1.0)) +
          " of the boundary can be used. Point at the rest to see why not.";
 }

@@ -33,16 +33,15 @@ void draw_method(const Ui& ui) {
 // Why the minimum load ratio has no effect; null if it has one.
 const char* why_no_ratio(Method method) {
   if (method == Method::balanced)
-    return "Balanced robots can all bear the same: the ratio is always 1";
+    return "Balanced robots can all carry the same load: the ratio is always 1";
   return selects_candidates(method)
              ? nullptr
-             : "This method places teams by direction, however evenly they share";
+             : "This method places teams by direction, whatever their load ratio";
 }
 
 void draw_ratio(const Ui& ui) {
   Settings changed = settings(ui.state);
-  constexpr const char* about =
-      "How evenly the two robots of a team must share; 1 is perfectly even";
+  constexpr const char* about = "The least load ratio of a team's two robots; 1 is even";
   const char* why_not = why_no_ratio(changed.method);
   const float width = labelled(ui, "Min. load ratio", why_not ? why_not : about), number = 44;
   const SliderResult moved = slider(ui, "ratio", "Minimum load ratio, as a slider",
@@ -60,7 +59,7 @@ void draw_ratio(const Ui& ui) {
 
 void draw_weight(const Ui& ui) {
   Settings changed = settings(ui.state);
-  const float width = labelled(ui, "Weight", "Of the whole object");
+  const float width = labelled(ui, "Weight", "Weight of the whole object");
   const std::string label = "Weight in " + weight_unit(ui.state);
   const int by = stepper(ui, "weight", given_weight(changed.weight, shown(ui.state).units), width,
                          {.can_lower = changed.weight > 1e-3,
@@ -88,9 +87,8 @@ void draw_seed(const Ui& ui) {
 }
 
 void draw_centre(const Ui& ui) {
-  const float width =
-      labelled(ui, "Centre of mass",
-               "Drag it in the drawing, or type x and y; if nothing is set, it is the centroid");
+  const float width = labelled(
+      ui, "Centre of mass", "Drag it in the drawing, or type x and y; the default is the centroid");
   const bool own = ui.state.work.document().centre_of_mass.has_value();
   const float reset = own ? ui.control() : 0;
   const std::string value =
@@ -110,13 +108,13 @@ void draw_centre(const Ui& ui) {
 void draw_reset(const Ui& ui, float width) {
   ImGui::SameLine(0, 8);
   if (flat_button(ui, "reset robots", "Reset", width)) ui.push(ResetRobots{});
-  if (ImGui::IsItemHovered()) tip(ui, "Back to the places that were found");
+  if (ImGui::IsItemHovered()) tip(ui, "Put all robots back where the method placed them");
 }
 
 void draw_robots_stepper(const Ui& ui) {
   Settings changed = settings(ui.state);
   const float width =
-      labelled(ui, "Robots", "Any number, odd ones included; all of them can bear the same");
+      labelled(ui, "Robots", "Any number, even or odd; all robots can carry the same load");
   const float reset = by_hand(ui.state) ? 64.0f : 0.0f;
   const int by =
       stepper(ui, "robots", std::to_string(changed.robots), width - reset - (reset > 0 ? 8 : 0),
@@ -135,13 +133,13 @@ void draw_robots_stepper(const Ui& ui) {
 // The robots' goal, and the least margin of a hold.
 void draw_goal(const Ui& ui) {
   Settings changed = settings(ui.state);
-  constexpr Choice goals[] = {{"Cover", "most of the object inside the base"},
-                              {"Hold", "first of all a firm hold"}};
+  constexpr Choice goals[] = {{"Cover", "most of the object above the lifting base"},
+                              {"Hold", "a hold with the minimum margin first"}};
   const Goal now = goal_of(changed);
   const float width = labelled(ui, "Goal",
                                changed.method == Method::balanced
-                                   ? "What decides first between two sets of robots"
-                                   : "Whether teams are exchanged until they hold the object");
+                                   ? "Which comes first when sets of robots are compared"
+                                   : "Whether teams are swapped until they hold the object");
   const auto chosen = dropdown(ui, "goals", "Goal", goals, static_cast<std::size_t>(now), width);
   if (chosen && *chosen != static_cast<std::size_t>(now)) {
     changed.goal.reset();  // the default goal need not be kept
@@ -150,7 +148,8 @@ void draw_goal(const Ui& ui) {
     ui.push(SetSettings{changed});
   }
   if (now != Goal::hold) return;
-  const float beside = labelled(ui, "Min. margin", "A hold with this margin is firm enough");
+  const float beside =
+      labelled(ui, "Min. margin", "A hold with at least this margin meets the goal");
   const int by = stepper(ui, "min margin", plain(changed.min_margin), beside,
                          {.can_lower = changed.min_margin > 0,
                           .can_raise = changed.min_margin < 1,

@@ -79,7 +79,7 @@ void draw_close_button(const Ui& ui) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - ui.control() - 8;
   ImGui::SetCursorScreenPos(ImVec2(right, ImGui::GetWindowPos().y + 8 - ImGui::GetScrollY()));
-  if (icon_button(ui, "leave", Icon::close, true, "Leave the lesson (B)", ui.control()))
+  if (icon_button(ui, "leave", Icon::close, true, "Leave the walkthrough (B)", ui.control()))
     ui.push(CloseWalkthrough{});
   ImGui::SetCursorScreenPos(at);
 }

@@ -30,7 +30,7 @@ Verdict of_placement(const AppState& state) {
   std::string detail =
       (tips.empty() ? tips : tips + " ") + detail_in_words({placement, shown(state)});
   if (!placement.teams.empty() && !placement.goal_reached)
-    detail += " So the goal, to hold, is not reached.";
+    detail += " So the goal to hold is not reached.";
   return {good ? Mood::good : Mood::not_quite,
           loads_in_words({placement, shown(state)}, state.derived().outlook.model,
                          state.derived().outlook.loads),
@@ -41,7 +41,7 @@ Verdict of_failure(const AppState& state, const Failure& failure) {
   const bool teams = failure.placement.settings.method != Method::balanced;
   return {mood_of(state, failure.rest), failure_words(state, failure.robot),
           rest_in_words({failure.placement, shown(state)}) +
-              (teams ? " The discs number the robots, not the teams, while one fails." : "")};
+              (teams ? " While one fails, the discs show robot numbers, not team numbers." : "")};
 }
 
 const char* press_word(const AppState& state) {
@@ -51,30 +51,30 @@ const char* press_word(const AppState& state) {
 Verdict of_measuring(const AppState& state) {
   return {Mood::drawing, "Two points set the scale.",
           std::string(press_word(state)) +
-              " two points of the picture, then type how far apart they are."};
+              " two points of the picture, then type the distance between them."};
 }
 
 Verdict of_drawing(const AppState& state) {
   const std::size_t n = state.view.drawing.points.size();
   const std::string press = press_word(state);
-  if (n == 0) return {Mood::drawing, "Draw a shape.", press + " where its first vertex is."};
+  if (n == 0) return {Mood::drawing, "Draw a shape.", press + " to place its first vertex."};
   const auto crossed = crossings(state.view.drawing.points);
   return {Mood::drawing, count_of(n, "vertex", "vertices") + " so far.",
           !crossed.empty() ? "Edges " + std::to_string(crossed.front().first + 1) + " and " +
                                  std::to_string(crossed.front().second + 1) +
-                                 " cross. Move a vertex, or take it back."
+                                 " cross. Move a vertex, or remove the last one."
           : n < 3 ? "A shape needs at least three."
           : state.view.drawing.refusal
-              ? "It cannot be closed as it is: " + sentence(*state.view.drawing.refusal) +
-                    ". Move a vertex, or take it back."
-              : press + " the first one to close the shape."};
+              ? "It cannot be closed yet: " + sentence(*state.view.drawing.refusal) +
+                    ". Move a vertex, or remove the last one."
+              : press + " the first vertex to close the shape."};
 }
 
 // The places of the balanced robots.
 std::string balanced_in_words(const Placement& placement) {
   std::string text = " " + count_of(count_robots(placement.teams), "robot", "robots") + " of " +
                      std::to_string(placement.settings.robots) +
-                     " asked for, method balanced, goal " +
+                     " requested, method balanced, goal " +
                      std::string(name(goal_of(placement.settings))) + ".";
   if (placement.teams.empty()) return text;
   const TeamInWords team = team_in_words(placement, 0, coordinate_decimals(placement.vertices()));
@@ -139,8 +139,8 @@ std::string overload_in_brief(const AppState& state) {
   const bool wanted = state.derived().placement && !state.derived().refusal &&
                       state.view.tool != Tool::draw && !failing(state) && is_overloaded(state);
   if (!wanted) return {};
-  return "A robot can carry " + given_weight(*shown(state).capacity, shown(state).units) +
-         ": not enough. ";
+  return "A capacity of " + given_weight(*shown(state).capacity, shown(state).units) +
+         " is too low. ";
 }
 
 std::string model_words(const AppState& state) {
@@ -190,10 +190,11 @@ Verdict verdict(const AppState& state) {
   v.searching = state.derived().search.under_way && !state.derived().placement->search_ended;
   const bool waits = state.work.edit_open && !state.derived().placement->search_ended &&
                      settings(state).method == Method::balanced;
-  if (waits && !v.searching) v.detail += " Better places are looked for when you let go.";
+  if (waits && !v.searching) v.detail += " The search for better places begins when you let go.";
   if (v.searching)
-    v.detail += state.derived().placement->teams.empty() ? "They are being looked for."
-                                                         : " Better places are being looked for.";
+    v.detail += state.derived().placement->teams.empty()
+                    ? "The search is under way."
+                    : " The search for better places continues.";
   return v;
 }
 
@@ -205,8 +206,8 @@ std::string presumed_in_words(const AppState& state) {
   if (failing(state))
     return "Loads are those of equally stiff and level robots; a sudden failure can double their "
            "change for a moment";
-  return "Loads presume controlled forces; not to tip presumes robots that push back (stiff, or "
-         "held at height), none overloaded";
+  return "Loads assume controlled forces; stability assumes robots that push back (stiff, or at a "
+         "fixed height) and no overload";
 }
 
 std::string summary(const AppState& state) {
@@ -223,8 +224,8 @@ std::string summary(const AppState& state) {
   const Settings& settings = placement.settings;
   if (settings.method == Method::balanced) return text + balanced_in_words(placement);
   text += " " + count_of(placement.teams.size(), "team", "teams") + " of " +
-          std::to_string(placement.requested_teams) + " asked for, method " +
-          std::string(name(settings.method)) + ", minimum load ratio " + plain(settings.min_ratio) +
+          std::to_string(placement.requested_teams) + " requested, method " +
+          method_in_words(settings.method) + ", minimum load ratio " + plain(settings.min_ratio) +
           ".";
   // A list of a hundred teams would be too long to listen to; the JSON has them all.
   const std::size_t named = std::min<std::size_t>(placement.teams.size(), 12);
@@ -244,13 +245,13 @@ std::string weight_unit(const AppState& state) {
 
 std::string link_lacks_in_words(const AppState& state) {
   if (state.view.tool == Tool::draw && !state.view.drawing.points.empty())
-    return "The shape that you are drawing is not closed yet: the link holds the one before.";
+    return "The shape that you are drawing is not closed yet: the link holds the previous one.";
   if (state.derived().refusal)
-    return "The shape on the screen is refused: the link holds the last one that was not.";
+    return "The shape on the screen is refused: the link holds the last valid one.";
   std::string lacking;
   for (const auto& [lacks, what] :
-       {std::pair(state.view.load_model != LoadModel::plan, "which loads are shown"),
-        {failing(state) != nullptr, "that a robot fails"},
+       {std::pair(state.view.load_model != LoadModel::plan, "the choice of loads"),
+        {failing(state) != nullptr, "the failed robot"},
         {state.work.second_method.has_value(), "the comparison"}})
     if (lacks) lacking += (lacking.empty() ? "It does not hold " : ", nor ") + std::string(what);
   return lacking.empty() ? lacking : lacking + ".";
@@ -264,7 +265,8 @@ std::string news(const AppState& state) {
              std::to_string(vertices.size()) + ", " +
              point_in_words(vertices[*state.view.selected], coordinate_decimals(vertices)) + ".\n";
   if (state.view.tool == Tool::transform)
-    lines += "The whole shape is in hand: arrow keys move it, [ and ] turn it, { and } scale it.\n";
+    lines +=
+        "The whole shape is selected: arrow keys move it, [ and ] turn it, { and } scale it.\n";
   if (state.view.tool == Tool::draw) lines += news_of_drawing(state);
   // Elsewhere a notice reports it.
   const bool bar = state.view.tool != Tool::parts || state.view.selected;
@@ -276,11 +278,11 @@ std::string news(const AppState& state) {
                                       {&Overlays::clockwise, "free clockwise turns"},
                                       {&Overlays::counterclockwise, "free counter-clockwise turns"},
                                       {&Overlays::tipping, "the force that tips"},
-                                      {&Overlays::halo, "how far the centre of mass may be off"}})
+                                      {&Overlays::halo, "the tipping distance"}})
     lines += (shown(state).overlays.*overlay ? "Shown: " : "Hidden: ") + std::string(name) + ".\n";
   if (state.work.second_method)
     lines +=
-        "Compared with " + std::string(name(*state.work.second_method)) +
+        "Compared with " + method_in_words(*state.work.second_method) +
         (state.derived().second ? ": " +
                                       loads_in_words({*state.derived().second, shown(state)},
                                                      state.derived().second_outlook.model,

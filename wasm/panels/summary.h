@@ -12,8 +12,8 @@ enum class Mood : std::uint8_t { good, not_quite, falls, refused, drawing };
 
 struct Verdict {
   Mood mood = Mood::good;
-  std::string headline;  // "6 robots carry 15.2–18.1 kg each (100 kg in all)."
-  std::string detail;    // "A push down on 81 % of the object does not tip it. It can still slide."
+  std::string headline;    // "6 robots carry 15.2–18.1 kg each (100 kg in all)."
+  std::string detail;      // "81 % of the object can be pressed down on without tipping it. …"
   bool searching = false;  // balanced robots may still change
 };
 

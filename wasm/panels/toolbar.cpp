@@ -130,7 +130,7 @@ void draw_toolbar(const Ui& ui) {
 void draw_zoom(const Ui& ui) {
   const std::string zoom = zoom_in_words(ui.state);
   const auto [low, high, pressed, hovered] = pressable_row(
-      ui, "zoom", zoom + ": show all of the object", static_cast<float>(zoom_width), ui.control());
+      ui, "zoom", zoom + ": show the whole object", static_cast<float>(zoom_width), ui.control());
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (hovered) list.AddRectFilled(low, high, ui.theme.panel_line.packed(), 7);
   const ImVec2 text = text_size(Face::label, zoom);

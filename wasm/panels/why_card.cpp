@@ -103,8 +103,8 @@ void draw_buttons(const Ui& ui, const Explanation& explanation, bool in_a_row) {
   const bool can_fail = explanation.robot && !walkthrough_is_open(ui.state);
   const float width = ImGui::GetContentRegionAvail().x, half = (width - gap) / 2;
   const bool beside = in_a_row && can_fail && explanation.step;
-  const char* lesson = "Show in the lesson";
-  if (beside && text_size(Face::text, lesson).x + padding > half) lesson = "In the lesson";
+  const char* lesson = "Show in walkthrough";
+  if (beside && text_size(Face::text, lesson).x + padding > half) lesson = "Walkthrough";
   if (can_fail) draw_fail_button(ui, *explanation.robot, beside ? half : width);
   if (beside) ImGui::SameLine(0, gap);
   if (explanation.step && flat_button(ui, "show in lesson", lesson, beside ? half : width))

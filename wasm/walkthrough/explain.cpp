@@ -109,10 +109,11 @@ void explain_balanced(Explanation& explanation, const ShownPlacement& of, const 
       {"It carries", load + " of " + given_weight(placement.settings.weight, units)});
   explanation.rows.push_back({"Each of the others", load});
   explanation.rows.push_back({"It stands at", words.at[robot]});
-  explanation.reason = "The centre of mass is the centroid of the " + std::to_string(all) +
-                       " robots. So equal forces at them add up to the weight and do not turn the "
-                       "object: all robots can bear the same, and do so if they are equally stiff "
-                       "and level.";
+  explanation.reason =
+      "The centre of mass is the centroid of the " + std::to_string(all) +
+      " robots. Equal forces at them therefore add up to the weight and do not "
+      "turn the object. So all robots can carry the same load, and they do if they "
+      "are equally stiff and level.";
 }
 
 void explain_candidate(Explanation& explanation, const ShownPlacement& of, const Pick& pick,

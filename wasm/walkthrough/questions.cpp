@@ -115,7 +115,7 @@ void ask(AppState& state, std::uint32_t step) {
 void set_predict(AppState& state, bool on) {
   if (on == state.view.walkthrough.predict) return;
   if (on && !asks_anything(state))
-    return show(state, {Notice::Kind::info, "No step of this lesson has a choice to predict."});
+    return show(state, {Notice::Kind::info, "No step here has a choice to predict."});
   if (on) state.view.walkthrough.guesses = {};
   state.view.walkthrough.predict = on;
   show_step_again(state);  // a challenge shows less of some steps

@@ -124,10 +124,9 @@ void tell_in_other_units(AppState& state) {
 
 std::optional<InputError> check_step(std::uint32_t step, const Trace& trace) {
   if (step < trace.size()) return std::nullopt;
-  return InputError{
-      ErrorCode::bad_setting,
-      "must be less than " + std::to_string(trace.size()) + ", the number of steps of this lesson",
-      {Place::Kind::option, 0, 0, "step"}};
+  return InputError{ErrorCode::bad_setting,
+                    "must be less than " + std::to_string(trace.size()) + ", the number of steps",
+                    {Place::Kind::option, 0, 0, "step"}};
 }
 
 void follow_trace(AppState& state) {
@@ -159,9 +158,8 @@ void follow_trace(AppState& state) {
   if (resumes) return enter(state, shown_step(walk, std::min(*wanted, last)));
   enter(state, *wanted);
   if (*wanted <= last) return;
-  show(state,
-       {Notice::Kind::problem, "This lesson has no step " + std::to_string(*wanted + 1) +
-                                   ": it is at its last, " + std::to_string(last + 1) + "."});
+  show(state, {Notice::Kind::problem, "This lesson has no step " + std::to_string(*wanted + 1) +
+                                          ": this is its last, " + std::to_string(last + 1) + "."});
 }
 
 void open_walkthrough(AppState& state, std::optional<std::uint32_t> at) {

@@ -25,7 +25,7 @@ std::string left_out_in_words(const AppState& state) {
     return number + (more == 1 ? " more team is" : " more teams are") +
            " chosen like this before the last: “All steps” shows them.";
   if (step.kind == StepKind::exchange)
-    return number + (more == 1 ? " smaller exchange is" : " smaller exchanges are") +
+    return number + (more == 1 ? " smaller swap is" : " smaller swaps are") +
            " left out here: “All steps” shows them.";
   if (step.kind == StepKind::start)
     return number + (more == 1 ? " smaller set is" : " smaller sets are") +

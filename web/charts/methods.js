@@ -5,7 +5,7 @@ export const methods = {
   area: { words: "area", sign: "circle", dashes: "none" },
   circle: { words: "circle", sign: "square", dashes: "6 3" },
   distance: { words: "distance", sign: "triangle", dashes: "2 3" },
-  distributed: { words: "distributed (equal angles)", sign: "diamond", dashes: "none" },
+  distributed: { words: "equal angles", sign: "diamond", dashes: "none" },
   random: { words: "random", sign: "times", dashes: "8 3 2 3" },
   balanced: { words: "balanced", sign: "star", dashes: "none" },
 };

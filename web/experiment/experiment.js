@@ -13,7 +13,7 @@ const manyPolygons = { weight: 100, weightUnit: "kg", mostTeams: 1000 };
 function withoutTeams({ figures }) {
   if (figures.some(({ series }) => series.some(({ method }) => method !== "balanced"))) return "";
   return (
-    "No chord through the centre of mass is this even: the algorithm can place no team here, " +
+    "No chord through the centre of mass meets this minimum load ratio: the algorithm can place no team here, " +
     (figures.length > 0
       ? "so only balanced robots were measured."
       : "and there are no balanced robots either, so nothing was measured.")
@@ -63,7 +63,7 @@ class ExperimentWindow {
     this.problem = problemLine();
     this.start = button("Compare", { class: "button primary", onclick: () => this.#run() });
     this.cancel = button("Cancel", { onclick: () => this.#stop?.abort(new DOMException("cancelled", "AbortError")) });
-    this.bar = el("progress", { "aria-label": "How much is measured", max: "1", value: "0" });
+    this.bar = el("progress", { "aria-label": "Progress of the measurement", max: "1", value: "0" });
     this.now = el("p", { class: "second" });
     this.said = el("p", { class: "second said", role: "status" });
     this.running = el(
@@ -131,7 +131,7 @@ class ExperimentWindow {
       value: "30",
       inputmode: "numeric",
     });
-    this.mostLabel = el("label", {}, "Most teams ", this.most);
+    this.mostLabel = el("label", {}, "Max. teams ", this.most);
     // Numbers up to 12, as `evenlift experiment` measures them, take five times as long as numbers up to 8.
     this.balanced = el("input", {
       class: "field",
@@ -159,14 +159,14 @@ class ExperimentWindow {
       el(
         "p",
         {},
-        "Loads, coverage and form closure by every method, with every number of robots: on this polygon, or averaged over many, as in chapter 5 of the thesis. It is computed here; nothing is sent anywhere.",
+        "Loads, coverage and form closure by every method, with every number of robots: on this polygon, or averaged over many, as in chapter 5 of the thesis. Everything is computed here; nothing is sent anywhere.",
       ),
       el(
         "fieldset",
         {},
         el("legend", {}, "Polygons"),
         choice("this", "This polygon"),
-        choice("samples", "All samples, some with their centre of mass moved"),
+        choice("samples", "All samples, some with a moved centre of mass"),
         choice("thesis", "A set like the thesis’s"),
         choice("files", this.own),
         this.choose,
@@ -179,7 +179,7 @@ class ExperimentWindow {
         el("label", {}, "Random placements of each polygon ", this.samples),
         this.ratioLabel,
         this.mostLabel,
-        el("label", {}, "Most balanced robots ", this.balanced),
+        el("label", {}, "Max. balanced robots ", this.balanced),
         this.ownSettings,
         this.start,
       ),
@@ -233,16 +233,16 @@ class ExperimentWindow {
   async #plan() {
     const random = this.samples.valueAsNumber,
       mostBalanced = this.balanced.valueAsNumber;
-    const upTo = `Balanced robots are measured up to ${number(mostBalanced)}, since the search for more takes longer.`;
+    const upTo = `At most ${number(mostBalanced)} balanced robots are measured, since the search for more takes longer.`;
     if (this.#chosen === "this") {
       const { minRatio, weight, weightUnit, points } = this.#polygon;
-      const asPoints = points ? "" : " Robots count as points here: their size and the marked edges are left out.";
+      const asPoints = points ? "" : " Robots count as points here: their size and no-go edges are ignored.";
       return {
         tasks: thisPolygon(this.#polygon),
         what: "methods",
         of: this.#polygon,
         settings: { minRatio, samples: random, weight, weightUnit, mostTeams: this.most.valueAsNumber, mostBalanced },
-        caption: `This polygon at a minimum load ratio of ${minRatio} and a weight of ${number(weight)} ${weightUnit}, with as many teams as there are candidates, ${number(this.most.valueAsNumber)} at most.${asPoints} ${upTo}`,
+        caption: `This polygon at a minimum load ratio of ${minRatio} and a weight of ${number(weight)} ${weightUnit}, with up to one team for each candidate, at most ${number(this.most.valueAsNumber)}.${asPoints} ${upTo}`,
       };
     }
     const tasks = await { samples, thesis: thesisLike, files: async () => ownFiles(this.#files) }[this.#chosen]();
@@ -263,7 +263,7 @@ class ExperimentWindow {
     this.problem.say("");
     this.said.textContent = "";
     this.#toggle(true);
-    this.now.textContent = "Getting ready …";
+    this.now.textContent = "Preparing …";
     this.bar.removeAttribute("value");
     let partly = false;
     try {
@@ -274,7 +274,7 @@ class ExperimentWindow {
         signal: stop.signal,
         partly: async (some) => {
           if (some.figures.length === 0) return;
-          kept = { outputs: some, caption: `${caption} They are still missing.`, of };
+          kept = { outputs: some, caption: `${caption} Their results are still missing.`, of };
           await this.#show();
           if (!partly) reveal(this.results);
           partly = true;
@@ -324,7 +324,7 @@ class ExperimentWindow {
       );
     this.footer.replaceChildren(
       save("Measurements (CSV)", outputs.measurements, "measurements", "Save every measurement"),
-      ...(of ? [] : [save("Averages (CSV)", outputs.aggregates, "averages", "Save what the charts show")]),
+      ...(of ? [] : [save("Averages (CSV)", outputs.aggregates, "averages", "Save the numbers of the charts")]),
     );
     this.#charts = await showResults(this.results, outputs, (of && withoutTeams(outputs)) || caption);
   }

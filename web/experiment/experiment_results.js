@@ -37,7 +37,7 @@ function claims({ claims: { sets, rows } }) {
     el(
       "details",
       { class: "claims" },
-      el("summary", {}, "Against the thesis: what its chapter 5 states, and these polygons"),
+      el("summary", {}, "Against the thesis: the statements of its chapter 5, and these polygons"),
       wide(
         "Against the thesis",
         el(
@@ -80,7 +80,7 @@ function fewRobotsTable(what, rows) {
       el(
         "table",
         { class: "numbers" },
-        el("thead", {}, el("tr", {}, ...["robots", ...Object.keys(methods)].map(head))),
+        el("thead", {}, el("tr", {}, ...["robots", ...Object.values(methods).map(({ words }) => words)].map(head))),
         el(
           "tbody",
           {},
@@ -101,7 +101,7 @@ function fewRobots({ few_robots: sets }) {
       el(
         "summary",
         {},
-        `${sets.length > 1 ? `${set}: ` : ""}3 to 12 robots, odd numbers of balanced ones included, as numbers`,
+        `${sets.length > 1 ? `${set}: ` : ""}3 to 12 robots in numbers, including odd numbers of balanced robots`,
       ),
       el(
         "div",
@@ -133,7 +133,7 @@ export async function showResults(into, outputs, caption) {
       el(
         "p",
         { class: "problem" },
-        "The charts are missing: this page was built without what draws them. Their numbers are below.",
+        "The charts are missing: this page was built without the library that draws them. Their numbers are below.",
       ),
     );
     return [];

@@ -12,7 +12,7 @@ async function textOf(file) {
   const text = await file.text().catch(() => {
     throw new Error("it cannot be read");
   });
-  if (text.includes("\0")) throw new Error("it is not a text");
+  if (text.includes("\0")) throw new Error("it is not text");
   return text;
 }
 
@@ -26,7 +26,7 @@ export function thisPolygon({ text }) {
   return Object.keys(methods).map((method) => ({
     set: "",
     name: "this-polygon",
-    title: method,
+    title: methods[method].words,
     method,
     read: async () => text,
   }));

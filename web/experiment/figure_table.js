@@ -1,4 +1,5 @@
 // A table of the numbers in a figure of an experiment, with a row for each number of robots and a column for each method.
+import { methods } from "../charts/methods.js";
 import { inDigits } from "../charts/numbers.js";
 import { el } from "../kit/elements.js";
 
@@ -24,7 +25,9 @@ export function figureTable(figure) {
       el(
         "tr",
         {},
-        ...["robots", ...figure.series.map(({ method }) => method)].map((name) => el("th", { scope: "col" }, name)),
+        ...["robots", ...figure.series.map(({ method }) => methods[method].words)].map((name) =>
+          el("th", { scope: "col" }, name),
+        ),
       ),
     ),
     el(

@@ -21,6 +21,6 @@ export async function ask(url, options) {
     throw new Error("the server cannot be reached");
   }
   if (!answer.ok)
-    throw new Error(answer.status === 404 ? "the server does not have it" : `the server answers ${answer.status}`);
+    throw new Error(answer.status === 404 ? "the server does not have it" : `the server answered ${answer.status}`);
   return answer;
 }

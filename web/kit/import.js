@@ -13,7 +13,7 @@ export async function readShapes(text, tolerance = 0) {
   try {
     program = await reader();
   } catch {
-    return { problem: "What reads drawings and tables cannot be loaded: the server cannot be reached" };
+    return { problem: "The module that reads drawings and tables cannot be loaded: the server cannot be reached" };
   }
   const me = {};
   const read = () => {

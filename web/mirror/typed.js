@@ -64,16 +64,16 @@ export function typedProblem(typed, setting, own, isLength) {
       groups = digits.split(",").length;
     return groups > 2
       ? `“${text}” has commas between its digits: type ${whole}`
-      : `“${text}” may be ${whole} or ${digits.replace(",", ".")}: type it like one of these`;
+      : `“${text}” may mean ${whole} or ${digits.replace(",", ".")}: type one of these`;
   }
   const unknown = one.test(text) ? undefined : strange.exec(text)?.[1];
   if (unknown)
-    return `“${unknown}” is no unit that is known here: lengths are in m, cm, mm or in, and weights in kg, t, N or lb`;
+    return `“${unknown}” is not a unit that evenlift knows: lengths are in m, cm, mm or in, and weights in kg, t, N or lb`;
   const found = one.exec(text)?.slice(2) ?? twoWithUnits.exec(text)?.filter((_, i) => i === 2 || i === 4) ?? [];
   const from = found.find((each) => each && !(own && kindOf(each) === kindOf(own)) && each !== own);
   if (!from) return "";
   if (!own && isLength && kindOf(from).name === "length")
-    return `“${text}” has the unit ${from}, but lengths have none here: type the number alone, or choose their unit under More settings`;
+    return `“${text}” has the unit ${from}, but lengths have none here: type the number alone, or choose a unit of length under More settings`;
   if (!own) return `“${text}” has the unit ${from}, but this number has none: type the number alone`;
   return `“${text}” is a ${kindOf(from).name}, but this number is a ${kindOf(own).name} in ${own}`;
 }

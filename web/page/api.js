@@ -30,7 +30,7 @@ function lines(changes) {
   if (typeof changes !== "object" || changes === null) throw new Error("set() takes an object of settings");
   return Object.entries(changes)
     .map(([name, value]) => {
-      if (!/^\w+$/.test(name)) fail(name, "there is no such setting");
+      if (!/^\w+$/.test(name)) fail(name, "unknown setting");
       return `${name}=${written(name, value)}`;
     })
     .join("\n");
@@ -44,7 +44,7 @@ function throwIf(problem) {
 function loadLesson(program, text) {
   throwIf(unreadable(text));
   const sample = program.text("page_lesson_polygon", text);
-  if (sample) throw new Error(`load() opens lessons with a link: only; this one is about the sample “${sample}”`);
+  if (sample) throw new Error(`load() opens only lessons that have a link; this one is about the sample “${sample}”`);
   throwIf(program.text("page_open_lesson", text, "", 0));
 }
 

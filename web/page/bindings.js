@@ -204,7 +204,7 @@ export class Bindings {
     this.#publisher.notice(
       done
         ? `The link is copied. ${this.#aboutLink(url)}`
-        : "The browser did not let the page copy. The address bar holds the same link.",
+        : "The browser did not allow copying. The address bar holds the same link.",
       !done,
     );
   }
@@ -239,12 +239,12 @@ export class Bindings {
     const ownWords = this.#program.number("page_script") && !this.#publisher.lesson();
     const lacking = [
       this.#program.text("page_link_lacks"),
-      ownWords ? "It does not hold the words of this lesson: send its file, too." : "",
+      ownWords ? "It does not hold the words of this lesson: also send the lesson’s file." : "",
     ];
     const holds = lacking.filter(Boolean).join(" ") || "It holds the polygon and all settings.";
     const length = `It has ${url.length.toLocaleString("en")} characters`;
     if (url.length < longLink) return `${holds} ${length}.`;
-    return `${holds} ${length}: some programs cut links from ${longLink.toLocaleString("en")} on. The JSON file in Save holds the same.`;
+    return `${holds} ${length}: some programs cut links of ${longLink.toLocaleString("en")} or more. The JSON file in Save holds the same.`;
   }
 
   async #windows() {

@@ -16,14 +16,14 @@ const api = createApi();
 window.evenlift = api.evenlift;
 if (embed) document.documentElement.classList.add("figure", "guest"); // input.js
 
-const noWebAssembly = "This browser has no WebAssembly, or it is switched off. evenlift computes with it.";
-const noWebGl = "This browser offers no WebGL 2, or it is switched off. evenlift draws with it.";
+const noWebAssembly = "evenlift needs WebAssembly. This browser does not have it, or it is switched off.";
+const noWebGl = "evenlift draws with WebGL 2. This browser does not have it, or it is switched off.";
 const whereItRuns =
   "A current Firefox, Chrome, Edge or Safari with graphics acceleration switched on can run the page. " +
-  "The link in the address bar keeps everything: it opens there as it would have here.";
+  "The link in the address bar holds everything: there it opens the same document.";
 
 const cannotRun = ["The page cannot run here.", whereItRuns];
-const hasStopped = ["The page has stopped.", "Nothing that was drawn is lost. Load the page again to go on."];
+const hasStopped = ["The page has stopped.", "Nothing that was drawn is lost. Reload the page to continue."];
 
 function showProblem(reason, [heading, advice] = cannotRun) {
   document.getElementById("progress").hidden = true;
@@ -55,7 +55,7 @@ function followAddress(program, say, opened) {
 
 // A message about the link of the address, when the page shows something else in its place.
 function refusedAtStart(problem, { work } = {}) {
-  return `${refused(problem)} What you see is ${work ? "what was open here last" : "a sample"}.`;
+  return `${refused(problem)} The page shows ${work ? "the last document" : "a sample"} instead.`;
 }
 
 // The reason may name its place, which is the link.
@@ -104,7 +104,7 @@ async function startStill(program, publisher, bindings) {
   if (!still) throw new Error(noWebGl);
   program.onStop = (error) => {
     console.error(error);
-    showProblem("Something went wrong while the picture was drawn.", hasStopped);
+    showProblem("Something went wrong while drawing.", hasStopped);
   };
   publisher.keepNothing();
   publisher.holdLesson(true); // lessons need the canvas, and the address still names its own
@@ -210,7 +210,7 @@ async function start() {
 function startAnew(error, { opening, work }) {
   console.error(error);
   if (!embed && prepareRestart({ opening, work })) location.reload();
-  else showProblem("Something went wrong while the picture was drawn.", hasStopped);
+  else showProblem("Something went wrong while drawing.", hasStopped);
 }
 
 function fail(error) {

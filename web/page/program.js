@@ -19,7 +19,7 @@ export class Program {
   // the call the program handles all earlier clicks and keys, so that everything takes effect in the order in which it
   // was done.
   call(name, ...args) {
-    if (this.#stopped) throw new Error("The page stopped, and starts anew");
+    if (this.#stopped) throw new Error("The page stopped and is starting again");
     if (opening.includes(name)) this.onOpening(args[0]);
     return this.#guarded((module) => {
       if (name !== "page_frame") module._page_catch_up?.(); // a frame handles them itself
@@ -75,7 +75,7 @@ export class Program {
       return act(this.#module);
     } catch (error) {
       this.stop(error);
-      throw new Error("The page stopped, and starts anew", { cause: error });
+      throw new Error("The page stopped and is starting again", { cause: error });
     }
   }
 

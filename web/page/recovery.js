@@ -41,7 +41,7 @@ export function forgetAside() {
 
 // --- A start ---------------------------------------------------------------------------------------------------------
 
-const keptAside = "It is kept: Save has it as a file.";
+const keptAside = "It is kept: use Save to get it as a file.";
 
 // Checks by a lock whether another tab is starting at this moment: then a mark is that tab's, and not a failure. In a
 // browser without locks, two tabs that open at the same moment look like one that failed.
@@ -77,7 +77,7 @@ export async function beginStart(kept) {
       work,
       draft: "",
       drawing: "",
-      problem: `The page stopped when the last polygon was opened, so it is not opened again. ${keptAside}`,
+      problem: `The page stopped while opening the last polygon, so it was not opened again. ${keptAside}`,
     };
   }
   if (hasFailed(kept.fragment)) {
@@ -86,7 +86,7 @@ export async function beginStart(kept) {
     opens = {
       ...opens,
       fragment: "",
-      problem: `The page stopped when this link was opened, so it is not opened again. ${keptAside}`,
+      problem: `The page stopped while opening this link, so it was not opened again. ${keptAside}`,
     };
   }
   const opened = opens.fragment || opens.work;
@@ -140,7 +140,7 @@ export function prepareRestart({ opening, work }) {
   if (restarts > 0 && work) write(lasting, markKey, markOf(work));
   const aside = opening ? (setAside(opening) ? ` ${keptAside}` : " It is too large to be kept here.") : "";
   const sentence = opening
-    ? `The page stopped when this was opened, and has started anew with the last polygon that was shown.${aside}`
-    : "The page stopped, and has started anew with the last polygon that was shown.";
+    ? `The page stopped while opening this, and has started again with the last polygon that was shown.${aside}`
+    : "The page stopped, and has started again with the last polygon that was shown.";
   return write(ofThisTab, stoppedKey, JSON.stringify({ restarts: restarts + 1, sentence }));
 }

@@ -83,7 +83,7 @@ function followContext(program, canvas) {
     begin();
     program.call("page_context", 1);
     progress.textContent =
-      "The connection to the graphics processor was lost. The drawing comes back by itself; nothing is lost.";
+      "The connection to the graphics processor was lost. The drawing will return by itself; nothing is lost.";
     cover.classList.add("see-through");
     cover.classList.remove("done");
   });

@@ -6,7 +6,7 @@ const betweenNews = 100;
 const turn = () => new Promise((done) => setTimeout(done));
 
 export async function search(program, { polygon, settings, robots }, { slice, goesOn, found }) {
-  if (!program.number("balanced_begin", polygon, settings, robots)) throw new Error("the search cannot be begun");
+  if (!program.number("balanced_begin", polygon, settings, robots)) throw new Error("the search cannot begin");
   let told = robots;
   let toldAt = performance.now();
   for (let ended = false; !ended;) {

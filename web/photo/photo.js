@@ -28,7 +28,7 @@ export async function layBehind(page, file) {
         ? `It has ${number(Math.ceil(pixels / 1e6))} megapixels, more than the 50 that can be shown`
         : "";
     },
-    () => "It is damaged, or no picture that this browser can show",
+    () => "It is damaged, or this browser cannot show it",
   );
   if (problem) {
     URL.revokeObjectURL(url);
@@ -47,7 +47,7 @@ export async function layBehind(page, file) {
   page.program.call("page_backdrop", left, bottom, unit * image.naturalWidth, unit * image.naturalHeight);
   closeWindows();
   await openControls(page);
-  page.announce(`“${file.name}” lies behind the drawing, to be traced. A card has its scale and opacity.`);
+  page.announce(`“${file.name}” is behind the drawing for tracing. A card sets its scale and opacity.`);
 }
 
 const worldAt = (program, x, y) => [program.number("page_world_x", x, y), program.number("page_world_y", x, y)];
@@ -91,7 +91,7 @@ function scaleTo(page, label, pixels, length) {
   if (problem) page.notice(`${label}: ${problem}.`, true);
   else
     page.notice(
-      `The picture is now ${number(tidy(width))}${unit ? ` ${unit}` : ""} wide. What is traced on it goes with it.`,
+      `The picture is now ${number(tidy(width))}${unit ? ` ${unit}` : ""} wide. Shapes traced on it are scaled with it.`,
       false,
     );
   return !problem;
@@ -242,8 +242,12 @@ async function openControls(page) {
       el(
         "p",
         {},
-        `“${photo.name}” lies behind the drawing. `,
-        el("span", { class: "second" }, "It stays on this device, is in no link or file, and is gone with this page."),
+        `“${photo.name}” is behind the drawing. `,
+        el(
+          "span",
+          { class: "second" },
+          "It stays on this device, is in no link or file, and is gone when this page is closed.",
+        ),
       ),
       el(
         "div",
@@ -273,7 +277,7 @@ export function photoLine(page) {
     el(
       "p",
       { class: "row second" },
-      `“${photo.name}” lies behind the drawing.`,
+      `“${photo.name}” is behind the drawing.`,
       button("Change …", {
         onclick: () => {
           closeWindows();

@@ -33,7 +33,7 @@ export async function showStill(program, { missing, save }) {
         el(
           "div",
           { class: "missing" },
-          el("strong", {}, "This picture stands still."),
+          el("strong", {}, "This is a still picture."),
           ...missing.map((text) => el("p", {}, text)),
         ),
         ...(save ? [button("Save", { onclick: save }, "save")] : []),

@@ -26,7 +26,7 @@ export async function show(page) {
   const more = el(
     "details",
     { ontoggle: () => more.open && fill(licences) },
-    el("summary", {}, "Licences of what is in it"),
+    el("summary", {}, "Licences of its components"),
     licences,
   );
   const root = await openWindow({
@@ -39,23 +39,23 @@ export async function show(page) {
         el(
           "p",
           {},
-          "evenlift finds where teams of robots should stand round a flat object so that they lift it together, each with nearly the same load. Robots work in pairs, one on each side of the centre of mass; pairs are chosen so that the loads are even and the lifting base is wide. It also says whether the robots' contact alone keeps the object from sliding and turning.",
+          "evenlift decides where teams of robots stand around a flat object so that they lift it together, each with nearly the same load. The two robots of a team stand on opposite sides of the centre of mass. Teams are chosen so that the loads are even and the lifting base is wide. evenlift also finds out whether the robots' contacts alone keep the object from sliding and turning.",
         ),
         el(
           "p",
           {},
           "It implements the thesis ",
           el("cite", {}, "A Weight-Distributing Placement Algorithm for Large Teams of Lifting Robots"),
-          ". All of it is computed here in the browser: nothing that you draw is sent anywhere.",
+          ". Everything is computed here in the browser: nothing that you draw is sent anywhere.",
         ),
-        el("h3", {}, "To read"),
+        el("h3", {}, "Further reading"),
         el("ul", { class: "plain" }, ...docs.map(([file, title]) => el("li", {}, link(file, title)))),
         el("h3", {}, "Version and licence"),
         el(
           "p",
           {},
           version,
-          "MIT licence: use it, change it and pass it on, with its notice. The source comes with the project that this page was built from; its README says how to build the page and the program for the command line.",
+          "MIT licence: use it, change it and pass it on, with its notice. The source is in the project from which this page was built. Its README explains how to build the page and the command-line program.",
         ),
         more,
       ),

@@ -110,7 +110,7 @@ function fill(program, list, samples, choose) {
         ),
       ),
     ),
-    el("p", { class: "second nothing", hidden: true }, "No sample has that name."),
+    el("p", { class: "second nothing", hidden: true }, "No sample matches."),
   );
 }
 

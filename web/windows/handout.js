@@ -59,11 +59,7 @@ export async function show(page) {
   const link = program.text("page_link");
   const title = lesson ? titleOf(lesson.text) : "The algorithm step by step";
   const problem = problemLine();
-  const pages = el(
-    "div",
-    { class: "pages" },
-    el("p", { class: "second", role: "status" }, "The pictures are being drawn …"),
-  );
+  const pages = el("div", { class: "pages" }, el("p", { class: "second", role: "status" }, "Drawing the pictures …"));
   const print = button("Print …", { class: "button primary", disabled: true, onclick: () => globalThis.print() });
   const root = await openWindow({
     name: "handout",
@@ -77,8 +73,8 @@ export async function show(page) {
           "p",
           { class: "second" },
           lesson
-            ? "It shows the steps of the lesson that is open."
-            : "It shows the main steps for the polygon that is open. To print a lesson, open it first.",
+            ? "It shows the steps of the open lesson."
+            : "It shows the main steps for the open polygon. To print a lesson, open it first.",
         ),
         print,
       ),
@@ -86,7 +82,7 @@ export async function show(page) {
   });
   if (!root) return;
   try {
-    if (!link) throw new Error(`there is no link of this polygon: ${program.text("page_link_problem")}`);
+    if (!link) throw new Error(`this polygon has no link: ${program.text("page_link_problem")}`);
     const handout = (await handoutModule()).json("handout_steps", link, lesson?.text ?? "");
     if (handout.problem) throw new Error(handout.problem);
     const figures = handout.steps.map((step) => figureOf(handout, step));

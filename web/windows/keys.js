@@ -35,7 +35,7 @@ export async function show(page) {
     spellcheck: "false",
   });
   const count = el("p", { class: "for-readers", role: "status" });
-  const none = el("p", { class: "second", hidden: true }, "No key does that.");
+  const none = el("p", { class: "second", hidden: true }, "No key matches.");
   const sections = groups
     .filter((group) => all.some((row) => row.group === group))
     .map((group) =>

@@ -14,13 +14,13 @@ const pause = 350; // ms after the last letter
 
 // The first steps of a template, for any method: it keeps those that the algorithm takes.
 const firstSteps = [
-  ["centre", "What is to be seen here? Ask before you tell."],
+  ["centre", "What should they notice here? Ask before you explain."],
   ["vertex 1", "A chord from the first vertex through C."],
-  ["directions", "Directions that are parted evenly, one for each team."],
-  ["candidates", "All chords that are even enough."],
-  ["team 1", "The first team, and why it is this one."],
-  ["lever", "Two robots, and what each of them bears."],
-  ["rest", "Some robots stand. Where must the others stand, so that all can bear the same?"],
+  ["directions", "Directions at equal angles, one for each team."],
+  ["candidates", "All chords that meet the minimum ratio."],
+  ["team 1", "The first team, and why this one was chosen."],
+  ["lever", "Two robots, and the load of each."],
+  ["rest", "Some robots have their places. Where must the others stand so that all can carry the same load?"],
   ["start 1", "The first robots whose centroid is C."],
   ["end", "What should they remember?"],
 ];
@@ -30,7 +30,7 @@ const inText = (steps) => steps.map(([address, words]) => `[${address}]\n${words
 // A lesson to begin with: about the open polygon, unless its link is long.
 function template(program) {
   const link = program.text("page_link");
-  const begin = `# Lines that begin with # are for those who write.
+  const begin = `# Lines that begin with # are notes for the author.
 title: My lesson
 `;
   const own = link && link.length < 2000;
@@ -39,12 +39,12 @@ title: My lesson
   const ofSample = new Set(["centre", "vertex 1", "candidates", "team 1", "end"]);
   const there = own ? program.json("page_steps_that_exist", about(firstSteps)) : null;
   return `${about(firstSteps.filter(([address], i) => (there ? there[i] : ofSample.has(address))))}
-# On the card at the end. The answer is shown when it is asked for.
+# On the card at the end. The answer appears when they ask for it.
 [question]
 What could they find out by themselves?
 
 [answer]
-What they will have found.
+What they will find.
 `;
 }
 
@@ -138,7 +138,7 @@ class Editor {
     const open = openLessonOf(this.#page.program);
     const texts = [
       { name: "template", title: "A template", text: () => template(this.#page.program) },
-      ...(open ? [{ name: "open", title: "The lesson that is open", text: () => open.text }] : []),
+      ...(open ? [{ name: "open", title: "The open lesson", text: () => open.text }] : []),
       ...lessons.map(({ name, title, text }) => ({ name: `lesson ${name}`, title, text: () => text })),
     ];
     const list = el(

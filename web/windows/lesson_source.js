@@ -36,7 +36,7 @@ export function noSample(sample, names) {
     .sort(([a, x], [b, y]) => a - b || (x < y ? -1 : 1))
     .slice(0, 3)
     .map(([, name]) => `“${name}”`);
-  return `It is about the sample “${sample}”, and there is none of that name; near it are ${near.slice(0, -1).join(", ")} and ${near.at(-1)}`;
+  return `It is about the sample “${sample}”, which does not exist; similar names are ${near.slice(0, -1).join(", ")} and ${near.at(-1)}`;
 }
 
 // The number of letters to change, add or remove; less if one name contains the other.
@@ -59,7 +59,7 @@ const besideThePage = /^(?:[\w-][\w.-]*\/)*[\w-][\w.-]*\.txt$/;
 export async function openNamedLesson(page, name, join) {
   if (readyMade.test(name)) {
     const lesson = (await fetchJson("lessons.json")).find((l) => l.name === name);
-    return lesson ? openLesson(page, lesson, join) : "there is no ready-made lesson of that name";
+    return lesson ? openLesson(page, lesson, join) : "there is no ready-made lesson with that name";
   }
   if (!besideThePage.test(name) || name.length > 200)
     return "an address can name a ready-made lesson, or a .txt file in the page's own folder or below";

@@ -80,7 +80,7 @@ function questionOf(program, of) {
   const byKeys = el(
     "p",
     { class: "second by-keys" },
-    `To try it here: T and Shift+T change the number of ${JSON.parse(program.text("page_state")).metric === "balanced" ? "robots" : "teams"}, and C can be dragged.`,
+    `Try it here: T and Shift+T change the number of ${JSON.parse(program.text("page_state")).metric === "balanced" ? "robots" : "teams"}, and you can drag C.`,
   );
   const words = [...paragraphs(program.text("page_lesson_question"), { class: "question" }), byKeys, answer];
   if (of.answered) {
@@ -133,10 +133,10 @@ async function showEnd(page, lesson, { guesses, right, told, passed }, of) {
   const next = index >= 0 ? all[index + 1] : undefined;
   const score = guesses ? `${right} of ${guesses} ${guesses === 1 ? "guess was" : "guesses were"} right.` : "";
   const unguessed =
-    score && passed ? ` ${passed === 1 ? "One question was" : `${passed} questions were`} passed over.` : "";
+    score && passed ? ` ${passed === 1 ? "One question was" : `${passed} questions were`} skipped.` : "";
   const untold =
     score && told
-      ? ` ${told === 1 ? "One more choice was" : `${told} more choices were`} shown without a question: at most three of a kind are asked.`
+      ? ` ${told === 1 ? "One more choice was" : `${told} more choices were`} shown without a question: each kind is asked at most three times.`
       : "";
   const asked = page.program.text("page_lesson_question");
   if (!score && index < 0 && !asked) return;
@@ -145,7 +145,7 @@ async function showEnd(page, lesson, { guesses, right, told, passed }, of) {
   const seen = seenLessons();
   const question = asked ? questionOf(page.program, of) : undefined;
   const toFold = asked && matchMedia("(max-height: 600px)").matches ? foldButton(of) : "";
-  const rest = index >= 0 && all.every(({ name }) => seen.has(name)) ? " You have seen all of them." : "";
+  const rest = index >= 0 && all.every(({ name }) => seen.has(name)) ? " You have seen all lessons." : "";
   of.card = await openCard(page, {
     name: "lesson-end",
     title: "The end of the lesson",

@@ -97,7 +97,7 @@ function ofThisPolygon(page, close) {
     el(
       "div",
       { class: "choices lessons" },
-      choice("Step by step", "All that the algorithm does with it", begin(0), { disabled: refused }),
+      choice("Step by step", "How the algorithm places its robots", begin(0), { disabled: refused }),
       choice("As a challenge", "Predict each choice before you see it", begin(1), { disabled: refused }),
     ),
   );
@@ -143,7 +143,7 @@ async function load(page, list, choose) {
     el(
       "h3",
       {},
-      `In order, about ${total} minutes in all${seen.size ? `; ${lessons.filter(({ name }) => seen.has(name)).length} of ${lessons.length} seen` : ""}`,
+      `In order, about ${total} minutes in total${seen.size ? `; ${lessons.filter(({ name }) => seen.has(name)).length} of ${lessons.length} seen` : ""}`,
     ),
     el(
       "ol",

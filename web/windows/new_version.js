@@ -14,9 +14,9 @@ async function show(page) {
     title: "New version",
     body: [sentence, el("div", { class: "ways" }, closingButton("Load it", { class: "button primary" }, load))],
   });
-  const lost = hasPhoto() ? " but for the picture behind the drawing" : "";
+  const lost = hasPhoto() ? ", except for the picture behind the drawing" : "";
   // Set afterwards, so that it is read out.
-  sentence.textContent = `A new version of evenlift is ready, and what you have open stays${lost}.`;
+  sentence.textContent = `A new version of evenlift is ready. Your work stays open${lost}.`;
 }
 
 // The service worker of the new version waits for a message; if another tab has sent it, the page need only be loaded

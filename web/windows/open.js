@@ -70,7 +70,7 @@ function openShape(page, source, shape, found, said = []) {
   done(page, `${what} is opened. ${sentences(more)} ${undo}`.replace("  ", " "));
 }
 
-const picture = "It is a picture of a kind that cannot be laid behind the drawing. A PNG, JPEG or WebP can";
+const picture = "It is a picture of a kind that cannot be shown behind the drawing. PNG, JPEG and WebP can";
 
 async function openFile(page, file) {
   if (tooLong(file.size)) return tooLong(file.size);
@@ -105,7 +105,7 @@ function refuse(page, sentence) {
 }
 
 const formats =
-  "lines (x,y), columns of a table (CSV), SVG, DXF, GeoJSON, WKT, a result (JSON), a share link, or a lesson; a photo or scan (PNG, JPEG, WebP) is laid behind the drawing to be traced";
+  "lines (x,y), columns of a table (CSV), SVG, DXF, GeoJSON, WKT, a result (JSON), a share link, or a lesson; a photo or scan (PNG, JPEG, WebP) is shown behind the drawing for tracing";
 const endings =
   ".png,.jpg,.jpeg,.webp,.txt,.csv,.tsv,.svg,.dxf,.json,.geojson,.wkt,text/plain,text/csv,text/tab-separated-values,image/svg+xml,image/vnd.dxf,application/json,application/geo+json";
 
@@ -164,7 +164,7 @@ export async function show(page, { edited } = {}) {
     { class: "second" },
     edited === undefined
       ? `${bring}, or paste here: ${formats}.`
-      : "Settings stay as they are. An optional first line CoM:(x,y) is the centre of mass.",
+      : "The settings do not change. An optional first line CoM:(x,y) is the centre of mass.",
   );
   await openWindow({
     name: "open",

@@ -38,11 +38,7 @@ export async function show(page) {
   const found = el(
     "div",
     { class: "optimum" },
-    el(
-      "p",
-      { class: "second", role: "status" },
-      `The best choice is being looked for, for ${seconds} seconds at most …`,
-    ),
+    el("p", { class: "second", role: "status" }, `Looking for the best choice, for at most ${seconds} seconds …`),
   );
   const root = await openWindow({
     name: "optimum",
@@ -57,7 +53,7 @@ export async function show(page) {
   });
   if (!root) return;
   try {
-    if (!link) throw new Error(`there is no link of this polygon: ${program.text("page_link_problem")}`);
+    if (!link) throw new Error(`this polygon has no link: ${program.text("page_link_problem")}`);
     const { found: compared, pictures } = await askWorker("optimum", { link, seconds }, stop.signal);
     if (compared.problem) throw new Error(compared.problem);
     const { rows, said } = compared;

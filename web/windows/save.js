@@ -29,21 +29,21 @@ const files = [
     "Polygon",
     [
       ["Text", "As in the thesis", ".txt", "text/plain", (p) => p.text("page_text")],
-      ["WKT", "The outline alone", ".wkt", "text/plain", (p) => p.text("page_wkt")],
+      ["WKT", "The outline only", ".wkt", "text/plain", (p) => p.text("page_wkt")],
       ["GeoJSON", "With centre of mass", ".geojson", "application/geo+json", (p) => p.text("page_geojson")],
     ],
   ],
   [
     "Picture",
     [
-      ["SVG", "Sharp; opens again", ".svg", "image/svg+xml", (p) => p.text("page_svg")],
+      ["SVG", "Sharp; reopens here", ".svg", "image/svg+xml", (p) => p.text("page_svg")],
       ["PNG", "Twice the pixels", ".png", "image/png", (p) => rasterise(p.text("page_svg"), 2)],
     ],
   ],
   [
     "Result",
     [
-      ["JSON", "Everything; opens again", "-result.json", "application/json", (p) => p.text("page_state")],
+      ["JSON", "Everything; reopens here", "-result.json", "application/json", (p) => p.text("page_state")],
       ["CSV", "A row per robot", ".csv", "text/csv", (p) => csv(JSON.parse(p.text("page_state")))],
     ],
   ],
@@ -91,7 +91,7 @@ export async function show(page) {
   });
   if (!root) return;
   root.querySelector(".primary, .choice").focus();
-  if (!link) problem.say(`There is no link: ${page.program.text("page_link_problem")}. A file holds it`);
+  if (!link) problem.say(`There is no link: ${page.program.text("page_link_problem")}. Save a file instead`);
 }
 
 // The texts that stopped the page when they were opened.
@@ -102,7 +102,7 @@ function aside() {
     "section",
     {},
     el("h3", {}, "Set aside"),
-    el("p", { class: "second" }, "The page stopped when this was opened, the newest first."),
+    el("p", { class: "second" }, "The page stopped while opening these texts. The newest is first."),
     el(
       "div",
       { class: "choices" },
@@ -149,7 +149,7 @@ function share(page, address, problem) {
   copy.addEventListener("click", async () => {
     const done = await page.copy(address);
     if (!done) {
-      problem.say("The browser did not let the page copy. Copy it from the field");
+      problem.say("The browser did not allow copying. Copy the link from the field");
       return field.focus();
     }
     copy.replaceChildren(icon("check"), "Copied");
@@ -165,7 +165,7 @@ function challengeLink(page, address, problem) {
   const said = el(
     "p",
     { class: "second", role: "status" },
-    "Opens the lesson of this polygon, and asks for a guess before it shows a choice.",
+    "Opens the walkthrough of this polygon, which asks for a guess before each choice.",
   );
   const copy = button(
     "Challenge link",
@@ -174,7 +174,7 @@ function challengeLink(page, address, problem) {
         if (await page.copy(address)) said.textContent = "The challenge link is copied.";
         else
           problem.say(
-            "The browser did not let the page copy. The challenge is the link with ?challenge=1 before its #",
+            "The browser did not allow copying. The challenge link is the link with ?challenge=1 before its #",
           );
       },
     },

@@ -130,7 +130,7 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
     const wanted = curves.value.trim() ? typedNumber(curves.value) : undefined;
     if (wanted !== undefined && !(wanted > 0)) {
       problem.say(
-        `How far the edges may be from the curves is a number above 0, in ${lengthUnit(found)}, and not “${curves.value.trim()}”`,
+        `The distance of the edges from the curves must be a number above 0, in ${lengthUnit(found)}, not “${curves.value.trim()}”`,
       );
       return curves.focus();
     }
@@ -139,7 +139,7 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
     if (again.problem) return curves.focus();
     found = again;
     fill();
-    told.textContent = "The curves are flattened anew, and the shapes are listed with their new numbers of vertices.";
+    told.textContent = "The curves are flattened again. The list shows the new numbers of vertices.";
   }
   connectKeys(list);
   fill();
@@ -157,7 +157,7 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
           {},
           several
             ? `${what} has ${number(found.shapes.length)} shapes. Choose the one to open.`
-            : `${what} has curves, and a polygon has straight edges.`,
+            : `${what} has curves, but a polygon has straight edges.`,
         ),
         notes,
         list,

@@ -96,7 +96,9 @@ export function look({ program }) {
     free: state.closure.free,
     heldByCurvature: state.closure.second_order,
     baseHasArea: hull(robots).length > 2,
-    coverage: /((?:less than |more than )?\d+\u00a0%) of the object/.exec(program.text("page_summary"))?.[1],
+    coverage: /((?:less than |more than )?\d+\u00a0%) of the object/i
+      .exec(program.text("page_summary"))?.[1]
+      .toLowerCase(),
     discs: (some = robots) => some.map((at) => ({ circle: [...at, ring] })),
     team: teams[0],
     hasSheet: controls(program, ["handle"]).length > 0,

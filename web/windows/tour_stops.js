@@ -8,11 +8,11 @@ function mobility({ free, heldByCurvature }) {
     .map((turn) => turns[turn])
     .join(", ");
   if (heldByCurvature)
-    return "Here it cannot, though only the curvature of the contact holds it. Hatching would show about which points it could turn.";
+    return "Here it cannot, but only the curvature of its motion holds it. Hatching would show the points about which it could turn.";
   if (!free.length)
-    return "Here it cannot: the robots also keep it from turning. Hatching would show about which points it could.";
+    return "Here it cannot: the robots hold it. Hatching would show the points about which it could turn.";
   if (!hatched) return "It cannot turn, so nothing is hatched; but it can slide, as the arrow shows.";
-  return `Hatching shows about which points it can turn: ${hatched}.${free.includes("translation") ? " The arrow shows how it slides." : ""}`;
+  return `Hatching shows the points about which it can turn: ${hatched}.${free.includes("translation") ? " The arrow shows how it slides." : ""}`;
 }
 
 const finger = () => matchMedia("(pointer: coarse)").matches;
@@ -32,28 +32,28 @@ export const stops = [
     title: "Robots",
     where: ({ balanced, team }) => balanced && team,
     words: () =>
-      "Each disc is a robot. Their centroid is C, the centre of mass, to which the thin lines lead: so they balance the object.",
+      "Each disc is a robot. Thin lines join the robots to C, the centre of mass. It is their centroid, so they balance the object.",
     points: (here) => here.discs(),
   },
   {
     title: "Loads",
     where: ({ balanced, team }) => !balanced && team,
     words: () =>
-      "The number beside each ringed disc is what this robot is to bear. C nearly halves a chord, so a team bears nearly equal loads.",
+      "The number beside each ringed disc is the robot’s planned load. C nearly halves each chord, so the loads of a team are nearly equal.",
     points: (here) => here.discs(here.team),
   },
   {
     title: "Loads",
     where: ({ balanced, team }) => balanced && team,
     words: () =>
-      "The number beside each ringed disc is what this robot is to bear. Balanced robots can all bear exactly the same.",
+      "The number beside each ringed disc is the robot’s planned load. Balanced robots can all carry exactly the same load.",
     points: (here) => here.discs(),
   },
   {
     title: "Lifting base",
     where: ({ baseHasArea }) => baseHasArea,
     words: ({ coverage }) =>
-      `The green area is the lifting base. A push down inside it does not tip the object unless a robot is overloaded; coverage${coverage ? `, here ${coverage},` : ""} says how much of it that is.`,
+      `The green area is the lifting base. A press down inside it does not tip the object unless a robot is overloaded. Coverage${coverage ? `, here ${coverage},` : ""} is the share of the object above it.`,
     points: (here) => here.base(),
   },
   {
@@ -68,23 +68,23 @@ export const stops = [
     words: ({ balanced, hasSheet }) =>
       `${hasSheet ? "Pull the sheet up, and choose" : "Choose"} ${
         balanced
-          ? "how many robots there are, how their places are found, and whether they are to hold or to cover"
-          : "how many teams there are, how they are chosen, and how even a chord must be"
-      }. The answer follows.`,
+          ? "the number of robots, the method, and the goal: to hold the object or to cover it"
+          : "the number of teams, the method that chooses them, and the minimum load ratio"
+      }. The result follows at once.`,
     controls: ["methods", "teams -", "teams +", "robots -", "robots +", "ratio"],
   },
   {
     title: "The shape",
     words: () =>
       finger()
-        ? "Drag a vertex, or C. A double tap on an edge adds a vertex; one that you tap can be removed. Undo takes all back."
-        : "Drag a vertex, or C. A double click on an edge adds a vertex, Delete removes the one that is selected, and Undo takes all back.",
+        ? "Drag a vertex or C. Double-tap an edge to add a vertex. A vertex that you tap can be removed. Undo reverts it all."
+        : "Drag a vertex or C. Double-click an edge to add a vertex. Delete removes the selected vertex. Undo reverts it all.",
     points: (here) => [...here.vertex(), here.aboutCentre],
   },
   {
     title: "Lessons",
     words: () =>
-      "Lessons show the algorithm step by step, with the reason for each choice, also on a shape of your own.",
+      "This window explains the algorithm step by step, with the reason for each choice, even on your own shape.",
     controls: ["Lessons"],
     menu: true,
   },

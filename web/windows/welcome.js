@@ -23,8 +23,8 @@ export async function show(page, { first = false } = {}) {
       el(
         "p",
         {},
-        "Where should robots stand so that all of them carry nearly the same weight? ",
-        el("span", { class: "second" }, "In pairs, at the two ends of a line through the centre of mass."),
+        "Where should robots stand so that all of them carry nearly the same load? ",
+        el("span", { class: "second" }, "In teams of two, at the ends of a line through the centre of mass."),
       ),
       el(
         "div",
@@ -41,7 +41,9 @@ export async function show(page, { first = false } = {}) {
     },
   });
   if (first)
-    page.announce("How to begin: draw your own shape, choose a sample, or take the tour. Shift+W leads there.");
+    page.announce(
+      "How to begin: draw your own shape, choose a sample, or take the tour. Shift+W moves the focus there.",
+    );
   // After the first action the card is no longer needed. The program reports a change in the middle of it, so this
   // waits for its end.
   const done = () => queueMicrotask(() => card.close());

@@ -125,7 +125,7 @@ std::optional<Setting> setting_from_name(std::string_view text);
 std::string hyphened(std::string_view name);
 
 // The requirement on the setting's value, as a sentence without a full stop, such as "the minimum
-// load ratio is a number from 0 to 1". O(1).
+// load ratio must be a number from 0 to 1". O(1).
 std::string requirement(Setting setting);
 
 // The error for an invalid value: code bad_setting, the requirement or another reason, and a place

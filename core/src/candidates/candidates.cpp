@@ -30,9 +30,9 @@ std::optional<InputError> check_number_in_ranges(std::uint64_t sources) {
   if (sources <= most) return std::nullopt;
   return InputError{ErrorCode::too_many_edge_pairs,
                     "the polygon has " + std::to_string(sources) +
-                        " edge-pairs and opposite vertices about its centre of mass; with "
-                        "positions anywhere in the range there can be " +
-                        std::to_string(most),
+                        " edge pairs and opposite vertices about its centre of mass; with "
+                        "positions anywhere in the range, at most " +
+                        std::to_string(most) + " are allowed",
                     {}};
 }
 
@@ -40,7 +40,7 @@ Result<Found> find(const Polygon& polygon, const Vec2& centre, double min_ratio,
                    Positions positions, double clear, bool traced) {
   const RadialView view(polygon, centre);
   const std::uint64_t pairs = count_edge_pairs(polygon, view);
-  if (auto error = check_number(pairs, "edge-pairs")) return *error;
+  if (auto error = check_number(pairs, "edge pairs")) return *error;
   const auto opposite = find_opposite_vertices(polygon, centre, view, max_edge_pairs - pairs);
   if (!opposite) return too_many_opposite_vertices();
 

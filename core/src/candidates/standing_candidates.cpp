@@ -62,7 +62,7 @@ std::optional<InputError> find_on_outline(const Wanted& wanted, Found& found) {
   const auto& [polygon, centre, min_ratio, stands, positions, near, from_corners] = wanted;
   const RadialView view(polygon, centre);
   const std::uint64_t pairs = count_edge_pairs(polygon, view);
-  if (auto error = check_number(pairs, "edge-pairs")) return error;
+  if (auto error = check_number(pairs, "edge pairs")) return error;
   const auto opposite = find_opposite_vertices(polygon, centre, view, max_edge_pairs - pairs);
   if (!opposite) return too_many_opposite_vertices();
   for_each_edge_pair(polygon, view, [&](const EdgePair& pair) {
@@ -120,7 +120,7 @@ std::optional<InputError> find_on_moved_edges(const Wanted& wanted, Found& found
   const Vec2& centre = wanted.centre;
   const RadialView view(polygon, centre);
   const std::uint64_t outline_pairs = count_edge_pairs(polygon, view);
-  if (auto error = check_number(outline_pairs, "edge-pairs")) return error;
+  if (auto error = check_number(outline_pairs, "edge pairs")) return error;
   const auto opposite =
       find_opposite_vertices(polygon, centre, view, max_edge_pairs - outline_pairs);
   if (!opposite) return too_many_opposite_vertices();

@@ -86,7 +86,7 @@ std::uint64_t count_edge_pairs(const Polygon& polygon, const Vec2& centre) {
 Result<std::vector<EdgePair>> edge_pairs(const Polygon& polygon, const Vec2& centre) {
   const RadialView view(polygon, centre);
   const std::uint64_t number = count_edge_pairs(polygon, view);
-  if (auto error = check_number(number, "edge-pairs")) return *error;
+  if (auto error = check_number(number, "edge pairs")) return *error;
   std::vector<EdgePair> pairs;
   pairs.reserve(static_cast<std::size_t>(number));
   for_each_edge_pair(polygon, view, [&](const EdgePair& pair) { pairs.push_back(pair); });
@@ -97,7 +97,7 @@ Result<std::vector<OppositeVertices>> opposite_vertices(const Polygon& polygon,
                                                         const Vec2& centre) {
   const RadialView view(polygon, centre);
   const std::uint64_t pairs = count_edge_pairs(polygon, view);
-  if (auto error = check_number(pairs, "edge-pairs")) return *error;
+  if (auto error = check_number(pairs, "edge pairs")) return *error;
   auto opposite = find_opposite_vertices(polygon, centre, view, max_edge_pairs - pairs);
   if (!opposite) return too_many_opposite_vertices();
   return *std::move(opposite);

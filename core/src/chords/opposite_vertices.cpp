@@ -79,7 +79,7 @@ std::optional<std::vector<OppositeVertices>> find_opposite_vertices(const Polygo
 InputError too_many_opposite_vertices() {
   return {ErrorCode::too_many_edge_pairs,
           "the polygon has more than " + std::to_string(max_edge_pairs) +
-              " edge-pairs and opposite vertices about its centre of mass",
+              " edge pairs and opposite vertices about its centre of mass",
           {}};
 }
 

@@ -146,10 +146,10 @@ std::string kind_in_words(const SettingRange& range) {
     const auto& all = all_of(Value{});
     const std::size_t first = name(all[0]) == "none" ? 1 : 0, count = std::size(all);
     for (std::size_t i = first; i < count; ++i) {
-      if (i > first) text += i + 1 < count ? ", " : " or ";
+      if (i > first) text += first == 1 || i + 1 < count ? ", " : " or ";
       text += name(all[i]);
     }
-    return first == 1 ? text + ", or none" : text;
+    return first == 1 ? text + " or none" : text;
   }
 }
 

@@ -158,13 +158,13 @@ std::optional<InputError> check_exchanges(std::size_t candidates, std::size_t te
   if (placed == candidates && !stands) return std::nullopt;
   if (placed > most_exchanged_teams)
     return setting_error(Setting::goal, "at most " + std::to_string(most_exchanged_teams) +
-                                            " teams can be exchanged so that they hold, not " +
+                                            " teams can be swapped for a hold, not " +
                                             std::to_string(placed));
   if (static_cast<std::uint64_t>(placed) * candidates > most_exchanges)
     return setting_error(Setting::goal,
                          "the object has " + std::to_string(candidates) +
-                             " candidates, too many to exchange " + std::to_string(placed) +
-                             " teams among them so that they hold; raise the minimum load ratio");
+                             " candidates, too many to swap " + std::to_string(placed) +
+                             " teams among them for a hold; raise the minimum load ratio");
   return std::nullopt;
 }
 

@@ -54,7 +54,8 @@ Result<Document> read_thesis(std::string_view text) {
       return cursor.error(ErrorCode::too_many_vertices, no_more_vertices);
     }
     if (same_word(cursor.word(), "com")) {
-      return cursor.error(ErrorCode::bad_syntax, "'CoM:' may stand only once, before the vertices");
+      return cursor.error(ErrorCode::bad_syntax,
+                          "'CoM:' may appear only once, before the vertices");
     }
     Vec2 point;
     if (auto error = take_pair(cursor, "'(' before the coordinates", point)) {

@@ -176,8 +176,7 @@ std::optional<InputError> ColumnReader::heading(const Line& line, const Fields& 
     return error(line, ErrorCode::unsupported, robots_are_no_polygon);
   if (has_field(fields, "polygon") && has_field(fields, "method"))
     return error(line, ErrorCode::unsupported,
-                 "this is a table of an experiment, a result and no polygon: open the polygons "
-                 "themselves");
+                 "this is a table of an experiment, not a polygon: open the polygons themselves");
   x_.reset();
   y_.reset();
   for (std::size_t i = fields.size(); i-- > 0;) {
@@ -200,16 +199,18 @@ std::optional<InputError> ColumnReader::heading(const Line& line, const Fields& 
 InputError ColumnReader::not_a_number(std::string_view field) const {
   const std::string quoted = "\"" + clean_name(field.substr(0, 60)) + "\"";
   if (separator_ == ',' && field.find(' ') != std::string_view::npos)
-    return error(field, ErrorCode::bad_syntax,
-                 quoted +
-                     " is no number: write decimals with a point (1.5, 2.3), or with a comma and a "
-                     "semicolon between x and y (1,5; 2,3)");
+    return error(
+        field, ErrorCode::bad_syntax,
+        quoted +
+            " is not a number: write decimals with a point (1.5, 2.3), or with a comma and a "
+            "semicolon between x and y (1,5; 2,3)");
   if (field.find(',') != std::string_view::npos || field.find('.') != std::string_view::npos)
-    return error(field, ErrorCode::bad_syntax,
-                 quoted +
-                     " is no number: a number has one mark, a point or a comma, before its "
-                     "decimals and none between its thousands");
-  return error(field, ErrorCode::bad_syntax, quoted + " is no number");
+    return error(
+        field, ErrorCode::bad_syntax,
+        quoted +
+            " is not a number: a number has one point or comma, before its decimals, and no "
+            "separator between its thousands");
+  return error(field, ErrorCode::bad_syntax, quoted + " is not a number");
 }
 
 // Chooses the first two columns with numbers.
@@ -315,14 +316,13 @@ Result<Import> ColumnReader::read() {
   find_separator();
   if (auto wrong = read_lines()) return *std::move(wrong);
   if (!has_rows_) {
-    return InputError{ErrorCode::bad_syntax,
-                      joined({"this text is in no format that is known here: ", known_formats}),
-                      {}};
+    return InputError{
+        ErrorCode::bad_syntax, joined({"this text is in an unknown format: ", known_formats}), {}};
   }
   if (unit_ != LengthUnit::none) gathering_.import.unit = in_full(unit_);
   if (more_columns_ && !named_)
     gathering_.note("the first two columns with numbers were taken as x and y");
-  if (gathering_.import.shapes.size() > 1) gathering_.note("blank lines part the shapes");
+  if (gathering_.import.shapes.size() > 1) gathering_.note("blank lines separate the shapes");
   return gathering_.finish(text_error(ErrorCode::too_few_vertices, no_vertices, text_, 0));
 }
 

@@ -188,9 +188,8 @@ double DxfReader::number(const Group& group) {
   const std::optional<double> value = read_number(group.value);
   if (value) return *value;
   if (!error_)
-    error_ =
-        text_error(ErrorCode::bad_syntax, "a number is expected here, with a point for decimals",
-                   text_, group.offset);
+    error_ = text_error(ErrorCode::bad_syntax, "expected a number here, with a point for decimals",
+                        text_, group.offset);
   return 0;
 }
 
@@ -415,8 +414,8 @@ InputError DxfReader::nothing_found() const {
   if (gap_) message += ": " + *gap_;
   const std::string found = gathering_.left_out.list();
   if (!found.empty()) message += (gap_ ? "; it also has " : ", only ") + found;
-  if (blocks_ > 0) message += "; blocks are put together by INSERT: explode them first";
-  if (splines_ > 0) message += "; such splines are to be turned into polylines first";
+  if (blocks_ > 0) message += "; blocks (INSERT) must be exploded first";
+  if (splines_ > 0) message += "; such splines must be turned into polylines first";
   return {ErrorCode::unsupported, message, {}};
 }
 
@@ -454,9 +453,9 @@ std::optional<InputError> DxfReader::sections() {
   if (groups_.broken())
     return text_error(
         ErrorCode::bad_syntax,
-        "the DXF drawing is damaged: a code, which is a whole number, is expected here", text_,
+        "the DXF drawing is damaged: expected a group code here, which is a whole number", text_,
         groups_.code_offset());
-  return InputError{ErrorCode::bad_syntax, "the DXF drawing breaks off before its end (EOF)", {}};
+  return InputError{ErrorCode::bad_syntax, "the DXF drawing is cut off before its end (EOF)", {}};
 }
 
 Result<Import> DxfReader::read() {
@@ -467,7 +466,7 @@ Result<Import> DxfReader::read() {
   chain_parts();
   if (blocks_ > 0 && !gathering_.import.shapes.empty())
     gathering_.note(
-        "blocks (INSERT) are not put together: explode them in the CAD program to have them");
+        "blocks (INSERT) were left out: explode them in the CAD program to include them");
   gathering_.import.unit = unit_.name();
   for (ImportedShape& shape : gathering_.import.shapes)
     shape.document.shown.units.length = unit_.label;

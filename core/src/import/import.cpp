@@ -22,7 +22,7 @@ struct Kind {
 // The kinds of files that evenlift refuses, by their first bytes.
 constexpr Kind other_kinds[] = {
     {"AutoCAD Binary DXF",
-     "this is a binary DXF drawing, and evenlift reads DXF as text: save it again as ASCII DXF"},
+     "this is a binary DXF drawing, and evenlift reads only DXF as text: save it again as ASCII DXF"},
     {"AC10", "this is a DWG drawing, which evenlift does not read: save it as ASCII DXF"},
     {"\x89PNG",
      "this is a picture made of dots, which has no outline: trace it to SVG first (in Inkscape: Path, "
@@ -36,8 +36,8 @@ constexpr Kind other_kinds[] = {
     {"%!PS",
      "this is PostScript, which evenlift does not read: open it in Inkscape and save it as SVG"},
     {"PK\x03\x04",
-     "this is a packed file, such as a spreadsheet: unpack it, or save the sheet as CSV"},
-    {"\x1f\x8b", "this is a packed file: unpack it first (an .svgz holds an .svg)"},
+     "this is a compressed file, such as a spreadsheet: unpack it, or save the sheet as CSV"},
+    {"\x1f\x8b", "this is a compressed file: unpack it first (an .svgz contains an .svg)"},
     {"\xff\xfe", "this text is in UTF-16: save it again as UTF-8"},
     {"\xfe\xff", "this text is in UTF-16: save it again as UTF-8"},
 };
@@ -90,8 +90,9 @@ Result<Import> read_small(std::string_view text, const char* format) {
 
 Result<Import> read_shapes(std::string_view text, const ImportOptions& options) {
   if (options.tolerance && !(*options.tolerance > 0 && std::isfinite(*options.tolerance)))
-    return InputError{
-        ErrorCode::bad_setting, "the distance between curves and edges is a number above 0", {}};
+    return InputError{ErrorCode::bad_setting,
+                      "the distance between curves and edges must be a number above 0",
+                      {}};
   if (text.size() > max_text_bytes)
     return InputError{ErrorCode::text_too_long, "the text is longer than 64 MiB", {}};
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
@@ -100,7 +101,7 @@ Result<Import> read_shapes(std::string_view text, const ImportOptions& options) 
   if (const char* refusal = refusal_by_first_bytes(text))
     return InputError{ErrorCode::unsupported, refusal, {}};
   if (std::any_of(text.begin(), text.end(), is_no_text))
-    return InputError{ErrorCode::unsupported, joined({"this is not a text: ", known_formats}), {}};
+    return InputError{ErrorCode::unsupported, joined({"this is not text: ", known_formats}), {}};
 
   TextCursor cursor(text);
   cursor.skip_white_space();

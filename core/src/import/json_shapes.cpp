@@ -158,7 +158,7 @@ std::optional<InputError> JsonShapes::take_moved(Document& document) const {
   auto moved = read_moved(tree_.text(*at));
   if (!moved)
     return error(*at, ErrorCode::bad_setting,
-                 "the robots that were moved are such as 3:0.25,5:0.5,9:1 or 2@3:0.25/9");
+                 "robots moved by hand must be written like 3:0.25,5:0.5,9:1 or 2@3:0.25/9");
   document.moved = *std::move(moved);
   return std::nullopt;
 }
@@ -380,8 +380,8 @@ void JsonShapes::geojson(Index object, std::string_view name, const Document& of
 // Describes a polygon without its holes. An option may still set a centre of mass later.
 const char* JsonShapes::what_is_left() const {
   return centre_of_holed_is_open_
-             ? "the shape and, unless one is given, its centre of mass are those of what the outer ring encloses"
-             : "the shape is that of what the outer ring encloses, with the centre of mass that is given";
+             ? "only the outer ring defines the shape and, unless one is given, its centre of mass"
+             : "only the outer ring defines the shape; the centre of mass is the given one";
 }
 
 // Whether an array lists robots, like a table of robots converted to JSON.

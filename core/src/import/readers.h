@@ -25,7 +25,7 @@ inline constexpr char known_formats[] =
 
 // The message for a file of robots' poses that evenlift saved, in any format.
 inline constexpr char robots_are_no_polygon[] =
-    "these are the robots of a result and no polygon: open the JSON that was saved with them, which holds the "
+    "these are the robots of a result, not a polygon: open the JSON saved with them, which contains the "
     "polygon and all settings";
 
 }  // namespace evenlift

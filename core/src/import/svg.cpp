@@ -179,8 +179,8 @@ void SvgReader::path(const pugi::xml_node& node, const Context& context,
   if (!outlines) return;
   if (has_outlines_inside(*outlines))
     gathering_.note(
-        "outlines inside another are shapes of their own, since holes are not supported: the shape "
-        "around them and, unless one is given, its centre of mass are those without a hole");
+        "outlines inside another are separate shapes, since holes are not supported: the shape "
+        "around them and, unless one is given, its centre of mass ignore them");
   for (std::size_t i = 0; i < outlines->size(); ++i) {
     const auto& [outline, closed] = (*outlines)[i];
     std::string name = called;
@@ -269,10 +269,9 @@ std::optional<InputError> SvgReader::element(const pugi::xml_node& node, const C
     }
   Context inside = context;
   if (moves_shapes(value_of(node, "style"))) {
-    problem(
-        node,
-        "the SVG moves a shape by a style, which is not understood; a transform attribute "
-        "would be (in Inkscape: Extensions, Modify Path, Apply Transform, or save as Plain SVG)");
+    problem(node,
+            "the SVG moves a shape by a style, which is not supported; use a transform attribute "
+            "(in Inkscape: Extensions, Modify Path, Apply Transform, or save as Plain SVG)");
     return std::nullopt;
   }
   if (const std::string_view transform = value_of(node, "transform"); !transform.empty()) {
@@ -292,7 +291,7 @@ std::optional<InputError> SvgReader::element(const pugi::xml_node& node, const C
 std::optional<InputError> SvgReader::children(const pugi::xml_node& parent, const Context& context,
                                               int depth) {
   if (depth > max_depth)
-    return error_at(parent, ErrorCode::unsupported, "the SVG has elements in elements too deep");
+    return error_at(parent, ErrorCode::unsupported, "the SVG's elements are nested too deeply");
   for (const pugi::xml_node node : parent.children()) {
     if (node.type() != pugi::node_element) continue;
     if (gathering_.full()) return std::nullopt;
@@ -344,8 +343,8 @@ InputError SvgReader::nothing_found() const {
   if (!found.empty())
     message +=
         ", only " + found +
-        " (in Inkscape: Path, Object to Path makes outlines of texts, and Edit, Clone, Unlink "
-        "Clone of copies)";
+        " (in Inkscape: Path, Object to Path turns texts into outlines, and Edit, Clone, Unlink "
+        "Clone does the same for copies)";
   return {ErrorCode::unsupported, message, {}};
 }
 
@@ -366,14 +365,14 @@ Result<pugi::xml_node> SvgReader::load() {
   const pugi::xml_node root = document_.document_element();
   if (!root)
     return InputError{
-        ErrorCode::bad_syntax, "the SVG is not well-formed XML: it has no element", {}};
+        ErrorCode::bad_syntax, "the SVG is not well-formed XML: it has no root element", {}};
   for (pugi::xml_node next = root.next_sibling(); next; next = next.next_sibling())
     if (next.type() == pugi::node_element)
       return error_at(next, ErrorCode::bad_syntax,
                       "the SVG is not well-formed XML: a second drawing begins here");
   if (local_name(root) != "svg")
     return InputError{ErrorCode::unsupported,
-                      "this XML is no SVG: its element is <" + clean_name(root.name()) + ">",
+                      "this XML is not SVG: its root element is <" + clean_name(root.name()) + ">",
                       {}};
   return root;
 }
@@ -426,8 +425,8 @@ Result<Import> SvgReader::read() {
   gathering_.import.format = "SVG";
   if (style_sheet_moves(root))
     return InputError{ErrorCode::unsupported,
-                      "the SVG's style sheet moves shapes, which is not understood; transform "
-                      "attributes would be (in Inkscape: save as Plain SVG)",
+                      "the SVG's style sheet moves shapes, which is not supported; use transform "
+                      "attributes (in Inkscape: save as Plain SVG)",
                       {}};
   const Context whole{{1, 0, 0, -1, 0, 0}, {}};  // in SVG y points down
   if (std::optional<InputError> error = children(root, whole, 1)) return *std::move(error);

@@ -113,7 +113,7 @@ class PathReader {
 bool PathReader::number(double& value) {
   skip_separators();
   const ScannedNumber scanned = scan_number(text_.substr(at_));
-  if (scanned.kind == ScannedNumber::Kind::none) return fail("a number is expected here");
+  if (scanned.kind == ScannedNumber::Kind::none) return fail("expected a number here");
   if (scanned.kind == ScannedNumber::Kind::too_large) return fail("the number is too large");
   value = scanned.value;
   at_ += scanned.length;
@@ -124,7 +124,7 @@ bool PathReader::number(double& value) {
 bool PathReader::flag(bool& value) {
   skip_separators();
   if (at_ == text_.size() || (text_[at_] != '0' && text_[at_] != '1'))
-    return fail("0 or 1 is expected here");
+    return fail("expected 0 or 1 here");
   value = text_[at_++] == '1';
   return true;
 }
@@ -273,7 +273,7 @@ SvgResult<std::vector<SvgOutline>> PathReader::read() {
     constexpr std::string_view letters = "mzlhvcsqta";
     const bool known = letters.find(lower_case(letter)) != std::string_view::npos;
     if (!known || (outlines_.empty() && lower_case(letter) != 'm')) {
-      fail(outlines_.empty() ? "a path begins with M" : "no command belongs here");
+      fail(outlines_.empty() ? "a path must begin with M" : "expected a command here");
       return SvgProblem{problem_};
     }
     ++at_;
@@ -312,7 +312,7 @@ SvgResult<std::optional<double>> svg_length(std::string_view text) {
   for (const auto& [name, size] : units)
     if (same_word(unit, name)) return std::optional<double>(number.value * size);
   return SvgProblem{"the unit of \"" + std::string(text.substr(0, 20)) +
-                    "\" is none that evenlift knows"};
+                    "\" is unknown to evenlift"};
 }
 
 SvgResult<Affine> svg_transform(std::string_view text) {

@@ -57,7 +57,7 @@ struct Absence {
   }
   std::string operator()(const at::Edges& address) const {
     return "edges " + std::to_string(address.a + 1) + " and " + std::to_string(address.b + 1) +
-           " are not looked at together: no chord through the centre of mass joins them";
+           " are not examined together: no chord through the centre of mass joins them";
   }
   std::string operator()(const at::Number& address) const {
     return "there is no step " + std::to_string(address.step + 1) + ": there are " +

@@ -90,13 +90,13 @@ class Reader {
     const std::string_view value = trimmed(line.substr(colon + 1));
     if (value.empty()) return refuse("the setting has no value");
     if (std::find(seen_.begin(), seen_.end(), key) != seen_.end())
-      return refuse("the setting is there twice");
+      return refuse("the setting is given twice");
     seen_.emplace_back(key);
     for (const Key& own : keys)
       if (own.name == key) return (this->*own.take)(value);
     for (const SettingRow& row : all_settings())
       if (is_key(row) && hyphened(row.name) == key) return take_setting(value, row.setting);
-    refuse("unknown setting; there are " + names_of_keys());
+    refuse("unknown setting; the settings are " + names_of_keys());
   }
 
   void take_title(std::string_view value) {
@@ -107,7 +107,7 @@ class Reader {
   void take_polygon(std::string_view value) {
     for (const char c : value)
       if (!((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'))
-        return refuse("a sample's name has small letters, digits and hyphens only");
+        return refuse("a sample's name contains only lower-case letters, digits and hyphens");
     lesson_.polygon = value;
   }
 
@@ -162,7 +162,7 @@ class Reader {
   void begin_part(std::string_view line) {
     finish_part();
     gap_ = false;
-    if (line.back() != ']') return refuse("a step's address ends in ]");
+    if (line.back() != ']') return refuse("a step's address must end in ]");
     const std::string_view name = trimmed(line.substr(1, line.size() - 2));
     if (name == "question") return begin_question();
     if (name == "answer") return begin_answer();
@@ -170,7 +170,7 @@ class Reader {
   }
 
   void begin_step(std::string_view name) {
-    if (asked_) return refuse("a step after the question, which is the end of a lesson");
+    if (asked_) return refuse("a step after the question, which must be the end of the lesson");
     if (lesson_.steps.size() == max_lesson_steps) return refuse("a lesson has at most 200 steps");
     const auto address = read_address(name);
     if (!address)
@@ -178,22 +178,22 @@ class Reader {
           "expected the address of a step, such as [centre], [vertex 3], [pair 2], [edges 4 7], [team 2] or [end]");
     lesson_.steps.push_back({*address, {}, line_});
     part_ = {&lesson_.steps.back().words, max_lesson_words,
-             "a step has more than 1000 bytes of words", "the step has no words", line_};
+             "a step has more than 1000 bytes of text", "the step has no text", line_};
   }
 
   void begin_question() {
-    if (asked_) return refuse("a lesson has one question, at its end");
-    if (lesson_.steps.empty()) return refuse("the question comes after the steps");
+    if (asked_) return refuse("a lesson has at most one question, at its end");
+    if (lesson_.steps.empty()) return refuse("the question must come after the steps");
     asked_ = line_;
     part_ = {&lesson_.question, max_lesson_question, "the question is longer than 300 bytes",
-             "the question has no words", line_};
+             "the question has no text", line_};
   }
 
   void begin_answer() {
     if (!asked_) return refuse("an answer without a question before it");
-    if (!lesson_.answer.empty()) return refuse("a question has one answer");
+    if (!lesson_.answer.empty()) return refuse("a question has only one answer");
     part_ = {&lesson_.answer, max_lesson_answer, "the answer is longer than 600 bytes",
-             "the answer has no words", line_};
+             "the answer has no text", line_};
   }
 
   // Reads a word and up to two numbers, counted from 1; nullopt for anything else.
@@ -246,10 +246,10 @@ class Reader {
     if (error_) return;
     const char* missing = lesson_.title.empty() ? "the lesson has no title"
                           : lesson_.polygon.empty() && lesson_.link.empty()
-                              ? "the lesson names neither a polygon nor a link"
+                              ? "the lesson has neither a polygon nor a link"
                           : !lesson_.polygon.empty() && !lesson_.link.empty()
-                              ? "the lesson names a polygon and a link; give one of them"
-                          : lesson_.steps.empty() ? "the lesson shows no step"
+                              ? "the lesson has both a polygon and a link; give only one"
+                          : lesson_.steps.empty() ? "the lesson has no steps"
                                                   : nullptr;
     if (missing) refuse(missing, line_ > 0 ? line_ : 1);
   }

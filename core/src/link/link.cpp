@@ -87,8 +87,7 @@ std::optional<InputError> check_linkable(const Document& document) {
     if (auto error = check_point(*document.centre_of_mass, place)) return error;
   }
   if (!is_moved(document.moved)) {
-    return InputError{
-        ErrorCode::bad_setting, "robots that were moved by hand stand where none can", {}};
+    return InputError{ErrorCode::bad_setting, "robots moved by hand stand where robots cannot", {}};
   }
   return check_linked_settings(document.settings, document.shown);
 }
@@ -132,7 +131,8 @@ Span find_link(std::string_view text) {
 InputError bad_character(std::string_view text, std::size_t at) {
   if (text[at] == '%') {
     return link_error(ErrorCode::bad_link,
-                      "the link was escaped on its way: a '%' is in it, which no link has", at + 1);
+                      "the link was escaped on its way: it contains a '%', which no link does",
+                      at + 1);
   }
   if (is_white_space(text[at])) {
     return link_error(ErrorCode::bad_link, "the link is broken by a space or the end of a line",
@@ -153,7 +153,7 @@ Result<Version> read_version(std::string_view text, const Span& span) {
   if (at < span.end && text[at] == '%') return bad_character(text, at);
   if (at == span.begin || text[span.begin] == '0' || at == span.end || text[at] != '.') {
     return link_error(ErrorCode::bad_link,
-                      "a link begins with the number of its version and a full stop", at + 1);
+                      "a link must begin with its version number and a full stop", at + 1);
   }
   const std::optional<std::uint64_t> number = read_whole(text.substr(span.begin, at - span.begin));
   return Version{number.value_or(~std::uint64_t{0}), at + 1};
@@ -191,7 +191,7 @@ Result<Document> decode_version(LinkVersion version, std::size_t begin, std::str
   }
   Document* document = std::get_if<Document>(&payload);
   if (!document || check_linkable(*document)) {
-    return link_error(ErrorCode::bad_link, "the link holds what evenlift never writes");
+    return link_error(ErrorCode::bad_link, "the link contains data that evenlift never writes");
   }
   return std::move(*document);
 }

@@ -21,7 +21,7 @@ namespace {
 // The error has no place, because a link or a saved result contains the moved robots, and no
 // setting does.
 InputError refused(const std::string& why) {
-  return {ErrorCode::bad_setting, "robots that were moved by hand: " + why, {}};
+  return {ErrorCode::bad_setting, "robots moved by hand: " + why, {}};
 }
 
 std::string numbered(const char* word, std::size_t index) {
@@ -61,14 +61,14 @@ std::optional<InputError> check_balanced(const Placement& placement,
   if (!stands) return std::nullopt;
   for (std::size_t i = 0; i < robots.size(); ++i)
     if (!stands->can_lift(robots[i])) return refused(numbered("robot", i) + " has no room there");
-  if (stands->any_collide(robots)) return refused("two robots get into each other's way");
+  if (stands->any_collide(robots)) return refused("two robots collide");
   return std::nullopt;
 }
 
 std::optional<InputError> move_balanced(Placement& placement,
                                         const std::vector<EdgePoint>& contacts) {
   if (placement.settings.method != Method::balanced || contacts.size() != placement.settings.robots)
-    return refused(std::to_string(contacts.size()) + " balanced robots were not asked for");
+    return refused(std::to_string(contacts.size()) + " balanced robots were not requested");
   std::vector<LiftingPoint> robots;
   for (const EdgePoint& contact : contacts) {
     if (contact.edge >= placement.vertices().size())
@@ -173,20 +173,21 @@ std::optional<InputError> move_team(const Placement& placement, const MovedTeam&
   if (length(direction) > 0 && moved.end.edge != moved.opposite)
     turned = towards(placement, moved.end.edge, moved.opposite, direction);
   if (!turned || length(turned->on_a - at) > near_distance(placement.polygon.diameter()))
-    return refused(numbered("team", moved.team) + " is not within its range there");
+    return refused(numbered("team", moved.team) + " is outside its range there");
   chords[moved.team] = turned->chord;
   return std::nullopt;
 }
 
 std::optional<InputError> move_teams(Placement& placement, const std::vector<MovedTeam>& teams) {
-  if (!can_move_teams(placement)) return refused("teams move with the positions range only");
+  if (!can_move_teams(placement))
+    return refused("teams can be moved only with the positions range");
   std::vector<Chord> chords;
   for (const Team& team : placement.teams) chords.push_back(chord_of(team));
   for (const MovedTeam& moved : teams)
     if (auto error = move_team(placement, moved, chords)) return error;
   placement.teams = distribute_weight(chords, placement.settings.weight);
   if (placement.stands && placement.stands->any_collide(lifting_points(placement.teams)))
-    return refused("two robots get into each other's way");
+    return refused("two robots collide");
   placement.team_candidates.clear();
   return std::nullopt;
 }
@@ -244,7 +245,7 @@ std::optional<Moved> moved_along_range(const Placement& placement, std::size_t r
 }
 
 std::optional<InputError> move_robots(Placement& placement, const Moved& moved) {
-  if (!is_moved(moved)) return refused("a robot stands on no point of an edge");
+  if (!is_moved(moved)) return refused("a robot does not stand on an edge");
   auto error = moved.robots.empty() ? move_teams(placement, moved.teams)
                                     : move_balanced(placement, moved.robots);
   if (error) return error;

@@ -120,7 +120,7 @@ Result<std::vector<Candidate>> candidates_of(const Polygon& polygon, const Vec2&
 std::optional<InputError> check_balanced(const Settings& settings) {
   const std::uint32_t least = 2 * settings.survive + 3;
   if (settings.survive == 0 || settings.robots >= least) return std::nullopt;
-  return setting_error(Setting::survive, "to survive " + std::to_string(settings.survive) +
+  return setting_error(Setting::survive, "surviving " + std::to_string(settings.survive) +
                                              (settings.survive == 1 ? " failure" : " failures") +
                                              " takes at least " + std::to_string(least) +
                                              " robots, not " + std::to_string(settings.robots));
@@ -155,16 +155,15 @@ std::optional<InputError> check_settings(const Settings& settings, const Shown& 
   if (!stands_anywhere(settings) && !selects_candidates(settings.method))
     return setting_error(
         settings.no_go.empty() ? Setting::robot : Setting::no_go,
-        "the metrics distributed and random take robots as points that stand anywhere");
+        "the methods distributed and random treat robots as points that can stand anywhere");
   if (settings.goal == Goal::hold && !selects_candidates(settings.method))
     return setting_error(
         Setting::goal,
-        "distributed and random teams choose by direction; teams by area, circle and "
-        "distance and balanced robots can be placed so that they hold");
+        "the methods distributed and random choose by direction; for a hold, choose area, "
+        "circle, distance or balanced");
   if (settings.teams || selects_candidates(settings.method)) return std::nullopt;
-  return setting_error(
-      Setting::teams,
-      "all candidates can be placed by area, circle and distance only; give a number");
+  return setting_error(Setting::teams,
+                       "only area, circle and distance can place all candidates; give a number");
 }
 
 Result<Placement> place(const Document& document, Effort effort) {

@@ -34,7 +34,7 @@ constexpr CommandEntry commands[] = {
     {"version", Command::version, " "},
 };
 constexpr const char* command_names =
-    "the command is place, candidates, svg, poses, link, experiment or version";
+    "the command must be place, candidates, svg, poses, link, experiment or version";
 constexpr std::string_view polygon_members = " name set polygon text centre_of_mass ";
 
 class Reader {
@@ -81,7 +81,7 @@ std::string Reader::value_text(Index at) const {
 }
 
 Result<std::string> Reader::string(Index at, const char* what) const {
-  if (tree_.kind(at) != Kind::string) return error(at, std::string(what) + " is a string");
+  if (tree_.kind(at) != Kind::string) return error(at, std::string(what) + " must be a string");
   return std::string(tree_.text(at));
 }
 
@@ -101,7 +101,7 @@ Problem Reader::take_flag(Index object, std::string_view name, bool& flag) const
   const auto at = tree_.member(object, name);
   if (!at) return std::nullopt;
   if (tree_.kind(*at) != Kind::boolean)
-    return error(*at, "\"" + std::string(name) + "\" is true or false");
+    return error(*at, "\"" + std::string(name) + "\" must be true or false");
   // The offset is that of the last letter: "true" and "false" have the same ending but different
   // lengths.
   const std::size_t last = tree_.offset(*at);
@@ -126,7 +126,7 @@ Result<Vec2> Reader::point(Index at) const {
 
 Result<Points> Reader::points(Index array) const {
   if (tree_.kind(array) != Kind::array)
-    return error(array, "the polygon is an array of points [x, y]");
+    return error(array, "the polygon must be an array of points [x, y]");
   Points points;
   for (Index i = tree_.first(array); i != tree_.end(array); i = tree_.next(i)) {
     if (points.size() == max_vertices)
@@ -141,8 +141,9 @@ Result<Points> Reader::points(Index array) const {
 Result<Document> Reader::document(Index object) const {
   const auto polygon = tree_.member(object, "polygon"), text = tree_.member(object, "text");
   if (polygon.has_value() == text.has_value())
-    return error(object,
-                 "a polygon comes as \"polygon\", an array of points [x, y], or as \"text\"");
+    return error(
+        object,
+        "a polygon must be given either as \"polygon\", an array of points [x, y], or as \"text\"");
   Document document;
   if (polygon) {
     Result<Points> vertices = points(*polygon);
@@ -171,7 +172,8 @@ Result<Document> Reader::document(Index object) const {
 Problem Reader::take_settings(Index object, Document& document) const {
   const auto settings = tree_.member(object, "settings");
   if (!settings) return std::nullopt;
-  if (tree_.kind(*settings) != Kind::object) return error(*settings, "\"settings\" is an object");
+  if (tree_.kind(*settings) != Kind::object)
+    return error(*settings, "\"settings\" must be an object");
   for (Index i = tree_.first(*settings); i != tree_.end(*settings); i = tree_.next(i)) {
     const std::string name(tree_.name(i));
     const auto setting = setting_from_name(name);
@@ -194,7 +196,7 @@ Problem Reader::take_settings(Index object, Document& document) const {
 Problem Reader::take_pose_options(Index object, Request& request) const {
   if (const auto at = tree_.member(object, "format")) {
     const auto format = pose_format_of_file("." + value_text(*at));
-    if (!format) return error(*at, "the format of poses is csv, json or yaml");
+    if (!format) return error(*at, "the format of poses must be csv, json or yaml");
     request.pose_format = *format;
   }
   if (const auto at = tree_.member(object, "origin")) {
@@ -215,11 +217,11 @@ Problem Reader::take_pose_options(Index object, Request& request) const {
 Problem Reader::take_polygons(Request& request) const {
   const auto array = tree_.member(0, "polygons");
   if (!array || tree_.kind(*array) != Kind::array)
-    return error(array.value_or(0), "an experiment has \"polygons\", an array of objects");
+    return error(array.value_or(0), "an experiment needs \"polygons\", an array of objects");
   for (Index i = tree_.first(*array); i != tree_.end(*array); i = tree_.next(i)) {
     if (request.polygons.size() == max_request_polygons)
       return error(i, "there are more than 10000 polygons", ErrorCode::unsupported);
-    if (tree_.kind(i) != Kind::object) return error(i, "each of \"polygons\" is an object");
+    if (tree_.kind(i) != Kind::object) return error(i, "each of \"polygons\" must be an object");
     if (auto wrong = check_members(i, polygon_members)) return wrong;
     NamedPolygon polygon{"polygons", "polygon " + std::to_string(request.polygons.size() + 1),
                          document(i)};
@@ -238,7 +240,8 @@ Problem Reader::take_polygons(Request& request) const {
 Problem Reader::take_experiment_settings(Request& request) const {
   const auto settings = tree_.member(0, "settings");
   if (!settings) return std::nullopt;
-  if (tree_.kind(*settings) != Kind::object) return error(*settings, "\"settings\" is an object");
+  if (tree_.kind(*settings) != Kind::object)
+    return error(*settings, "\"settings\" must be an object");
   if (auto wrong = check_members(*settings, " min_ratio samples max_teams max_balanced "))
     return wrong;
   experiment::ExperimentSettings& given = request.experiment;
@@ -279,7 +282,7 @@ Problem Reader::take_members(Index object, Request& request) const {
 }
 
 Result<Request> Reader::read() {
-  if (tree_.kind(tree_.root()) != Kind::object) return error(0, "a request is a JSON object");
+  if (tree_.kind(tree_.root()) != Kind::object) return error(0, "a request must be a JSON object");
   Request request;
   std::string_view allowed;
   if (auto wrong = take_command(request, allowed)) return *std::move(wrong);

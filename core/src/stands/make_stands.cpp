@@ -15,7 +15,7 @@ InputError no_room(const Settings& settings) {
   const RobotSize& robot = settings.robot;
   const bool hand = robot.depth > 0 || robot.width > 0;
   if (robot.radius == 0 && robot.reach == 0 && !hand)
-    return setting_error(Setting::no_go, "no edge is left that a robot may touch");
+    return setting_error(Setting::no_go, "the no-go edges leave no edge for the robots");
   std::string text = "no edge has room for a ";
   if (robot.radius > 0 || robot.reach > 0)
     text += "robot of radius " + shortest(robot.radius) +

@@ -201,10 +201,11 @@ std::optional<InputError> trace_search(Trace& trace, HistoryLength length) {
   Placement& placement = trace.placement;
   trace.problem.emplace(trace.polygon, trace.centre, placement.settings);
   if (length == HistoryLength::whole && !is_quick_to_finish(*trace.problem))
-    return InputError{ErrorCode::unsupported,
-                      "the search for so many robots on this outline is too long to be shown one "
-                      "by one; ask for fewer robots",
-                      {}};
+    return InputError{
+        ErrorCode::unsupported,
+        "the search for this number of robots on this outline is too long to show step by step; "
+        "ask for fewer robots",
+        {}};
   if (length == HistoryLength::start && !is_quick_to_start(*trace.problem)) return std::nullopt;
   trace.history = balanced_history(*trace.problem, length);
   if (trace.history.found) {

@@ -171,7 +171,7 @@ std::optional<InputError> check_steps(std::uint64_t steps) {
   return InputError{ErrorCode::unsupported,
                     "the algorithm takes at least " + std::to_string(steps) +
                         " steps here, more than the " + std::to_string(max_trace_steps) +
-                        " that are shown one by one",
+                        " that can be shown",
                     {}};
 }
 

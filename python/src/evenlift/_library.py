@@ -42,7 +42,7 @@ def _made_again(kind: type[EvenliftError], args: tuple[Any, ...]) -> EvenliftErr
 def answer(request: str) -> str:
     """Returns the answer to a request, both JSON (docs/requests.md). Other threads can run meanwhile."""
     if "\0" in request:
-        raise EvenliftError("A request has no zero bytes", "bad_syntax")
+        raise EvenliftError("A request must not contain zero bytes", "bad_syntax")
     try:
         data = request.encode("utf-8")
     except UnicodeEncodeError as error:

@@ -43,7 +43,7 @@ def _polygon_text(text: str) -> str:
 
 def _text(name: str, value: str) -> str:
     if _broken_at(value) is not None:
-        raise _bad_setting(name, f"{name}: there is half a character in the text")
+        raise _bad_setting(name, f"{name}: the text contains half a character")
     return value
 
 
@@ -70,7 +70,7 @@ def _vertex(point: Any, index: int) -> list[float]:
     try:
         numbers = _numbers(point)
     except _NotTwoNumbers:
-        raise EvenliftError(f"Vertex {index + 1}: a point is two numbers (x, y)", "bad_syntax", place) from None
+        raise EvenliftError(f"Vertex {index + 1}: a point must be two numbers (x, y)", "bad_syntax", place) from None
     if not all(map(math.isfinite, numbers)):
         raise EvenliftError(f"Vertex {index + 1}: a coordinate is not a finite number", "bad_coordinate", place)
     return numbers
@@ -83,7 +83,7 @@ def shape(polygon: Polygon) -> dict[str, Any]:
     try:
         points = list(polygon)
     except TypeError:
-        raise EvenliftError("A polygon is a sequence of points (x, y), or a text", "bad_syntax") from None
+        raise EvenliftError("A polygon must be a sequence of points (x, y), or a text", "bad_syntax") from None
     if len(points) > _most_vertices:
         raise EvenliftError(f"The polygon has more than {_most_vertices} vertices", "too_many_vertices")
     return {"polygon": [_vertex(point, index) for index, point in enumerate(points)]}
@@ -94,7 +94,7 @@ def _centre(point: Any) -> list[float]:
     try:
         numbers = _numbers(point)
     except _NotTwoNumbers:
-        raise EvenliftError("The centre of mass is two numbers (x, y)", "bad_syntax", place) from None
+        raise EvenliftError("The centre of mass must be two numbers (x, y)", "bad_syntax", place) from None
     if not all(map(math.isfinite, numbers)):
         raise EvenliftError("A coordinate of the centre of mass is not a finite number", "bad_coordinate", place)
     return numbers
@@ -108,7 +108,7 @@ def named_shapes(polygons: Iterable[tuple[Any, Polygon]]) -> list[dict[str, Any]
             raise EvenliftError(f"There are more than {_most_polygons} polygons", "unsupported")
         name = str(given_name)
         if _broken_at(name) is not None:
-            raise EvenliftError(f"The name of polygon {len(shapes) + 1} has half a character", "bad_syntax")
+            raise EvenliftError(f"The name of polygon {len(shapes) + 1} contains half a character", "bad_syntax")
         try:
             shapes.append({"name": name, **shape(polygon)})
         except EvenliftError as error:
@@ -171,9 +171,9 @@ def request(polygon: Polygon, centre_of_mass: Optional[Point], settings: Mapping
 
 def pose_options(format: Any, frame: Any, origin: Any) -> dict[str, Any]:
     if format not in get_args(PoseFormat):
-        raise _bad_setting("format", "The format of poses is csv, json or yaml")
+        raise _bad_setting("format", "The format of poses must be csv, json or yaml")
     if origin not in get_args(PoseOrigin):
-        raise _bad_setting("origin", "The origin of poses is file or com")
+        raise _bad_setting("origin", "The origin of poses must be file or com")
     if not isinstance(frame, str) or not _frame.fullmatch(frame):
-        raise _bad_setting("frame", "The frame is 1 to 255 letters, digits, _, -, . and /, and does not begin with /")
+        raise _bad_setting("frame", "The frame must be 1 to 255 letters, digits, _, -, . and /, without / at the beginning")
     return {"format": format, "frame": frame, "origin": origin}

@@ -18,13 +18,13 @@ std::optional<PoseFormat> pose_format_of_file(std::string_view file_name);
 // The origin of the coordinates: that of the polygon's file, or the centre of mass.
 enum class PoseOrigin : std::uint8_t { file, com };
 std::optional<PoseOrigin> pose_origin_from_name(std::string_view text);  // "file" or "com"
-inline constexpr const char* pose_origin_requirement = "the origin of poses is file or com";
+inline constexpr const char* pose_origin_requirement = "the origin of poses must be file or com";
 
 // Whether the text is a name for a coordinate frame: 1 to 255 letters, digits, '_', '-', '.' and
 // '/', without a '/' at the beginning, which ROS 2 rejects. O(bytes).
 bool is_frame_name(std::string_view text);
 inline constexpr const char* frame_requirement =
-    "the frame is 1 to 255 letters, digits, _, -, . and /, and does not begin with /";
+    "the frame must be 1 to 255 letters, digits, _, -, . and /, without / at the beginning";
 
 struct PoseOptions {
   PoseOrigin origin = PoseOrigin::file;

@@ -12,7 +12,7 @@
 namespace evenlift {
 
 // The loads of the robots by a model: "If all robots are equally stiff and level and the object
-// does not bend, they bear 15.9–17.5 kg each. Robots 2 and 5 let go." Empty for the plan; use
+// does not bend, they carry 15.9–17.5 kg each. Robots 2 and 5 go slack." Empty for the plan; use
 // loads_in_words() for it. Robots count from 1.
 std::string model_in_words(LoadModel model, const ModelLoads& loads, const Units& units = {});
 
@@ -35,8 +35,8 @@ std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& fa
                               const Units& units = {},
                               const std::optional<double>& capacity = std::nullopt);
 
-// "Robot 3 fails: carried by the other five, at most 21.3 kg." Loads are by springs. If the load
-// exceeds the capacity, the text adds the capacity.
+// "Robot 3 fails: the other five carry the object, at most 21.3 kg each." Loads are by springs. If
+// the load exceeds the capacity, the text adds the capacity.
 std::string failure_in_words(std::size_t robot, std::size_t robots,
                              const std::optional<RestOfRobots>& rest,
                              const std::optional<double>& capacity = std::nullopt,

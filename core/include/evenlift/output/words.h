@@ -74,6 +74,9 @@ std::string points_ahead(double share, double other);
 // "1 team", "3 teams".
 std::string count_of(std::size_t n, const char* one, const char* many);
 
+// The name of a method: "area", "equal angles".
+std::string method_in_words(Method method);
+
 // A load ratio, with three decimals.
 std::string ratio_in_words(double ratio);
 
@@ -88,11 +91,11 @@ int coordinate_decimals(const Points& vertices);  // O(n)
 
 // --- A placement. O(1) unless stated otherwise.
 
-// "6 robots carry 15.2–18.1 kg each (100 kg in all).", for balanced robots "6 robots carry 16.7 kg
-// each, all the same (100 kg in all).", or "No team can be placed." The loads are as planned; if
+// "6 robots carry 15.2–18.1 kg each (100 kg in all).", for balanced robots "6 robots carry equal
+// loads of 16.7 kg (100 kg in all).", or "No team can be placed." The loads are as planned; if
 // another model is `shown`, the text begins with "As planned". If C is known only within a distance
 // and the `ranges` of the planned loads are given (loads_by), the text contains these: "6 robots
-// carry 14.9–18.4 kg each, with C known within 3 cm (100 kg in all)." O(m).
+// carry 14.9–18.4 kg each, with a C uncertainty of 3 cm (100 kg in all)." O(m).
 std::string loads_in_words(const ShownPlacement& of, LoadModel shown = LoadModel::plan,
                            const std::vector<LoadRange>& ranges = {});
 
@@ -100,11 +103,11 @@ std::string loads_in_words(const ShownPlacement& of, LoadModel shown = LoadModel
 // empty.
 std::string shortage_in_words(const Placement& placement);
 
-// "A push down on 81 % of the object does not tip it." Empty without teams.
+// "81 % of the object can be pressed down on without tipping it." Empty without teams.
 std::string coverage_in_words(const Placement& placement);
 
 // "It can still turn clockwise.", or what holds it and how far robots may be off, or which robot
-// must stand exactly because it is beside a corner. Empty without teams.
+// must stand exactly in place because it is near a corner. Empty without teams.
 std::string closure_in_words(const ShownPlacement& of);
 
 // "turn either way and slide"; empty if no motion is free.

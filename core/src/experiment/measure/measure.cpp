@@ -169,11 +169,12 @@ std::optional<InputError> check_settings(const ExperimentSettings& settings) {
   if (!is_in_range(Setting::min_ratio, settings.min_ratio))
     return setting_error(Setting::min_ratio);
   if (settings.samples < 1 || settings.samples > max_samples)
-    return bad_setting("samples", "the number of random samples is from 1 to 100000");
+    return bad_setting("samples", "the number of random samples must be from 1 to 100000");
   if (settings.most_teams < 1 || settings.most_teams > max_experiment_teams)
-    return bad_setting("max_teams", "the greatest number of teams is from 1 to 10000");
+    return bad_setting("max_teams", "the greatest number of teams must be from 1 to 10000");
   if (settings.most_balanced < least_robots || settings.most_balanced > most_robots)
-    return bad_setting("max_balanced", "the greatest number of balanced robots is from 2 to 64");
+    return bad_setting("max_balanced",
+                       "the greatest number of balanced robots must be from 2 to 64");
   if (!is_in_range(Setting::weight, settings.weight)) return setting_error(Setting::weight);
   return std::nullopt;
 }

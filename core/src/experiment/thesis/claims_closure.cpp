@@ -41,7 +41,7 @@ std::string distributed_leads(const Rows& rows, const Reading& reading) {
         leads = leads && *(a->*reading.rate) <= *(ours->*reading.rate);
     if (leads) text += (text.empty() ? "" : ", ") + std::to_string(robots);
   }
-  return text.empty() ? "with none of 4 to 12" : "with " + text;
+  return text.empty() ? "none of 4 to 12" : text;
 }
 
 void add_rates(std::vector<Claim>& claims, const Rows& rows, const Reading& reading,
@@ -49,7 +49,7 @@ void add_rates(std::vector<Claim>& claims, const Rows& rows, const Reading& read
   for (const Method method : pair_methods) {
     const Aggregate* a = find(rows, method, robots);
     claims.push_back({"5.5",
-                      "Closed with " + std::to_string(robots) + " robots, " +
+                      "In form closure with " + std::to_string(robots) + " robots, " +
                           std::string(name(method)) + reading.in_words,
                       method == stated_method ? stated : none,
                       a && a->*reading.rate ? percent(*(a->*reading.rate)) + " (of " +
@@ -68,23 +68,29 @@ std::string never_closed(const Results& results, const Reading& reading) {
 void add_reading(std::vector<Claim>& claims, const Results& results, const Rows& rows,
                  const Reading& reading) {
   const std::string how = reading.in_words;
-  claims.push_back(
-      {"5.5", "Polygons that no method closes" + how, "12", never_closed(results, reading)});
+  claims.push_back({"5.5", "Polygons that no method brings into form closure" + how, "12",
+                    never_closed(results, reading)});
   add_rates(claims, rows, reading, 4, Method::distributed, "41 %");
   add_rates(claims, rows, reading, 8, Method::distance, "80 %");
-  claims.push_back({"5.5",
-                    "Closed with 8 robots, distance, polygons with at most 12 vertices" + how, none,
-                    rate(closed_with(results, reading.closed, Method::distance, 8, 12))});
-  claims.push_back({"5.5", "Numbers of robots up to 12 with which distributed closes most" + how,
-                    "all", distributed_leads(rows, reading)});
+  claims.push_back(
+      {"5.5", "In form closure with 8 robots, distance, polygons with at most 12 vertices" + how,
+       none, rate(closed_with(results, reading.closed, Method::distance, 8, 12))});
+  claims.push_back(
+      {"5.5",
+       "Numbers of robots up to 12 with which distributed has the most polygons in form closure" +
+           how,
+       "all", distributed_leads(rows, reading)});
   for (const Method method : candidate_methods)
-    claims.push_back({"5.5", "Closure lost by adding a team, " + std::string(name(method)) + how,
+    claims.push_back({"5.5",
+                      "Form closure lost by adding a team, " + std::string(name(method)) + how,
                       "never", lost_in_words(closure_lost(results, reading.closed, method))});
-  claims.push_back({"5.5", "Closure lost by adding a team, distributed" + how,
+  claims.push_back({"5.5", "Form closure lost by adding a team, distributed" + how,
                     "on the way to 14 and 18 robots",
                     lost_in_words(closure_lost(results, reading.closed, Method::distributed))});
-  claims.push_back({"5.5", "Of the polygons that any method closes, the algorithm does" + how,
-                    "over 88 %", rate(closed(results, reading.closed))});
+  claims.push_back(
+      {"5.5",
+       "Polygons in form closure by the algorithm, of those in form closure by any method" + how,
+       "over 88 %", rate(closed(results, reading.closed))});
 }
 
 }  // namespace

@@ -29,13 +29,15 @@ std::string mean_and_deviation(const std::vector<double>& values, double sign) {
 void add_choices(std::vector<Claim>& claims, const Results& results) {
   claims.push_back({"5.4", "All three metrics choose the same second team", "79 %",
                     rate(same_choice(results, 2))});
-  claims.push_back({"5.4", "Of these, all three choose the same third team", "95 %",
+  claims.push_back({"5.4", "The same third team, where the second is the same", "95 %",
                     rate(same_choice(results, 3))});
   // Fewer vertices leave fewer choices.
   claims.push_back({"5.4", "The same second team, polygons with at most 12 vertices", none,
                     rate(same_choice(results, 2, 12))});
-  claims.push_back({"5.4", "Of these the same third team, polygons with at most 12 vertices", none,
-                    rate(same_choice(results, 3, 12))});
+  claims.push_back(
+      {"5.4",
+       "The same third team, where the second is the same, polygons with at most 12 vertices", none,
+       rate(same_choice(results, 3, 12))});
   claims.push_back(
       {"5.4", "Where the second team differs, the coverages differ by less than 10 % of the object",
        "most", rate(alike_coverage(results, 0.1))});
@@ -53,7 +55,7 @@ void add_algorithm(std::vector<Claim>& claims, const Results& results, const Row
   claims.push_back({"6.1",
                     "Coverage by the algorithm: mean over all its measurements from 4 robots on",
                     "87 %", mean_and_deviation(all_coverages(results), 1)});
-  claims.push_back({"6.1", "Coverage by the algorithm: with as many teams as can be placed", "87 %",
+  claims.push_back({"6.1", "Coverage by the algorithm: with the greatest number of teams", "87 %",
                     mean_and_deviation(final_coverages(results), 1)});
 }
 
@@ -61,16 +63,17 @@ void add_algorithm(std::vector<Claim>& claims, const Results& results, const Row
 void add_comparisons(std::vector<Claim>& claims, const Results& results) {
   claims.push_back(
       {"5.4",
-       "Coverage of distributed less that of the algorithm, mean over a polygon’s numbers of teams",
+       "Coverage of distributed less coverage of the algorithm, mean over a polygon’s numbers of teams",
        "10 % (s.d. 10 %)",
        mean_and_deviation(coverage_differences(results, Method::distributed), 1)});
-  claims.push_back({"5.4", "Coverage of the algorithm less that of random, likewise",
-                    "slightly more",
-                    mean_and_deviation(coverage_differences(results, Method::random), -1)});
+  claims.push_back(
+      {"5.4",
+       "Coverage of the algorithm less coverage of random, mean over a polygon’s numbers of teams",
+       "slightly more", mean_and_deviation(coverage_differences(results, Method::random), -1)});
   const auto loss = greatest_loss(results, 12);
   claims.push_back(
       {"5.4",
-       "Coverage with 12 robots before and after the centre of mass is moved, at its worst (figure 5.9)",
+       "Coverage with 12 robots before and after the centre of mass is moved, worst case (figure 5.9)",
        "84.71 % to 12.98 %",
        loss ? percent(loss->before, 2) + " to " + percent(loss->after, 2) + " (" + loss->polygon +
                   ")"

@@ -36,8 +36,7 @@ void add_spreads(std::vector<Claim>& claims, const Rows& rows, std::uint32_t rob
     const Aggregate* a = find(rows, method, robots);
     claims.push_back(
         {"5.3",
-         "Difference of loads with " + std::to_string(robots) + " robots, " +
-             std::string(name(method)),
+         "Spread of loads with " + std::to_string(robots) + " robots, " + std::string(name(method)),
          value,
          a ? with_deviation(fixed(a->spread.mean, 2) + " kg", a->spread.deviation, 1, 2, " kg")
            : none});
@@ -53,7 +52,7 @@ void add_ranges(std::vector<Claim>& claims, const Rows& rows, std::uint32_t robo
     const Aggregate* a = find(rows, method, robots);
     claims.push_back(
         {"5.3",
-         "Loads that follow with " + std::to_string(robots) + " robots, mean ± half, " +
+         "Range of loads with " + std::to_string(robots) + " robots, mean ± half the spread, " +
              std::string(name(method)),
          value,
          a ? fixed(mean - a->spread.mean / 2, 2) + "–" + fixed(mean + a->spread.mean / 2, 2) + " kg"
@@ -65,7 +64,7 @@ void add_shares(std::vector<Claim>& claims, const Rows& rows) {
   for (const auto& [method, value] : shares_of_10_teams) {
     const Aggregate* a = find(rows, method, 20);
     claims.push_back(
-        {"5.3", "Shares of their team’s load with 10 teams, " + std::string(name(method)), value,
+        {"5.3", "Shares of the team’s load with 10 teams, " + std::string(name(method)), value,
          a ? with_deviation(
                  fixed(100 - 100 * a->max_share.mean, 1) + "–" + percent(a->max_share.mean, 1),
                  a->max_share.deviation, 100, 1, " %")
@@ -91,7 +90,7 @@ void add_robots_needed(std::vector<Claim>& claims, const Rows& rows) {
                                                        : "22";
     claims.push_back(
         {"5.3",
-         "Fewest robots whose greatest load is at most 5 kg of 100 kg, averaged over the polygons, " +
+         "Fewest robots with a greatest load of at most 5 kg of 100 kg, averaged over the polygons, " +
              std::string(name(method)),
          stated, robots_needed(rows, method, 5)});
   }
@@ -101,8 +100,8 @@ void add_times(std::vector<Claim>& claims, const Rows& rows, std::uint32_t most_
   const auto add = [&](const std::string& where, const char* stated, auto made) {
     for (const Method method : {Method::distributed, Method::random})
       claims.push_back({"6.1",
-                        "How many times more evenly than " + std::string(name(method)) +
-                            " the algorithm shares the weight, " + where,
+                        "Spread of loads of " + std::string(name(method)) +
+                            " in multiples of the algorithm’s, " + where,
                         stated, made(method)});
   };
   add("over the numbers of robots shown", "5–8", [&](Method method) -> std::string {

@@ -19,15 +19,15 @@ struct Plan {
 };
 
 constexpr Plan plans[] = {
-    {"5.3", "Difference between the greatest and the least load of a robot", "kg", "spread_mean",
+    {"5.3", "Spread of loads: the greatest less the least load of a robot", "kg", "spread_mean",
      pick_spread, spread_sentence},
-    {"5.4", "Standard deviation of the difference of loads over the polygons", "kg", "spread_sd",
+    {"5.4", "Standard deviation of the spread of loads over the polygons", "kg", "spread_sd",
      [](const Aggregate& a) { return a.spread.deviation; }, spread_deviation_sentence},
-    {"5.5", "Greatest share of its team’s load that a robot bears", "%", "max_share_mean",
+    {"5.5", "Greatest share of its team’s load that a robot carries", "%", "max_share_mean",
      pick_share, share_sentence},
     {"5.6", "Standard deviation of the greatest share over the polygons", "%", "max_share_sd",
      [](const Aggregate& a) { return a.max_share.deviation; }, share_deviation_sentence},
-    {"5.7", "Coverage: part of the object inside the lifting base", "%", "coverage_mean",
+    {"5.7", "Coverage: share of the object above the lifting base", "%", "coverage_mean",
      pick_coverage, coverage_sentence},
     {"5.8", "Standard deviation of coverage over the polygons", "%", "coverage_sd",
      [](const Aggregate& a) { return a.coverage.deviation; }, coverage_deviation_sentence},

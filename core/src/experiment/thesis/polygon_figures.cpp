@@ -72,7 +72,7 @@ std::string closure_sentence(const PolygonResult& result) {
   return "First in form closure " + listed(items) + "." +
          lost_again(result, Method::distributed, "Equal angles") +
          lost_again(result, Method::balanced, "Balanced robots") +
-         " Of random placements it is the part that is in form closure.";
+         " For random, the chart shows the share of placements in form closure.";
 }
 
 Figure figure_of(const PolygonResult& result, const char* id, const char* title,
@@ -96,9 +96,9 @@ std::vector<Figure> make_polygon_figures(const PolygonResult& result,
   return {
       figure_of(result, "load_max", "Greatest load of a robot", unit, &Measurement::load_max,
                 by_every_method(result, &Measurement::load_max, weighed) + random_note(settings)),
-      figure_of(result, "spread", "Difference between the greatest and the least load of a robot",
+      figure_of(result, "spread", "Spread of loads: the greatest less the least load of a robot",
                 unit, &Measurement::spread, by_every_method(result, &Measurement::spread, weighed)),
-      figure_of(result, "coverage", "Coverage: part of the object inside the lifting base", "%",
+      figure_of(result, "coverage", "Coverage: share of the object above the lifting base", "%",
                 &Measurement::coverage,
                 by_every_method(result, &Measurement::coverage, in_percent)),
       figure_of(result, "form_closure", "Form closure", "%", &Measurement::form_closure,

@@ -49,8 +49,8 @@ std::string deviations(const Rows& rows, std::uint32_t most_robots, Pick pick, W
     if (!least || *pick(*held) < *pick(*least)) least = held;
   }
   if (!most) return "One polygon alone has no standard deviation.";
-  if (*pick(*most) <= 0) return "It is the same for all of these polygons, with every method.";
-  return "Polygons differ most among each other when robots stand " + by(most->method) +
+  if (*pick(*most) <= 0) return "The value is the same for all these polygons, with every method.";
+  return "Polygons differ most from each other when robots are placed " + by(most->method) +
          " (standard deviation up to " + write(*pick(*most)) + ", with " + of_robots(most->robots) +
          ") and least " + by(least->method) + " (up to " + write(*pick(*least)) + ", with " +
          of_robots(least->robots) + ").";
@@ -108,14 +108,15 @@ std::string listed(const std::vector<std::string>& items) {
 std::string spread_sentence(const Rows& rows, std::uint32_t most_robots) {
   if (most_robots == 0) return nothing;
   const std::uint32_t robots = std::min<std::uint32_t>(4, most_robots);
-  std::string text = "With " + of_robots(robots) + " the loads differ by " +
+  std::string text = "With " + of_robots(robots) + " the spread of loads is " +
                      by_every_method(rows, robots, pick_spread, in_kg) +
                      ", averaged over the polygons.";
   const auto distributed = spread_ratio(rows, Method::distributed, most_robots);
   const auto random = spread_ratio(rows, Method::random, most_robots);
   if (distributed && random)
-    text += " From 2 to " + of_robots(most_robots) + " the difference at equal angles is " +
-            times(*distributed) + " times that of the algorithm (the mean of its three metrics), " +
+    text += " From 2 to " + of_robots(most_robots) + " the spread at equal angles is " +
+            times(*distributed) +
+            " times the spread of the algorithm (the mean of its three metrics), " +
             "and at random " + times(*random) + " times.";
   return text;
 }
@@ -129,9 +130,10 @@ std::string spread_deviation_sentence(const Rows& rows, std::uint32_t most_robot
 std::string share_sentence(const Rows& rows, std::uint32_t most_robots) {
   if (most_robots == 0) return nothing;
   const std::uint32_t robots = std::min<std::uint32_t>(20, most_robots);
-  return "With " + of_robots(robots) + " the robot that bears most of its team’s load bears " +
+  return "With " + of_robots(robots) +
+         " the robot with the larger share of its team’s load carries " +
          by_every_method(rows, robots, pick_share, in_percent) +
-         ", averaged over the polygons; an even half would be 50\u00A0%, as of any two balanced robots.";
+         ", averaged over the polygons; an even half is 50\u00A0%, as for any two balanced robots.";
 }
 
 std::string share_deviation_sentence(const Rows& rows, std::uint32_t most_robots) {
@@ -168,8 +170,9 @@ std::string closure_sentence(const Rows& rows, std::uint32_t most_robots) {
   if (!first || first->closable == 0)
     return "No teams of two bring any of these polygons into form closure.";
   const std::uint32_t robots = std::min<std::uint32_t>(8, most_robots);
-  return "With " + of_robots(robots) + ", of the polygons that teams of two can close, " +
-         by_every_method(rows, robots, pick_closure, in_percent) + " are in form closure.";
+  return "With " + of_robots(robots) + ", " +
+         by_every_method(rows, robots, pick_closure, in_percent) +
+         " are in form closure, of the polygons that teams of two can bring into it.";
 }
 
 }  // namespace evenlift::experiment

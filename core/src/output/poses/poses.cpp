@@ -136,7 +136,7 @@ std::string as_yaml(const std::vector<PlacedRobot>& robots, const Units& units,
     const PlacedRobot& robot = robots[i];
     const auto [z, w] = half_turn(robot.direction);
     text += "  # Robot " + std::to_string(i + 1) + " of team " + std::to_string(robot.team + 1) +
-            " bears " + shortest(robot.load) + " " + std::string(name(units.weight)) + "\n";
+            " carries " + shortest(robot.load) + " " + std::string(name(units.weight)) + "\n";
     text += "  - position: " +
             vector_in_yaml({{"x", in_metres(robot.at.x(), units.length)},
                             {"y", in_metres(robot.at.y(), units.length)},

@@ -17,7 +17,7 @@ std::string settings_line(const ShownPlacement& of) {
   const Shown& shown = of.shown;
   const Settings& settings = placement.settings;
   const bool by_ratio = selects_candidates(settings.method);
-  std::string line = "Method: " + std::string(name(settings.method));
+  std::string line = "Method: " + method_in_words(settings.method);
   if (settings.method == Method::random) line += ", seed " + std::to_string(settings.seed);
   line += " · " + (settings.method == Method::balanced
                        ? count_of(count_robots(placement.teams), "robot", "robots")
@@ -26,8 +26,7 @@ std::string settings_line(const ShownPlacement& of) {
   line += " · coverage " + percentage(placement.coverage);
   if (shown.capacity) line += " · a robot can carry " + given_weight(*shown.capacity, shown.units);
   if (shown.com_radius > 0)
-    line +=
-        " · centre of mass known within " + with_length_unit(plain(shown.com_radius), shown.units);
+    line += " · C uncertainty " + with_length_unit(plain(shown.com_radius), shown.units);
   return line + (placement.closure.form_closure ? " · form closure" : " · no form closure");
 }
 
@@ -64,7 +63,7 @@ std::vector<KeyEntry> key(const Seen& seen) {
     return element("path", path({{-9, 0}, {9, 0}}, false) + attribute("stroke", colour) +
                                attribute("stroke-width", 5));
   };
-  if (seen.no_go) entries.push_back({stroke(no_go_colour), "no robot may touch this"});
+  if (seen.no_go) entries.push_back({stroke(no_go_colour), "no-go edge"});
   if (seen.unusable) entries.push_back({stroke(unusable_colour), "no robot fits here"});
   if (seen.overload)
     entries.push_back({text({-9, 4.5}, 13, "00",

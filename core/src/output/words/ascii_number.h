@@ -1,4 +1,4 @@
-// Numbers that are rounded as for people (words.h) but read by programs: minus is "-".
+// Numbers rounded as in words.h, but for programs: the minus sign is "-".
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What the steps of balanced robots say, and their formulas.
+// Captions and formulas of the steps for balanced robots.
 #include <algorithm>
 
 #include "evenlift/output/robustness_words.h"
@@ -15,7 +15,7 @@ Piece bears(const Trace& trace, std::size_t robots) {
   return weight_text(trace, load, load);
 }
 
-// "the coverage goes from 83 % to 89 %", with as many decimals as tell the two apart.
+// "the coverage goes from 83 % to 89 %", with enough decimals to show a difference.
 std::string coverage_change(double before, double after) {
   constexpr int most_decimals = 6;
   int decimals = 0;
@@ -29,10 +29,10 @@ std::string coverage_change(double before, double after) {
 
 Piece margin_or_0(const std::optional<double>& margin) { return margin_text(margin.value_or(0)); }
 
-// "the best by the goal": what is asked of a set.
+// The criteria for the best set, by the goal.
 std::string aim_of_sets(const Settings& settings) {
   return goal_of(settings) == Goal::hold
-             ? "room between the robots first, then a firm hold, then coverage"
+             ? "room between the robots first, then a strong hold, then coverage"
              : "room between the robots first, then coverage";
 }
 
@@ -42,7 +42,7 @@ std::string aim_of_sets(const Settings& settings) {
 
 std::string StepCaptions::lever() const {
   return fill(
-      "Two robots, with C in the middle between them: equal arms. By the law of the lever both bear the same, #. But what about three?",
+      "Two robots with C midway between them have equal arms. By the law of the lever, both carry the same load, #. But what about three?",
       {bears(trace_, 2)});
 }
 
@@ -56,7 +56,7 @@ std::string StepFormulas::lever() const {
 }
 
 std::string StepCaptions::three() const {
-  return "Three robots. Robots 1 and 2 together lift as if they were at the middle M between them. The lever from robot 3 to M has arms of 2 to 1: so robot 3 bears one third, and the other two bear two thirds, one each. The same is true from every corner: C is the centroid of the three.";
+  return "Three robots. Robots 1 and 2 together lift as if they were at the middle M between them. The lever from robot 3 to M has arms in the ratio 2 to 1, so robot 3 carries one third, and the other two carry one third each. The same is true from every corner: C is the centroid of the three.";
 }
 
 std::string StepFormulas::three() const {
@@ -71,7 +71,7 @@ std::string StepFormulas::three() const {
 std::string StepCaptions::many() const {
   const std::size_t robots = detail_.balanced->robots.size();
   return fill(
-      "The law of the centroid: # can bear the same as soon as C is the centroid of their places. They do so if forces are controlled, or if all are equally stiff and level. Lay the arrows from C to the robots end to end, each shortened to its part of the weight: they come back to C, so no side pulls harder than another.",
+      "The law of the centroid: # can carry equal loads if C is the centroid of their places. They do if forces are controlled, or if all are equally stiff and level and the object does not bend. Lay the arrows from C to the robots end to end, each scaled to its share of the weight: they return to C, so no side pulls harder than another.",
       {counted(robots, "robot")});
 }
 
@@ -88,9 +88,9 @@ std::string StepCaptions::rest() const {
   const BalancedDetail& balanced = *detail_.balanced;
   const std::size_t placed = balanced.rest.size();
   if (placed == 0)
-    return "How does one find such places? The middle between two robots must be C itself.";
+    return "How are such places found? The middle between two robots must be C itself.";
   return fill(
-      "How does one find such places? Let # stand here. Two more are to come, so that C is the centroid of all #. Then the middle between those two can only be one point: M, at #.",
+      "How are such places found? Let # stand here, and add two so that C is the centroid of all #. Then the middle between those two can be only one point: M, at #.",
       {placed == 1 ? Piece("one robot") : counted(placed, "robot"), whole(placed + 2),
        point_text(trace_, balanced.middle)});
 }
@@ -99,14 +99,14 @@ std::string StepFormulas::rest() const {
   const BalancedDetail& balanced = *detail_.balanced;
   if (balanced.rest.empty()) return {};
   return fill(balanced.rest.size() == 1 ? "M = (# C − p1) / 2 = #"
-                                        : "M = (# C − the places that are taken) / 2 = #",
+                                        : "M = (# C − the sum of the places taken) / 2 = #",
               {whole(balanced.rest.size() + 2), point_text(trace_, balanced.middle)});
 }
 
 std::string StepCaptions::mirror() const {
   const std::size_t chords = detail_.balanced->chords.size();
   return fill(
-      "Which two points of the boundary have M in their middle? Turn the outline about M by half a turn. Where it meets its own copy, there is a point of the boundary, and straight across M another one: # #.",
+      "Which two points of the boundary have M midway between them? Turn the outline about M by half a turn. Each point where it meets its copy is on the boundary, and so is the point straight across M: # #.",
       {counted(chords, "chord"), chords == 1 ? "has M in its middle" : "have M in their middle"});
 }
 
@@ -116,13 +116,13 @@ std::string StepCaptions::completion() const {
   const Piece robots = whole(balanced.robots.size());
   std::string text =
       chords == 1
-          ? fill("This chord makes a set of # robots that can bear the same.", {robots})
+          ? fill("This chord makes a set of # robots that can carry equal loads.", {robots})
           : fill(
-                "Each of the # chords makes a set of # robots that can bear the same. The best is chord #.",
+                "Each of the # chords makes a set of # robots that can carry equal loads. The best is chord #.",
                 {whole(chords), robots, counted_from_1(balanced.chosen)});
   if (!balanced.rest.empty())
     text += fill(
-        " The first robot was tried at # stands along the outline, and this set is the best of all (#): it covers # of the object.",
+        " The first robot was tried at # points along the outline, and this set is the best of all (#). Its coverage is #.",
         {whole(trace_.history.stands), aim_of_sets(placement_.settings),
          percent(balanced.keys.coverage)});
   return text;
@@ -134,18 +134,18 @@ std::string StepCaptions::start() const {
   const Piece covers = percent(detail_.balanced->keys.coverage);
   if (set.at_once)
     return fill(
-        "# robots, found at once on the parts of the boundary that robots of this size can use, with C as their centroid. They cover # of the object.",
+        "# robots, found together on the parts of the boundary that robots of this size can use, with C as their centroid. Their coverage is #.",
         {whole(robots), covers});
   if (robots == 2) return "Two robots, at the ends of a chord with C in its middle.";
   if (set.came.size() == 2)
     return fill(
-        "# robots: the set of # stays, and two more come to the ends of a chord with C in its middle, so that C stays the centroid. They cover # of the object.",
+        "# robots: the set of # stays, and two more take the ends of a chord with C in its middle, so that C stays the centroid. Their coverage is #.",
         {whole(robots), whole(kept), covers});
   const std::string stays = kept == 0   ? std::string()
-                            : kept == 1 ? std::string("one stands, ")
+                            : kept == 1 ? std::string("one stays, ")
                                         : fill("the set of # stays, ", {whole(kept)});
   return fill(
-      "# robots: #one comes to a stand, and two to the ends of a chord with M in its middle. They cover # of the object.",
+      "# robots: #one takes a trial point, and two take the ends of a chord with M in its middle. Their coverage is #.",
       {whole(robots), stays, covers});
 }
 
@@ -161,7 +161,7 @@ std::string StepCaptions::exchange() const {
   const std::string change = coverage_change(balanced.keys_before.coverage, balanced.keys.coverage);
   switch (move.decided_by) {
     case BalancedKey::near_pairs:
-      return begin + fill("# of robots too near to each other, instead of #; #.",
+      return begin + fill("# of robots too close to each other, instead of #; #.",
                           {counted(balanced.keys.near_pairs, "pair"),
                            whole(balanced.keys_before.near_pairs), change});
     case BalancedKey::steady:
@@ -169,21 +169,21 @@ std::string StepCaptions::exchange() const {
                           {fail(balanced.keys.steady), fail(balanced.keys_before.steady), change});
     case BalancedKey::level:
       return begin +
-             fill("they hold the object more firmly, with a margin of # instead of #; #.",
-                  {margin_or_0(balanced.margin), margin_or_0(balanced.margin_before), change});
+             fill("the margin rises from # to #; #.",
+                  {margin_or_0(balanced.margin_before), margin_or_0(balanced.margin), change});
     case BalancedKey::coverage:
       return begin + change + ". C is still the centroid of all.";
     case BalancedKey::spread:
-      return begin + change + ", and they stand farther away from C.";
+      return begin + change + ", and they stand farther from C.";
     case BalancedKey::places:
       break;
   }
-  return begin + "all else stays, and they come earlier along the outline.";
+  return begin + "all else stays the same, and they stand earlier along the outline.";
 }
 
 std::string StepFormulas::exchange() const {
   const BalancedDetail& balanced = *detail_.balanced;
-  return fill("M = (# C − the sum of # places) / 2 = #: # about it",
+  return fill("M = (# C − the sum of # places) / 2 = #, the middle of #",
               {whole(balanced.robots.size()), whole(balanced.rest.size()),
                point_text(trace_, balanced.middle), counted(balanced.chords.size(), "chord")});
 }
@@ -193,14 +193,14 @@ std::string StepCaptions::round() const {
   const auto made = static_cast<std::size_t>(std::count_if(
       moves.begin(), moves.end(), [&](const BalancedMove& move) { return move.round == item_; }));
   return fill(
-      "Round # is over: of the # ways to let three robots go, # made the set better. It covers # of the object now. Once more from the beginning.",
+      "Round # is over: of the # ways to move three robots, # made the set better. Its coverage is now #. Another round begins.",
       {counted_from_1(item_), whole(trace_.history.triples), whole(made),
        percent(detail_.balanced->keys.coverage)});
 }
 
 std::string StepCaptions::settled() const {
   const BalancedHistory& history = trace_.history;
-  const Piece exchanges = counted(history.moves.size(), "exchange");
+  const Piece exchanges = counted(history.moves.size(), "swap");
   const Piece first = percent(balanced_keys(*trace_.problem, history.start.back().robots).coverage);
   const Piece last = percent(detail_.balanced->keys.coverage);
   if (!history.settled)
@@ -208,10 +208,10 @@ std::string StepCaptions::settled() const {
                 {whole(history.rounds), exchanges, first, last});
   if (history.moves.empty())
     return fill(
-        "No three robots can move to make it better: the first set is the answer, with a coverage of #.",
+        "No move of three robots makes the set better: the first set is the answer, with a coverage of #.",
         {last});
   return fill(
-      "No three robots can move to make it better: # changed nothing any more. # took the coverage from # to #.",
+      "No move of three robots makes the set better: # changed nothing. # took the coverage from # to #.",
       {fill("round #", {whole(history.rounds)}), exchanges, first, last});
 }
 
@@ -221,10 +221,10 @@ std::string StepCaptions::failure() const {
   const std::optional<RestOfRobots>& rest = detail_.balanced->rest_of[item_];
   const std::string fails =
       failure_in_words(item_, detail_.balanced->rest_of.size(), rest, std::nullopt, trace_.units);
-  if (!rest) return fails + " C is outside of their hull: the object tips over.";
+  if (!rest) return fails + " C is outside their lifting base: the object tips over.";
   return fails +
          fill(
-             " C is still within their hull, which covers # of the object. They # keep it from sliding and turning.",
+             " C is still within their lifting base, which covers # of the object. They # keep it from sliding and turning.",
              {percent(rest->coverage), rest->form_closure                ? "still"
                                        : placement_.closure.form_closure ? "no longer"
                                                                          : "do not"});
@@ -236,8 +236,8 @@ std::string StepCaptions::failures() const {
   if (known.failures_carried < 2) return text;
   return text +
          fill(known.failures_steady < known.failures_carried
-                  ? " The others even carry it if any # fail at once, though it can tip then."
-                  : " The others even carry it if any # fail at once.",
+                  ? " The others carry it even if any # fail at once, though it can then tip."
+                  : " The others carry it even if any # fail at once.",
               {whole(static_cast<std::size_t>(known.failures_carried))});
 }
 
@@ -248,12 +248,12 @@ std::string StepCaptions::pairs() const {
   const std::string loads = load_in_words(pairs.loads->min, most, most, trace_.units);
   const int steady = robustness(pairs).failures_steady;
   return fill(
-      "As many robots in pairs, chosen by area, cover # instead of #, and bear # each. But every line through C has one robot of each pair on either side, so # carry any # at once, wherever they stand; #. Balanced robots give no such promise: each set must be looked at.",
-      {percent(pairs.coverage), percent(placement_.coverage), loads, counted(teams, "pair"),
+      "The same number of robots in teams by area have a coverage of # instead of # and carry # each. But every line through C has one robot of each team on either side, so # still carry the object after any # at once, wherever they stand; #. Balanced robots give no such guarantee: each set must be checked.",
+      {percent(pairs.coverage), percent(placement_.coverage), loads, counted(teams, "team"),
        counted(teams - 1, "failure"),
-       steady < 1
-           ? std::string("but already one can leave them on a knife's edge")
-           : fill("here they stay steady in any #", {whole(static_cast<std::size_t>(steady))})});
+       steady < 1 ? std::string("but a single failure can leave it on a knife's edge")
+                  : fill("here it stays steady after any #",
+                         {counted(static_cast<std::size_t>(steady), "failure")})});
 }
 
 }  // namespace evenlift

@@ -1,4 +1,4 @@
-// What a figure of a step is.
+// Descriptions of the figures of a step.
 #include <array>
 #include <cmath>
 
@@ -9,7 +9,7 @@
 namespace evenlift {
 namespace {
 
-// One figure, and the words and numbers that its sentence needs.
+// One figure, with the words and numbers for its description.
 class FigureWords {
  public:
   FigureWords(const Trace& trace, const StepDetail& detail, const Figure& figure)
@@ -44,8 +44,8 @@ class FigureWords {
   std::string chosen() const {
     return fill(detail_.balanced   ? "The chord that two robots take, with M in its middle"
                 : detail_.opposite ? "The chord between the two vertices, load ratio #"
-                : !figure_.item    ? "The best chord of the pair, load ratio #"
-                                   : "The pair's candidate, load ratio #",
+                : !figure_.item    ? "The best chord of the edge pair, load ratio #"
+                                   : "The edge pair's candidate, load ratio #",
                 {ratio()});
   }
   std::string candidate() const {
@@ -94,7 +94,7 @@ class FigureWords {
   std::uint32_t index_;
 };
 
-// A sentence, and what its blanks # are filled with.
+// A description, and the texts for its blanks #.
 struct FigureRow {
   FigureKind kind;
   std::string_view pattern;
@@ -131,19 +131,19 @@ constexpr FigureRow rows[] = {
     {FigureKind::base,          "Lifting base H"},
     {FigureKind::contact,       "Contact #: # on edge #", {&W::item, &W::robot_of_contact, &W::edge_of_contact}},
     {FigureKind::normal,        "Normal line of contact #", {&W::item}},
-    {FigureKind::clockwise,     "About these points it can turn clockwise"},
-    {FigureKind::counterclockwise, "About these points it can turn counter-clockwise"},
-    {FigureKind::translation,   "A way to slide"},
+    {FigureKind::clockwise,     "It can turn clockwise about these points"},
+    {FigureKind::counterclockwise, "It can turn counter-clockwise about these points"},
+    {FigureKind::translation,   "It can slide this way"},
     {FigureKind::lever,         "A lever that turns about C"},
     {FigureKind::side,          "Two robots that lift together, as if at the middle between them"},
     {FigureKind::arm,           "From C to robot #", {&W::item}},
-    {FigureKind::sum,           "The arrows end to end, each shortened to its part of the weight: they come back to C"},
+    {FigureKind::sum,           "The arrows end to end, each scaled to its share of the weight: they return to C"},
     {FigureKind::middle,        "M #, the middle between two robots", {&W::point}},
-    {FigureKind::stand,         "A stand #, where one robot comes", {&W::point}},
+    {FigureKind::stand,         "A trial point #, where one robot goes", {&W::point}},
     {FigureKind::mirrored,      "The object turned about M by half a turn"},
     {FigureKind::even_chord,    "Chord #, with M in its middle", {&W::item}},
     {FigureKind::left,          "Where robot # stood before", {&W::item}},
-    {FigureKind::way,           "Where the robot went"},
+    {FigureKind::way,           "The robot's way to its new place"},
     {FigureKind::range,         "Where a robot may stand on edge #, with its partner straight across C", {&W::item}},
     {FigureKind::range_end,     "End of the range, load ratio #", {&W::ratio}},
     {FigureKind::former,        "Candidate #, which a team left, load ratio #", {&W::item, &W::ratio}},

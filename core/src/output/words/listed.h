@@ -1,4 +1,4 @@
-// Numbers one after another in a sentence.
+// Lists of numbers in sentences.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace evenlift {
 
-// "1, 2 and 5" with "and" as the last word; of more than eight numbers the first seven, "and 3
-// more".
+// "1, 2 and 5", with "and" as the last word. Of more than eight numbers, only the first seven
+// appear, with "and 3 more".
 inline std::string listed(const std::vector<std::size_t>& numbers, const std::string& last_word) {
   constexpr std::size_t most_named = 8;
   const std::size_t named = numbers.size() > most_named ? most_named - 1 : numbers.size();
@@ -21,7 +21,7 @@ inline std::string listed(const std::vector<std::size_t>& numbers, const std::st
   return text;
 }
 
-// "2, 4 and 5" for robots, teams or candidates that are numbered from 0.
+// "2, 4 and 5" for robots, teams or candidates numbered from 0.
 template <class Number>
 std::string numbers_from_1(const std::vector<Number>& numbers) {
   std::vector<std::size_t> shown;

@@ -43,7 +43,7 @@ std::string with_point(std::string units, int decimals) {
 
 bool is_zero(const std::string& units) { return units.find_first_not_of('0') == std::string::npos; }
 
-// The first power of ten above the size of the number; 0 for 0.
+// The exponent of the first power of ten above the absolute value; 0 for 0.
 int magnitude(const Decimal& decimal) {
   return decimal.digits == 0
              ? 0
@@ -64,7 +64,7 @@ std::string fixed(double value, int decimals) {
 }
 
 std::string plain(double value) {
-  return value == 0 ? "0" : with_minus_sign(shortest(value));  // of -0, too
+  return value == 0 ? "0" : with_minus_sign(shortest(value));  // -0 is "0"
 }
 
 std::string significant(double value, int digits) {
@@ -88,7 +88,7 @@ int decimals_for(double largest) {
 
 std::string amount(double value, double largest) {
   constexpr double least_fixed = 1e-6;  // below, fixed() would show fewer than three digits
-  constexpr double most_fixed = 1e12;   // from there on more than anybody reads
+  constexpr double most_fixed = 1e12;   // from here on, too many digits to read
   const double size = std::fabs(largest);
   if (size < least_fixed || size >= most_fixed) return significant(value, 3);
   return fixed(value, decimals_for(largest));
@@ -162,7 +162,7 @@ std::string count_of(std::size_t n, const char* one, const char* many) {
 std::string ratio_in_words(double ratio) { return fixed(ratio, 3); }
 
 std::string given_point(const Vec2& point) {
-  // A number that is rounded to zero is written without a minus.
+  // A coordinate that is rounded to zero has no minus sign.
   const double least = 1e-9 * point.cwiseAbs().maxCoeff();
   const auto coordinate = [&](double value) {
     return significant(std::fabs(value) < least ? 0 : value, 6);

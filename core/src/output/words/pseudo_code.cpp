@@ -1,4 +1,4 @@
-// The algorithm in our own words, a statement a line.
+// The algorithm as pseudo-code, one statement per line.
 #include "output/words/pseudo_code.h"
 
 #include <algorithm>
@@ -17,9 +17,9 @@ struct Line {
 };
 
 constexpr Line head[] = {
-    {Statement::centre, "C := the centre of mass given, or else the centroid of P"}};
+    {Statement::centre, "C := the given centre of mass, or else the centroid of P"}};
 constexpr Line with_a_size[] = {
-    {Statement::stands, "use only those parts of the boundary at which a robot can stand"}};
+    {Statement::stands, "use only the parts of the boundary where a robot can stand"}};
 constexpr Line by_candidates[] = {
     {Statement::each_vertex, "for each vertex v, in the order in which C sees them"},
     {Statement::each_hit, "  for each boundary point r straight across C: note the chord v r"},
@@ -30,8 +30,7 @@ constexpr Line by_candidates[] = {
     {Statement::bisecting, "  else if C bisects a chord between a' and b': chord := that one"},
     {Statement::nearer_end, "  else: chord := the one at the end with the larger load ratio"},
     {Statement::accept, "  if its load ratio ≥ the minimum: it is a candidate"},
-    {Statement::opposite,
-     "likewise the chord between each two vertices opposite each other across C"},
+    {Statement::opposite, "the same for each chord between two vertices opposite across C"},
     {Statement::merge, "merge candidates that are the same chord"},
     {Statement::order, "keep the candidates in order of slope"},
     {Statement::first_team, "first team := the longest even candidate, else the most even one"},
@@ -42,10 +41,10 @@ constexpr Line by_candidates[] = {
     {Statement::wider_base, "  H := the convex hull of H and its robots"}};
 constexpr Line in_ranges[] = {
     {Statement::range,
-     "  likewise the chords at 1/16 from either end of where the load ratio ≥ the minimum"}};
+     "  the same for chords 1/16 from either end of the range of load ratios ≥ the minimum"}};
 constexpr Line longest_first[] = {{Statement::first_team, "first team := the longest candidate"}};
 constexpr Line to_hold[] = {
-    {Statement::swap, "while an exchange of a team for a candidate is better: make the best one"}};
+    {Statement::swap, "while a swap of a team for a candidate is better: make the best swap"}};
 constexpr Line by_angle[] = {
     {Statement::open_directions,
      "V := the directions whose line through C meets the boundary on both sides"},
@@ -60,29 +59,29 @@ constexpr Line by_chance[] = {
      "  r2 := one of the boundary points straight across C; if none, draw again"},
     {Statement::wider_base, "  H := the convex hull of H and its robots"}};
 constexpr Line by_centroid[] = {
-    {Statement::centroid_law, "m robots can bear W/m each if C is the centroid of their places"},
-    {Statement::each_number, "for i = 2 … m: some robots Q stand, two more make i of them"},
+    {Statement::centroid_law, "m robots can carry W/m each if C is the centroid of their places"},
+    {Statement::each_number, "for i = 2 … m: to a set Q of i − 2 robots, add two more"},
     {Statement::middle, "  M := (i C − the sum of Q) / 2, the middle between the two"},
-    {Statement::even_chords, "  chords := between points of P and of P turned about M"},
+    {Statement::even_chords,
+     "  chords := through M, between points where P meets P turned about M"},
     {Statement::best_set,
-     "  S(i) := the best of S(i − 2) with two more, S(i − 3) with a stand and two more"},
-    {Statement::exchange,
-     "for each three robots of S: let them go; S := the best with three others"},
-    {Statement::rounds, "again, until a round changes nothing, at most 8 times"}};
+     "  S(i) := the best of S(i − 2) plus two, S(i − 3) plus a trial point and two"},
+    {Statement::exchange, "for each three robots of S: S := the best with three others instead"},
+    {Statement::rounds, "repeat until a round changes nothing, at most 8 times"}};
 constexpr Line equal_loads[] = {
     {Statement::equal_loads, "loads := W/m for each robot"},
     {Statement::failures, "for each robot that fails: is C within the hull of the others?"}};
 constexpr Line loads_of_teams[] = {
-    {Statement::loads, "for each team: a robot bears W/t × the other's arm / the chord"}};
+    {Statement::loads, "for each team: a robot carries W/t × the other's arm / the chord"}};
 constexpr Line tail[] = {
     {Statement::coverage, "coverage := area of P in H / area of P"},
-    {Statement::cut, "for each contact: cut the free rotation centres by its normal line"},
-    {Statement::slide, "slide := is some direction against no contact?"},
+    {Statement::cut, "for each contact: cut the free rotation centres at its normal line"},
+    {Statement::slide, "slide := is some direction blocked by no contact?"},
     {Statement::form_closure, "form closure := no rotation centre is left, and no slide"},
     {Statement::second_order,
      "second order := does the curvature stop every motion that is left?"}};
 
-// What positions anywhere in the range and the goal to hold change.
+// Adapts the lines to positions in the range and to the goal `hold`.
 void adapt(std::vector<Line>& lines, const Settings& settings) {
   const auto at = [&](Statement statement) {
     return std::find_if(lines.begin(), lines.end(),

@@ -1,4 +1,4 @@
-// The statements of the algorithm, by name: a step says which one it carries out.
+// The statements of the algorithm by name. Each step executes one.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ enum class Statement : std::uint8_t {
   order,
   first_team,
   first_base,
-  each_team,  // distributed and random, too
+  each_team,  // also distributed and random
   scores,
   next_team,
   wider_base,  // all
@@ -56,7 +56,7 @@ enum class Statement : std::uint8_t {
   second_order,
 };
 
-// Which statement a step of one kind carries out.
+// The statement that a step of one kind executes.
 Statement statement_of_outcome(const Trace& trace, const StepDetail& detail);
 Statement statement_of_scores(const Trace& trace, const StepDetail& detail);
 Statement statement_of_team(const Trace& trace, const StepDetail& detail);

@@ -20,17 +20,17 @@ std::string length_in_words(double length, const Units& units) {
 std::string springs_in_words(const SpringLoads& springs, const Units& units) {
   const auto [least, greatest] = std::minmax_element(springs.loads.begin(), springs.loads.end());
   std::string text =
-      "If all robots are equally stiff and level and the object does not bend, they bear " +
+      "If all robots are equally stiff and level and the object does not bend, they carry " +
       load_in_words(*least, *greatest, *greatest, units) + " each.";
   Robots idle;
   for (std::size_t i = 0; i < springs.loads.size(); ++i)
     if (springs.loads[i] == 0) idle.push_back(i + 1);
   if (idle.empty()) return text;
   return text + (idle.size() == 1 ? " Robot " : " Robots ") + listed(idle, "and") +
-         (idle.size() == 1 ? " lets go." : " let go.");
+         (idle.size() == 1 ? " goes slack." : " go slack.");
 }
 
-// "five", or digits if the number is larger.
+// "five", or digits for numbers above twelve.
 std::string in_letters(std::size_t number) {
   constexpr std::array<const char*, 13> words = {"no",   "one",    "two",   "three", "four",
                                                  "five", "six",    "seven", "eight", "nine",
@@ -39,7 +39,7 @@ std::string in_letters(std::size_t number) {
 }
 
 std::string robots_or(const Robots& robots) {
-  return (robots.size() == 1 ? "robot " : "one of the robots ") + listed(robots, "or");
+  return (robots.size() == 1 ? "robot " : "any of robots ") + listed(robots, "and");
 }
 
 }  // namespace
@@ -51,11 +51,11 @@ std::string model_in_words(LoadModel model, const ModelLoads& loads, const Units
     case LoadModel::springs:
       return springs_in_words(loads.springs, units);
     case LoadModel::best:
-      return "However well the weight is shared, some robot bears at least " +
+      return "However well the weight is shared, some robot carries at least " +
              load_in_words(loads.best, loads.best, units) + ".";
     case LoadModel::worst: {
       const double greatest = *std::max_element(loads.worst.begin(), loads.worst.end());
-      return "If the robots' heights are unequal or the object bends, a robot may come to bear up to " +
+      return "If the robots' heights are unequal or the object bends, a robot may have to carry up to " +
              load_in_words(greatest, greatest, units) + ".";
     }
   }
@@ -77,13 +77,13 @@ std::string doubt_in_words(const ModelLoads& loads, const Robustness& robustness
                      ", the loads of equally stiff robots change by up to " +
                      load_in_words(change, change, units) + ".";
   if (robustness.tipping_distance == 0)
-    return text + " The object can tip however little it is off.";
+    return text + " Even the smallest error can tip the object.";
   if (com_radius >= robustness.tipping_distance)
     return text + " From " + length_in_words(robustness.tipping_distance, units) +
-           " on the object can tip.";
+           " on, the object can tip.";
   if (com_radius > springs.same_within)
     return text + " From " + length_in_words(springs.same_within, units) +
-           " on other robots bear something, and the ranges are too narrow.";
+           " on, other robots carry load, and the ranges are too narrow.";
   return text;
 }
 
@@ -91,15 +91,14 @@ std::string doubt_of_capacity_in_words(const ModelLoads& loads, const Robustness
                                        double capacity, const Units& units) {
   const std::string limit = given_weight(capacity, units);
   const auto radius = radius_within_capacity(loads.springs, robustness.tipping_distance, capacity);
-  if (!radius) return "If all robots are equally stiff, some bear more than " + limit + ".";
-  // What loads do farther out is not known: it may be that, and not the capacity, which ends the
-  // range.
+  if (!radius) return "If all robots are equally stiff, some carry more than " + limit + ".";
+  // Loads farther out are unknown; this may end the range, rather than the capacity.
   const bool ends_known =
       *radius == radius_within_capacity(loads.springs, robustness.tipping_distance,
                                         std::numeric_limits<double>::infinity());
-  return "Equally stiff robots stay within " + limit + " as long as it is off by no more than " +
+  return "Equally stiff robots stay within " + limit + " as long as C is off by at most " +
          length_in_words(*radius, units) +
-         (ends_known ? "; farther out, loads are not known in advance." : ".");
+         (ends_known ? "; beyond that, loads are not known in advance." : ".");
 }
 
 std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& failures,
@@ -123,9 +122,9 @@ std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& fa
                                           " fails. If another fails, the others carry it, " + most;
   if (!for_steadiness.empty()) text += " It can tip if " + robots_or(for_steadiness) + " fails.";
   if (!for_capacity.empty())
-    text += " One carries more than " + given_weight(*capacity, units) + " if " +
+    text += " Some robot carries more than " + given_weight(*capacity, units) + " if " +
             robots_or(for_capacity) + " fails.";
-  return text + " A sudden failure can double the change of load for a moment.";
+  return text + " A sudden failure can briefly double the change of load.";
 }
 
 std::string failure_in_words(std::size_t robot, std::size_t robots,
@@ -133,26 +132,27 @@ std::string failure_in_words(std::size_t robot, std::size_t robots,
                              const std::optional<double>& capacity, const Units& units) {
   const std::string fails = "Robot " + std::to_string(robot + 1) + " fails: ";
   const std::string others = "the other " + in_letters(robots - 1);
-  if (!rest) return fails + others + " cannot carry it.";
+  if (!rest) return fails + others + " cannot carry the object.";
   const double greatest = rest->greatest_by_springs;
   const std::string overload = capacity && greatest > *capacity
-                                   ? " One can carry " + given_weight(*capacity, units) + "."
+                                   ? " Capacity: " + given_weight(*capacity, units) + "."
                                    : std::string();
-  return fails + "carried by " + others + ", at most " + load_in_words(greatest, greatest, units) +
+  return fails + others + (robots == 2 ? " carries" : " carry") + " the object, at most " +
+         load_in_words(greatest, greatest, units) + " each" +
          (rest->clear ? "." : ", but it can tip.") + overload;
 }
 
 std::string rest_in_words(const ShownPlacement& of) {
   const Placement& failing = of.placement;
   if (!failing.loads)
-    return "The centre of mass is not above what is left of the lifting base, so the object falls.";
+    return "The centre of mass is outside the remaining lifting base, so the object falls.";
   return coverage_in_words(failing) + " " + closure_in_words(of);
 }
 
 std::vector<Fact> robustness_facts(const ShownPlacement& of, const Robustness& robustness,
                                    bool failing) {
   if (of.placement.teams.empty()) return {};
-  // Steady by a hair is nothing to rely on.
+  // Barely steady does not count.
   const int carried = robustness.failures_carried, steady = robustness.failures_clear;
   std::string may_fail = carried < 1 ? "none" : "any " + std::to_string(carried);
   if (carried > 0 && steady > 0 && steady < carried)
@@ -163,10 +163,11 @@ std::vector<Fact> robustness_facts(const ShownPlacement& of, const Robustness& r
   if (failing) may_fail = "one fails now";
   return {
       {"Robots that may fail", may_fail,
-       "How many may let go at once, whichever they are, so that the others carry the object, "
-       "however much each of them then bears"},
-      {"Centre of mass may be off by", length_in_words(robustness.tipping_distance, of.shown.units),
-       "Farther off it can tip; nearer it does not, if robots push back and none is overloaded"}};
+       "If this number of robots fails at once, whichever they are, the others carry the object, if "
+       "none is overloaded"},
+      {"Tipping distance", length_in_words(robustness.tipping_distance, of.shown.units),
+       "If C is farther off than this, the object can tip; nearer it does not, if robots push back "
+       "and none is overloaded"}};
 }
 
 }  // namespace evenlift

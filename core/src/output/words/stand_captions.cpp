@@ -1,4 +1,4 @@
-// What the step of robots with a size says.
+// The caption and the formula of the step for robots with a size.
 #include <string>
 #include <utility>
 
@@ -21,7 +21,7 @@ std::string lost_in_words(WhyUnusable why, double share, const RobotSize& robot,
   const auto size = [&](double value) { return with_length_unit(plain(value), units); };
   switch (why) {
     case WhyUnusable::no_go:
-      return fill("# are marked, and no robot may touch them", {lost});
+      return fill("# is no-go, and no robot may touch it", {lost});
     case WhyUnusable::body:
       return fill("at # a body of radius # would meet another part of the boundary",
                   {lost, size(robot.radius)});
@@ -33,12 +33,11 @@ std::string lost_in_words(WhyUnusable why, double share, const RobotSize& robot,
     case WhyUnusable::hand:
       return fill("at # a hand of depth # would stick out", {lost, size(robot.depth)});
     case WhyUnusable::near_no_go:
-      return fill("at # a hand of width # would reach onto what is marked",
-                  {lost, size(robot.width)});
+      return fill("at # a hand of width # would reach a no-go part", {lost, size(robot.width)});
     case WhyUnusable::narrow:
       break;
   }
-  return fill("# are too short for a robot between their neighbours", {lost});
+  return fill("# is too short for a robot between its neighbours", {lost});
 }
 
 }  // namespace
@@ -46,7 +45,7 @@ std::string lost_in_words(WhyUnusable why, double share, const RobotSize& robot,
 std::string StepCaptions::stands() const {
   const StandsDetail& stands = *detail_.stands;
   const RobotSize& robot = placement_.stands->robot();
-  std::string text = fill("Robots take room: of the boundary # can be used.",
+  std::string text = fill("Robots take room: # of the boundary can be used.",
                           {percentage(stands.usable / stands.boundary)});
   std::string reasons;
   for (std::size_t why = 0; why < why_unusable_count; ++why) {

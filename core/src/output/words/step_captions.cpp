@@ -30,13 +30,13 @@ std::string StepCaptions::polygon() const {
                       : fill("It is not convex: # of its corners point#inwards.",
                              {whole(reflex), reflex == 1 ? "s " : " "})) +
          (trace_.moved
-              ? " Robots were moved by hand. The steps tell where the method puts them, and the last one also what is true where they stand now."
+              ? " Robots were moved by hand. The steps show where the method puts them; the last step also describes where they stand now."
               : "");
 }
 
 std::string StepCaptions::centroid() const {
   return fill(
-      "Where the area balances: cut the polygon into triangles that share vertex 1 and take the mean of their middles, each weighted by its area; what folds back counts negative. The centroid is #.",
+      "The centroid is the point where the area balances. Cut the polygon into triangles that share vertex 1 and average their centroids, weighted by area; triangles that fold back count as negative. The centroid is #.",
       {point_text(trace_, trace_.polygon.centroid())});
 }
 
@@ -46,18 +46,19 @@ std::string StepCaptions::what_c_is() const {
       moved == 0
           ? fill("The centre of mass C is the centroid, #.", {point_text(trace_, trace_.centre)})
           : fill(
-                "The centre of mass C is at #, # away from the centroid: the object is heavier on that side.",
+                "The centre of mass C is at #, # from the centroid: the object is heavier on that side.",
                 {point_text(trace_, trace_.centre), length_text(trace_, moved)});
-  if (centre_is_outside(trace_)) text += " It lies outside of the polygon.";
+  if (centre_is_outside(trace_)) text += " It lies outside the polygon.";
   return text;
 }
 
 std::string StepCaptions::centre() const {
   if (trace_.balanced())
-    return what_c_is() + fill(" Where must # stand on the boundary so that all can bear the same?",
-                              {counted(placement_.settings.robots, "robot")});
+    return what_c_is() +
+           fill(" Where must # stand on the boundary so that all can carry the same load?",
+                {counted(placement_.settings.robots, "robot")});
   return what_c_is() +
-         " Two robots carry the object without tipping only if C is between them: a team stands at the two ends of a chord through C.";
+         " Two robots carry the object without tipping it only if C is between them: a team stands at the two ends of a chord through C.";
 }
 
 std::string StepCaptions::radial() const {
@@ -68,10 +69,10 @@ std::string StepCaptions::radial() const {
   if (shown < trace_.radial_edges.size()) list += ", …";
   return trace_.radial_edges.size() == 1
              ? fill(
-                   "The line of edge # passes through C. Rays from C meet it at its ends only: it faces no other edge.",
+                   "The line of edge # passes through C. Rays from C meet this edge only at its ends, so it faces no other edge.",
                    {list})
              : fill(
-                   "The lines of edges # pass through C. Rays from C meet them at their ends only: they face no other edge.",
+                   "The lines of edges # pass through C. Rays from C meet these edges only at their ends, so they face no other edge.",
                    {list});
 }
 
@@ -79,15 +80,16 @@ std::string StepCaptions::ray() const {
   const std::uint32_t vertex = trace_.rays.vertices[item_];
   const std::uint32_t begin = trace_.rays.begins[item_], end = trace_.rays.begins[item_ + 1];
   std::string text = fill("From vertex # through C. ", {counted_from_1(vertex)});
-  if (begin == end) return text + "Across C the ray meets no boundary: this vertex has no chord.";
+  if (begin == end)
+    return text + "Beyond C the ray does not meet the boundary: this vertex has no chord.";
   if (end == begin + 1) {
     const VertexChord& chord = trace_.rays.chords[begin];
     const std::uint32_t other = chord.vertex == vertex ? chord.hit_vertex : chord.vertex;
-    text += other == inside_edge ? fill("Across C the ray meets the boundary at #",
+    text += other == inside_edge ? fill("Beyond C the ray meets the boundary at #",
                                         {point_text(trace_, far_end(chord.chord, vertex))})
-                                 : fill("Across C the ray meets vertex #", {counted_from_1(other)});
+                                 : fill("Beyond C the ray meets vertex #", {counted_from_1(other)});
     text += chord.vertex == vertex ? ": a chord with a load ratio of #."
-                                   : ", from where this chord was found already: load ratio #.";
+                                   : ", where this chord was already found: load ratio #.";
     return fill(text, {ratio(chord.chord.ratio)});
   }
   constexpr std::uint32_t most = 5;
@@ -96,9 +98,8 @@ std::string StepCaptions::ray() const {
     ratios += fill(i == begin ? "#" : ", #", {ratio(trace_.rays.chords[i].chord.ratio)});
   if (end - begin > most) ratios += ", …";
   return text +
-         fill(
-             "Across C the ray meets the boundary # times, and each hit makes a chord: load ratios #.",
-             {whole(end - begin), ratios});
+         fill("Beyond C the ray meets the boundary # times. Each hit makes a chord: load ratios #.",
+              {whole(end - begin), ratios});
 }
 
 Vec2 StepCaptions::far_end(const Chord& chord, std::uint32_t vertex) const {
@@ -114,7 +115,7 @@ std::string StepCaptions::slopes() const {
   };
   return fill("The # in order of slope, from #° to #°. ",
               {counted(order.size(), "chord"), angle(order.front()), angle(order.back())}) +
-         "Between two neighbours no edge begins or ends: the same edges face each other there.";
+         "Between two neighbouring chords no edge begins or ends: the same edges face each other.";
 }
 
 std::string StepCaptions::edges() const {
@@ -124,7 +125,7 @@ std::string StepCaptions::edges() const {
 
 std::string StepCaptions::sections_before_choice() const {
   return fill(
-      "Pair # of #: # face each other across C. The parts that do, the sections, end at two chords.",
+      "Edge pair # of #: # face each other across C. The facing parts, called sections, end at two chords.",
       {counted_from_1(item_), whole(trace_.pairs.size()), edges()});
 }
 
@@ -141,7 +142,7 @@ std::string StepCaptions::outcome() const {
   const Piece b = counted_from_1(pair.pair.b);
   const Piece chosen = ratio(pair.chosen.ratio);
   const std::string off = fill(
-      "Reflected through C, edge # meets the line of edge # outside of the sections: none of their chords is even. ",
+      "Reflected through C, edge # meets the line of edge # outside the sections: none of their chords is even. ",
       {b, a});
   std::string text;
   switch (pair.outcome) {
@@ -151,21 +152,21 @@ std::string StepCaptions::outcome() const {
           {b, a});
       break;
     case Outcome::nearer_end:
-      text =
-          off + fill("The end nearer to even has #, at least #: a candidate.", {chosen, least()});
+      text = off + fill("The more even end has #, at least the minimum #: a candidate.",
+                        {chosen, least()});
       break;
     case Outcome::too_uneven:
-      text = off + fill("The end nearer to even has only #, less than #: no candidate here.",
+      text = off + fill("The more even end has only #, below the minimum #: no candidate here.",
                         {chosen, least()});
       break;
     case Outcome::midpoint:
       text = fill(
-          "Edges # and # are parallel: all their chords have the load ratio #, at least #. The one between the middles of the sections is the candidate.",
+          "Edges # and # are parallel: all their chords have the load ratio #, at least the minimum #. The chord between the middles of the sections is the candidate.",
           {a, b, chosen, least()});
       break;
     case Outcome::parallel_low:
       text = fill(
-          "Edges # and # are parallel: all their chords have the load ratio #, less than #: no candidate here.",
+          "Edges # and # are parallel: all their chords have the load ratio #, below the minimum #: no candidate here.",
           {a, b, chosen, least()});
       break;
   }
@@ -174,77 +175,77 @@ std::string StepCaptions::outcome() const {
   return text + same_chord(*pair.candidate);
 }
 
-// What robots with a size make of it. Where the load ratio was too low already there is nothing to
-// add.
+// Whether robots with a size can stand there. Empty if the load ratio is already too low.
 std::string StepCaptions::standing(const PairDetail& pair) const {
   switch (*pair.standing) {
     case Standing::there:
       return " Robots of this size can stand there.";
     case Standing::elsewhere:
       return fill(
-          " Where robots of this size can stand, the best chord has #, at least #: it is the candidate.",
+          " Where robots of this size can stand, the best chord has #, at least the minimum #: it is the candidate.",
           {ratio(pair.chosen.ratio), least()});
     case Standing::nowhere:
       break;
   }
   return pair.verdict.candidate
-             ? " But robots of this size cannot stand there, nor on another chord that is even enough: no candidate."
+             ? " But robots of this size cannot stand there, nor on another chord that meets the minimum ratio: no candidate."
              : "";
 }
 
-// Says where the chord that was kept for a candidate comes from.
+// The source of the chord that was kept for a candidate.
 std::string StepCaptions::same_chord(std::uint32_t candidate) const {
   const std::uint32_t source = trace_.source_of_candidate[candidate];
   if (source == no_index) return {};  // edges that face each other only where the hands lift
   if (source < trace_.pairs.size())
-    return fill(" Pair # has the same chord.", {counted_from_1(source)});
+    return fill(" Edge pair # has the same chord.", {counted_from_1(source)});
   const OppositeVertices& two = trace_.opposite[source - trace_.pairs.size()];
-  return fill(" The opposite vertices # and # have the same chord, and theirs stands.",
+  return fill(" The opposite vertices # and # have the same chord, and theirs is kept.",
               {counted_from_1(two.v), counted_from_1(two.w)});
 }
 
 std::string StepCaptions::opposite() const {
   const OppositeDetail& opposite = *detail_.opposite;
   std::string text = fill(
-      "Vertices # and # are opposite each other: the line between them passes through C. Whether the edges that meet there also face each other is a matter of rounding, so the chord between the two vertices counts by itself. ",
+      "Vertices # and # are opposite each other: the line between them passes through C. Rounding decides whether the edges that meet there also face each other, so the chord between the two vertices is a separate case. ",
       {counted_from_1(opposite.vertices.v), counted_from_1(opposite.vertices.w)});
   const Piece own = ratio(opposite.chord.ratio);
   if (!opposite.candidate && placement_.stands &&
       opposite.chord.ratio >= placement_.settings.min_ratio)
     return text + "Robots of this size cannot stand there: no candidate.";
   if (!opposite.candidate)
-    return text + fill("Its load ratio is only #, less than #: no candidate.", {own, least()});
-  text += fill("Its load ratio is #, at least #: a candidate.", {own, least()});
+    return text +
+           fill("Its load ratio is only #, below the minimum #: no candidate.", {own, least()});
+  text += fill("Its load ratio is #, at least the minimum #: a candidate.", {own, least()});
   return opposite.stands ? text : text + same_chord(*opposite.candidate);
 }
 
 std::string StepCaptions::sources() const {
-  if (trace_.opposite.empty()) return written(counted(trace_.pairs.size(), "pair"));
-  return fill("# of edges and # of opposite vertices",
-              {counted(trace_.pairs.size(), "pair"), counted(trace_.opposite.size(), "pair")});
+  if (trace_.opposite.empty()) return written(counted(trace_.pairs.size(), "edge pair"));
+  return fill("# and # of opposite vertices",
+              {counted(trace_.pairs.size(), "edge pair"), counted(trace_.opposite.size(), "pair")});
 }
 
 std::string StepCaptions::duplicates() const {
   std::size_t found = 2 * trace_.ranges.size();
   for (const std::uint32_t candidate : trace_.candidate_of_source) found += candidate != no_index;
   const std::size_t kept = placement_.candidates.size();
-  if (found == 0) return "No pair of edges or of opposite vertices has a candidate.";
+  if (found == 0) return "No edge pair and no pair of opposite vertices has a candidate.";
   if (found == kept)
     return fill("No chord was found twice: # from #.", {counted(kept, "candidate"), sources()});
   return fill(
-      "# of the # chords found # the same as another one, as at a vertex, where two pairs meet. Each counts once: # left.",
-      {whole(found - kept), whole(found), found - kept == 1 ? "is" : "are",
+      "# of the # chords found #, as at a vertex, where two edge pairs meet. Each chord counts once, which leaves #.",
+      {whole(found - kept), whole(found), found - kept == 1 ? "repeats another" : "repeat others",
        counted(kept, "candidate")});
 }
 
 std::string StepCaptions::candidates() const {
   const std::vector<Candidate>& all = placement_.candidates;
   if (all.empty())
-    return fill("There is no candidate: no chord through C has a load ratio of # or more.",
+    return fill("There is no candidate: no chord through C has a load ratio of at least #.",
                 {least()});
   std::size_t even = 0;
   for (const Candidate& candidate : all) even += is_even(candidate.chord);
-  return fill("#, in order of slope. # perfectly even: a team there shares its load equally.",
+  return fill("#, in order of slope. # even: equal loads for both robots.",
               {counted(all.size(), "candidate"),
                even == 0            ? "None of them is"
                : even == all.size() ? (even == 1 ? "It is" : "All of them are")
@@ -254,7 +255,7 @@ std::string StepCaptions::candidates() const {
 
 std::string StepCaptions::directions() const {
   return fill(
-      "Lines through C that meet the boundary on both sides of it: #° of 180°. The teams share these directions equally.",
+      "Lines through C that meet the boundary on both sides of C span #° of 180°. The teams divide these directions equally.",
       {with_decimals(180 / pi * open_directions_rad(trace_.polygon, trace_.centre), 1)});
 }
 
@@ -279,8 +280,8 @@ std::string StepCaptions::ranking(const TeamScores& scores) const {
   return text + (order.size() > most ? ", and so on." : ".");
 }
 
-// The value of a ranking that the i-th is to be told apart from: the nearest earlier one that
-// differs from it, or for the first the next one.
+// The value of a ranking from which the i-th must look different: the nearest earlier value that
+// differs, or for the first value the next.
 double StepCaptions::neighbour(const TeamScores& scores, std::size_t i) {
   const auto value = [&](std::size_t j) { return scores.of_candidate[scores.ranking[j]].value; };
   for (std::size_t j = i; j-- > 0;)
@@ -290,22 +291,23 @@ double StepCaptions::neighbour(const TeamScores& scores, std::size_t i) {
 
 std::string StepCaptions::first_scores(const TeamScores& scores) const {
   if (scores.rule == Rule::longest_even)
-    return "The first team takes the longest even candidate, for a wide base. " + ranking(scores);
-  if (scores.rule == Rule::longest)
-    return "Anywhere in their ranges all candidates are even enough, so the first team takes the longest, for a wide base. " +
+    return "The first team takes the longest even candidate, for a wide lifting base. " +
            ranking(scores);
-  return "No candidate is perfectly even, so the first team takes the one with the largest load ratio. " +
+  if (scores.rule == Rule::longest)
+    return "All candidates meet the minimum ratio, so the first team takes the longest, for a wide lifting base. " +
+           ranking(scores);
+  return "No candidate is even, so the first team takes the one with the largest load ratio. " +
          ranking(scores);
 }
 
 std::string StepCaptions::scores() const {
   const TeamScores& scores = *detail_.scores;
   if (item_ == 0) return first_scores(scores);
-  return fill("Team #: how much would each candidate add? Its score is #. ",
+  return fill("Team #: how much would each candidate add? The score is #. ",
               {counted_from_1(scores.team), words_of(trace_.metric()).score}) +
          (scores.of_candidate[scores.ranking.front()].value > 0
               ? ranking(scores)
-              : "No candidate adds anything any more.");
+              : "No candidate adds anything more.");
 }
 
 std::string StepCaptions::team() const {
@@ -321,16 +323,16 @@ std::string StepCaptions::team() const {
   const Candidate &a = placement_.candidates[winner], &b = placement_.candidates[second];
   switch (scores.decided_by) {
     case DecidedBy::ratio:
-      return text + fill(": it ties with candidate # and is the more even, # to #.",
+      return text + fill(": it ties with candidate # but is more even, # against #.",
                          {other, ratio_text(a.chord.ratio, b.chord.ratio),
                           ratio_text(b.chord.ratio, a.chord.ratio)});
     case DecidedBy::length:
-      return text + fill(": it ties with candidate # and is the longer, # to #.",
+      return text + fill(": it ties with candidate # but is longer, # against #.",
                          {other, number_unlike(a.length, b.length, trace_.polygon.diagonal()),
                           number_unlike(b.length, a.length, trace_.polygon.diagonal())});
     case DecidedBy::order:
       return text +
-             fill(": it ties with candidate # in everything and comes first in order of slope.",
+             fill(": it ties with candidate # in everything but comes first in order of slope.",
                   {other});
     default:
       break;
@@ -351,11 +353,11 @@ std::string StepCaptions::team_without_candidates() const {
   const Piece name = counted_from_1(item_);
   if (placement_.settings.method == Method::random)
     return fill(
-        "Team #: one robot at a random point of the boundary, the other straight across C: # and #, load ratio #.",
+        "Team #: one robot stands at a random point of the boundary, the other straight across C: # and #, load ratio #.",
         {name, point_text(trace_, chord.r1.position), point_text(trace_, chord.r2.position),
          ratio_text(chord.ratio)});
   return fill(
-      "Team # of # takes the line at #°, its robots at the farthest boundary points: load ratio #.",
+      "Team # of # takes the line at #°, with its robots at the farthest boundary points: load ratio #.",
       {name, whole(placement_.teams.size()),
        with_decimals(slope_degrees(chord.r2.position - chord.r1.position), 1),
        ratio_text(chord.ratio)});
@@ -363,10 +365,10 @@ std::string StepCaptions::team_without_candidates() const {
 
 std::string StepCaptions::base() const {
   if (detail_.base == detail_.base_before)
-    return "The lifting base H, the convex hull of all robots, stays as it is.";
+    return "The lifting base H, the convex hull of all robots, does not change.";
   const Piece covers = percent(evenlift::coverage(trace_.polygon, detail_.base));
   if (detail_.base_before.empty())
-    return "The lifting base H is what the robots span: so far the segment between the two.";
+    return "The lifting base H is the convex hull of all robots: so far, the segment between the two.";
   if (detail_.base.size() < 3)
     return "The lifting base H is still a segment: all robots stand on one line.";
   return fill(
@@ -376,7 +378,7 @@ std::string StepCaptions::base() const {
 
 std::string StepCaptions::fewer() const {
   if (placement_.teams.empty()) return verdict(placement_);
-  return fill("Only # of the # teams asked for: # left.",
+  return fill("Only # of the # requested teams: # left.",
               {whole(placement_.teams.size()), whole(placement_.requested_teams),
                trace_.by_candidates() ? "no candidate is" : "no further place was"});
 }
@@ -387,10 +389,10 @@ std::string StepCaptions::share() const {
   const Piece all = load(placement_.settings.weight / static_cast<double>(placement_.teams.size()));
   const double first = team.robots[0].load, second = team.robots[1].load;
   if (is_even(chord_of(team)))
-    return fill("Team # carries #, its part of #. Equal arms, equal loads: # for each robot.",
+    return fill("Team # carries #, its share of #. Equal arms, equal loads: # for each robot.",
                 {item, all, exact(placement_.settings.weight), load(first)});
   return fill(
-      "Team # carries #, its part of #. By the law of the lever the robot nearer to C bears more: # and #.",
+      "Team # carries #, its share of #. By the law of the lever, the robot nearer to C carries more: # and #.",
       {item, all, exact(placement_.settings.weight), load(std::max(first, second)),
        load(std::min(first, second))});
 }
@@ -401,30 +403,29 @@ std::string StepCaptions::loads() const {
   if (trace_.balanced()) return planned;
   return planned +
          (written(load(loads.min)) == written(load(loads.max))
-              ? " All bear the same."
-              : fill(" The uneven arms make a difference of # at most between two robots.",
-                     {load(loads.spread)}));
+              ? " All carry the same load."
+              : fill(" The arms are unequal, so the spread of loads is #.", {load(loads.spread)}));
 }
 
 std::string StepCaptions::coverage() const {
   if (placement_.lifting_base.size() < 3)
-    return "All robots stand on one line, so H has no area: a push beside the line tips the object.";
+    return "All robots stand on one line, so H has no area: pressing down beside the line tips the object.";
   return fill(
-      "H covers # of the object. A push down there does not tip it, as long as robots push back and none is overloaded.",
+      "H covers # of the object. Pressing down there does not tip it, as long as robots push back and none is overloaded.",
       {percent(placement_.coverage)});
 }
 
 std::string StepCaptions::contacts() const {
   const std::size_t number = trace_.contacts.size();
   return fill(
-      "Do the robots also hold the object in place? Inside an edge a robot makes one contact, at an inward corner two; at an outward one it is not counted, the safe side: # for #. Before the first, the object can turn about any point, either way.",
+      "Do the robots also hold the object in place? A robot on an edge makes one contact, in an inward corner two; at an outward corner it is not counted (the safe side): # for #. Before the first contact, the object can turn about any point, either way.",
       {counted(number, "contact"), counted(count_robots(placement_.teams), "robot")});
 }
 
 std::string StepCaptions::cut() const {
   const Contact& contact = trace_.contacts[item_];
   std::string text = fill(
-      "Contact #, # on edge #. It pushes along its normal line: the object can turn clockwise only about points to the right of it, counter-clockwise only to the left. ",
+      "Contact #, # on edge #. It pushes along its normal line: the object can turn clockwise only about points to the right of the line, counter-clockwise only about points to the left. ",
       {counted_from_1(item_), robot_of_contact(trace_, contact), counted_from_1(contact.edge)});
   if (detail_.clockwise.has_area && detail_.counterclockwise.has_area)
     return text +
@@ -435,19 +436,20 @@ std::string StepCaptions::cut() const {
 
 std::string StepCaptions::left(const char* sense, const FreeRegion& region, bool before) {
   if (!region.exists)
-    return fill(before ? "No point is left to turn # about." : "Turning # is out already.",
-                {sense});
+    return fill(
+        before ? "It can no longer turn # about any point." : "Turning # is already ruled out.",
+        {sense});
   if (region.has_area) return fill("It can still turn # about some points.", {sense});
-  return fill(region.clipped.size() == 1 ? "A single point is left to turn # about."
-                                         : "A line is left to turn # about.",
+  return fill(region.clipped.size() == 1 ? "It can turn # only about a single point."
+                                         : "It can turn # only about points on a line.",
               {sense});
 }
 
 std::string StepCaptions::slide() const {
   if (const auto& way = placement_.closure.translation)
-    return fill("It can slide: the direction (#, #) leads against no contact.",
+    return fill("It can slide: no contact blocks the direction (#, #).",
                 {with_decimals(way->x(), 3), with_decimals(way->y(), 3)});
-  return "It cannot slide: every direction leads against some contact.";
+  return "It cannot slide: every direction is blocked by a contact.";
 }
 
 std::string StepCaptions::closure() const {
@@ -464,8 +466,8 @@ std::string StepCaptions::closure() const {
 
 std::string StepCaptions::second_order() const {
   return placement_.closure.second_order
-             ? "Yet every motion that is left would run into a robot as it goes on: the curvature holds what the directions do not. It is immobile to second order."
-             : "Nor does the curvature of these motions stop them: to second order the object is not held either.";
+             ? "Yet every motion that is left jams as soon as it begins: it curves into a robot. The object is immobile to second order."
+             : "Nor does the curvature of these motions stop them: the object is not held to second order, either.";
 }
 
 std::string StepCaptions::result() const {

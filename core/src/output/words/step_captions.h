@@ -1,4 +1,4 @@
-// What each kind of step says.
+// The captions of all kinds of steps.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace evenlift {
 
-// Writes the caption of one step. The step's row in step_words.cpp names the function that does.
+// Writes the caption of one step. The step's row in step_words.cpp selects the function.
 class StepCaptions : LookedAtStep {
  public:
   StepCaptions(const Trace& trace, const StepDetail& detail) : LookedAtStep(trace, detail) {}

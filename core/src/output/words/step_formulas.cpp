@@ -11,7 +11,7 @@
 namespace evenlift {
 namespace {
 
-// "a + b = total", or "≈" where the numbers as they are written do not add up.
+// "a + b = total", or "≈" if the numbers as written do not add up.
 std::string sum(const Piece& a, const Piece& b, const Piece& total) {
   const auto x = read_number(written(a)), y = read_number(written(b)),
              all = read_number(written(total));
@@ -67,7 +67,7 @@ std::string StepFormulas::polygon() const {
 }
 
 std::string StepFormulas::centroid() const {
-  return fill("sum of area × middle / sum of areas = #",
+  return fill("sum of area × centroid / sum of areas = #",
               {point_text(trace_, trace_.polygon.centroid())});
 }
 

@@ -1,4 +1,4 @@
-// What each kind of step calculates.
+// The formulas of all kinds of steps.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace evenlift {
 
-// Writes the formula of one step with its numbers filled in. The step's row in step_words.cpp names
-// the function that does.
+// Writes the formula of one step with its numbers filled in. The step's row in step_words.cpp
+// selects the function.
 class StepFormulas : LookedAtStep {
  public:
   StepFormulas(const Trace& trace, const StepDetail& detail) : LookedAtStep(trace, detail) {}

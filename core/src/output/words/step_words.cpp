@@ -1,4 +1,4 @@
-// What the kinds of steps say: one row for each. Their numbers and figures are rows of
+// The texts of each kind of step, one row each. Their numbers and figures are rows of
 // trace/steps.cpp.
 #include "output/words/step_words.h"
 
@@ -22,10 +22,10 @@ constexpr std::string_view titles[] = {"The object and its centre of mass",
                                        "Further teams",
                                        "A first set",
                                        "Three robots move at a time",
-                                       "Teams are exchanged",
-                                       "What each robot bears",
+                                       "Teams are swapped",
+                                       "The load of each robot",
                                        "If a robot fails",
-                                       "What holds it"};
+                                       "The hold"};
 static_assert(std::size(titles) == chapter_count);
 
 template <Statement statement>
@@ -100,11 +100,11 @@ std::string_view letters_of_choice(const StepDetail& detail) {
   if (!detail.scores) return {};
   if (detail.scores->rule != Rule::score) return "r1 and r2 are the two ends of the chord.";
   return detail.step.kind == StepKind::scores
-             ? "r1 and r2 are the candidate's two ends, and f is what an end adds."
+             ? "r1 and r2 are the candidate's two ends, and f is the gain from an end."
              : "";
 }
 
-// Those of the formula of robots with a size.
+// The letters of the formula for robots with a size.
 std::string_view letters_of_stands(const RobotSize& robot) {
   const bool stands_off = robot.radius + robot.reach > 0, has_depth = robot.depth > 0;
   if (stands_off && has_depth)
@@ -144,17 +144,17 @@ std::string_view formula_letters(const Trace& trace, const StepDetail& detail) {
     case StepKind::base:
       return "H is the lifting base.";
     case StepKind::share:
-      return "W1 is what robot 1 bears; r1 and r2 are the places of the team's two robots.";
+      return "W1 is the load of robot 1; r1 and r2 are the places of the team's two robots.";
     case StepKind::lever:
-      return "W1 is what robot 1 bears; r1 and r2 are the places of the two robots.";
+      return "W1 is the load of robot 1; r1 and r2 are the places of the two robots.";
     case StepKind::three:
-      return "W3 is what robot 3 bears; r3 is its place, and M the middle between the other two.";
+      return "W3 is the load of robot 3; r3 is its place, and M the middle between the other two.";
     case StepKind::many:
       return "p with a number is the place of that robot.";
     case StepKind::rest:
-      return detail.balanced->rest.size() == 1 ? "p1 is the place that is taken." : "";
+      return detail.balanced->rest.size() == 1 ? "p1 is the place already taken." : "";
     case StepKind::exchange:
-      return "M is the middle between the last two of the robots that come.";
+      return "M is the middle between the last two robots of the swap.";
     case StepKind::stands:
       return letters_of_stands(trace.placement.stands->robot());
     case StepKind::coverage:

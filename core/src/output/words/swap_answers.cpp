@@ -1,4 +1,4 @@
-// Questions about exchanges of teams, and what another answer would come to.
+// Questions about swaps of teams, and the results of other answers.
 #include "output/words/swap_answers.h"
 
 #include "evenlift/output/trace_words.h"
@@ -9,17 +9,16 @@
 namespace evenlift {
 namespace {
 
-// A choice of teams against the one that was made.
+// Compares a choice of teams with the choice that was made.
 std::string against_the_best(const HoldKeys& other, const HoldKeys& best) {
   if (other.level == 0 && best.level > 0) return "the robots would not hold the object";
-  if (other.level < best.level) return "they would hold the object less firmly";
+  if (other.level < best.level) return "their margin would be smaller";
   const auto coverage = told_apart(other.coverage, best.coverage);
   if (better_by(best, other) == HoldKey::coverage)
-    return fill("the lifting base would cover # of the object, instead of #",
-                {coverage[0], coverage[1]});
+    return fill("the coverage would be # instead of #", {coverage[0], coverage[1]});
   if (better_by(best, other) == HoldKey::ratios)
     return "hold and coverage would be the same, but the teams would share their loads less evenly";
-  return "all would be the same, and of such exchanges the first in order is made";
+  return "all would be the same, and the first such swap in order is made";
 }
 
 }  // namespace
@@ -33,12 +32,11 @@ std::array<std::string, 2> told_apart(double a, double b) {
 }
 
 std::string swap_question(const StepDetail& detail, const Question& question) {
-  constexpr const char* aim =
-      "so that the hold becomes as firm as can be, and then the lifting base as wide?";
+  constexpr const char* aim = "for the strongest hold, and then the greatest coverage?";
   const SwapDetail& swap = *detail.swap;
   if (question.kind == QuestionKind::leaving_team)
-    return fill("One team goes to another candidate. Which team, #", {aim});
-  return fill("Team # leaves candidate #. To which candidate does it go, #",
+    return fill("One team moves to another candidate. Which team should it be, #", {aim});
+  return fill("Team # leaves candidate #. Which candidate should it take, #",
               {counted_from_1(swap.teams[0]), counted_from_1(swap.from[0]), aim});
 }
 
@@ -46,11 +44,11 @@ std::string other_swap_text(const Trace& trace, const StepDetail& detail, const 
                             std::uint32_t choice) {
   const OtherSwap other = compare_swap(trace, detail, question, choice);
   const Piece team = counted_from_1(other.team);
-  if (!other.candidate) return fill("No other candidate of team # makes it better.", {team});
+  if (!other.candidate) return fill("No other candidate for team # is better.", {team});
   const std::string so = against_the_best(other.keys, detail.swap->after);
   return fill(question.kind == QuestionKind::leaving_team
-                  ? "The best that team # could do is candidate #: then #."
-                  : "With team # at candidate # #.",
+                  ? "The best for team # would be candidate #: then #."
+                  : "With team # at candidate #, #.",
               {team, counted_from_1(*other.candidate), so});
 }
 

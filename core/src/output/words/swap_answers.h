@@ -1,4 +1,4 @@
-// Words that the steps and the questions of exchanges of teams share.
+// Texts shared by the steps and the questions about swaps of teams.
 #pragma once
 
 #include <array>
@@ -8,10 +8,10 @@
 
 namespace evenlift {
 
-// Two shares of 1 as percentages, with as many decimals as tell them apart.
+// Two shares of 1 as percentages, with enough decimals to show which is larger.
 std::array<std::string, 2> told_apart(double a, double b);
 
-// What a learner is asked before an exchange.
+// The question for a learner before a swap.
 std::string swap_question(const StepDetail& detail, const Question& question);
 
 }  // namespace evenlift

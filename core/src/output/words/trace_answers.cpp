@@ -15,7 +15,8 @@ std::string edges_of(const Trace& trace, std::uint32_t pair) {
               {counted_from_1(trace.pairs[pair].a), counted_from_1(trace.pairs[pair].b)});
 }
 
-// What a rule compares first. There is no default, so that the compiler asks for each rule's word.
+// The quantity that a rule compares first. Without a default, the compiler requires a word for each
+// rule.
 const char* compared_by(Rule rule) {
   switch (rule) {
     case Rule::longest_even:
@@ -29,7 +30,7 @@ const char* compared_by(Rule rule) {
   return "";
 }
 
-// "the longest even candidate", and the like.
+// "is the longest even one", and similar.
 const char* aim(const Trace& trace, Rule rule) {
   if (rule == Rule::longest_even) return "is the longest even one";
   if (rule == Rule::longest) return "is the longest one";
@@ -44,87 +45,88 @@ std::string behind(const Trace& trace, const WhyNot& answer) {
                   &b = trace.placement.candidates[*answer.winner];
   switch (answer.decided_by) {
     case DecidedBy::ratio:
-      return fill("For team # candidate # ties with candidate #, which is more even: # to #.",
+      return fill("For team #, candidate # ties with candidate #, which is more even, # against #.",
                   {team, own, winner, ratio_text(b.chord.ratio, a.chord.ratio),
                    ratio_text(a.chord.ratio, b.chord.ratio)});
     case DecidedBy::length:
-      return fill("For team # candidate # ties with candidate #, which is longer: # to #.",
+      return fill("For team #, candidate # ties with candidate #, which is longer, # against #.",
                   {team, own, winner, number_unlike(b.length, a.length, trace.polygon.diagonal()),
                    number_unlike(a.length, b.length, trace.polygon.diagonal())});
     case DecidedBy::order:
       return fill(
-          "For team # candidate # ties with candidate # in everything, which comes first in order of slope.",
+          "For team #, candidate # ties in everything with candidate #, which comes first in order of slope.",
           {team, own, winner});
     default:
       break;
   }
   return fill(
-      "For team # candidate # has a # of ##. Candidate #, which it takes, has #. Candidate # comes at place # of those that were left.",
+      "For team #, candidate # has a # of ##. Candidate #, which it takes, has #. Candidate # is number # of those that were left.",
       {team, own, compared_by(answer.rule), answer.exact ? "" : "at most ",
        score_text(trace, answer.rule, answer.value, answer.best), winner,
        score_text(trace, answer.rule, answer.best, answer.value), own,
        counted_from_1(answer.rank)});
 }
 
-// What the step asks that shows which chord two balanced robots take.
+// The question of the step that shows the chord of two balanced robots.
 std::string chord_question(const Trace& trace, const StepDetail& detail) {
   const BalancedDetail& balanced = *detail.balanced;
   if (balanced.moved.empty())
     return fill(
-        "Which chord makes the best set of #? Think of #.",
+        "Which chord makes the best set of #? Aim for #.",
         {counted(balanced.robots.size(), "robot"), goal_of(trace.placement.settings) == Goal::hold
-                                                       ? "a firm hold, and then of a wide base"
-                                                       : "a wide base"});
+                                                       ? "a strong hold, then for coverage"
+                                                       : "coverage"});
   return fill(
-      "# # go elsewhere, and one comes to the place with the ring. Which chord with its middle in M do two robots take, so that the set is the best?",
-      {balanced.moved.size() == 1 ? "Robot" : "Robots", numbers_from_1(balanced.moved)});
+      "#, and one robot takes the place with the ring. Which chord with M in its middle should two robots take for the best set?",
+      {fill(balanced.moved.size() == 1 ? "Robot # moves" : "Robots # move",
+            {numbers_from_1(balanced.moved)})});
 }
 
-// Why a chord is none of the candidates.
+// Why a chord is not a candidate.
 std::string why_no_candidate(const Trace& trace, const WhyNot& answer) {
   const double least = trace.placement.settings.min_ratio;
   switch (answer.why) {
     case Why::no_chord:
       return "In this direction the boundary is not on both sides of C: no team can stand there.";
     case Why::no_pair:
-      return "Its ends are on no two edges that face each other: an edge whose line passes through C is in no pair.";
+      return "Its ends are not on two edges that face each other: an edge whose line passes through C is in no edge pair.";
     case Why::too_uneven:
-      return fill(
-          "Ratio too low: this chord has #. #: the best chord between them has #, less than the minimum #.",
-          {ratio_text(answer.chord.ratio, least), edges_of(trace, *answer.pair),
-           ratio_text(answer.pair_ratio, least), exact(least)});
+      return fill("Ratio too low: this chord has #. # allow at most #, below the minimum #.",
+                  {ratio_text(answer.chord.ratio, least), edges_of(trace, *answer.pair),
+                   ratio_text(answer.pair_ratio, least), exact(least)});
     case Why::opposite_too_uneven:
       return fill(
-          "Ratio too low: this chord between two opposite vertices has #, less than the minimum #.",
+          "Ratio too low: this chord between two opposite vertices has #, below the minimum #.",
           {ratio_text(answer.chord.ratio, least), exact(least)});
     case Why::not_best_of_pair:
       return fill(
-          "Not the best of its pair: this chord has a load ratio of #. # give one candidate, number # with #.",
+          "Not the best of its edge pair: this chord has a load ratio of #. # give one candidate, number # with #.",
           {ratio_text(answer.chord.ratio, answer.pair_ratio), edges_of(trace, *answer.pair),
            counted_from_1(*answer.candidate), ratio_text(answer.pair_ratio, answer.chord.ratio)});
     case Why::duplicate:
-      return fill("A duplicate: it is the same chord as candidate #, which stands for both.",
+      return fill("A duplicate: it is the same chord as candidate #, which counts for both.",
                   {counted_from_1(*answer.candidate)});
     default:
       return "Robots of this size cannot stand at both of its ends.";
   }
 }
 
-// Why a candidate is not the team, or that it is.
+// Why a candidate is not the team, or why it is.
 std::string why_not_chosen(const Trace& trace, const WhyNot& answer) {
   switch (answer.why) {
     case Why::not_even:
       return fill(
-          "The first team is the longest even candidate. Candidate # has a load ratio of #; candidate # is even.",
+          "The first team takes the longest even candidate. Candidate # has a load ratio of #; candidate # is even.",
           {counted_from_1(*answer.candidate), ratio_text(answer.chord.ratio),
            counted_from_1(*answer.winner)});
     case Why::collides:
-      return fill("A robot at one of its ends would be too near to one of the teams before team #.",
-                  {counted_from_1(answer.team)});
+      return fill(
+          "A robot at one of its ends would be too close to one of the teams before team #.",
+          {counted_from_1(answer.team)});
     case Why::behind:
       return behind(trace, answer);
     default:
-      return fill("Team # takes candidate #: of those left it #.",
+      return fill("Team # takes candidate #: of those left, it #.",
                   {counted_from_1(answer.team), counted_from_1(*answer.candidate),
                    answer.decided_by == DecidedBy::only_one    ? "is the only one"
                    : answer.decided_by == DecidedBy::first_key ? aim(trace, answer.rule)
@@ -138,26 +140,26 @@ std::string compared(const SetComparison& sets) {
   const auto fail = [](int steady) { return whole(static_cast<std::size_t>(std::max(0, steady))); };
   switch (sets.decided_by) {
     case BalancedKey::near_pairs:
-      return fill("# of robots would be too near to each other, instead of #",
+      return fill("# of robots would be too close to each other, instead of #",
                   {counted(other.near_pairs, "pair"), whole(now.near_pairs)});
     case BalancedKey::steady:
       return fill("the object would stay steady if # fail, instead of #",
                   {fail(other.steady), fail(now.steady)});
     case BalancedKey::level:
-      return fill("the hold would have a margin of #, instead of #",
+      return fill("the margin would be # instead of #",
                   {margin_text(sets.margin.value_or(0)), margin_text(sets.margin_now.value_or(0))});
     case BalancedKey::coverage: {
       const int decimals = percentage(other.coverage) == percentage(now.coverage) ? 3 : 0;
-      return fill("they would cover # of the object, instead of #",
+      return fill("the coverage would be # instead of #",
                   {percentage(other.coverage, decimals), percentage(now.coverage, decimals)});
     }
     case BalancedKey::spread:
-      return sets.better ? "they would cover as much, and stand farther away from C"
-                         : "they would cover as much, but stand nearer to C";
+      return sets.better ? "the coverage would be the same, and they would stand farther from C"
+                         : "the coverage would be the same, but they would stand nearer to C";
     case BalancedKey::places:
       break;
   }
-  return "they would be as good as those that stand";
+  return "they would be as good as the present robots";
 }
 
 }  // namespace
@@ -182,8 +184,9 @@ std::string why_not_text(const Trace& trace, const WhyNot& answer) {
     case Why::cannot_stand:
       return why_no_candidate(trace, answer);
     case Why::not_by_candidates:
-      return fill("Load ratio #. The method “#” does not choose among candidates.",
-                  {ratio_text(answer.chord.ratio), name(trace.placement.settings.method)});
+      return fill(
+          "Load ratio #. The method “#” does not choose among candidates.",
+          {ratio_text(answer.chord.ratio), method_in_words(trace.placement.settings.method)});
     case Why::not_even:
     case Why::behind:
     case Why::taken:
@@ -197,38 +200,37 @@ std::string why_no_robot_text(const Trace& trace, const WhyNoRobot& answer) {
   const Piece robot = counted_from_1(answer.robot);
   switch (answer.why) {
     case WhyNoRobot::Why::no_set:
-      return "There are no three robots that could change places.";
+      return "There are fewer than three robots, so none can move.";
     case WhyNoRobot::Why::stands_from_start:
-      return fill(
-          "Robot # stands here since the first set: no exchange that took it away was better.",
-          {robot});
+      return fill("Robot # has stood here since the first set: no swap that moved it was better.",
+                  {robot});
     case WhyNoRobot::Why::stands:
       return fill(
-          "Robot # came here in round #, with exchange # of #. No exchange since then that took it away was better.",
+          "Robot # came here in round #, with swap # of #. No later swap that moved it was better.",
           {robot, counted_from_1(trace.history.moves[answer.move].round),
            counted_from_1(answer.move), whole(trace.history.moves.size())});
     case WhyNoRobot::Why::no_completion:
-      return "With a robot here no two others bring C back into the middle of all: whichever three leave, no chord of the object has the point M in its middle that is needed then.";
+      return "With a robot here, no two others make C the centroid of all again: whichever three leave, no chord of the object has the required point M in its middle.";
     case WhyNoRobot::Why::other_set:
       break;
   }
   const std::size_t stay = answer.set.kept.size(), move = answer.set.came.size() - 1;
   const std::string others =
-      move == 0 ? fill("the # others could stay where they are", {whole(stay)})
-                : fill("# of the others could stay at best, and # would have to go to the #",
+      move == 0 ? fill("the other # could stay where they are", {whole(stay)})
+                : fill("at best # of the others could stay, and # would have to move to the #",
                        {whole(stay), move == 1 ? "one" : "two", move == 1 ? "ring" : "rings"});
   return fill(
-      "With a robot here #, so that C stays the centroid. Then #.#",
+      "With a robot here, #, so that C stays the centroid. Then #.#",
       {others, compared(answer.comparison),
        answer.comparison.better
            ? fill(
-                 " That would be better: but the search tries # stands, and this place is none of them.",
+                 " That would be better, but the search tries # points, and this place is not one of them.",
                  {whole(trace.history.stands)})
            : std::string()});
 }
 
 std::string even_chord_text(const Trace& trace, const StepDetail& detail, std::uint32_t choice) {
-  return fill("With chord # #.",
+  return fill("With chord #, #.",
               {counted_from_1(choice), compared(compare_even_chord(trace, detail, choice))});
 }
 

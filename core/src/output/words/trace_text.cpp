@@ -11,7 +11,7 @@ namespace evenlift {
 namespace {
 
 constexpr int most_decimals = 9;
-constexpr double least_fixed = 1e-5;  // below, fixed() would show hardly a digit
+constexpr double least_fixed = 1e-5;  // below this, fixed() would show almost no digits
 
 // About four significant digits. Large numbers have no decimals.
 int decimals_shown(double scale) { return scale >= 1e4 ? 0 : decimals_for(scale) + 1; }
@@ -150,17 +150,17 @@ MetricWords words_of(Metric metric) {
     case Metric::circle:
       return {"the area of the circles inscribed in the triangles between H and its ends",
               "adds the largest inscribed circles",
-              "beyond whose ends there is room for the largest circles",
-              "They have an area of #; those of the next best chord have ##."};
+              "whose ends leave room for the largest circles beyond the lifting base",
+              "The circles have an area of #; those of the next best chord have ##."};
     case Metric::distance:
-      return {"by how much it reduces the leverage of weight placed on the vertices",
+      return {"the amount by which it reduces the leverage of weight on the vertices",
               "reduces the leverage of weight on the vertices most",
-              "that takes most away from the leverage of weight at the vertices",
-              "It takes away #; the next best chord would take ##."};
+              "that most reduces the leverage of weight on the vertices",
+              "It reduces this leverage by #, the next best chord by ##."};
     case Metric::area:
       break;
   }
-  return {"the area of the triangles between H and its two ends, as far as they are in the object",
+  return {"the area, within the object, of the triangles between H and its two ends",
           "adds the most area", "that adds the most area to the lifting base",
           "It adds an area of #; the next best chord would add ##."};
 }

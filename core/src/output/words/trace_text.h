@@ -1,5 +1,5 @@
-// The pieces from which the lesson's sentences are put together. A piece is a few numbers until one
-// function writes it: making strings at each place took a third of the lesson's code.
+// The pieces of the walkthrough's sentences. A piece is a few numbers until one function writes it;
+// making strings at each place took a third of the walkthrough's code.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct Piece {
     exact,
     percent
   };
-  // A piece does not own its text: it must not outlive the call that it is made for.
+  // A piece does not own its text: it must not outlive the call for which it is made.
   Piece(const char* words) : text(words) {}
   Piece(std::string_view words) : text(words) {}
   Piece(const std::string& words) : text(words) {}
@@ -69,28 +69,28 @@ Piece length_text(const Trace& trace, double value);
 Piece area_text(const Trace& trace, double value);
 Piece point_text(const Trace& trace, const Vec2& point);
 
-// A load as loads_in_words shows it, without its unit and with it, in a trace that has teams; and a
-// margin.
+// A load as in loads_in_words, without and with its unit, in a trace with teams; and a margin.
 Piece load_text(const Trace& trace, double value);
 Piece weight_text(const Trace& trace, double value);
 Piece weight_text(const Trace& trace, double value, double largest);
 Piece margin_text(double value);
 
-// Which robot a contact belongs to: "robot 1 of team 2", or of balanced robots "robot 3".
+// The robot of a contact: "robot 1 of team 2", or "robot 3" of balanced robots.
 std::string robot_of_contact(const Trace& trace, const Contact& contact);
 
-// How the lesson speaks of a metric: what it measures, what the candidate does that wins by it,
-// and of a chord where it is and by how much it is ahead of the next best.
+// The walkthrough's words for a metric: the quantity that it measures, the merit of the candidate
+// that wins, the place of the winning chord, and its lead over the next best.
 struct MetricWords {
   const char *score, *wins, *chord, *gains;
 };
 MetricWords words_of(Metric metric);
 
-// The value of a score in the unit of the trace's metric and rule, told apart from `other`.
+// The value of a score in the unit of the trace's metric and rule, with enough decimals to
+// distinguish it from `other`.
 Piece score_text(const Trace& trace, Rule rule, double value, double other);
 
-// The angle of a direction with the x axis, in degrees, in (-90, 90], within tolerance of the
-// vertical 90.
+// The angle between a direction and the x axis, in degrees, in (-90, 90]; 90 within tolerance of
+// vertical.
 double slope_degrees(const Vec2& direction);
 
 }  // namespace evenlift

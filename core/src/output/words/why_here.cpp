@@ -1,4 +1,4 @@
-// Why a team stands where it does, for somebody who does not know the algorithm.
+// Why a team stands where it does, for readers who do not know the algorithm.
 #include <string>
 
 #include "evenlift/output/trace_words.h"
@@ -8,7 +8,7 @@
 namespace evenlift {
 namespace {
 
-// A score with its unit, told apart from `other`.
+// A score with its unit, with enough decimals to distinguish it from `other`.
 std::string with_unit(const Trace& trace, const TeamScores& scores, double value, double other) {
   const std::string number = written(score_text(trace, scores.rule, value, other));
   const bool length = scores.rule != Rule::score || scores_are_lengths(trace.metric());
@@ -18,18 +18,20 @@ std::string with_unit(const Trace& trace, const TeamScores& scores, double value
 
 std::string first_team_is(const TeamScores& scores) {
   if (scores.rule == Rule::most_even)
-    return "No chord has two equal halves. The first team takes the one that is nearest to that.";
+    return "No chord has two equal halves. The first team takes the chord that comes closest.";
   return std::string("The first team takes the longest chord ") +
-         (scores.rule == Rule::longest ? "that is even enough" : "with two equal halves") +
-         ": the farther apart robots stand, the wider the lifting base can become.";
+         (scores.rule == Rule::longest ? "that meets the minimum load ratio"
+                                       : "with two equal halves") +
+         ": the farther apart the robots stand, the wider the lifting base can become.";
 }
 
 std::string further_team_is(const Trace& trace, const TeamScores& scores) {
-  return fill("Team # takes the chord #: the wider the base, the harder the object is to tip.",
-              {counted_from_1(scores.team), words_of(trace.metric()).chord});
+  return fill(
+      "Team # takes the chord #: the wider the lifting base, the harder it is to tip the object.",
+      {counted_from_1(scores.team), words_of(trace.metric()).chord});
 }
 
-// By how much the chord is the best, or what decided between it and another.
+// The chord's lead over the next best, or the key that decided between the two.
 std::string lead(const Trace& trace, const TeamScores& scores) {
   const std::uint32_t winner = scores.ranking[0], second = scores.ranking[1];
   const Candidate &a = trace.placement.candidates[winner], &b = trace.placement.candidates[second];
@@ -38,14 +40,14 @@ std::string lead(const Trace& trace, const TeamScores& scores) {
   switch (scores.decided_by) {
     case DecidedBy::ratio:
       return fill(
-          "Another chord does as well; this one is more even, with a load ratio of # to #.",
+          "Another chord is as good; this one is more even, with a load ratio of # against #.",
           {ratio_text(a.chord.ratio, b.chord.ratio), ratio_text(b.chord.ratio, a.chord.ratio)});
     case DecidedBy::length:
-      return fill("Another chord does as well; this one is longer, # to #.",
+      return fill("Another chord is as good; this one is longer, # against #.",
                   {with_length_unit(written(number_unlike(a.length, b.length, size)), units),
                    with_length_unit(written(number_unlike(b.length, a.length, size)), units)});
     case DecidedBy::order:
-      return "Another chord does as well in everything; this one comes first in order of slope.";
+      return "Another chord is as good in every way; this one comes first in order of slope.";
     case DecidedBy::only_one:
     case DecidedBy::first_key:
       break;
@@ -53,10 +55,10 @@ std::string lead(const Trace& trace, const TeamScores& scores) {
   const Score &best = scores.of_candidate[winner], &next = scores.of_candidate[second];
   if (!next.eligible) return "It is the only one.";
   if (scores.rule == Rule::most_even)
-    return fill("Its load ratio is #, the next one's #.",
+    return fill("Its load ratio is #, that of the next chord #.",
                 {ratio_text(best.value, next.value), ratio_text(next.value, best.value)});
   if (scores.rule != Rule::score)
-    return fill("The next one is # shorter.",
+    return fill("The next chord is # shorter.",
                 {with_unit(trace, scores, best.value - next.value, 0)});
   return fill(words_of(trace.metric()).gains,
               {with_unit(trace, scores, best.value, next.value), next.exact ? "" : "at most ",
@@ -66,12 +68,11 @@ std::string lead(const Trace& trace, const TeamScores& scores) {
 }  // namespace
 
 std::string why_here_text(const Trace& trace, const TeamScores& scores) {
-  if (scores.decided_by == DecidedBy::only_one) return "It is the only chord that was left.";
+  if (scores.decided_by == DecidedBy::only_one) return "It was the only chord left.";
   const Score& best = scores.of_candidate[scores.ranking.front()];
   const std::string first = scores.team == 0 ? first_team_is(scores)
-                            : best.value > 0
-                                ? further_team_is(trace, scores)
-                                : "No chord that was left adds anything to the lifting base.";
+                            : best.value > 0 ? further_team_is(trace, scores)
+                                             : "No chord left adds anything to the lifting base.";
   return first + " " + lead(trace, scores);
 }
 

@@ -47,8 +47,8 @@ std::string overload_in_words(const ShownPlacement& of, double capacity,
   if (placement.teams.empty()) return {};
   const std::string limit = given_weight(capacity, of.shown.units);
   if (robots.empty()) return "No robot carries more than " + limit + ".";
-  // At best only the greatest load is known, and not whose it is; at worst not all bear their
-  // greatest at once.
+  // `best` gives only the greatest load, not its robot; by `worst`, not all robots have their
+  // greatest loads at once.
   if (model == LoadModel::best)
     return "However the weight is shared, some robot carries more than " + limit + ".";
   const std::size_t all = count_robots(placement.teams) - (failed ? 1 : 0);
@@ -59,7 +59,8 @@ std::string overload_in_words(const ShownPlacement& of, double capacity,
   const std::string verb = model == LoadModel::worst ? " can be"
                            : robots.size() == 1      ? " is"
                                                      : " are";
-  // While one fails, discs number the robots and not the teams; balanced robots have no teams.
+  // While a robot fails, the discs show numbers of robots, not of teams. For balanced robots the
+  // number of the team means nothing.
   const std::string which = failed ? ": " + robots_of(robots)
                             : placement.settings.method == Method::balanced
                                 ? std::string()
@@ -67,19 +68,19 @@ std::string overload_in_words(const ShownPlacement& of, double capacity,
   return who + " robots" + verb + " overloaded, with more than " + limit + which + ".";
 }
 
-// The number is counted by plan, with all robots at work and C where it is given; where other loads
-// are shown, that is said.
+// The plan counts with all robots working and C as given. If other loads are shown, the text states
+// this.
 std::string need_in_words(const CapacityPlan& plan, const ShownPlacement& of, LoadModel model,
                           const std::optional<std::size_t>& failed) {
   const Settings& settings = of.placement.settings;
-  const std::string presumed = failed                     ? "while none fails, "
+  const std::string presumed = failed                     ? "with no failures, "
                                : model != LoadModel::plan ? "as planned, "
-                               : of.shown.com_radius > 0  ? "if C is known exactly, "
+                               : of.shown.com_radius > 0  ? "with C known exactly, "
                                                           : "";
-  // Of balanced robots only the weight is counted (plan_capacity).
+  // For balanced robots only the weight counts (plan_capacity).
   const bool balanced = settings.method == Method::balanced;
   if (plan.possible)
-    return capital((presumed.empty() ? "by load alone " : presumed) +
+    return capital((presumed.empty() ? "considering load only, " : presumed) +
                    (balanced ? "it takes " : "this method needs ") +
                    count_of(plan.team_size * plan.teams, "robot", "robots") +
                    (balanced ? ", with " : ", with at most ") +
@@ -89,34 +90,34 @@ std::string need_in_words(const CapacityPlan& plan, const ShownPlacement& of, Lo
   if (plan.tried >= most_teams_tried(settings) || plan.team_size == most_robots)
     return capital(presumed + "even " + tried + " robots are too few.");
   if (plan.tried == 0) return {};
-  return capital(presumed + "not even all " + tried + " robots that find a place are enough.");
+  return capital(presumed + "even all " + tried + " robots that can be placed are too few.");
 }
 
-// So many that any one of them may fail.
+// The number of robots of which any one may fail.
 std::string need_if_one_fails(const FailurePlan& plan, const Units& units) {
   if (plan.possible)
-    return "If any one may fail: " + count_of(plan.robots, "robot", "robots") + ", at most " +
-           load_in_words(plan.greatest_load, plan.greatest_load, units) +
+    return "To allow for any one failure: " + count_of(plan.robots, "robot", "robots") +
+           ", at most " + load_in_words(plan.greatest_load, plan.greatest_load, units) +
            " each at rest if equally stiff.";
-  return "If any one may fail, up to " + count_of(plan.tried, "robot", "robots") +
-         " were not found to be enough.";
+  return "No number up to " + count_of(plan.tried, "robot", "robots") +
+         " was found to allow for any one failure.";
 }
 
-// "a robot of team 2"; balanced robots have numbers of their own.
+// "a robot of team 2"; balanced robots are numbered individually.
 std::string robot_in_words(const Placement& placement, std::size_t robot) {
   if (placement.settings.method == Method::balanced) return "robot " + std::to_string(robot + 1);
   return "a robot of team " + std::to_string(find_robot(placement.teams, robot).team + 1);
 }
 
-// Of a hold that relies on a contact beside a corner.
+// For a hold that relies on a contact near a corner.
 std::string near_corner_in_words(const ShownPlacement& of) {
   const Clearance& clearance = of.placement.closure.clearance;
-  return "It is held only as long as " + robot_in_words(of.placement, clearance.point.value_or(0)) +
-         " stands exactly: it is " + promised_length(clearance.distance, of.shown.units) +
-         " beside a corner.";
+  return "It is held only while " + robot_in_words(of.placement, clearance.point.value_or(0)) +
+         " stands exactly in place: it is " + promised_length(clearance.distance, of.shown.units) +
+         " from a corner.";
 }
 
-// A margin below 0 says by how much closure is missed, which tells nobody how firm a hold is.
+// A margin below 0 measures how far form closure is missed, not the strength of a hold.
 std::string hold_in_words(const Closure& closure) {
   if (closure.form_closure && closure.margin) return margin_in_words(*closure.margin);
   return closure.second_order ? "by curvature alone" : "not held";
@@ -128,7 +129,7 @@ std::string loads_in_words(const ShownPlacement& of, LoadModel shown,
                            const std::vector<LoadRange>& ranges) {
   const Placement& placement = of.placement;
   if (!placement.search_ended && placement.teams.empty())
-    return "Places for " + std::to_string(placement.settings.robots) + " robots are not found yet.";
+    return "Still looking for places for " + std::to_string(placement.settings.robots) + " robots.";
   if (placement.teams.empty())
     return placement.settings.method == Method::balanced ? "No robots can be placed."
                                                          : "No team can be placed.";
@@ -145,11 +146,10 @@ std::string loads_in_words(const ShownPlacement& of, LoadModel shown,
       greatest = std::max(greatest, range.greatest);
     }
     return robots + " carry " + load_in_words(least, greatest, greatest, units) +
-           " each, with C known within " + with_length_unit(plain(com_radius), units) + in_all;
+           " each, with a C uncertainty of " + with_length_unit(plain(com_radius), units) + in_all;
   }
   if (placement.settings.method == Method::balanced)
-    return robots + " carry " + load_in_words(loads.max, loads.max, units) + " each, all the same" +
-           in_all;
+    return robots + " carry equal loads of " + load_in_words(loads.max, loads.max, units) + in_all;
   return robots + " carry " + load_in_words(loads.min, loads.max, loads.max, units) + " each" +
          in_all;
 }
@@ -158,7 +158,7 @@ std::string no_go_in_words(const std::vector<EdgePart>& no_go) {
   constexpr std::size_t most_named = 3;
   if (no_go.empty()) return {};
   if (no_go.size() > most_named)
-    return "No robot touches " + std::to_string(no_go.size()) + " marked parts of the boundary.";
+    return "No robot touches the " + std::to_string(no_go.size()) + " no-go parts of the boundary.";
   std::string text = "No robot touches ";
   for (std::size_t i = 0; i < no_go.size(); ++i) {
     const EdgePart& part = no_go[i];
@@ -174,7 +174,7 @@ std::string unusable_in_words(WhyUnusable why, const RobotSize& robot, const Uni
   const auto size = [&](double value) { return with_length_unit(plain(value), units); };
   switch (why) {
     case WhyUnusable::no_go:
-      return "marked: no robot may touch this";
+      return "no-go: no robot may touch this";
     case WhyUnusable::body:
       return "a robot of radius " + size(robot.radius) + " does not fit here";
     case WhyUnusable::arm:
@@ -185,7 +185,7 @@ std::string unusable_in_words(WhyUnusable why, const RobotSize& robot, const Uni
     case WhyUnusable::hand:
       return "a hand of depth " + size(robot.depth) + " would stick out here";
     case WhyUnusable::near_no_go:
-      return "a hand of width " + size(robot.width) + " would reach onto what is marked";
+      return "a hand of width " + size(robot.width) + " would reach a no-go part";
     case WhyUnusable::narrow:
       break;
   }
@@ -197,41 +197,38 @@ std::string shortage_in_words(const Placement& placement) {
   const std::size_t teams = placement.teams.size();
   if (teams == 0 && !placement.search_ended) return {};
   if (teams == 0 && placement.settings.method == Method::balanced)
-    return "No balanced placement of " + std::to_string(placement.settings.robots) +
-           (placement.stands
-                ? " robots of this size was found: none in which they fit, with the centre of mass as their centroid."
-                : " robots was found: none whose centroid is the centre of mass.");
+    return "No places were found for " + std::to_string(placement.settings.robots) +
+           " balanced robots" + (placement.stands ? " of this size" : "") +
+           ": their centroid must be the centre of mass.";
   const bool has_size = !(placement.settings.robot == RobotSize{});
   if (teams == 0 && placement.stands)
     return has_size
-               ? "No chord through the centre of mass on which two robots of this size can stand is even enough. Lower the minimum load ratio, or take smaller robots."
-               : "No chord through the centre of mass that ends at no marked edge is even enough. Lower the minimum load ratio, or mark fewer edges.";
+               ? "No chord through the centre of mass where two robots of this size can stand meets the minimum load ratio. Lower the minimum, or use smaller robots."
+               : "No chord through the centre of mass that avoids the no-go edges meets the minimum load ratio. Lower the minimum, or allow more edges.";
   if (teams == 0)
     return by_ratio
-               ? "No chord through the centre of mass is this even. Lower the minimum load ratio, or move the centre of mass."
+               ? "No chord through the centre of mass meets the minimum load ratio. Lower the minimum, or move the centre of mass."
                : "No line through the centre of mass meets the boundary on both sides of it.";
   if (teams >= placement.requested_teams) return {};
   return "There is room for only " + std::to_string(teams) + " of " +
          count_of(placement.requested_teams, "team", "teams") +
          (placement.stands && placement.candidates.size() > teams
-              ? ": in any other place the robots would not fit beside each other."
-          : placement.stands && has_size
-              ? " at this minimum load ratio, where robots of this size can stand."
-          : placement.stands
-              ? " at this minimum load ratio on what is left of the edges that are marked."
-          : by_ratio ? " at this minimum load ratio."
-                     : ".");
+              ? ": anywhere else, robots would be too close to each other."
+          : placement.stands && has_size ? " at this minimum load ratio with robots of this size."
+          : placement.stands ? " at this minimum load ratio on the allowed parts of the boundary."
+          : by_ratio         ? " at this minimum load ratio."
+                             : ".");
 }
 
 std::string coverage_in_words(const Placement& placement) {
   if (placement.teams.empty()) return {};
   if (placement.lifting_base.size() < 3) return "They stand on one line, so the object can tip.";
-  if (placement.coverage >= 1 - tau) return "A push down anywhere on the object does not tip it.";
-  if (placement.coverage <= tau) return "A push down anywhere on the object can tip it.";
+  if (placement.coverage >= 1 - tau) return "Pressing down anywhere on the object does not tip it.";
+  if (placement.coverage <= tau) return "Pressing down anywhere on the object can tip it.";
   std::string share = percentage(placement.coverage);
   for (const auto& [sign, words] : {std::pair("<", "less than"), {">", "more than"}})
     if (share.starts_with(sign)) share.replace(0, 1, words);
-  return "A push down on " + share + " of the object does not tip it.";
+  return capital(share + " of the object can be pressed down on without tipping it.");
 }
 
 std::string closure_in_words(const ShownPlacement& of) {
@@ -243,9 +240,9 @@ std::string closure_in_words(const ShownPlacement& of) {
     return "The robots' contact alone stops it from sliding or turning. Robots may be off by " +
            promised_length(closure.clearance.tolerance, of.shown.units) + " along their edges.";
   if (closure.second_order)
-    return "It is held, but only by the curvature of the contact (second order).";
+    return "It is held only to second order: any movement jams as soon as it begins.";
   if (!closure.margin)
-    return "All robots stand on corners, where they are not counted: nothing else keeps it from "
+    return "All robots stand on corners, where contacts are not counted: nothing else keeps it from "
            "sliding or turning.";
   return "It can still " + free_motions_in_words(closure) + ".";
 }
@@ -268,7 +265,7 @@ bool is_held(const Placement& placement) {
 std::string detail_in_words(const ShownPlacement& of) {
   const Placement& placement = of.placement;
   const std::string coverage = coverage_in_words(placement), closure = closure_in_words(of);
-  // What is wrong comes first.
+  // Problems come first.
   const bool closure_first = !is_held(placement) && placement.coverage >= good_coverage;
   return joined({shortage_in_words(placement), closure_first ? closure : coverage,
                  closure_first ? coverage : closure});
@@ -306,27 +303,26 @@ std::vector<Fact> facts_in_words(const ShownPlacement& of) {
   const LoadSummary loads = placement.loads.value_or(LoadSummary{});
   facts.push_back(
       {"Coverage", percentage(placement.coverage, 1),
-       "Share of the object inside the lifting base: no push down there tips it, if robots "
+       "Share of the object above the lifting base: pressing down there does not tip it, if robots "
        "push back and none is overloaded"});
   facts.push_back({"Mean load", load_in_words(loads.mean, loads.max, units), "Of all robots"});
   facts.push_back({"Spread of loads", load_in_words(loads.spread, loads.max, units),
-                   "Greatest load less the least"});
+                   "Greatest load minus least load"});
   if (in_pairs)
-    facts.push_back({"Greatest share in a team", percentage(loads.max_share, 1),
-                     "50 % in a team that is perfectly even"});
+    facts.push_back(
+        {"Greatest share in a team", percentage(loads.max_share, 1), "50 % in an even team"});
   const Closure& closure = placement.closure;
   facts.push_back(
       {"Form closure", form_closure_in_words(closure),
        "Whether the robots' contact alone keeps the object from moving in the plane, to first "
        "order, if no robot gives way"});
-  facts.push_back(
-      {"How firmly held", hold_in_words(closure),
-       "The margin of form closure, to compare placements of one object with each other"});
+  facts.push_back({"Margin", hold_in_words(closure),
+                   "Strength of form closure; compare only placements of the same object"});
   if (closure.form_closure)
     facts.push_back(
         {"Robots may be off by", promised_length(closure.clearance.tolerance, of.shown.units),
-         "Each along its side, all at once in any way, those in inward corners not at all: it is "
-         "still in form closure"});
+         "All robots at once, each along its edge, except robots in inward corners: form closure "
+         "remains"});
   return facts;
 }
 
@@ -344,6 +340,10 @@ TeamInWords team_in_words(const Placement& placement, std::size_t team, int coor
   return words;
 }
 
+std::string method_in_words(Method method) {
+  return method == Method::distributed ? "equal angles" : std::string(name(method));
+}
+
 std::string form_closure_in_words(const Closure& closure) {
   return closure.form_closure ? "yes" : closure.second_order ? "second order" : "no";
 }
@@ -355,13 +355,13 @@ std::string sentence(const InputError& error) {
     return capital(place + " " + message.substr(both.size()));
   const bool option = error.place.kind == Place::Kind::option,
              whole_link = error.place.kind == Place::Kind::link && error.place.index == 0;
-  // What is said of a setting or a link mostly begins with what it is: then its name would only
-  // double that.
+  // A message about a setting or a link usually begins with its subject; a name in front would only
+  // repeat it.
   const bool named = message.starts_with("the ") || message.starts_with("no edge ") ||
                      message.starts_with("there is no edge ");
   const bool doubled = message.find("the " + place) != std::string::npos;  // "the centre of mass"
   if (place.empty() || doubled || (named && (option || whole_link))) return capital(message);
-  // The name of a setting stays as it is written.
+  // The name of a setting keeps its spelling.
   return option ? place + ": " + message : capital(place + ": " + message);
 }
 
