@@ -20,6 +20,8 @@ export interface Settings {
   /** The number of teams, 1 to 1048576; `"max"` places every candidate (area, circle and distance only). Default 3. */
   teams?: number | "max";
   metric?: Metric;
+  /** Another name of `metric`. */
+  method?: Metric;
   /** 0 to 1. Default 0.8. */
   min_ratio?: number;
   /** 1e-100 to 1e100. Default 100. */

@@ -32,7 +32,8 @@ EMSCRIPTEN_KEEPALIVE const char* evenlift_settings() {
     std::string list;
     for (const evenlift::SettingRow& row : evenlift::all_settings())
       if (row.changes != evenlift::Changes::view && row.setting != evenlift::Setting::com)
-        list += (list.empty() ? "" : ",") + std::string(row.name);
+        for (const std::string_view name : {row.name, row.alias})
+          if (!name.empty()) list += (list.empty() ? "" : ",") + std::string(name);
     return list;
   }();
   return names.c_str();

@@ -27,7 +27,7 @@ void encode(const Arguments& arguments) {
   InputOptions options;
   bool candidates = false;
   options.declare(line, "the polygon, in any format of `evenlift place`");
-  options.settings.declare(line, OptionGroup::doubt);
+  options.settings.declare(line, OptionGroup::uncertainty);
   options.settings.declare(line, OptionGroup::units);
   line.flag(candidates, "--candidates", "also show the candidates on the page");
   if (!line.parse(arguments)) return;

@@ -54,7 +54,7 @@ Compared compare(const Placement& greedy, bool holds, double seconds) {
                     {}};
   if (holds)
     compared.firmest = firmest_choice(greedy.polygon, greedy.centre_of_mass, greedy.candidates,
-                                      teams, greedy.team_candidates, firm_hold(greedy),
+                                      teams, greedy.team_candidates, hold_requirements(greedy),
                                       compared.widest, greedy.stands.get());
   return compared;
 }
@@ -139,7 +139,7 @@ std::string answer(const Input& input, const SettingOptions& options, double sec
   const Compared compared = compare(greedy, holds, seconds);
   if (holds && !compared.firmest && !greedy.teams.empty())
     throw Failure{bad_input_status, "--goal",
-                  "at most " + std::to_string(most_exchanged_teams) +
+                  "at most " + std::to_string(most_swapped_teams) +
                       " teams can be compared by their hold, not " +
                       std::to_string(greedy.teams.size())};
   return json ? as_json(compared) : for_people(compared);

@@ -87,7 +87,7 @@ std::string facts(const ShownPlacement& of, const Robustness& robustness) {
     lines.emplace_back("Minimum load ratio", plain(settings.min_ratio));
     if (settings.positions == Positions::range)
       lines.emplace_back("Positions", "anywhere in the range");
-    if (exchanges_teams(settings))
+    if (swaps_teams(settings))
       lines.emplace_back("Goal", placement.goal_reached ? "hold" : "hold, not reached");
   }
   if (placement.moved.any()) lines.emplace_back("Moved by hand", moved_text(placement.moved));
@@ -146,7 +146,7 @@ struct PlaceOptions {
 
   void declare(CommandLine& line) {
     input.declare(line);
-    input.settings.declare(line, OptionGroup::doubt);
+    input.settings.declare(line, OptionGroup::uncertainty);
     input.settings.declare(line, OptionGroup::units);
     robustness.declare(line);
     line.flag(as_json, "--json", "one JSON object instead of a table");

@@ -62,6 +62,10 @@ void CommandLine::value(std::optional<std::string>& into, const std::string& opt
       ->type_name(name);
 }
 
+void CommandLine::alias(const std::string& other, const std::string& option) {
+  aliases_[other] = option;
+}
+
 void CommandLine::flag(bool& into, const std::string& option, const std::string& help) {
   flags_.push_back(option);
   app_->add_flag(option, into, help);
@@ -76,8 +80,10 @@ std::vector<std::string> CommandLine::joined(const std::vector<std::string>& arg
       out.insert(out.end(), arguments.begin() + static_cast<std::ptrdiff_t>(i), arguments.end());
       break;
     }
-    const std::string option = argument.substr(0, argument.find('='));
-    const bool has_value = option.size() < argument.size();
+    const std::string written = argument.substr(0, argument.find('='));
+    const auto alias = aliases_.find(written);
+    const std::string option = alias == aliases_.end() ? written : alias->second;
+    const bool has_value = written.size() < argument.size();
     const bool takes_value = among(value_options_, option);
     if (!takes_value && !among(flags_, option)) {
       out.push_back(argument);
@@ -87,7 +93,7 @@ std::vector<std::string> CommandLine::joined(const std::vector<std::string>& arg
     seen.push_back(option);
     if (!takes_value && has_value) throw Failure{bad_input_status, option, "takes no value"};
     if (!takes_value || has_value) {
-      out.push_back(argument);
+      out.push_back(option + argument.substr(written.size()));
     } else {
       if (i + 1 == arguments.size())
         throw Failure{bad_input_status, option, "its value is missing"};

@@ -1,6 +1,7 @@
 // A command's arguments: CLI11 behind an interface with one way to fail, described in cli.md.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,6 +26,8 @@ class CommandLine {
                    const std::string& help);
   void value(std::optional<std::string>& into, const std::string& option, const std::string& name,
              const std::string& help);
+  // A second name of an option that is declared with value(). Help does not list it.
+  void alias(const std::string& other, const std::string& option);
   void flag(bool& into, const std::string& option, const std::string& help);
 
   // Fills the declared variables. Returns false after printing help on request. Throws Failure on
@@ -39,6 +42,7 @@ class CommandLine {
   std::vector<std::string> positionals_;
   std::vector<std::string> value_options_;
   std::vector<std::string> flags_;
+  std::map<std::string, std::string> aliases_;  // the option of each
 };
 
 }  // namespace evenlift::native

@@ -19,7 +19,7 @@ std::string why_unused(const SettingRow& row, const Settings& settings) {
       break;
     case CountsFor::candidates:
       return "applies only to --metric area, circle and distance, not to " + method;
-    case CountsFor::firm_hold:
+    case CountsFor::hold_requirements:
       return "applies only to --goal hold";
     case CountsFor::balanced:
       return "applies only to --metric balanced, not to " + method;
@@ -58,9 +58,11 @@ LoadModel loads_option(const std::string& text) {
 
 void SettingOptions::declare(CommandLine& line, OptionGroup group) {
   for (const SettingRow& row : all_settings())
-    if (row.option.group == group)
+    if (row.option.group == group) {
       line.value(typed_[static_cast<std::size_t>(row.setting)], as_typed(row.name),
                  std::string(row.option.value), std::string(row.option.help));
+      if (!row.alias.empty()) line.alias(as_typed(row.alias), as_typed(row.name));
+    }
 }
 
 void SettingOptions::apply(Document& document) const {

@@ -87,9 +87,10 @@ std::string robustness_lines(const RobustnessKnown& known, const std::optional<d
   if (known.models && asked.model != LoadModel::plan)
     text += model_in_words(asked.model, *known.models, units) + "\n";
   if (known.models && asked.com_radius > 0) {
-    text += doubt_in_words(*known.models, known.robustness, asked.com_radius, units);
+    text += uncertainty_in_words(*known.models, known.robustness, asked.com_radius, units);
     if (capacity)
-      text += " " + doubt_of_capacity_in_words(*known.models, known.robustness, *capacity, units);
+      text += " " +
+              uncertainty_for_capacity_in_words(*known.models, known.robustness, *capacity, units);
     text += "\n";
   }
   if (!known.failures.empty()) text += failures_in_words(known.failures, units, capacity) + "\n";

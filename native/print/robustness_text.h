@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "evenlift/doubt.h"
 #include "evenlift/load_models.h"
 #include "evenlift/placed_robots.h"
+#include "evenlift/uncertainty.h"
 #include "input/command_line.h"
 
 namespace evenlift::native {

@@ -140,14 +140,12 @@ TEST_CASE("each exchange makes the set better, and says what moved", "[balanced]
     const BalancedSearch end = finish_search(task.problem, search);
     while (!search.finished) {
       const BalancedStep step = try_next_triple(task.problem, search);
-      if (step.exchange) {
+      if (step.swap) {
         CHECK(is_better(task.problem, step.search.robots, search.robots));
         for (std::size_t k = 0; k < 3; ++k) {
-          CHECK(search.robots[step.exchange->numbers[k]].position ==
-                step.exchange->from[k].position);
+          CHECK(search.robots[step.swap->numbers[k]].position == step.swap->from[k].position);
           const auto stands = positions(step.search.robots);
-          CHECK(std::find(stands.begin(), stands.end(), step.exchange->to[k].position) !=
-                stands.end());
+          CHECK(std::find(stands.begin(), stands.end(), step.swap->to[k].position) != stands.end());
         }
       } else {
         CHECK(positions(step.search.robots) == positions(search.robots));

@@ -41,7 +41,7 @@ void firmest_most_choices(benchmark::State& state) {
   const std::vector<Candidate> candidates = candidates_of(polygon, 294);
   const std::vector<std::uint32_t> start = first(3);
   const Optimum optimum = widest_choice(polygon, centre, candidates, start.size(), start);
-  const FirmHold firm = firm_hold(polygon, centre, {});
+  const HoldRequirements firm = hold_requirements(polygon, centre, {});
   bool compared = false;
   for (auto _ : state) {
     compared =

@@ -141,7 +141,7 @@ void plan_failures(benchmark::State& state, Document document, Settings settings
 BENCHMARK_CAPTURE(plan_failures, most_loads_planned, document_of(Family::comb, 1000),
                   Settings{.method = Method::distributed}, 0.3)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(plan_failures, most_exchanged_teams, document_of(Family::random, 200),
+BENCHMARK_CAPTURE(plan_failures, most_swapped_teams, document_of(Family::random, 200),
                   (Settings{.goal = Goal::hold, .positions = Positions::range}), 1.7)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(plan_failures, most_sets_planned, coast(), Settings{.method = Method::balanced},

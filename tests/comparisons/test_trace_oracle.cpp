@@ -138,7 +138,7 @@ double oracle_score(const Case& c, const Trace& trace, std::uint32_t team, std::
 
 }  // namespace
 
-TEST_CASE("each edge-pair's step says what exact arithmetic says", "[trace][oracle][thorough]") {
+TEST_CASE("each edge pair's step says what exact arithmetic says", "[trace][oracle][thorough]") {
   int certain = 0;
   for (std::uint64_t i = 0; i < 270; ++i) {
     const Case c = small_polygons::make_case(i);

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "evenlift/exchange.h"
 #include "evenlift/generate.h"
 #include "evenlift/output/words.h"
+#include "evenlift/swaps.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/placed.h"
@@ -121,7 +121,7 @@ TEST_CASE("a plan of teams that are exchanged says how many were tried", "[capac
   comb.settings.min_ratio = 0.5;
   comb.settings.teams = 2;
   const Placement points = placed(comb);
-  REQUIRE(points.candidates.size() > most_exchanged_teams);
+  REQUIRE(points.candidates.size() > most_swapped_teams);
   const CapacityPlan many = plan_capacity(points, 0.5);
   CHECK_FALSE(many.possible);
   CHECK(many.tried == most_teams_tried(points.settings));
@@ -129,11 +129,11 @@ TEST_CASE("a plan of teams that are exchanged says how many were tried", "[capac
 
   comb.settings.robot.radius = 20;
   const CapacityPlan few = plan_capacity(placed(comb), 0.5);
-  comb.settings.teams = most_exchanged_teams;
+  comb.settings.teams = most_swapped_teams;
   comb.settings.goal.reset();
   CHECK_FALSE(few.possible);
   CHECK(few.tried == placed(comb).teams.size());
-  CHECK(few.tried < most_exchanged_teams);
+  CHECK(few.tried < most_swapped_teams);
 }
 
 TEST_CASE("robots that carry more than the capacity are told by number", "[capacity]") {

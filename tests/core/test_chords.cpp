@@ -57,7 +57,7 @@ bool face_each_other(const Polygon& p, const Vec2& centre, std::size_t a, std::s
 
 }  // namespace
 
-TEST_CASE("a square's centre sees opposite sides as its edge-pairs", "[chords]") {
+TEST_CASE("a square's centre sees opposite sides as its edge pairs", "[chords]") {
   const auto pairs = edge_pairs(polygon(square), {1, 1});
   REQUIRE(pairs.ok());
   CHECK(pairs->size() == 2);
@@ -97,7 +97,7 @@ TEST_CASE("a vertex's ray meets every edge behind C, and the chord may leave the
   CHECK(from_origin == 1);
 }
 
-TEST_CASE("a radial edge is met at its ends only and is in no edge-pair", "[chords]") {
+TEST_CASE("a radial edge is met at its ends only and is in no edge pair", "[chords]") {
   // C is on the line of edge 4, (4,2)-(2,2), and on no other.
   const Polygon p = polygon(u_shape);
   const Vec2 centre(1, 2);
@@ -125,7 +125,7 @@ TEST_CASE("an edge is radial up to a billionth of the polygon's size", "[chords]
   CHECK_FALSE(radial_edges(p, {0, 1.01e-8})[0]);
 }
 
-TEST_CASE("edge-pairs are those that face each other, each once", "[chords][thorough]") {
+TEST_CASE("edge pairs are those that face each other, each once", "[chords][thorough]") {
   std::size_t total = 0;
   for_each_case(1500, [&](const Polygon& p, const Vec2& centre) {
     const auto pairs = edge_pairs(p, centre);

@@ -144,7 +144,7 @@ TEST_CASE("random polygons of six vertices or more are not star-shaped", "[gener
     }
 }
 
-TEST_CASE("in a comb about n^2 / 4 edge-pairs face each other across the centroid", "[generate]") {
+TEST_CASE("in a comb about n^2 / 4 edge pairs face each other across the centroid", "[generate]") {
   for (const std::size_t n : {8u, 40u, 101u, 400u}) {
     CAPTURE(n);
     const Polygon polygon = polygon_of(Family::comb, n, 5);

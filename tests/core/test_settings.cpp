@@ -275,6 +275,7 @@ TEST_CASE("every setting has a name that leads back to it and a sentence", "[set
     CHECK(error.code == ErrorCode::bad_setting);
     CHECK(error.place.option == name(setting));
   }
+  CHECK(setting_from_name("method") == Setting::method);
   CHECK_FALSE(setting_from_name("min-ratio"));
   CHECK_FALSE(setting_from_name(""));
 }

@@ -92,7 +92,9 @@ export async function startBrowser(extraOptions = []) {
     site = server.url,
     ...contextOptions
   } = {}) {
-    const context = reused ?? (await browser.newContext({ viewport: wide, colorScheme: "light", ...contextOptions }));
+    // Without motion, a test need not wait for it.
+    const usual = { viewport: wide, colorScheme: "light", reducedMotion: "reduce" };
+    const context = reused ?? (await browser.newContext({ ...usual, ...contextOptions }));
     context.setDefaultTimeout(patience);
     const page = await context.newPage();
     if (hasty) await page.addInitScript(keepTimers);

@@ -163,11 +163,11 @@ TEST_CASE("the firmest choice is at least what exchanges come to", "[optimum][sl
     const Placement& placement = held.placement;
     const auto firmest =
         firmest_choice(placement.polygon, placement.centre_of_mass, placement.candidates, 3,
-                       placement.team_candidates, firm_hold(placement), Optimum{});
+                       placement.team_candidates, hold_requirements(placement), Optimum{});
     REQUIRE(firmest);
     const HoldKeys keys =
         hold_keys(placement.polygon, placement.centre_of_mass, placement.candidates,
-                  placement.team_candidates, firm_hold(placement));
+                  placement.team_candidates, hold_requirements(placement));
     CHECK_FALSE(better_by(keys, firmest->keys));
     ++compared;
     if (!better_by(firmest->keys, keys)) ++equal;
@@ -185,8 +185,8 @@ TEST_CASE("bounds of holds are true, and reached where they are said to be prove
     const Optimum widest = optimum_of(placement);
     const auto find = [&](std::uint64_t most) {
       return *firmest_choice(placement.polygon, placement.centre_of_mass, placement.candidates, 3,
-                             placement.team_candidates, firm_hold(placement), widest, nullptr,
-                             most);
+                             placement.team_candidates, hold_requirements(placement), widest,
+                             nullptr, most);
     };
     const FirmestChoice best = find(most_choices), bounded = find(0);
     CHECK(best.proved);
@@ -214,9 +214,9 @@ TEST_CASE("more choices than can be compared are bounded", "[optimum]") {
   document.settings.goal = Goal::hold;
   const Placement placement = placed(document);
   REQUIRE(choices(placement.candidates.size(), 4) > most_choices);
-  const auto found =
-      firmest_choice(placement.polygon, placement.centre_of_mass, placement.candidates, 4,
-                     placement.team_candidates, firm_hold(placement), optimum_of(placement));
+  const auto found = firmest_choice(placement.polygon, placement.centre_of_mass,
+                                    placement.candidates, 4, placement.team_candidates,
+                                    hold_requirements(placement), optimum_of(placement));
   REQUIRE(found);
   CHECK(found->keys.level <= found->most_level);
   CHECK(found->keys.coverage <= found->most_coverage);
@@ -251,9 +251,9 @@ TEST_CASE("the best choices of robots with a size are those of brute force witho
                           robots.push_back(end);
                       if (stands->any_collide(robots)) return;
                       widest = std::max(widest, coverage_of(*placement, each));
-                      const HoldKeys keys =
-                          hold_keys(placement->polygon, placement->centre_of_mass,
-                                    placement->candidates, each, firm_hold(*placement), stands);
+                      const HoldKeys keys = hold_keys(placement->polygon, placement->centre_of_mass,
+                                                      placement->candidates, each,
+                                                      hold_requirements(*placement), stands);
                       if (better_by(keys, firmest)) firmest = keys;
                     });
     const Optimum found =
@@ -265,7 +265,7 @@ TEST_CASE("the best choices of robots with a size are those of brute force witho
     unlike += !found.proved;
     const auto held =
         firmest_choice(placement->polygon, placement->centre_of_mass, placement->candidates, teams,
-                       placement->team_candidates, firm_hold(*placement), found, stands);
+                       placement->team_candidates, hold_requirements(*placement), found, stands);
     REQUIRE(held);
     CHECK(held->proved);
     CHECK(held->keys.level == firmest.level);

@@ -110,7 +110,7 @@ void check_range(const PairRange& range, const ExactSection& section, double min
 
 }  // namespace
 
-TEST_CASE("the range of an edge-pair ends where exact rationals say", "[ranges][thorough]") {
+TEST_CASE("the range of an edge pair ends where exact rationals say", "[ranges][thorough]") {
   int ranges = 0, none = 0;
   for (std::uint64_t number_of_case = 0; number_of_case < 1500; ++number_of_case) {
     const Document document =

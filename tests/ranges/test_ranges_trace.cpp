@@ -149,7 +149,7 @@ TEST_CASE("an exchange of one team is a choice, of which no other answer is bett
     INFO(name << (has_size ? ", with a size" : ""));
     for (std::uint32_t i = 0; i < trace.count(StepKind::swap); ++i) {
       const StepDetail detail = look_at(trace, *trace.find(StepKind::swap, i));
-      const bool single = detail.swap->kind == ExchangeKind::single;
+      const bool single = detail.swap->kind == SwapKind::single;
       const auto asked = question(trace, detail);
       REQUIRE(asked.has_value() == single);
       REQUIRE(is_choice(trace, detail.number) == single);

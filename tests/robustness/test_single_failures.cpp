@@ -38,7 +38,8 @@ void check_rest(const Placement& placement, std::size_t robot,
   CHECK(rest.has_value() == (failures_carried(robots, centre, size) >= 0));
   if (!rest) return;
   CHECK(rest->steady == (failures_steady(robots, centre, size) >= 0));
-  CHECK(rest->clear == (failures_steady(robots, centre, size, firm_hold(placement).clear) >= 0));
+  CHECK(rest->clear ==
+        (failures_steady(robots, centre, size, hold_requirements(placement).clear) >= 0));
   CHECK(rest->coverage ==
         Approx(coverage(polygon, convex_hull(robots, 1e-9 * size))).margin(1e-12));
   const Closure closure = analyse_closure(polygon, centre, points);

@@ -5,7 +5,6 @@
 
 #include "candidates/even_chords.h"
 #include "candidates/facing_lines.h"
-#include "evenlift/exchange.h"
 #include "evenlift/generate.h"
 #include "evenlift/output/json.h"
 #include "evenlift/placed_robots.h"
@@ -13,6 +12,7 @@
 #include "evenlift/random.h"
 #include "evenlift/selection.h"
 #include "evenlift/settings.h"
+#include "evenlift/swaps.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/trace.h"
 #include "kit/catch.h"
@@ -144,7 +144,7 @@ bool has_room(const Placement& p, const std::vector<std::uint32_t>& taken, std::
 
 // Only contacts far enough from corners count.
 std::uint32_t level_of(const Placement& p) {
-  const FirmHold firm = firm_hold(p);
+  const HoldRequirements firm = hold_requirements(p);
   const double near = near_distance(p.polygon.diameter());
   std::vector<Contact> counted;
   for (const Contact& contact : contacts(p.polygon, contact_points(p)))
@@ -172,7 +172,7 @@ TEST_CASE("teams of robots with a size are exchanged until they hold, and never 
     const Placement& p = *placed;
     check_standing(p);
     const auto keys = [&](const std::vector<std::uint32_t>& taken) {
-      return hold_keys(p.polygon, p.centre_of_mass, p.candidates, taken, firm_hold(p),
+      return hold_keys(p.polygon, p.centre_of_mass, p.candidates, taken, hold_requirements(p),
                        p.stands.get());
     };
     const auto start = select_teams(p.polygon, p.centre_of_mass, p.candidates, Metric::area,

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "evenlift/exchange.h"
 #include "evenlift/generate.h"
 #include "evenlift/output/json.h"
 #include "evenlift/output/trace_words.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/placement.h"
+#include "evenlift/swaps.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/trace.h"
 #include "kit/catch.h"

@@ -719,7 +719,7 @@ TEST_CASE("a result opens again with all its settings", "[import][json]") {
     const Import decoded = read(document_json(with_picture));
     CHECK(evenlift::testing::same_document(decoded.shapes.at(0).document, with_picture));
   }
-  CHECK(refusal(R"({"polygon":[[0,0],[1,0],[1,1]],"metric":"best"})").find("metric") !=
+  CHECK(refusal(R"({"polygon":[[0,0],[1,0],[1,1]],"metric":"best"})").find("method") !=
         std::string::npos);
 }
 

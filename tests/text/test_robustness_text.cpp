@@ -207,7 +207,7 @@ TEST_CASE("the models of loads are told in a sentence", "[words][robustness]") {
 TEST_CASE("doubt about the centre of mass is told in sentences", "[words][robustness]") {
   const ModelLoads loads{{{10, 2}, {0.5, 1}, 20}, 6, {}};
   const auto words = [&](double radius, double tips) {
-    return doubt_in_words(loads, {1, 1, tips}, radius);
+    return uncertainty_in_words(loads, {1, 1, tips}, radius);
   };
   const std::string off = "If C is off by up to ",
                     change = ", the loads of equally stiff robots change by up to ";
@@ -219,9 +219,9 @@ TEST_CASE("doubt about the centre of mass is told in sentences", "[words][robust
         off + "31" + change + "31.0 kg. From 30.0 on, the object can tip.");
   CHECK(plainly(words(1, 0)) ==
         off + "1" + change + "1.00 kg. Even the smallest error can tip the object.");
-  CHECK(plainly(doubt_of_capacity_in_words(loads, {1, 1, 30}, 12)) ==
+  CHECK(plainly(uncertainty_for_capacity_in_words(loads, {1, 1, 30}, 12)) ==
         "Equally stiff robots stay within 12 kg as long as C is off by at most 4.00.");
-  CHECK(plainly(doubt_of_capacity_in_words(loads, {1, 1, 30}, 9)) ==
+  CHECK(plainly(uncertainty_for_capacity_in_words(loads, {1, 1, 30}, 9)) ==
         "If all robots are equally stiff, some carry more than 9 kg.");
 }
 

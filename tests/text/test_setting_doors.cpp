@@ -84,7 +84,8 @@ const Door lists[] = {
      as_option,
      {"--loads", "--failures", "--json", "--candidates", "--svg", "--poses", "--frame",
       "--origin"}},
-    {"docs/requests.md", "## Settings\n", "\n## ", "`(\\w+)`", "has no row for %", is_asked},
+    {"docs/requests.md", "## Settings\n", "\n## ", "`(\\w+)`", "has no row for %", is_asked, as_is,
+     {"method"}},
     {"npm/evenlift.d.ts",
      "interface Settings {",
      "\n}",
@@ -92,9 +93,15 @@ const Door lists[] = {
      "has no % in Settings",
      is_asked,
      as_is,
-     {"centre_of_mass"}},
-    {"python/src/evenlift/types.py", "class Settings(", "\n\n\n",
-     "\n    (\\w+):", "has no % in Settings", is_asked},
+     {"centre_of_mass", "method"}},
+    {"python/src/evenlift/types.py",
+     "class Settings(",
+     "\n\n\n",
+     "\n    (\\w+):",
+     "has no % in Settings",
+     is_asked,
+     as_is,
+     {"method"}},
 };
 
 // These also contain other names.

@@ -225,7 +225,7 @@ TEST_CASE("the verdict's tip says what loads and stability presume of the robots
 TEST_CASE("a doubt makes the program's ranges, and sentences that say how far they hold",
           "[view][doubt]") {
   AppState state = state_of(Method::area);
-  CHECK(doubt_words(state).empty());
+  CHECK(uncertainty_words(state).empty());
   give(state, showing(state, &Shown::com_radius, 20));
   CHECK(shown(state).com_radius == 20);
   const ModelLoads models = *model_loads(*state.derived().placement);
@@ -236,8 +236,8 @@ TEST_CASE("a doubt makes the program's ranges, and sentences that say how far th
     CHECK(state.derived().outlook.loads[i].least == expected[i].least);
     CHECK(state.derived().outlook.loads[i].greatest == expected[i].greatest);
   }
-  CHECK(summary(state).find(doubt_in_words(models, robustness(*state.derived().placement), 20)) !=
-        std::string::npos);
+  CHECK(summary(state).find(uncertainty_in_words(models, robustness(*state.derived().placement),
+                                                 20)) != std::string::npos);
   CHECK(verdict(state).headline == loads_in_words({*state.derived().placement, shown(state)},
                                                   LoadModel::plan, state.derived().outlook.loads));
   const double beyond = models.springs.same_within * 1.5;
@@ -264,17 +264,17 @@ TEST_CASE("the grip of the doubt is there with the halo only, and its drag is on
   Page page;
   page.frame();
   AppState& state = page.app.state;
-  CHECK_FALSE(doubt_grip(state));
+  CHECK_FALSE(uncertainty_grip(state));
   give(state, showing(state, &Shown::overlays, {.halo = true}));
-  REQUIRE(doubt_grip(state));
+  REQUIRE(uncertainty_grip(state));
   const std::uint64_t before = computed().placements;
-  const Vec2 from = state.view.camera.to_world(*doubt_grip(state));
+  const Vec2 from = state.view.camera.to_world(*uncertainty_grip(state));
   const Vec2 centre = state.derived().placement->centre_of_mass, out = (from - centre).normalized();
   page.drag(from, from + out * 40);
   CHECK(std::abs(shown(state).com_radius - 40) < 1.5 / state.view.camera.scale);
   CHECK(computed().placements == before);
   CHECK(state.work.history.depth() == 1);
-  page.drag(state.view.camera.to_world(*doubt_grip(state)), centre);
+  page.drag(state.view.camera.to_world(*uncertainty_grip(state)), centre);
   CHECK(shown(state).com_radius == 0);
 }
 
@@ -287,7 +287,7 @@ TEST_CASE("units are labels: words follow, and nothing is placed anew", "[view][
   REQUIRE(usual.find("\u00A0kg") != std::string::npos);
   give(state, showing(state, &Shown::units, {LengthUnit::mm, WeightUnit::lb}));
   CHECK(shown(state).units == Units{LengthUnit::mm, WeightUnit::lb});
-  const std::string labelled = summary(state) + need_in_words(state) + doubt_words(state);
+  const std::string labelled = summary(state) + need_in_words(state) + uncertainty_words(state);
   CHECK(labelled.find("\u00A0lb") != std::string::npos);
   CHECK(labelled.find("20\u00A0mm") != std::string::npos);
   CHECK(labelled.find("kg") == std::string::npos);

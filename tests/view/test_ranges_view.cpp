@@ -171,9 +171,9 @@ TEST_CASE("each step of exchanges is shown, and a card tells of the exchange", "
     CHECK_FALSE(state.view.walkthrough.caption.empty());
     CHECK(state.view.walkthrough.base.size() >= 3);
   }
-  const std::uint32_t moved = trace.exchanges->exchanges.back().teams[0];
+  const std::uint32_t moved = trace.swaps->swaps.back().teams[0];
   const Explanation card = explain(state, {Pick::Kind::robot, moved, 0, place_of(state, moved, 0)});
-  CHECK(card.reason.find("leaves candidate") != std::string::npos);
+  CHECK(card.reason.find("swaps candidate") != std::string::npos);
 }
 
 TEST_CASE("a few exchanges are predicted, and a wrong guess is told what it would come to",
@@ -223,11 +223,11 @@ TEST_CASE("among many candidates teams are exchanged when a drag ends, and not b
   const auto taken = [](const Document& document) {
     return evenlift::place(document)->team_candidates;
   };
-  CHECK_FALSE(waits_for_exchange(*state.derived().placement));
+  CHECK_FALSE(waits_for_swap(*state.derived().placement));
   const Vec2 to = comb.vertices[0] + Vec2(-1, -1);
   give(state, MoveVertex{0, to});
   comb.vertices[0] = to;
-  CHECK(waits_for_exchange(*state.derived().placement));
+  CHECK(waits_for_swap(*state.derived().placement));
   CHECK(state.derived().placement->settings.goal == Goal::hold);
   CHECK(state.derived().placement->goal_reached == state.derived().placement->closure.form_closure);
   Document selected = comb;
@@ -237,7 +237,7 @@ TEST_CASE("among many candidates teams are exchanged when a drag ends, and not b
   give(state, OpenWalkthrough{});
   CHECK(state.view.walkthrough.trace->count(StepKind::swap) == 0);
   give(state, EndEdit{});
-  CHECK_FALSE(waits_for_exchange(*state.derived().placement));
+  CHECK_FALSE(waits_for_swap(*state.derived().placement));
   CHECK(state.derived().placement->team_candidates == taken(comb));
   CHECK(taken(comb) != taken(selected));
   CHECK(state.view.walkthrough.trace->count(StepKind::swap) > 0);
@@ -248,7 +248,7 @@ TEST_CASE("few candidates are exchanged during a drag, too", "[view][ranges]") {
   AppState state = state_in_ranges(Goal::hold);
   const Vec2 to = state.work.document().vertices[0] + Vec2(1, 1);
   give(state, MoveVertex{0, to});
-  CHECK_FALSE(waits_for_exchange(*state.derived().placement));
+  CHECK_FALSE(waits_for_swap(*state.derived().placement));
   CHECK(state.derived().placement->goal_reached);
   give(state, EndEdit{});
   CHECK(state.derived().placement->goal_reached);
@@ -262,7 +262,7 @@ TEST_CASE("teams that would be exchanged for minutes are not, and a notice says 
   comb.settings.teams = 8;
   AppState state;
   begin(state, placed(comb));
-  CHECK(waits_for_exchange(*state.derived().placement));
+  CHECK(waits_for_swap(*state.derived().placement));
   CHECK(state.session.notice.text.find("The teams are not swapped here until they hold: with ") ==
         0);
 }

@@ -170,8 +170,8 @@ void take_all_teams(const AppState& s, Commands& out) {
 // Opens the panel if it is closed, then the field of a value (the names are those of the panels'
 // controls).
 constexpr char typed_ratio[] = "min ratio", typed_weight[] = "weight", typed_seed[] = "seed",
-               typed_centre[] = "com", typed_capacity[] = "capacity", typed_doubt[] = "com radius",
-               typed_radius[] = "robot radius";
+               typed_centre[] = "com", typed_capacity[] = "capacity",
+               typed_uncertainty[] = "com radius", typed_radius[] = "robot radius";
 template <const char* control>
 void type_value(const AppState& s, Commands& out) {
   if (!s.view.panel_open) out.push_back(SetPanelOpen{true});
@@ -184,9 +184,9 @@ void type_edge(const AppState& s, Commands& out) {
   if (s.view.sheet != Sheet::closed) out.push_back(SetSheet{Sheet::closed});
   out.push_back(TypeValue{"edge length"});
 }
-void type_doubt(const AppState& s, Commands& out) {
+void type_uncertainty(const AppState& s, Commands& out) {
   out.push_back(SetMoreOpen{true});
-  type_value<typed_doubt>(s, out);
+  type_value<typed_uncertainty>(s, out);
 }
 
 // The robot with the open card, or else the next one; none after the last.
@@ -300,7 +300,7 @@ const std::vector<Action> table = {
     {ActionId::type_robot, Group::teams, Icon::none, "Type the radius of a robot", "Shift+H", {{"H"}}, when::editing,
      [](const AppState& s, Commands& out) { out.push_back(SetRobotOpen{true}); type_value<typed_radius>(s, out); }},
     {ActionId::type_capacity, Group::teams, Icon::none, "Type the capacity of a robot", "Shift+Y", {{"Y"}}, when::editing, type_value<typed_capacity>},
-    {ActionId::type_doubt, Group::teams, Icon::none, "Type the C uncertainty", "Shift+E", {{"E"}}, when::editing, type_doubt},
+    {ActionId::type_uncertainty, Group::teams, Icon::none, "Type the C uncertainty", "Shift+E", {{"E"}}, when::editing, type_uncertainty},
     {ActionId::type_seed, Group::teams, Icon::none, "Type the seed of random teams", "Shift+U", {{"U"}}, when::is_random, type_value<typed_seed>},
     {ActionId::type_centre, Group::teams, Icon::none, "Type the centre of mass", "J", {{"j"}}, when::editing, type_value<typed_centre>},
     {ActionId::free_centre, Group::teams, Icon::none, "Centre of mass back to the centroid", "Shift+J", {{"J"}}, when::has_own_centre, ask<ReleaseCentre>},

@@ -33,7 +33,7 @@ void press_parts(const AppState& state, const Pointer& pointer, Commands& comman
   // A finger cannot hover, so a press also counts as hovering.
   if (pointer.touch) commands.push_back(SetHover{under});
   const bool grip = under.kind == Pick::Kind::vertex || under.kind == Pick::Kind::centre ||
-                    under.kind == Pick::Kind::doubt || can_take_robot(state, under);
+                    under.kind == Pick::Kind::uncertainty || can_take_robot(state, under);
   if (!grip) under.kind = Pick::Kind::ground;
   // From now on `at` is the offset from the pointer to the held part, so that nothing jumps.
   under.at = grip ? Vec2(state.view.camera.to_screen(under.at) - pointer.at) : pointer.at;
@@ -115,9 +115,9 @@ void drag(const AppState& state, const Pointer& pointer, Commands& commands) {
         MoveVertex{held.index, snapped(state, to, neighbour(vertices, held.index, false),
                                        neighbour(vertices, held.index, true))});
   }
-  if (held.kind == Pick::Kind::doubt)
-    commands.push_back(
-        showing(state, &Shown::com_radius, doubt_for_grip(state, pointer.at + held.at), true));
+  if (held.kind == Pick::Kind::uncertainty)
+    commands.push_back(showing(state, &Shown::com_radius,
+                               uncertainty_for_grip(state, pointer.at + held.at), true));
   if (held.kind == Pick::Kind::robot && state.derived().placement &&
       !state.derived().placement->teams.empty()) {
     const std::size_t in_team = state.derived().placement->teams.front().robots.size();

@@ -35,11 +35,11 @@ void tell_of_refusal(AppState& state, const std::string& before) {
 }
 
 // Reports at rest that the teams were not swapped, since the user would not wait for that.
-void tell_of_no_exchange(AppState& state) {
+void tell_of_no_swap(AppState& state) {
   const Derived& facts = state.derived();
   if (!facts.placement || facts.refusal || state.work.edit_open) return;
   if (!state.session.notice.text.empty()) return;  // the command's own notice
-  if (!waits_for_exchange(*facts.placement)) return;
+  if (!waits_for_swap(*facts.placement)) return;
   show(state,
        {Notice::Kind::info, "The teams are not swapped here until they hold: with " +
                                 std::to_string(facts.placement->candidates.size()) +
@@ -59,7 +59,7 @@ void conclude(AppState& state) {
   if (state.view.camera_follows && !(facts.placed.settings.robot == robot))
     state.view.fit_due = true;
   tell_of_refusal(state, refusal);
-  if (facts.basis.edits != before.edits || before.haste == Haste::drag) tell_of_no_exchange(state);
+  if (facts.basis.edits != before.edits || before.haste == Haste::drag) tell_of_no_swap(state);
   follow_trace(state);
 }
 

@@ -53,7 +53,7 @@ std::string hint_of_team(const Placement* placement, std::size_t i, const Units&
          with_length_unit(words.length, units) + " apart · press it to see why";
 }
 
-std::string hint_of_doubt(const AppState& state) {
+std::string hint_of_uncertainty(const AppState& state) {
   const double radius = shown(state).com_radius;
   return radius > 0
              ? "C uncertainty " + with_length_unit(plain(radius), shown(state).units) +
@@ -117,8 +117,8 @@ std::string hint_of_pick(const AppState& state, const Pick& at) {
       return hint_of_vertex(state, at.index);
     case Pick::Kind::centre:
       return hint_of_centre(state);
-    case Pick::Kind::doubt:
-      return hint_of_doubt(state);
+    case Pick::Kind::uncertainty:
+      return hint_of_uncertainty(state);
     case Pick::Kind::edge:
       if (const auto why = why_unusable(state, at))
         return "Edge " + std::to_string(at.index + 1) + " cannot be used here: " +

@@ -78,8 +78,8 @@ class Derivation {
 };
 
 void Derivation::place() {
-  const bool waits = comes_to_rest() && facts_.placement && !facts_.refusal &&
-                     waits_for_exchange(*facts_.placement);
+  const bool waits =
+      comes_to_rest() && facts_.placement && !facts_.refusal && waits_for_swap(*facts_.placement);
   if (now_.edits == before_.edits && !waits) return;
   placed_ = robots_ = true;
   drop_search(facts_, effects_);
@@ -142,7 +142,7 @@ void Derivation::tell_units() {
 }
 
 void Derivation::place_second() {
-  const bool waits = comes_to_rest() && facts_.second && waits_for_exchange(*facts_.second);
+  const bool waits = comes_to_rest() && facts_.second && waits_for_swap(*facts_.second);
   const bool due =
       (placed_ && !given_.moved) || waits || now_.second_method != before_.second_method;
   if (!due || facts_.refusal) return;

@@ -64,11 +64,11 @@ void draw_halo(const Painter& painter, const CanvasView& view) {
     list.AddCircleFilled(at, in_pixels(known), ring.at(0.12f).packed(), 64);
     list.AddCircle(at, in_pixels(known), ring.packed(), 64, 2);
   }
-  const std::optional<Vec2> grip = doubt_grip(state);
+  const std::optional<Vec2> grip = uncertainty_grip(state);
   if (!grip || view.second) return;
   const ImVec2 spot = vec(grip->x(), grip->y());
   const ImVec2 foot(at.x + in_pixels(known) * 0.70710678f, at.y - in_pixels(known) * 0.70710678f);
-  const bool hot = is_hovered(state, Pick::Kind::doubt, 0);
+  const bool hot = is_hovered(state, Pick::Kind::uncertainty, 0);
   list.AddLine(foot, spot, ring.packed(), 1.5f);
   if (hot) list.AddCircleFilled(spot, 14, theme.accent.at(0.22f).packed(), 32);
   list.AddCircleFilled(spot, 6, theme.object.packed(), 24);

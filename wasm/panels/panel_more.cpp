@@ -36,7 +36,7 @@ void draw_model(const Ui& ui) {
   if (ui.state.view.load_model != LoadModel::plan) draw_block(ui, model_words(ui.state), 3);
 }
 
-constexpr LengthRow doubt{
+constexpr LengthRow uncertainty{
     Setting::com_radius, "C uncertainty",
     "The centre of mass may be anywhere within this distance of its shown place",
     "Uncertainty of the centre of mass"};
@@ -106,8 +106,8 @@ void draw_rows(const Ui& ui) {
     draw_goal(ui);
   }
   draw_model(ui);
-  draw_length(ui, doubt);
-  if (shown(ui.state).com_radius > 0) draw_block(ui, doubt_words(ui.state), 5);
+  draw_length(ui, uncertainty);
+  if (shown(ui.state).com_radius > 0) draw_block(ui, uncertainty_words(ui.state), 5);
   draw_length(ui, clear);
   draw_units(ui);
   if (settings(ui.state).method != Method::balanced) return;

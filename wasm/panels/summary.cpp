@@ -149,14 +149,14 @@ std::string model_words(const AppState& state) {
                 : std::string();
 }
 
-std::string doubt_words(const AppState& state) {
+std::string uncertainty_words(const AppState& state) {
   const std::optional<ModelLoads>& models = state.derived().outlook.models;
   const Shown& now = shown(state);
   if (!models || now.com_radius == 0) return {};
   const Robustness& robustness = state.derived().outlook.robustness;
-  std::string text = doubt_in_words(*models, robustness, now.com_radius, now.units);
+  std::string text = uncertainty_in_words(*models, robustness, now.com_radius, now.units);
   if (now.capacity)
-    text += " " + doubt_of_capacity_in_words(*models, robustness, *now.capacity, now.units);
+    text += " " + uncertainty_for_capacity_in_words(*models, robustness, *now.capacity, now.units);
   return text;
 }
 
@@ -218,7 +218,8 @@ std::string summary(const AppState& state) {
   if (state.derived().refusal || !state.derived().placement) return text;
   if (const Failure* failure = failing(state))
     return text + loads_while_failing(*failure, shown(state).units);
-  for (const std::string& more : {need_in_words(state), model_words(state), doubt_words(state)})
+  for (const std::string& more :
+       {need_in_words(state), model_words(state), uncertainty_words(state)})
     if (!more.empty()) text += " " + more;
   const Placement& placement = *state.derived().placement;
   const Settings& settings = placement.settings;

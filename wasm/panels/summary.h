@@ -42,7 +42,7 @@ std::string need_in_words(const AppState& state);
 // The assumptions of the shown loads, if they are not the plan's, and the effect of the C
 // uncertainty, each in a sentence or two; empty for the plan without uncertainty.
 std::string model_words(const AppState& state);
-std::string doubt_words(const AppState& state);
+std::string uncertainty_words(const AppState& state);
 
 // The label of weights, such as "kg".
 std::string weight_unit(const AppState& state);

@@ -24,7 +24,7 @@ struct Pick {
     object,
     frame,
     ground,
-    doubt  // the grip of the ring that shows the C uncertainty
+    uncertainty  // the grip of the ring that shows the C uncertainty
   };
   Kind kind = Kind::none;
   std::size_t index = 0;   // of the vertex, edge, team or candidate, or of the frame's grip

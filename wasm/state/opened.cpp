@@ -2,10 +2,10 @@
 
 #include <utility>
 
-#include "evenlift/exchange.h"
 #include "evenlift/formats.h"
 #include "evenlift/link.h"
 #include "evenlift/settings.h"
+#include "evenlift/swaps.h"
 
 namespace evenlift::view {
 namespace {
@@ -26,14 +26,14 @@ Result<Placement> placed(const Document& document, const Polygon* known) {
 
 // Swaps of t teams among K candidates take 0.1 to 5 microseconds times t^3 K, and 1.6 times that in
 // the browser (docs/performance.md).
-double exchange_cost(const Placement& placement) {
+double swap_cost(const Placement& placement) {
   const auto teams = static_cast<double>(placement.teams.size());
   return teams * teams * teams * static_cast<double>(placement.candidates.size());
 }
 constexpr double most_in_a_drag = 50e3, most_at_rest = 1e6;
 
 // The teams of the goal *hold*, as the metric selects them.
-Placement not_exchanged(Placement selected, const Settings& settings) {
+Placement not_swapped(Placement selected, const Settings& settings) {
   selected.settings = settings;
   selected.goal_reached = !selected.teams.empty() && selected.closure.form_closure;
   selected.search_ended = false;
@@ -47,22 +47,22 @@ Result<Placement> compute_placement(const Document& document,
   ++so_far.placements;
   const Settings& settings = document.settings;
   const Polygon* known = before ? &before->polygon : nullptr;
-  if (!exchanges_teams(settings)) return placed(document, known);
+  if (!swaps_teams(settings)) return placed(document, known);
   Document as_selected = document;
   as_selected.settings.goal = Goal::cover;
   as_selected.moved = {};
   Result<Placement> selected = placed(as_selected, known);
   if (!selected) return selected;
   const double most = haste == Haste::drag ? most_in_a_drag : most_at_rest;
-  if (exchange_cost(*selected) <= most) return placed(document, &selected->polygon);
-  if (auto error = check_exchanges(selected->candidates.size(), settings.teams.value_or(max_teams),
-                                   selected->stands.get()))
+  if (swap_cost(*selected) <= most) return placed(document, &selected->polygon);
+  if (auto error = check_swaps(selected->candidates.size(), settings.teams.value_or(max_teams),
+                               selected->stands.get()))
     return *error;
-  return not_exchanged(std::move(selected).value(), settings);
+  return not_swapped(std::move(selected).value(), settings);
 }
 
-bool waits_for_exchange(const Placement& placement) {
-  return exchanges_teams(placement.settings) && !placement.search_ended;
+bool waits_for_swap(const Placement& placement) {
+  return swaps_teams(placement.settings) && !placement.search_ended;
 }
 
 Result<Trace> compute_trace(const Placement& placement, const Units& units, HistoryLength length) {

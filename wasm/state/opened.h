@@ -48,7 +48,7 @@ Result<Placement> compute_placement(const Document& document,
                                     Haste haste = Haste::at_rest);
 
 // Whether its teams should be swapped until they hold, but are as the metric selects them. O(1).
-bool waits_for_exchange(const Placement& placement);
+bool waits_for_swap(const Placement& placement);
 Result<Trace> compute_trace(const Placement& placement, const Units& units,
                             HistoryLength length = HistoryLength::whole);
 

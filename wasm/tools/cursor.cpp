@@ -34,7 +34,7 @@ Cursor cursor(const AppState& state) {
   switch (at.kind) {
     case Pick::Kind::vertex:
     case Pick::Kind::centre:
-    case Pick::Kind::doubt:
+    case Pick::Kind::uncertainty:
       return holds ? Cursor::grabbing : Cursor::grab;
     case Pick::Kind::frame:
       return over_frame(static_cast<FrameGrip>(at.index), holds);

@@ -30,9 +30,9 @@ Pick part_at(const AppState& state, const Vec2& screen) {
     nearest.offer(distance(state.view.camera.to_screen(vertices[i]), screen),
                   {Pick::Kind::vertex, i, 0, vertices[i]});
   }
-  if (const std::optional<Vec2> grip = doubt_grip(state))
+  if (const std::optional<Vec2> grip = uncertainty_grip(state))
     nearest.offer(distance(*grip, screen),
-                  {Pick::Kind::doubt, 0, 0, state.view.camera.to_world(*grip)});
+                  {Pick::Kind::uncertainty, 0, 0, state.view.camera.to_world(*grip)});
   const Vec2 centre = centre_of_mass(state);
   nearest.offer(distance(state.view.camera.to_screen(centre), screen),
                 {Pick::Kind::centre, 0, 0, centre});
@@ -112,7 +112,7 @@ double grip_stands_off(const AppState& state) { return state.session.screen.fing
 
 }  // namespace
 
-std::optional<Vec2> doubt_grip(const AppState& state) {
+std::optional<Vec2> uncertainty_grip(const AppState& state) {
   const bool there = shown(state).overlays.halo && !state.session.screen.embed &&
                      state.view.tool == Tool::parts && !state.derived().refusal &&
                      !walkthrough_is_open(state);
@@ -124,7 +124,7 @@ std::optional<Vec2> doubt_grip(const AppState& state) {
                   (shown(state).com_radius * state.view.camera.scale + grip_stands_off(state)));
 }
 
-double doubt_for_grip(const AppState& state, const Vec2& screen) {
+double uncertainty_for_grip(const AppState& state, const Vec2& screen) {
   const double away = distance(state.view.camera.to_screen(centre_of_mass(state)), screen);
   const double radius = std::max(0.0, away - grip_stands_off(state)) / state.view.camera.scale;
   return std::max(0.0, rounded_to_pixels(state.view.camera, Vec2(radius, 0)).x());

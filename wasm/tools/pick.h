@@ -26,9 +26,9 @@ Pick pick_explained(const AppState& state, const Vec2& screen, bool second = fal
 
 // The grip that sets the C uncertainty, in pixels. It is at some distance from the ring, so that
 // the user can grab it even if the ring is small. Nothing while no ring is visible.
-// doubt_for_grip() is the uncertainty for a grip that was moved to `screen`.
-std::optional<Vec2> doubt_grip(const AppState& state);
-double doubt_for_grip(const AppState& state, const Vec2& screen);
+// uncertainty_for_grip() is the uncertainty for a grip that was moved to `screen`.
+std::optional<Vec2> uncertainty_grip(const AppState& state);
+double uncertainty_for_grip(const AppState& state, const Vec2& screen);
 
 // Whether the pointer holds this part, or else is over it.
 bool is_hovered(const AppState& state, Pick::Kind kind, std::size_t index);

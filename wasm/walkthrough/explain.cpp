@@ -25,11 +25,10 @@ void add_chord(Explanation& explanation, const Chord& chord, const Units& units)
 
 // The last swap that moved the team, if any.
 std::optional<std::uint32_t> swap_of(const Trace& trace, std::uint32_t team) {
-  if (!trace.exchanges) return std::nullopt;
-  const std::vector<Exchange>& exchanges = trace.exchanges->exchanges;
-  for (std::size_t i = exchanges.size(); i-- > 0;)
-    if (std::find(exchanges[i].teams.begin(), exchanges[i].teams.end(), team) !=
-        exchanges[i].teams.end())
+  if (!trace.swaps) return std::nullopt;
+  const std::vector<Swap>& swaps = trace.swaps->swaps;
+  for (std::size_t i = swaps.size(); i-- > 0;)
+    if (std::find(swaps[i].teams.begin(), swaps[i].teams.end(), team) != swaps[i].teams.end())
       return trace.find(StepKind::swap, static_cast<std::uint32_t>(i));
   return std::nullopt;
 }

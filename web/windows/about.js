@@ -16,7 +16,7 @@ const docs = [
   ["docs-page.html", "The page: links, embedding, scripting"],
   ["docs-algorithm.html", "The algorithm, stage by stage"],
   ["docs-stands.html", "Robots with a size, and where they can stand"],
-  ["docs-who-bears-what.html", "Who bears what, and what may go wrong"],
+  ["docs-who-bears-what.html", "Who carries what, and what may go wrong"],
   ["docs-link-format.html", "The format of links"],
 ];
 

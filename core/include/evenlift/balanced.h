@@ -108,7 +108,7 @@ std::optional<BalancedSearch> start_balanced(const BalancedProblem& problem);
 bool is_quick_to_start(const BalancedProblem& problem);
 
 // Three robots, by their numbers before the swap, that moved to other places.
-struct BalancedExchange {
+struct BalancedSwap {
   std::array<std::uint32_t, 3> numbers{};
   std::array<LiftingPoint, 3> from, to;
 };
@@ -125,8 +125,8 @@ struct BalancedExchange {
 // more robots, as for m = 4. Robots with a size, for which few sets have room, restart from the
 // best sets on usable intervals.
 struct BalancedStep {
-  BalancedSearch search;                     // after the step
-  std::optional<BalancedExchange> exchange;  // the swap, if there was one
+  BalancedSearch search;             // after the step
+  std::optional<BalancedSwap> swap;  // the swap, if there was one
 };
 BalancedStep try_next_triple(const BalancedProblem& problem, BalancedSearch search);
 

@@ -1,6 +1,6 @@
-// Candidate chords: at most one for each edge-pair, and those between opposite vertices, ordered by
+// Candidate chords: at most one for each edge pair, and those between opposite vertices, ordered by
 // slope and without duplicates (algorithm.md, Candidates; thesis 3.2, 3.3, 4.2). With positions
-// anywhere in the range, an edge-pair has two more (algorithm.md, Ranges).
+// anywhere in the range, an edge pair has two more (algorithm.md, Ranges).
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace evenlift {
 
-// `range` is a chord at another place in the range of its edge-pair.
+// `range` is a chord at another place in the range of its edge pair.
 enum class CandidateKind : std::uint8_t { bisecting, midpoint, vertex, range };
 
 // "bisecting", "midpoint", "vertex" or "range". O(1).
@@ -36,7 +36,7 @@ std::vector<Chord> chords_of(const std::vector<Candidate>& candidates,
 // Whether a chord is even: its load ratio is at least 1 - tau. O(1).
 bool is_even(const Chord& chord);
 
-// The candidate of an edge-pair, if any, and the reason.
+// The candidate of an edge pair, if any, and the reason.
 struct PairVerdict {
   double g0 = 0, g1 = 0;  // |C r_b| / |C r_a| at the beginning and the end of the range
   bool parallel = false;  // g0 and g1 agree within tolerance
@@ -44,7 +44,7 @@ struct PairVerdict {
   std::optional<Candidate> candidate;
 };
 
-// Decides about one edge-pair. O(1).
+// Decides about one edge pair. O(1).
 PairVerdict examine_pair(const Polygon& polygon, const Vec2& centre, const EdgePair& pair,
                          double min_ratio);
 
@@ -53,7 +53,7 @@ PairVerdict examine_pair(const Polygon& polygon, const Vec2& centre, const EdgeP
 Candidate opposite_chord(const Polygon& polygon, const Vec2& centre,
                          const OppositeVertices& opposite);
 
-// The chords of an edge-pair that meet the minimum ratio. A place x in [0, 1] runs linearly along
+// The chords of an edge pair that meet the minimum ratio. A place x in [0, 1] runs linearly along
 // the section of edge a, from its beginning to its end: r_a - C = (1 - x) a0 + x a1, and
 // |C r_a| / |C r_b| = (1 - x) q0 + x q1.
 struct PairRange {
@@ -65,7 +65,7 @@ struct PairRange {
   double q(double x) const { return (1 - x) * q0 + x * q1; }
 };
 
-// The range of an edge-pair: the places at which the load ratio is at least `min_ratio`. If the
+// The range of an edge pair: the places at which the load ratio is at least `min_ratio`. If the
 // edges are parallel and their ratio is at least the minimum, within tolerance, the range is the
 // whole section. Nothing if there is no such place. O(1).
 std::optional<PairRange> range_of(const Polygon& polygon, const Vec2& centre, const EdgePair& pair,
@@ -95,7 +95,7 @@ double place_towards(const PairRange& range, const Vec2& direction);
 inline constexpr double range_places[] = {1.0 / 16, 15.0 / 16};
 
 // Returns all candidates in candidate order; `min_ratio` is in [0, 1]. It is an error if the number
-// of edge-pairs and opposite vertices exceeds max_edge_pairs, or a third of that with positions
+// of edge pairs and opposite vertices exceeds max_edge_pairs, or a third of that with positions
 // anywhere in the range. For K of them O(n log n + K) if few candidates lie on one line through C,
 // and O(n log n + K log K) at worst.
 Result<std::vector<Candidate>> find_candidates(const Polygon& polygon, const Vec2& centre,
@@ -106,7 +106,7 @@ Result<std::vector<Candidate>> find_candidates(const Polygon& polygon, const Vec
 // Means "none" in arrays of indices, where an optional would double the memory.
 inline constexpr std::uint32_t no_index = ~std::uint32_t{0};
 
-// The candidates with their sources. The sources are numbered: first the edge-pairs in the order of
+// The candidates with their sources. The sources are numbered: first the edge pairs in the order of
 // edge_pairs(), then the opposite vertices in the order of opposite_vertices(). When duplicates are
 // merged, the `source` of the candidate is the one whose chord was kept.
 struct TracedCandidates {

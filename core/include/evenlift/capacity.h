@@ -12,8 +12,8 @@ namespace evenlift {
 // The greatest number of teams that a plan tries if teams are not swapped.
 inline constexpr std::uint32_t most_teams_for_capacity = 512;
 
-// The greatest number of teams that a plan tries with these settings: most_exchanged_teams
-// (exchange.h) if teams are swapped until they hold, otherwise most_teams_for_capacity. O(1).
+// The greatest number of teams that a plan tries with these settings: most_swapped_teams
+// (swaps.h) if teams are swapped until they hold, otherwise most_teams_for_capacity. O(1).
 std::uint32_t most_teams_tried(const Settings& settings);
 
 // The robots that carry more than `capacity`, numbered as in find_robot() (loads.h). O(robots).
@@ -45,7 +45,7 @@ struct CapacityPlan {
 // that are needed, at most most_teams_tried(). Teams at equal angles differ for each number; only
 // their loads are computed, and a number of teams is rejected at the first overloaded robot. Teams
 // that are swapped until they hold also differ for each number: each number costs as much as its
-// swaps (exchange.h). Balanced robots all carry the same planned load, so their least number
+// swaps (swaps.h). Balanced robots all carry the same planned load, so their least number
 // follows from the weight and from the number of failures to survive; whether such a set exists is
 // not checked.
 CapacityPlan plan_capacity(const Placement& placement, double capacity);

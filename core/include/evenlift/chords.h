@@ -1,5 +1,5 @@
 // How C sees the polygon (algorithm.md, How C sees the polygon; thesis 3.3 and 4.2): radial edges,
-// vertex-chords, edge-pairs and opposite vertices. The tests for facing edges and for the order in
+// vertex-chords, edge pairs and opposite vertices. The tests for facing edges and for the order in
 // which C sees the vertices are exact; "radial" and "opposite" have a tolerance.
 #pragma once
 
@@ -31,7 +31,7 @@ struct Chord {
   double ratio = 1;  // load ratio min(arm1, arm2) / max(arm1, arm2), in (0, 1]
 };
 
-// Replaces a vertex where an edge is met in its interior. There can be eight million edge-pairs,
+// Replaces a vertex where an edge is met in its interior. There can be eight million edge pairs,
 // and a std::optional would make each of them 16 bytes larger.
 inline constexpr std::uint32_t inside_edge = ~std::uint32_t{0};
 
@@ -52,7 +52,7 @@ struct OppositeVertices {
   std::uint32_t v = 0, w = 0;  // v < w
 };
 
-// The greatest number of edge-pairs and opposite vertices together. More would not fit into a
+// The greatest number of edge pairs and opposite vertices together. More would not fit into a
 // browser's memory.
 inline constexpr std::uint64_t max_edge_pairs = std::uint64_t{1} << 23;
 
@@ -73,16 +73,16 @@ struct VertexChord {
 // More than max_edge_pairs chords are an error. O(n log n + k) for k chords.
 Result<std::vector<VertexChord>> vertex_chords(const Polygon& polygon, const Vec2& centre);
 
-// The number of edge-pairs, without listing them. O(n log n).
+// The number of edge pairs, without listing them. O(n log n).
 std::uint64_t count_edge_pairs(const Polygon& polygon, const Vec2& centre);
 
-// All edge-pairs, each once, in the order in which their ranges begin. More than max_edge_pairs are
+// All edge pairs, each once, in the order in which their ranges begin. More than max_edge_pairs are
 // an error. O(n log n + K) for K pairs; a convex polygon has O(n) pairs.
 Result<std::vector<EdgePair>> edge_pairs(const Polygon& polygon, const Vec2& centre);
 
 // All pairs of opposite vertices, each once, in the order in which C sees the nearer of the two. A
 // vertex within tolerance (tau L) of C has no direction and no opposite vertex. It is an error if
-// they and the edge-pairs together exceed max_edge_pairs. O(n log n), and for each vertex v the
+// they and the edge pairs together exceed max_edge_pairs. O(n log n), and for each vertex v the
 // number of vertices that are farther from C and within the angle 2 tau L / |C v| of its line.
 Result<std::vector<OppositeVertices>> opposite_vertices(const Polygon& polygon, const Vec2& centre);
 

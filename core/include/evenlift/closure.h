@@ -121,13 +121,14 @@ Hold analyse_hold(const Polygon& polygon, const Vec2& centre,
 
 // The requirements on a hold: the minimum margin, and the distance from corners below which
 // contacts do not count.
-struct FirmHold {
+struct HoldRequirements {
   double min_margin = 0.05;
   double clear = 0;
 };
 
 // The requirements in the settings, where the default `clear` is a fraction of R. O(n).
-FirmHold firm_hold(const Polygon& polygon, const Vec2& centre, const Settings& settings);
+HoldRequirements hold_requirements(const Polygon& polygon, const Vec2& centre,
+                                   const Settings& settings);
 
 // Whether a hold with this clearance relies only on contacts at least `clear` from corners, within
 // tau L. O(1).

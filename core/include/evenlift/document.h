@@ -100,7 +100,7 @@ struct Units {
 std::string_view name(LengthUnit unit);  // "mm", or "none"
 std::string_view name(WeightUnit unit);  // "kg"
 
-// The items drawn besides the polygon and its robots.
+// The items drawn in addition to the polygon and its robots.
 struct Overlays {
   bool candidates = false;       // candidate chords that are not selected
   bool chords = true;            // the teams' chords
@@ -108,7 +108,7 @@ struct Overlays {
   bool clockwise = true;         // region of free clockwise rotation centres
   bool counterclockwise = true;  // region of free counter-clockwise rotation centres
   bool tipping = false;          // heat map of the force that tips
-  bool halo = false;             // the tipping distance (doubt.h)
+  bool halo = false;             // the tipping distance (uncertainty.h)
   bool operator==(const Overlays&) const = default;
 };
 
@@ -178,8 +178,8 @@ struct Shown {
 // because holding with two or three would cost too much of the lifting base. O(1).
 Goal goal_of(const Settings& settings);
 
-// Whether teams of two are swapped until they hold (exchange.h). O(1).
-bool exchanges_teams(const Settings& settings);
+// Whether teams of two are swapped until they hold (swaps.h). O(1).
+bool swaps_teams(const Settings& settings);
 
 // A point of an edge, as a fraction of its length from its first vertex, 0 .. 1.
 struct EdgePoint {

@@ -37,7 +37,7 @@ int failures_steady(const Points& robots, const Vec2& centre, double diameter, d
 struct RestOfRobots {
   bool steady = false;
   bool clear = false;           // steady, and C is at least `inside` inside their hull
-  double tipping_distance = 0;  // see doubt.h
+  double tipping_distance = 0;  // see uncertainty.h
   double coverage = 0;          // see stability.h
   bool form_closure = false;    // see closure.h, also for the margin
   std::optional<double> margin;

@@ -13,7 +13,7 @@ namespace evenlift {
 
 // regular: n corners on a circle. convex: irregular and convex. star: star-shaped about its centre,
 // with random radii. comb: teeth that face each other across C, which makes about n^2 / 4
-// edge-pairs. spiral: a wound strip. random: the outline of a random tree; a ray from C meets about
+// edge pairs. spiral: a wound strip. random: the outline of a random tree; a ray from C meets about
 // sqrt(n) edges.
 enum class Family : std::uint8_t { regular, convex, star, comb, spiral, random };
 inline constexpr Family all_families[] = {Family::regular, Family::convex, Family::star,

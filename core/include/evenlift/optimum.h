@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "evenlift/candidates.h"
-#include "evenlift/exchange.h"
 #include "evenlift/polygon.h"
+#include "evenlift/swaps.h"
 
 namespace evenlift {
 
@@ -63,15 +63,15 @@ struct FirmestChoice {
   bool proved = false;
 };
 
-// The best choice of `teams` teams by the keys of the goal `hold` (exchange.h). If there are more
+// The best choice of `teams` teams by the keys of the goal `hold` (swaps.h). If there are more
 // than `most` choices, it is the best that swaps reach from `start` and from the widest choice.
 // Then two bounds are known: the level of all candidates at once, up to most_candidates_bounded,
 // and the bound of the widest choice. `start` is a choice of the same number of teams, returned if
-// no choice is better. Nothing if `start` has no team or more than most_exchanged_teams. With
+// no choice is better. Nothing if `start` has no team or more than most_swapped_teams. With
 // `stands`, choices whose robots collide do not count.
 std::optional<FirmestChoice> firmest_choice(
     const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
-    std::size_t teams, const std::vector<std::uint32_t>& start, const FirmHold& firm,
+    std::size_t teams, const std::vector<std::uint32_t>& start, const HoldRequirements& firm,
     const Optimum& widest, const Stands* stands = nullptr, std::uint64_t most = most_choices);
 
 }  // namespace evenlift

@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "evenlift/doubt.h"
 #include "evenlift/failures.h"
 #include "evenlift/load_models.h"
 #include "evenlift/placement.h"
+#include "evenlift/uncertainty.h"
 
 namespace evenlift {
 
@@ -40,14 +40,14 @@ struct ModelLoads {
 std::optional<ModelLoads> model_loads(const Placement& placement);
 
 // The load of each robot by a model, for display: a range if C is known only within `com_radius` >
-// 0 and the model has ranges (doubt.h defines how far they are exact), otherwise one value. The
+// 0 and the model has ranges (uncertainty.h defines how far they are exact), otherwise one value. The
 // model `best` yields only the greatest load, so every robot gets that. Without `models` the loads
 // are as planned. O(m).
 std::vector<LoadRange> loads_by(LoadModel model, const Placement& placement,
                                 const std::optional<ModelLoads>& models, double com_radius);
 
 // The failures and the error of C before the object tips or is no longer carried. failures.h
-// defines how failures are counted (-1 without robots), and doubt.h defines the tipping distance.
+// defines how failures are counted (-1 without robots), and uncertainty.h defines the tipping distance.
 // O(m log m).
 struct Robustness {
   int failures_carried = -1, failures_steady = -1;

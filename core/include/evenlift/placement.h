@@ -58,7 +58,7 @@ std::optional<InputError> check_settings(const Settings& settings, const Shown& 
 std::vector<LiftingPoint> contact_points(const Placement& placement);
 
 // The margin and the clearance that the settings require of a hold (closure.h). O(n).
-FirmHold firm_hold(const Placement& placement);
+HoldRequirements hold_requirements(const Placement& placement);
 
 // Whether the robots hold the object without relying on a contact nearer to a corner than the
 // setting `clear`: in form closure with that clearance (closure.h). O(n).
@@ -66,9 +66,9 @@ bool hold_clearly(const Placement& placement);
 
 // Checks the document and computes everything that is reported about it. The same document gives
 // the same bits on every platform. The errors are those of check_settings(), Polygon::create(),
-// check_centre_of_mass(), make_stands(), find_candidates() and check_exchanges().
+// check_centre_of_mass(), make_stands(), find_candidates() and check_swaps().
 // O(n log n + K log K) for K edge pairs, plus the cost of the stands (stands.h), the selection
-// (selection.h), the swaps (exchange.h) or the search for balanced robots (balanced.h), and O(n h)
+// (selection.h), the swaps (swaps.h) or the search for balanced robots (balanced.h), and O(n h)
 // for the coverage.
 Result<Placement> place(const Document& document, Effort effort = Effort::whole);
 

@@ -58,12 +58,12 @@ enum class Changes : std::uint8_t {
 };
 
 // The placements that a setting affects.
-enum class CountsFor : std::uint8_t { all, candidates, firm_hold, balanced };
+enum class CountsFor : std::uint8_t { all, candidates, hold_requirements, balanced };
 bool counts(CountsFor placements, const Settings& settings);  // O(1)
 
 // The options of the program by the commands that accept them. `place`, `trace`, `optimum` and
 // `link encode` accept those of a placement; `place` and `link encode` accept all.
-enum class OptionGroup : std::uint8_t { none, placement, doubt, units };
+enum class OptionGroup : std::uint8_t { none, placement, uncertainty, units };
 
 // How JSON lists a setting in a document and in a result.
 enum class Listed : std::uint8_t {
@@ -81,6 +81,7 @@ struct SettingRange {
 struct SettingRow {
   Setting setting;
   std::string_view name;       // in JSON, scripts and requests, such as "min_ratio"
+  std::string_view alias = {};  // a second name that is also read, if there is one
   std::string_view subject;    // "the minimum load ratio"
   std::string_view edit = {};  // the change in words for undo, if undo distinguishes it from others
   Changes changes = Changes::stands;
@@ -114,10 +115,10 @@ std::span<const SettingRow> all_settings();
 const SettingRow& row_of(Setting setting);
 
 // Whether JSON and links include the setting, given the other settings. Settings that affect only
-// balanced robots or firm holds are omitted elsewhere. O(1).
+// balanced robots or the goal `hold` are omitted elsewhere. O(1).
 bool is_kept(const SettingRow& row, const Settings& settings);
 
-// The setting's name; and the setting with a name, or nothing for an unknown name. O(1).
+// The setting's name; and the setting with a name or an alias, or nothing if it is unknown. O(1).
 std::string_view name(Setting setting);
 std::optional<Setting> setting_from_name(std::string_view text);
 

@@ -26,12 +26,12 @@
 #include <vector>
 
 #include "evenlift/balanced_history.h"
-#include "evenlift/exchange.h"
 #include "evenlift/failures.h"
 #include "evenlift/placement.h"
 #include "evenlift/polygon.h"
 #include "evenlift/selection.h"
 #include "evenlift/stands.h"
+#include "evenlift/swaps.h"
 
 namespace evenlift {
 
@@ -150,7 +150,7 @@ struct Trace {
   std::vector<std::array<std::uint32_t, 2>> candidates_of_range;
 
   // With the goal `hold`: the swaps of teams, and the teams at the start and after each swap.
-  std::optional<ExchangeHistory> exchanges;
+  std::optional<SwapHistory> swaps;
   std::vector<std::vector<Team>> stages;
 
   std::vector<Contact> contacts;
@@ -192,7 +192,7 @@ struct Trace {
   Metric metric() const;
   // The candidates that the metric selects, and the teams on them, before any swap. O(1).
   const std::vector<std::uint32_t>& selected() const {
-    return exchanges ? exchanges->start : placement.team_candidates;
+    return swaps ? swaps->start : placement.team_candidates;
   }
   const std::vector<Team>& selected_teams() const {
     return stages.empty() ? placement.teams : stages.front();
@@ -304,10 +304,10 @@ struct SwapDetail {
   std::optional<double> margin_before, margin;
   std::vector<std::uint32_t> teams;     // the teams that moved
   std::vector<std::uint32_t> from, to;  // their candidates before and after
-  ExchangeKind kind = ExchangeKind::single;
+  SwapKind kind = SwapKind::single;
   HoldKey decided_by = HoldKey::level;
 };
-// For swap `index` of trace.exchanges. O(n log n).
+// For swap `index` of `trace.swaps`. O(n log n).
 SwapDetail look_at_swap(const Trace& trace, std::uint32_t index);
 
 // The boundary that robots with a size can use.
@@ -384,18 +384,18 @@ inline constexpr std::uint64_t exact_score_budget = 1u << 22;
 struct BalancedDetail {
   std::vector<LiftingPoint> robots;
   std::vector<std::uint32_t> numbers;  // from 0
-  // rest, mirror, completion, start, exchange: how the set is completed
+  // rest, mirror, completion, start, swap: how the set is completed
   std::vector<LiftingPoint> rest;     // the robots that stay, and the one at a trial point
   std::optional<LiftingPoint> stand;  // the robot that came to a trial point
   Vec2 middle = Vec2::Zero();         // the middle of the two other robots
   std::vector<Chord> chords;          // the even chords about the middle
   std::uint32_t chosen = 0;           // the index of the chord taken
-  // exchange: compared with the preceding set
+  // swap: compared with the preceding set
   std::vector<std::uint32_t> moved;  // the numbers of the robots that moved, increasing
   std::vector<Vec2> ways;            // for each of them, the old and the new position
   BalancedKeys keys_before;
   std::optional<double> margin_before;
-  // start, exchange
+  // start, swap
   BalancedKeys keys;
   std::optional<double> margin;
   // failure, failures: the remaining robots if each one fails; nothing if the object falls
@@ -415,7 +415,7 @@ struct StepDetail {
   std::optional<StandsDetail> stands;      // stands
   std::optional<TeamScores> scores;        // scores, team, in traces by_candidates() only
   // scores, team, base: H without and with the team. swap: H before and after. completion, start,
-  // exchange and all later steps of balanced robots: H of the preceding set and H of the step's
+  // swap and all later steps of balanced robots: H of the preceding set and H of the step's
   // own.
   Points base_before, base;
   std::optional<BalancedDetail> balanced;  // steps of balanced robots, from their first set on
@@ -507,7 +507,7 @@ std::vector<Number> numbers(const Trace& trace, const StepDetail& detail);
 enum class QuestionKind : std::uint8_t {
   nearer_end,     // outcome: which end is nearer to even? 0 or 1, an index of pair->ends
   winning_chord,  // scores: which candidate wins? an index of placement.candidates
-  even_chord,     // completion, exchange: which chord do two robots take? of balanced->chords
+  even_chord,     // completion, swap: which chord do two robots take? of balanced->chords
   // swap of one team, alternately:
   leaving_team,      // which team moves? its number from 0
   coming_candidate,  // to which candidate? an index of placement.candidates

@@ -96,7 +96,7 @@ struct OtherSwap {
   std::optional<std::uint32_t> candidate;  // nothing if no swap of that team improves the choice
   HoldKeys keys;                           // of all teams, if there is a candidate
 };
-// At worst one round of swaps of one team (exchange.h).
+// At worst one round of swaps of one team (swaps.h).
 OtherSwap compare_swap(const Trace& trace, const StepDetail& detail, const Question& question,
                        std::uint32_t choice);
 

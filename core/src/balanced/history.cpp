@@ -31,9 +31,9 @@ void note_start(balanced::StartSets sets, BalancedHistory& history) {
 // The robots at the end of the first search, just before it restarts.
 std::vector<LiftingPoint> last_before(const BalancedStep& step,
                                       const std::vector<LiftingPoint>& before) {
-  if (!step.exchange) return before;
-  std::vector<LiftingPoint> robots = balanced::others(before, step.exchange->numbers);
-  robots.insert(robots.end(), step.exchange->to.begin(), step.exchange->to.end());
+  if (!step.swap) return before;
+  std::vector<LiftingPoint> robots = balanced::others(before, step.swap->numbers);
+  robots.insert(robots.end(), step.swap->to.begin(), step.swap->to.end());
   return robots;
 }
 
@@ -41,9 +41,9 @@ BalancedMove move_of(const Rules& rules, const BalancedStep& step,
                      const std::vector<LiftingPoint>& before, std::uint32_t round) {
   BalancedMove move;
   move.set = {step.search.robots,
-              balanced::others(before, step.exchange->numbers),
-              {step.exchange->to.begin(), step.exchange->to.end()}};
-  move.numbers = step.exchange->numbers;
+              balanced::others(before, step.swap->numbers),
+              {step.swap->to.begin(), step.swap->to.end()}};
+  move.numbers = step.swap->numbers;
   move.round = round;
   move.decided_by = decided(rules, step.search.robots, before).value_or(BalancedKey::places);
   return move;
@@ -64,7 +64,7 @@ void follow(const BalancedProblem& problem, BalancedHistory& history) {
     history.rounds = search.round;
     const Rules& rules = problem.rules();
     const bool restarts = may_restart && search.restarted && !search.finished;
-    if (step.exchange && !restarts) history.moves.push_back(move_of(rules, step, before, round));
+    if (step.swap && !restarts) history.moves.push_back(move_of(rules, step, before, round));
     if (restarts) note_start(*balanced::second_start(rules, last_before(step, before)), history);
   }
   history.settled = history.moves.empty() || history.moves.back().round + 1 < history.rounds;

@@ -56,7 +56,7 @@ Rules::Rules(Polygon polygon, const Vec2& centre, const Settings& settings)
       centre_(centre),
       robots_(settings.robots),
       holds_(goal_of(settings) == Goal::hold),
-      firm_(firm_hold(polygon_, centre, settings)),
+      firm_(hold_requirements(polygon_, centre, settings)),
       survive_(static_cast<int>(settings.survive)),
       room_(room_of(polygon_, settings)),
       outline_(polygon_, centre),

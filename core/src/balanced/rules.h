@@ -108,7 +108,7 @@ class Rules {
   Vec2 centre_;
   std::uint32_t robots_;
   bool holds_;  // whether the goal is hold
-  FirmHold firm_;
+  HoldRequirements firm_;
   double near_square_;  // robots at a smaller squared distance are too near to each other
   int survive_;
   std::shared_ptr<const Stands> room_;

@@ -105,20 +105,20 @@ BalancedStep try_next_triple(const Rules& rules, BalancedSearch search) {
   Best best(rules);
   best.offer(rules.rated(search.robots));
   best.offer_three_more(others(search.robots, triple));
-  std::optional<BalancedExchange> exchange;
+  std::optional<BalancedSwap> swap;
   if (best.completed()) {
-    exchange.emplace();
-    exchange->numbers = triple;
+    swap.emplace();
+    swap->numbers = triple;
     // The three new robots are the last ones.
     const std::vector<LiftingPoint>& robots = best.set()->robots;
     for (std::size_t i = 0; i < triple.size(); ++i) {
-      exchange->from[i] = search.robots[triple[i]];
-      exchange->to[i] = robots[robots.size() - triple.size() + i];
+      swap->from[i] = search.robots[triple[i]];
+      swap->to[i] = robots[robots.size() - triple.size() + i];
     }
     search.robots = rules.in_order(*best.set()).robots;
     search.changed = true;
   }
-  return {ended(rules, std::move(search)), exchange};
+  return {ended(rules, std::move(search)), swap};
 }
 
 BalancedSearch finish_search(const Rules& rules, BalancedSearch search) {

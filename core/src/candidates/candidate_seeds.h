@@ -23,7 +23,7 @@ class CandidateSeeds {
                  const std::vector<OppositeVertices>& opposite, double min_ratio,
                  Positions positions, double clear, bool traced);
 
-  // Examines an edge-pair or two opposite vertices and adds at most one seed; for an edge-pair with
+  // Examines an edge pair or two opposite vertices and adds at most one seed; for an edge pair with
   // positions anywhere in the range, two more. Amortized O(1).
   void add(const EdgePair& pair) {
     const std::size_t before = seeds_.size();

@@ -191,7 +191,7 @@ MergedCandidates merge_duplicates(std::vector<Candidate> candidates, double near
     if (best[first] != i) continue;
     place[first] = kept;
     if (kept != i) candidates[kept] = candidates[i];
-    // A chord between two vertices keeps its own kind. Edge-pairs that exist only by rounding,
+    // A chord between two vertices keeps its own kind. Edge pairs that exist only by rounding,
     // between two opposite vertices, do not change it.
     if (!candidates[kept].between_vertices) candidates[kept].kind = kind[first];
     ++kept;

@@ -30,7 +30,7 @@ std::uint32_t scattered(std::uint32_t number) {
 }
 
 // The pair with a and b interchanged.
-EdgePair exchanged(const EdgePair& pair) {
+EdgePair swapped(const EdgePair& pair) {
   return {pair.b, pair.a, pair.begin_b, pair.begin_a, pair.end_b, pair.end_a};
 }
 
@@ -131,7 +131,7 @@ class EvenChords::Search {
     const bool a_is_ahead = pair->begin_a != inside_edge
                                 ? is_forward(centre_, polygon_.vertex(pair->begin_a))
                                 : !is_forward(centre_, polygon_.vertex(pair->begin_b));
-    if (!a_is_ahead) pair = exchanged(*pair);
+    if (!a_is_ahead) pair = swapped(*pair);
     if (stands_) {
       for (const Candidate& candidate : standing_chords(polygon_, *stands_, centre_, *pair, 1))
         found_.push_back(candidate);

@@ -99,7 +99,7 @@ SectionEnd settled(const Polygon& polygon, const Vec2& centre, const SeenEdge& a
 }
 
 // Whether both ends of a section are the chord between the same two opposite vertices. Such an
-// edge-pair exists only by rounding.
+// edge pair exists only by rounding.
 bool are_one_chord(const SectionEnd& begin, const SectionEnd& end) {
   return joins_opposite_vertices(begin) && joins_opposite_vertices(end) &&
          std::minmax(begin.vertex, begin.opposite) == std::minmax(end.vertex, end.opposite);

@@ -1,4 +1,4 @@
-// The candidate of one edge-pair (algorithm.md, Candidates): the cases and their arithmetic.
+// The candidate of one edge pair (algorithm.md, Candidates): the cases and their arithmetic.
 #pragma once
 
 #include <algorithm>
@@ -50,7 +50,7 @@ inline bool are_parallel(double g0, double g1) {
   return std::fabs(g0 - g1) <= tau * std::max(g0, g1);
 }
 
-// Decides whether the edge-pair `pair`, of a and b, has a candidate, and which. O(1).
+// Decides whether the edge pair `pair`, of a and b, has a candidate, and which. O(1).
 PairVerdict examine(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                     const SeenEdge& b, const EdgePair& pair, double min_ratio);
 

@@ -1,4 +1,4 @@
-// The range of an edge-pair (algorithm.md, Ranges): the part where chords meet the minimum ratio,
+// The range of an edge pair (algorithm.md, Ranges): the part where chords meet the minimum ratio,
 // and the two candidates that it adds, far enough from corners where possible.
 #pragma once
 

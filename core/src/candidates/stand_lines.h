@@ -37,7 +37,7 @@ std::optional<StandLine> stand_line(const Polygon& polygon, const Vec2& centre,
 std::vector<Candidate> standing_chords(const Stands& stands, const Vec2& centre, const StandLine& a,
                                        const StandLine& b, double min_ratio, double near);
 
-// These chords for an edge-pair of the polygon itself, that is for hands without depth. The pair's
+// These chords for an edge pair of the polygon itself, that is for hands without depth. The pair's
 // candidate stays unchanged if two robots can stand there.
 std::vector<Candidate> standing_chords(const Polygon& polygon, const Stands& stands,
                                        const Vec2& centre, const EdgePair& pair, double min_ratio);

@@ -78,13 +78,13 @@ std::optional<InputError> find_on_outline(const Wanted& wanted, Found& found) {
   return std::nullopt;
 }
 
-// Two edges, and the number of their edge-pair.
+// Two edges, and the number of their edge pair.
 struct NumberedPair {
   std::array<std::uint32_t, 2> edges;
   std::uint32_t number;
 };
 
-// The edge-pairs of the polygon itself, which are the sources of chords between moved edges.
+// The edge pairs of the polygon itself, which are the sources of chords between moved edges.
 std::vector<NumberedPair> numbered_pairs(const Polygon& polygon, const RadialView& view) {
   std::vector<NumberedPair> pairs;
   for_each_edge_pair(polygon, view, [&](const EdgePair& pair) {

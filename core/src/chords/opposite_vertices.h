@@ -20,7 +20,7 @@ std::optional<std::vector<OppositeVertices>> find_opposite_vertices(const Polygo
 // Whether two vertices at these offsets from C are opposite each other. `near` is tau L. O(1).
 bool are_opposite(const Vec2& v, const Vec2& w, double near);
 
-// The error for too many edge-pairs and opposite vertices.
+// The error for too many edge pairs and opposite vertices.
 InputError too_many_opposite_vertices();
 
 }  // namespace evenlift

@@ -103,14 +103,14 @@ class RadialSweep {
   std::vector<std::uint32_t> slots_;  // by edge: its index in active_
 };
 
-// The number of edge-pairs. O(n).
+// The number of edge pairs. O(n).
 std::uint64_t count_edge_pairs(const Polygon& polygon, const RadialView& view);
 
 // The error if `number` exceeds max_edge_pairs. `what` names the counted objects, such as
-// "edge-pairs".
+// "edge pairs".
 std::optional<InputError> check_number(std::uint64_t number, const char* what);
 
-// Calls visit(const EdgePair&) for each edge-pair, in the order in which their ranges begin.
+// Calls visit(const EdgePair&) for each edge pair, in the order in which their ranges begin.
 // O(n + K).
 template <class Visit>
 void for_each_edge_pair(const Polygon& polygon, const RadialView& view, Visit&& visit) {

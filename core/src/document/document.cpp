@@ -81,7 +81,7 @@ Goal goal_of(const Settings& settings) {
   return holds ? Goal::hold : Goal::cover;
 }
 
-bool exchanges_teams(const Settings& settings) {
+bool swaps_teams(const Settings& settings) {
   return selects_candidates(settings.method) && goal_of(settings) == Goal::hold;
 }
 

@@ -82,6 +82,7 @@ constexpr SettingRow rows[] = {
      .access = of<&Settings::teams>()},
     {.setting = Setting::method,
      .name = "metric",
+     .alias = "method",
      .subject = "the method",
      .edit = "the method",
      .option = {OptionGroup::placement, "NAME",
@@ -146,7 +147,7 @@ constexpr SettingRow rows[] = {
      .changes = Changes::shown,
      .range = length,
      .option =
-         {OptionGroup::doubt, "E",
+         {OptionGroup::uncertainty, "E",
           "C uncertainty: the radius within which the centre of mass is known; loads become ranges"},
      .record = 7,
      .in_document = Listed::always,
@@ -159,7 +160,7 @@ constexpr SettingRow rows[] = {
      .changes = Changes::shown,
      .range = {min_weight, max_weight, "none"},
      .option =
-         {OptionGroup::doubt, "K",
+         {OptionGroup::uncertainty, "K",
           "load that one robot can carry: overloaded robots, and the number of robots needed"},
      .record = 8,
      .in_document = Listed::always,
@@ -239,7 +240,7 @@ constexpr SettingRow rows[] = {
      .name = "min_margin",
      .subject = "the minimum margin",
      .edit = "the goal or its limits",
-     .counts_for = CountsFor::firm_hold,
+     .counts_for = CountsFor::hold_requirements,
      .range = {0, 1},
      .option = {OptionGroup::placement, "F", "minimum margin of a hold (default 0.05)"},
      .record = 3,
@@ -346,7 +347,7 @@ std::string_view name(Setting setting) { return row_of(setting).name; }
 
 std::optional<Setting> setting_from_name(std::string_view text) {
   for (const SettingRow& row : rows)
-    if (row.name == text) return row.setting;
+    if (row.name == text || (!row.alias.empty() && row.alias == text)) return row.setting;
   return std::nullopt;
 }
 
@@ -364,7 +365,7 @@ bool counts(CountsFor placements, const Settings& settings) {
       return true;
     case CountsFor::candidates:
       return selects_candidates(settings.method);
-    case CountsFor::firm_hold:
+    case CountsFor::hold_requirements:
       return balanced || goal_of(settings) == Goal::hold;
     case CountsFor::balanced:
       return balanced;
@@ -374,7 +375,7 @@ bool counts(CountsFor placements, const Settings& settings) {
 
 bool is_kept(const SettingRow& row, const Settings& settings) {
   const bool is_theirs =
-      row.counts_for == CountsFor::balanced || row.counts_for == CountsFor::firm_hold;
+      row.counts_for == CountsFor::balanced || row.counts_for == CountsFor::hold_requirements;
   return !is_theirs || counts(row.counts_for, settings);
 }
 

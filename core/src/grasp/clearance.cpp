@@ -107,7 +107,8 @@ Clearance analyse_clearance(const Polygon& polygon, const Vec2& centre,
   return clearance;
 }
 
-FirmHold firm_hold(const Polygon& polygon, const Vec2& centre, const Settings& settings) {
+HoldRequirements hold_requirements(const Polygon& polygon, const Vec2& centre,
+                                   const Settings& settings) {
   return {settings.min_margin,
           settings.clear.value_or(usual_clear * farthest_vertex(polygon, centre))};
 }

@@ -38,7 +38,7 @@ class JsonShapes {
   std::optional<InputError> take_teams(Document& document) const;
   std::optional<InputError> take_stands(Document& document) const;
   std::optional<InputError> take_moved(Document& document) const;
-  std::optional<InputError> take_doubt(Document& document) const;
+  std::optional<InputError> take_uncertainty(Document& document) const;
   std::optional<InputError> take_settings(Document& document);
   std::optional<InputError> take_overlays(Index overlays, Overlays& shown) const;
 
@@ -148,7 +148,7 @@ std::optional<InputError> JsonShapes::take_settings(Document& document) {
     if (auto wrong = take_overlays(*at, document.shown.overlays)) return wrong;
   if (auto wrong = take_stands(document)) return wrong;
   if (auto wrong = take_moved(document)) return wrong;
-  return take_doubt(document);
+  return take_uncertainty(document);
 }
 
 // Reads the robots that were moved by hand. This comes after the settings, which put robots back.
@@ -181,7 +181,7 @@ std::optional<InputError> JsonShapes::take_stands(Document& document) const {
 
 // Reads the capacity and the C uncertainty. A result contains them among the values computed with
 // them.
-std::optional<InputError> JsonShapes::take_doubt(Document& document) const {
+std::optional<InputError> JsonShapes::take_uncertainty(Document& document) const {
   const auto within = [&](const char* object, const char* member) {
     const auto at = tree_.member(0, object);
     return is(at, Kind::object) ? tree_.member(*at, member) : at;

@@ -95,7 +95,8 @@ class Reader {
     for (const Key& own : keys)
       if (own.name == key) return (this->*own.take)(value);
     for (const SettingRow& row : all_settings())
-      if (is_key(row) && hyphened(row.name) == key) return take_setting(value, row.setting);
+      if (is_key(row) && (hyphened(row.name) == key || hyphened(row.alias) == key))
+        return take_setting(value, row.setting);
     refuse("unknown setting; the settings are " + names_of_keys());
   }
 
@@ -115,6 +116,8 @@ class Reader {
 
   // Reads a setting of the algorithm here only to check its value.
   void take_setting(std::string_view value, Setting setting) {
+    for (const GivenSetting& earlier : lesson_.settings)
+      if (earlier.setting == setting) return refuse("the setting is there twice");
     Document tried;
     if (read_setting(setting, value, tried)) return refuse(requirement(setting));
     lesson_.settings.push_back({setting, std::string(value), line_});

@@ -8,9 +8,9 @@
 #include "evenlift/stability.h"
 #include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
-#include "exchange/rounds.h"
 #include "grasp/hold_levels.h"
 #include "optimum/rings.h"
+#include "swaps/rounds.h"
 
 namespace evenlift {
 namespace {
@@ -144,7 +144,7 @@ std::uint64_t count_choices(std::size_t all, std::size_t size, std::uint64_t lim
 class Firmest {
  public:
   Firmest(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
-          const FirmHold& firm, const Stands* stands)
+          const HoldRequirements& firm, const Stands* stands)
       : polygon_(polygon),
         centre_(centre),
         candidates_(candidates),
@@ -159,7 +159,7 @@ class Firmest {
   // Compares all choices of `teams` teams.
   void compare_all(std::size_t teams, FirmestChoice& best) {
     // A part contains all teams but the last.
-    std::vector<exchange::Part> parts;
+    std::vector<swaps::Part> parts;
     std::vector<std::vector<std::uint32_t>> of_part;
     for_each_subset(choices_.size(), teams - 1, [&](const std::vector<std::uint32_t>& subset) {
       if (!subset.empty() && subset.back() + 1 == choices_.size()) return;
@@ -168,13 +168,13 @@ class Firmest {
       of_part.push_back(subset);
     });
     choices_.set_parts(std::move(parts));
-    std::vector<exchange::Trial> trials;
+    std::vector<swaps::Trial> trials;
     for (std::uint32_t part = 0; part < of_part.size(); ++part)
       for (std::uint32_t last = of_part[part].empty() ? 0 : of_part[part].back() + 1;
            last < choices_.size(); ++last)
         if (choices_.fit(last, choices_.size() + part))
           trials.push_back(choices_.trial(last, choices_.size() + part));
-    if (const auto found = exchange::best_trial(choices_, std::move(trials), best.keys)) {
+    if (const auto found = swaps::best_trial(choices_, std::move(trials), best.keys)) {
       best.taken = of_part[found->trial.other - choices_.size()];
       best.taken.push_back(found->trial.candidate);
       best.keys = found->keys;
@@ -185,13 +185,12 @@ class Firmest {
   }
 
   // Improves the best choice so far by swaps, which start from it and from the widest choice.
-  void exchange(const Optimum& widest, FirmestChoice& best) const {
+  void swap(const Optimum& widest, FirmestChoice& best) const {
     std::vector<std::vector<std::uint32_t>> starts{best.taken};
     if (widest.taken.size() == best.taken.size()) starts.push_back(widest.taken);
     for (const std::vector<std::uint32_t>& start : starts) {
-      if (check_exchanges(candidates_.size(), start.size(), stands_)) continue;
-      const ExchangeHistory history =
-          exchange_teams(polygon_, centre_, candidates_, start, firm_, stands_);
+      if (check_swaps(candidates_.size(), start.size(), stands_)) continue;
+      const SwapHistory history = swap_teams(polygon_, centre_, candidates_, start, firm_, stands_);
       const HoldKeys keys = keys_of(history.taken());
       if (better_by(keys, best.keys)) {
         best.taken = history.taken();
@@ -226,9 +225,9 @@ class Firmest {
   const Polygon& polygon_;
   Vec2 centre_;
   const std::vector<Candidate>& candidates_;
-  FirmHold firm_;
+  HoldRequirements firm_;
   const Stands* stands_;
-  exchange::Choices choices_;
+  swaps::Choices choices_;
 };
 
 }  // namespace
@@ -246,9 +245,9 @@ std::optional<FirmestChoice> firmest_choice(const Polygon& polygon, const Vec2& 
                                             const std::vector<Candidate>& candidates,
                                             std::size_t teams,
                                             const std::vector<std::uint32_t>& start,
-                                            const FirmHold& firm, const Optimum& widest,
+                                            const HoldRequirements& firm, const Optimum& widest,
                                             const Stands* stands, std::uint64_t most) {
-  if (start.empty() || start.size() > most_exchanged_teams) return std::nullopt;
+  if (start.empty() || start.size() > most_swapped_teams) return std::nullopt;
   Firmest firmest(polygon, centre, candidates, firm, stands);
   FirmestChoice best;
   best.taken = start;
@@ -260,7 +259,7 @@ std::optional<FirmestChoice> firmest_choice(const Polygon& polygon, const Vec2& 
   } else if (count_choices(candidates.size(), teams, most) <= most) {
     firmest.compare_all(teams, best);
   } else {
-    firmest.exchange(widest, best);
+    firmest.swap(widest, best);
     firmest.bound(widest, best);
   }
   std::sort(best.taken.begin(), best.taken.end());

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "evenlift/exchange.h"
 #include "evenlift/selection.h"
+#include "evenlift/swaps.h"
 #include "selection/equal_angles.h"
 #include "selection/greedy_selector.h"
 
@@ -67,13 +67,13 @@ std::uint32_t most_with_room(const Placement& placement) {
 }
 
 // With swaps, each number of teams needs its own choice.
-CapacityPlan plan_by_exchange(const Placement& placement, double capacity) {
+CapacityPlan plan_by_swap(const Placement& placement, double capacity) {
   const double weight = placement.settings.weight;
   const auto& candidates = placement.candidates;
   const std::uint32_t most = most_with_room(placement);
   // A robot of even teams carries weight / (2 teams), so fewer teams are never enough.
   for (std::uint32_t teams = number_of_teams(weight / (2 * capacity)); teams <= most; ++teams) {
-    if (check_exchanges(candidates.size(), teams)) return {false, 0, 0, teams - 1, 2};
+    if (check_swaps(candidates.size(), teams)) return {false, 0, 0, teams - 1, 2};
     const std::vector<std::uint32_t> chosen =
         choose_candidates(placement.polygon, placement.centre_of_mass, candidates,
                           placement.settings, teams, placement.stands.get());
@@ -157,7 +157,7 @@ bool same_plan(const Placement& a, const Placement& b) {
 }
 
 std::uint32_t most_teams_tried(const Settings& settings) {
-  return exchanges_teams(settings) ? most_exchanged_teams : most_teams_for_capacity;
+  return swaps_teams(settings) ? most_swapped_teams : most_teams_for_capacity;
 }
 
 CapacityPlan plan_capacity(const Placement& placement, double capacity) {
@@ -173,8 +173,8 @@ CapacityPlan plan_capacity(const Placement& placement, double capacity) {
     case Method::distance:
       break;
   }
-  return exchanges_teams(placement.settings) ? plan_by_exchange(placement, capacity)
-                                             : plan_by_candidates(placement, capacity);
+  return swaps_teams(placement.settings) ? plan_by_swap(placement, capacity)
+                                         : plan_by_candidates(placement, capacity);
 }
 
 }  // namespace evenlift

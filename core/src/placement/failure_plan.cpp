@@ -4,9 +4,9 @@
 
 #include "evenlift/balanced.h"
 #include "evenlift/capacity.h"
-#include "evenlift/exchange.h"
 #include "evenlift/load_models.h"
 #include "evenlift/selection.h"
+#include "evenlift/swaps.h"
 
 namespace evenlift {
 namespace {
@@ -54,11 +54,11 @@ class Placer {
 
   // Without swaps, a smaller choice is the beginning of a larger one.
   std::vector<std::uint32_t> chosen(std::size_t number) {
-    const bool exchanged = exchanges_teams(placement_.settings);
-    if (exchanged || chosen_.size() < number)
+    const bool swapped = swaps_teams(placement_.settings);
+    if (swapped || chosen_.size() < number)
       chosen_ = choose_candidates(placement_.polygon, placement_.centre_of_mass,
                                   placement_.candidates, placement_.settings,
-                                  exchanged ? number : 2 * number, placement_.stands.get());
+                                  swapped ? number : 2 * number, placement_.stands.get());
     return {chosen_.begin(),
             chosen_.begin() + static_cast<std::ptrdiff_t>(std::min(number, chosen_.size()))};
   }
@@ -109,8 +109,8 @@ FailurePlan plan_for_failures(const Placement& placement, double capacity) {
     if (balanced && robots >= least + most_sets_planned) break;
     loads += std::uint64_t{robots} * robots;
     if (loads > most_loads_planned) break;
-    if (exchanges_teams(placement.settings) &&
-        check_exchanges(placement.candidates.size(), robots / 2, placement.stands.get()))
+    if (swaps_teams(placement.settings) &&
+        check_swaps(placement.candidates.size(), robots / 2, placement.stands.get()))
       break;
     const std::vector<Team> teams = method.teams(robots);
     if (teams.empty() && !balanced) break;

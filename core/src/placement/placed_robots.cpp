@@ -119,17 +119,17 @@ Robustness robustness(const Placement& placement) {
   const double size = diameter(placement);
   return {failures_carried(robots, centre, size), failures_steady(robots, centre, size),
           tipping_distance(placement.lifting_base, centre, size),
-          failures_steady(robots, centre, size, firm_hold(placement).clear)};
+          failures_steady(robots, centre, size, hold_requirements(placement).clear)};
 }
 
 std::vector<std::optional<RestOfRobots>> single_failures(const Placement& placement) {
   return single_failures(placement.polygon, placement.centre_of_mass, placement.settings.weight,
-                         placement.teams, firm_hold(placement).clear);
+                         placement.teams, hold_requirements(placement).clear);
 }
 
 std::optional<RestOfRobots> single_failure(const Placement& placement, std::size_t robot) {
   return single_failure(placement.polygon, placement.centre_of_mass, placement.settings.weight,
-                        placement.teams, robot, firm_hold(placement).clear);
+                        placement.teams, robot, hold_requirements(placement).clear);
 }
 
 std::optional<SpringLoads> springs_without(const Placement& placement, std::size_t robot) {

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "evenlift/balanced.h"
-#include "evenlift/exchange.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/selection.h"
 #include "evenlift/settings.h"
+#include "evenlift/swaps.h"
 #include "placement/describe.h"
 
 namespace evenlift {
@@ -107,7 +107,7 @@ void choose_teams(Placement& placement, Effort effort) {
 
 Result<std::vector<Candidate>> candidates_of(const Polygon& polygon, const Vec2& centre,
                                              const Settings& settings, const Stands* stands) {
-  const double clear = firm_hold(polygon, centre, settings).clear;
+  const double clear = hold_requirements(polygon, centre, settings).clear;
   if (!stands)
     return find_candidates(polygon, centre, settings.min_ratio, settings.positions, clear);
   auto found =
@@ -133,14 +133,14 @@ void describe_grasp(Placement& placement) {
   describe_grasp(placement, lifting_points(placement.teams));
 }
 
-FirmHold firm_hold(const Placement& placement) {
-  return firm_hold(placement.polygon, placement.centre_of_mass, placement.settings);
+HoldRequirements hold_requirements(const Placement& placement) {
+  return hold_requirements(placement.polygon, placement.centre_of_mass, placement.settings);
 }
 
 bool hold_clearly(const Placement& placement) {
   const Closure& closure = placement.closure;
   return closure.form_closure &&
-         is_clear(placement.polygon, closure.clearance, firm_hold(placement).clear);
+         is_clear(placement.polygon, closure.clearance, hold_requirements(placement).clear);
 }
 
 std::vector<LiftingPoint> contact_points(const Placement& placement) {
@@ -183,9 +183,9 @@ Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_ma
   if (!stands) return stands.error();
   auto candidates = candidates_of(polygon, *centre, settings, stands->get());
   if (!candidates) return candidates.error();
-  if (exchanges_teams(settings))
+  if (swaps_teams(settings))
     if (auto error =
-            check_exchanges(candidates->size(), settings.teams.value_or(max_teams), stands->get()))
+            check_swaps(candidates->size(), settings.teams.value_or(max_teams), stands->get()))
       return *error;
 
   Placement placement(std::move(polygon));

@@ -179,8 +179,9 @@ Problem Reader::take_settings(Index object, Document& document) const {
     const auto setting = setting_from_name(name);
     if (!setting || *setting == Setting::loads || *setting == Setting::failed)
       return error(i, "there is no setting \"" + name + "\"", ErrorCode::bad_setting);
-    if (tree_.member(*settings, name) != i)
-      return error(i, "the setting \"" + name + "\" is given twice", ErrorCode::bad_setting);
+    for (Index k = tree_.first(*settings); k != i; k = tree_.next(k))
+      if (setting_from_name(tree_.name(k)) == setting)
+        return error(i, "the setting \"" + name + "\" is given twice", ErrorCode::bad_setting);
   }
   // The order of members does not matter: the robot's whole size is read before its parts.
   for (const bool whole_robot : {true, false})

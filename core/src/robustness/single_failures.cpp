@@ -2,11 +2,11 @@
 #include <algorithm>
 
 #include "evenlift/closure.h"
-#include "evenlift/doubt.h"
 #include "evenlift/failures.h"
 #include "evenlift/hull.h"
 #include "evenlift/load_models.h"
 #include "evenlift/stability.h"
+#include "evenlift/uncertainty.h"
 #include "robustness/known_size.h"
 
 namespace evenlift {

@@ -8,7 +8,7 @@ namespace evenlift {
 namespace {
 
 constexpr std::uint32_t teams_shown = 3;  // in addition to the last
-constexpr std::uint32_t exchanges_shown = 3;
+constexpr std::uint32_t swaps_shown = 3;
 
 // The edge pair that represents all of them.
 std::uint32_t telling_pair(const Trace& trace) {
@@ -30,7 +30,7 @@ std::uint32_t telling_pair(const Trace& trace) {
 }
 
 // The swaps that gain the most coverage, in order.
-std::vector<std::uint32_t> telling_exchanges(const Trace& trace) {
+std::vector<std::uint32_t> telling_swaps(const Trace& trace) {
   const BalancedHistory& history = trace.history;
   std::vector<double> gains;
   double before = 0;
@@ -44,7 +44,7 @@ std::vector<std::uint32_t> telling_exchanges(const Trace& trace) {
       sorted_indices(gains.size(), [&](std::uint32_t i, std::uint32_t j) {
         return gains[i] > gains[j] || (gains[i] == gains[j] && i < j);
       });
-  if (order.size() > exchanges_shown) order.resize(exchanges_shown);
+  if (order.size() > swaps_shown) order.resize(swaps_shown);
   std::sort(order.begin(), order.end());
   return order;
 }
@@ -73,11 +73,11 @@ std::vector<std::uint32_t> main_steps(const Trace& trace) {
     add(StepKind::scores, team);
     add(StepKind::team, team);
   }
-  for (const std::uint32_t exchange : telling_exchanges(trace)) add(StepKind::exchange, exchange);
+  for (const std::uint32_t swap : telling_swaps(trace)) add(StepKind::exchange, swap);
   add(StepKind::settled, 0);
   if (teams > teams_shown) add(StepKind::team, teams - 1);
   if (teams > 0) add(StepKind::base, teams - 1);
-  for (std::uint32_t i = 0; i < std::min(trace.count(StepKind::swap), exchanges_shown); ++i)
+  for (std::uint32_t i = 0; i < std::min(trace.count(StepKind::swap), swaps_shown); ++i)
     add(StepKind::swap, i);
   add(StepKind::held, 0);
   for (const StepKind kind :
@@ -93,10 +93,10 @@ std::uint32_t further_like(const Trace& trace, const Step& step) {
   if (step.kind == StepKind::team && step.item + 1 == teams_shown && all > teams_shown + 1)
     return all - teams_shown - 1;
   if (step.kind == StepKind::start || step.kind == StepKind::range) return all - 1;
-  if (step.kind == StepKind::swap && step.item + 1 == exchanges_shown) return all - exchanges_shown;
-  if (step.kind == StepKind::exchange && all > exchanges_shown &&
-      step.item == telling_exchanges(trace).back())
-    return all - exchanges_shown;
+  if (step.kind == StepKind::swap && step.item + 1 == swaps_shown) return all - swaps_shown;
+  if (step.kind == StepKind::exchange && all > swaps_shown &&
+      step.item == telling_swaps(trace).back())
+    return all - swaps_shown;
   return 0;
 }
 

@@ -129,7 +129,7 @@ void StepNumbers::swap() {
 }
 
 void StepNumbers::held() {
-  count("exchanges", trace_.exchanges->exchanges.size());
+  count("exchanges", trace_.swaps->swaps.size());
   count("form_closure", placement_.closure.form_closure);
   add("coverage", placement_.coverage);
 }

@@ -4,10 +4,10 @@
 #include <string>
 
 #include "chords/radial_view.h"
-#include "evenlift/exchange.h"
 #include "evenlift/selection.h"
 #include "evenlift/stability.h"
 #include "evenlift/stands.h"
+#include "evenlift/swaps.h"
 #include "evenlift/tolerance.h"
 #include "trace/balanced_steps.h"
 
@@ -139,8 +139,8 @@ void write_blocks_of_method(const Trace& trace, BlockWriter& blocks) {
   if (!trace.by_candidates()) return write_teams(trace, blocks, {StepKind::team, StepKind::base});
   write_candidates(trace, blocks);
   write_teams(trace, blocks, {StepKind::scores, StepKind::team, StepKind::base});
-  if (!trace.exchanges || trace.placement.teams.empty()) return;
-  blocks.add(Chapter::swaps, {StepKind::swap}, trace.exchanges->exchanges.size());
+  if (!trace.swaps || trace.placement.teams.empty()) return;
+  blocks.add(Chapter::swaps, {StepKind::swap}, trace.swaps->swaps.size());
   blocks.add(Chapter::swaps, {StepKind::held});
 }
 
@@ -180,7 +180,7 @@ std::optional<InputError> collect_candidates(Trace& trace) {
   const double min_ratio = trace.placement.settings.min_ratio;
   const Positions positions = trace.placement.settings.positions;
   const Stands* stands = trace.placement.stands.get();
-  const double clear = firm_hold(trace.placement).clear;
+  const double clear = hold_requirements(trace.placement).clear;
   auto traced = stands ? standing_candidates(trace.polygon, trace.centre, min_ratio, *stands,
                                              positions, clear)
                        : trace_candidates(trace.polygon, trace.centre, min_ratio, positions, clear);
@@ -226,18 +226,17 @@ std::vector<Team> teams_on(const Placement& placement, const std::vector<std::ui
 }
 
 // Repeats the swaps.
-void trace_exchanges(Trace& trace) {
+void trace_swaps(Trace& trace) {
   const Placement& placement = trace.placement;
   const Settings& settings = placement.settings;
-  trace.exchanges =
-      exchange_teams(trace.polygon, trace.centre, placement.candidates,
-                     select_teams(trace.polygon, trace.centre, placement.candidates, trace.metric(),
-                                  placement.requested_teams, first_team(settings.positions),
-                                  placement.stands.get()),
-                     firm_hold(placement), placement.stands.get());
-  trace.stages.push_back(teams_on(placement, trace.exchanges->start));
-  for (const Exchange& exchange : trace.exchanges->exchanges)
-    trace.stages.push_back(teams_on(placement, exchange.taken));
+  trace.swaps = swap_teams(trace.polygon, trace.centre, placement.candidates,
+                           select_teams(trace.polygon, trace.centre, placement.candidates,
+                                        trace.metric(), placement.requested_teams,
+                                        first_team(settings.positions), placement.stands.get()),
+                           hold_requirements(placement), placement.stands.get());
+  trace.stages.push_back(teams_on(placement, trace.swaps->start));
+  for (const Swap& swap : trace.swaps->swaps)
+    trace.stages.push_back(teams_on(placement, swap.taken));
 }
 
 }  // namespace
@@ -264,7 +263,7 @@ Result<Trace> make_trace(const Placement& placement, HistoryLength length, const
               .first_source_of_candidate = {},
               .ranges = {},
               .candidates_of_range = {},
-              .exchanges = {},
+              .swaps = {},
               .stages = {},
               .contacts = {},
               .problem = {},
@@ -279,7 +278,7 @@ Result<Trace> make_trace(const Placement& placement, HistoryLength length, const
   if (trace.by_candidates())
     if (auto error = collect(trace)) return *error;
   // During a drag the page does not swap teams, so the trace does not either.
-  if (exchanges_teams(placement.settings) && placement.search_ended) trace_exchanges(trace);
+  if (swaps_teams(placement.settings) && placement.search_ended) trace_swaps(trace);
   trace.contacts = contacts(trace.polygon, contact_points(trace.placement));
   if (auto error = check_steps(write_blocks(trace))) return *error;
   return trace;

@@ -10,15 +10,15 @@ namespace {
 
 // The candidates of the teams before a swap.
 const std::vector<std::uint32_t>& taken_before(const Trace& trace, std::uint32_t swap) {
-  return swap == 0 ? trace.exchanges->start : trace.exchanges->exchanges[swap - 1].taken;
+  return swap == 0 ? trace.swaps->start : trace.swaps->swaps[swap - 1].taken;
 }
 
 // The question about a swap. With several teams it alternates between the team that leaves and the
 // place where it goes.
-std::optional<QuestionKind> asked_of_swap(const Trace& trace, std::uint32_t swap) {
-  const Exchange& exchange = trace.exchanges->exchanges[swap];
-  if (exchange.kind != ExchangeKind::single) return std::nullopt;
-  if (exchange.taken.size() > 1 && swap % 2 == 0) return QuestionKind::leaving_team;
+std::optional<QuestionKind> asked_of_swap(const Trace& trace, std::uint32_t number) {
+  const Swap& swap = trace.swaps->swaps[number];
+  if (swap.kind != SwapKind::single) return std::nullopt;
+  if (swap.taken.size() > 1 && number % 2 == 0) return QuestionKind::leaving_team;
   return QuestionKind::coming_candidate;
 }
 
@@ -114,14 +114,14 @@ const Chord& chord_of_choice(const Trace& trace, const StepDetail& detail, const
 OtherSwap compare_swap(const Trace& trace, const StepDetail& detail, const Question& question,
                        std::uint32_t choice) {
   const Placement& placement = trace.placement;
-  const FirmHold firm = firm_hold(placement);
+  const HoldRequirements firm = hold_requirements(placement);
   const Stands* stands = placement.stands.get();
   std::vector<std::uint32_t> taken = taken_before(trace, detail.step.item);
   OtherSwap other;
   if (question.kind == QuestionKind::leaving_team) {
     other.team = choice;
-    const auto best = best_exchange_of(trace.polygon, trace.centre, placement.candidates, taken,
-                                       choice, firm, stands);
+    const auto best = best_swap_of(trace.polygon, trace.centre, placement.candidates, taken, choice,
+                                   firm, stands);
     if (!best) return other;
     other.candidate = best->taken[choice];
     other.keys = best->keys;

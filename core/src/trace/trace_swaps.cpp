@@ -4,22 +4,22 @@
 namespace evenlift {
 
 SwapDetail look_at_swap(const Trace& trace, std::uint32_t index) {
-  const ExchangeHistory& history = *trace.exchanges;
-  const Exchange& exchange = history.exchanges[index];
+  const SwapHistory& history = *trace.swaps;
+  const Swap& swap = history.swaps[index];
   const bool first = index == 0;
-  const auto& taken = first ? history.start : history.exchanges[index - 1].taken;
+  const auto& taken = first ? history.start : history.swaps[index - 1].taken;
   SwapDetail detail;
-  detail.before = first ? history.keys : history.exchanges[index - 1].keys;
-  detail.after = exchange.keys;
+  detail.before = first ? history.keys : history.swaps[index - 1].keys;
+  detail.after = swap.keys;
   detail.margin_before = margin_of(trace, lifting_points(trace.stages[index]));
   detail.margin = margin_of(trace, lifting_points(trace.stages[index + 1]));
-  detail.teams = exchange.teams;
-  for (const std::uint32_t team : exchange.teams) {
+  detail.teams = swap.teams;
+  for (const std::uint32_t team : swap.teams) {
     detail.from.push_back(taken[team]);
-    detail.to.push_back(exchange.taken[team]);
+    detail.to.push_back(swap.taken[team]);
   }
-  detail.kind = exchange.kind;
-  detail.decided_by = exchange.decided_by;
+  detail.kind = swap.kind;
+  detail.decided_by = swap.decided_by;
   return detail;
 }
 

@@ -42,6 +42,7 @@ class Settings(TypedDict, total=False):
 
     teams: Union[int, Literal["max"], None]
     metric: Optional[Metric]
+    method: Optional[Metric]  # another name of metric
     min_ratio: Optional[float]
     weight: Optional[float]
     seed: Optional[int]

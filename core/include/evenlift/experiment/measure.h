@@ -44,7 +44,7 @@ struct Subject {
 };
 
 // Validates a document and finds its candidates. The errors are those of place(). The document's
-// settings do not matter. O(n log n + K log K) for K edge-pairs.
+// settings do not matter. O(n log n + K log K) for K edge pairs.
 Result<Subject> prepare(const Document& document, double min_ratio);
 
 // One method with one number of robots on one polygon. Values of random placements are averages.

@@ -22,12 +22,12 @@ std::string tipping_in_words(const Robustness& robustness, double com_radius, co
 
 // How the loads change while C is anywhere within the radius, and the distance from which on the
 // object can tip or, before that, different robots carry the load.
-std::string doubt_in_words(const ModelLoads& loads, const Robustness& robustness, double com_radius,
-                           const Units& units = {});
+std::string uncertainty_in_words(const ModelLoads& loads, const Robustness& robustness,
+                                 double com_radius, const Units& units = {});
 
 // How far C may be off before a robot exceeds the capacity, with loads by springs.
-std::string doubt_of_capacity_in_words(const ModelLoads& loads, const Robustness& robustness,
-                                       double capacity, const Units& units = {});
+std::string uncertainty_for_capacity_in_words(const ModelLoads& loads, const Robustness& robustness,
+                                              double capacity, const Units& units = {});
 
 // The indispensable robots, the greatest load of a robot if any other fails, the failures that let
 // the object tip and, with a capacity, the failures that overload a robot.

@@ -40,7 +40,7 @@ Measurement measured(const Subject& subject, const std::vector<LiftingPoint>& po
 
 bool holds_clearly(const Polygon& polygon, const Vec2& centre,
                    const std::vector<LiftingPoint>& points) {
-  const double clear = firm_hold(polygon, centre, {}).clear;
+  const double clear = hold_requirements(polygon, centre, {}).clear;
   return in_form_closure(polygon, centre,
                          clear_contacts(polygon, contacts(polygon, points), clear));
 }

@@ -2,11 +2,11 @@
 
 #include <cmath>
 #include "evenlift/candidates.h"
-#include "evenlift/doubt.h"
 #include "evenlift/output/json_text.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/settings.h"
 #include "evenlift/stands.h"
+#include "evenlift/uncertainty.h"
 #include "output/json/robustness_json.h"
 #include "output/json/settings_json.h"
 

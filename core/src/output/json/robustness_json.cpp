@@ -1,7 +1,7 @@
 #include "output/json/robustness_json.h"
 
-#include "evenlift/doubt.h"
 #include "evenlift/output/json_text.h"
+#include "evenlift/uncertainty.h"
 
 namespace evenlift::json {
 namespace {

@@ -6,7 +6,7 @@ namespace {
 // Whether the document's method uses a setting; unused settings are omitted.
 bool is_of_use(const SettingRow& row, const Settings& settings) {
   if (row.setting == Setting::goal)
-    return exchanges_teams(settings) || (settings.method == Method::balanced && settings.goal);
+    return swaps_teams(settings) || (settings.method == Method::balanced && settings.goal);
   return is_kept(row, settings);
 }
 

@@ -200,19 +200,19 @@ std::string StepCaptions::round() const {
 
 std::string StepCaptions::settled() const {
   const BalancedHistory& history = trace_.history;
-  const Piece exchanges = counted(history.moves.size(), "swap");
+  const Piece swaps = counted(history.moves.size(), "swap");
   const Piece first = percent(balanced_keys(*trace_.problem, history.start.back().robots).coverage);
   const Piece last = percent(detail_.balanced->keys.coverage);
   if (!history.settled)
     return fill("After # rounds the search ends. # took the coverage from # to #.",
-                {whole(history.rounds), exchanges, first, last});
+                {whole(history.rounds), swaps, first, last});
   if (history.moves.empty())
     return fill(
         "No move of three robots makes the set better: the first set is the answer, with a coverage of #.",
         {last});
   return fill(
       "No move of three robots makes the set better: # changed nothing. # took the coverage from # to #.",
-      {fill("round #", {whole(history.rounds)}), exchanges, first, last});
+      {fill("round #", {whole(history.rounds)}), swaps, first, last});
 }
 
 // --- If a robot fails ----------------------------------------------------------------------------

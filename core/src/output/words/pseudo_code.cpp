@@ -91,7 +91,7 @@ void adapt(std::vector<Line>& lines, const Settings& settings) {
     *at(Statement::first_team) = longest_first[0];
     lines.insert(at(Statement::opposite), in_ranges[0]);
   }
-  if (exchanges_teams(settings)) lines.insert(at(Statement::loads), to_hold[0]);
+  if (swaps_teams(settings)) lines.insert(at(Statement::loads), to_hold[0]);
 }
 
 std::vector<Line> program(const Settings& settings) {

@@ -30,7 +30,7 @@ enum class Statement : std::uint8_t {
   next_team,
   wider_base,  // all
   range,
-  swap,
+  exchange,
   // distributed
   open_directions,
   direction,
@@ -43,7 +43,7 @@ enum class Statement : std::uint8_t {
   middle,
   even_chords,
   best_set,
-  exchange,
+  swap,
   rounds,
   equal_loads,
   failures,

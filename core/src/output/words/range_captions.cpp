@@ -36,17 +36,17 @@ std::string StepCaptions::range() const {
 std::string StepCaptions::moves_of_swap() const {
   const SwapDetail& swap = *detail_.swap;
   switch (swap.kind) {
-    case ExchangeKind::single:
+    case SwapKind::single:
       return fill("Team # swaps candidate # for candidate #. ",
                   {counted_from_1(swap.teams[0]), counted_from_1(swap.from[0]),
                    counted_from_1(swap.to[0])});
-    case ExchangeKind::pair:
+    case SwapKind::pair:
       return fill("Of all pairs of candidates, the best is taken: # to #. ",
                   {swap.teams.size() == 1 ? fill("team # moves", {counted_from_1(swap.teams[0])})
                                           : std::string("both teams move"),
                    swap.to.size() == 1 ? fill("candidate #", {counted_from_1(swap.to[0])})
                                        : "candidates " + numbers_from_1(swap.to)});
-    case ExchangeKind::one_more:
+    case SwapKind::one_more:
       break;
   }
   return fill("The result for one team fewer, with one more team added, is better: # to #. ",
@@ -80,11 +80,11 @@ std::string StepCaptions::gain_of_swap() const {
 std::string StepCaptions::swap() const { return moves_of_swap() + gain_of_swap(); }
 
 std::string StepCaptions::held() const {
-  const ExchangeHistory& history = *trace_.exchanges;
+  const SwapHistory& history = *trace_.swaps;
   const std::string end =
-      history.exchanges.empty()
+      history.swaps.empty()
           ? "No swap of a team for another candidate is better."
-          : fill("After #, no other swap is better.", {counted(history.exchanges.size(), "swap")});
+          : fill("After #, no other swap is better.", {counted(history.swaps.size(), "swap")});
   const std::string settled = history.settled ? end : "The search for better teams ends here.";
   return settled +
          (placement_.closure.form_closure

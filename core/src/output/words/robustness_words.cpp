@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-#include "evenlift/doubt.h"
+#include "evenlift/uncertainty.h"
 #include "output/words/listed.h"
 
 namespace evenlift {
@@ -69,8 +69,8 @@ std::string tipping_in_words(const Robustness& robustness, double com_radius, co
          length_in_words(robustness.tipping_distance, units) + " in one direction is enough.";
 }
 
-std::string doubt_in_words(const ModelLoads& loads, const Robustness& robustness, double com_radius,
-                           const Units& units) {
+std::string uncertainty_in_words(const ModelLoads& loads, const Robustness& robustness,
+                                 double com_radius, const Units& units) {
   const SpringLoads& springs = loads.springs;
   const double change = greatest_change(springs, com_radius);
   std::string text = "If C is off by up to " + with_length_unit(plain(com_radius), units) +
@@ -87,8 +87,8 @@ std::string doubt_in_words(const ModelLoads& loads, const Robustness& robustness
   return text;
 }
 
-std::string doubt_of_capacity_in_words(const ModelLoads& loads, const Robustness& robustness,
-                                       double capacity, const Units& units) {
+std::string uncertainty_for_capacity_in_words(const ModelLoads& loads, const Robustness& robustness,
+                                              double capacity, const Units& units) {
   const std::string limit = given_weight(capacity, units);
   const auto radius = radius_within_capacity(loads.springs, robustness.tipping_distance, capacity);
   if (!radius) return "If all robots are equally stiff, some carry more than " + limit + ".";

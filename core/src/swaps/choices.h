@@ -7,11 +7,11 @@
 
 #include "balanced/coarse_cover.h"
 #include "balanced/cover.h"
-#include "evenlift/exchange.h"
 #include "evenlift/stands.h"
+#include "evenlift/swaps.h"
 #include "grasp/margins.h"
 
-namespace evenlift::exchange {
+namespace evenlift::swaps {
 
 // Some teams of a choice: a candidate, or the teams that stay while one team is swapped.
 struct Part {
@@ -34,7 +34,7 @@ class Choices {
  public:
   // The polygon, the candidates and the stands must outlive it. O(K log n).
   Choices(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
-          const FirmHold& firm, const Stands* stands = nullptr);
+          const HoldRequirements& firm, const Stands* stands = nullptr);
 
   // The teams on these candidates, except the team with the number `without`.
   Part part_of(const std::vector<std::uint32_t>& taken,
@@ -90,4 +90,4 @@ class Choices {
   mutable std::vector<LiftingPoint> robots_;  // of one trial after another
 };
 
-}  // namespace evenlift::exchange
+}  // namespace evenlift::swaps

@@ -1,4 +1,4 @@
-#include "exchange/rounds.h"
+#include "swaps/rounds.h"
 
 #include <algorithm>
 #include <utility>
@@ -6,7 +6,7 @@
 #include "evenlift/tolerance.h"
 #include "grasp/hold_levels.h"
 
-namespace evenlift::exchange {
+namespace evenlift::swaps {
 namespace {
 
 constexpr std::uint8_t exact = 2;
@@ -142,4 +142,4 @@ std::optional<Better> best_trial(Choices& choices, std::vector<Trial> trials, co
   return Round(choices, std::move(trials), now).run();
 }
 
-}  // namespace evenlift::exchange
+}  // namespace evenlift::swaps

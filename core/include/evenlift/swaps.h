@@ -12,7 +12,7 @@
 // make the choice better. If swaps tie in all keys, the one to the first candidate in candidate
 // order wins, then the one of the first team. Two teams among at most most_candidates_for_pairs
 // candidates begin by moving to the best of all pairs of candidates, if that is better. The search
-// ends after a round without a swap, after 4 t rounds for t teams, or when more than most_exchanges
+// ends after a round without a swap, after 4 t rounds for t teams, or when more than most_swaps
 // choices have been compared.
 //
 // If the level is then below 3, the search also runs for t - 1 teams. Their result with the best
@@ -36,8 +36,8 @@ namespace evenlift {
 
 class Stands;
 
-inline constexpr std::uint32_t most_exchanged_teams = 32;
-inline constexpr std::uint64_t most_exchanges = std::uint64_t{1} << 22;
+inline constexpr std::uint32_t most_swapped_teams = 32;
+inline constexpr std::uint64_t most_swaps = std::uint64_t{1} << 22;
 inline constexpr std::size_t most_candidates_for_pairs = 100;
 
 // The keys of a choice of teams.
@@ -52,64 +52,62 @@ enum class HoldKey : std::uint8_t { level, coverage, ratios };
 // is not better. O(1).
 std::optional<HoldKey> better_by(const HoldKeys& a, const HoldKeys& b);
 
-// The keys of the teams on the candidates `taken`, at most most_exchanged_teams. With `stands` the
+// The keys of the teams on the candidates `taken`, at most most_swapped_teams. With `stands` the
 // robots have a size, and hold the object where they touch it. O(n log n + K log n), and O(n) for
 // each corner of H at worst.
 HoldKeys hold_keys(const Polygon& polygon, const Vec2& centre,
                    const std::vector<Candidate>& candidates,
-                   const std::vector<std::uint32_t>& taken, const FirmHold& firm,
+                   const std::vector<std::uint32_t>& taken, const HoldRequirements& firm,
                    const Stands* stands = nullptr);
 
 // The swapped teams: one; both of two at once; or all, replaced by the result of one team fewer
 // plus one more.
-enum class ExchangeKind : std::uint8_t { single, pair, one_more };
+enum class SwapKind : std::uint8_t { single, pair, one_more };
 
-struct Exchange {
-  ExchangeKind kind = ExchangeKind::single;
+struct Swap {
+  SwapKind kind = SwapKind::single;
   std::vector<std::uint32_t> teams;  // the numbers of the teams that moved, increasing
   std::vector<std::uint32_t> taken;  // the candidates of all teams after the swap
   HoldKeys keys;                     // after the swap
   HoldKey decided_by = HoldKey::level;
 };
 
-struct ExchangeHistory {
+struct SwapHistory {
   std::vector<std::uint32_t> start;  // the candidates of the teams
   HoldKeys keys;                     // at the start
-  std::vector<Exchange> exchanges;   // in order
+  std::vector<Swap> swaps;           // in order
   bool settled = false;              // the last round found nothing better
   std::uint64_t tried = 0;           // the number of choices compared
 
   const std::vector<std::uint32_t>& taken() const {
-    return exchanges.empty() ? start : exchanges.back().taken;
+    return swaps.empty() ? start : swaps.back().taken;
   }
 };
 
-// The error if these numbers do not permit swaps: more than most_exchanged_teams teams, or more
-// than most_exchanges swaps in a round. No error if all candidates are taken, since there is
+// The error if these numbers do not permit swaps: more than most_swapped_teams teams, or more
+// than most_swaps swaps in a round. No error if all candidates are taken, since there is
 // nothing to swap; but with `stands` some teams may find no room. O(1).
-std::optional<InputError> check_exchanges(std::size_t candidates, std::size_t teams,
-                                          const Stands* stands = nullptr);
+std::optional<InputError> check_swaps(std::size_t candidates, std::size_t teams,
+                                      const Stands* stands = nullptr);
 
 // Swaps the teams. The result is never worse than its start. With `stands` only choices whose
 // robots do not get into each other's way are tried. For t teams among K candidates at most 4 t
 // rounds of O(t K) swaps, of which few need more than a bound; and where the level stays below 3,
 // as much again for t - 1 teams, and so on, so that there are O(t^2) rounds at worst.
-// check_exchanges() must allow them.
-ExchangeHistory exchange_teams(const Polygon& polygon, const Vec2& centre,
-                               const std::vector<Candidate>& candidates,
-                               std::vector<std::uint32_t> start, const FirmHold& firm,
-                               const Stands* stands = nullptr);
+// check_swaps() must allow them.
+SwapHistory swap_teams(const Polygon& polygon, const Vec2& centre,
+                       const std::vector<Candidate>& candidates, std::vector<std::uint32_t> start,
+                       const HoldRequirements& firm, const Stands* stands = nullptr);
 
 // The best swap of one given team; nothing if none makes the choice better. Like one round of
-// exchange_teams(), but for one team.
-std::optional<Exchange> best_exchange_of(const Polygon& polygon, const Vec2& centre,
-                                         const std::vector<Candidate>& candidates,
-                                         const std::vector<std::uint32_t>& taken,
-                                         std::uint32_t team, const FirmHold& firm,
-                                         const Stands* stands = nullptr);
+// swap_teams(), but for one team.
+std::optional<Swap> best_swap_of(const Polygon& polygon, const Vec2& centre,
+                                 const std::vector<Candidate>& candidates,
+                                 const std::vector<std::uint32_t>& taken, std::uint32_t team,
+                                 const HoldRequirements& firm, const Stands* stands = nullptr);
 
 // The teams for the settings with a method that chooses among candidates. They are selected
-// (selection.h) and, if the goal is to hold, swapped; then check_exchanges() must allow it. Returns
+// (selection.h) and, if the goal is to hold, swapped; then check_swaps() must allow it. Returns
 // indices into `candidates`.
 std::vector<std::uint32_t> choose_candidates(const Polygon& polygon, const Vec2& centre,
                                              const std::vector<Candidate>& candidates,

@@ -1,4 +1,4 @@
-#include "evenlift/doubt.h"
+#include "evenlift/uncertainty.h"
 
 #include <algorithm>
 #include <limits>

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "exchange/choices.h"
+#include "swaps/choices.h"
 
-namespace evenlift::exchange {
+namespace evenlift::swaps {
 
 struct Better {
   Trial trial;
@@ -18,4 +18,4 @@ struct Better {
 // are in their order of preference.
 std::optional<Better> best_trial(Choices& choices, std::vector<Trial> trials, const HoldKeys& now);
 
-}  // namespace evenlift::exchange
+}  // namespace evenlift::swaps

@@ -1,5 +1,5 @@
 // How far C may be off.
-#include "evenlift/doubt.h"
+#include "evenlift/uncertainty.h"
 
 #include <cmath>
 

@@ -2,8 +2,8 @@
 #include <vector>
 
 #include "bench/bench.h"
-#include "evenlift/exchange.h"
 #include "evenlift/placement.h"
+#include "evenlift/swaps.h"
 
 namespace evenlift::bench {
 namespace {
@@ -28,7 +28,7 @@ void hold(benchmark::State& state, Family family, Positions positions, std::int6
 }
 
 // A number of teams among a number of a comb's candidates in ranges, evenly picked.
-void exchange(benchmark::State& state) {
+void swap(benchmark::State& state) {
   const Polygon polygon = polygon_of(Family::comb, 1000);
   const Settings settings = to_hold({}, state.range(0), Positions::range).settings;
   const std::vector<Candidate> all =
@@ -55,22 +55,21 @@ BENCHMARK_CAPTURE(hold, comb, Family::comb, Positions::best)->Apply(of_1000);
 
 // At the limits: the t^3 K up to which the page swaps t teams during a drag, and after it; the most
 // candidates for which two teams may be swapped at once; the most teams; and the part of
-// most_exchanges in a round that max_edge_pairs permits.
+// most_swaps in a round that max_edge_pairs permits.
 template <std::int64_t n>
 void of_n(benchmark::internal::Benchmark* b) {
   b->ArgName("n")->Unit(benchmark::kMillisecond)->Arg(n);
 }
-BENCHMARK(exchange)
+BENCHMARK(swap)
     ->ArgNames({"teams", "K"})
     ->Unit(benchmark::kMillisecond)
     ->Args({3, 1851})
     ->Args({8, 15625});
 BENCHMARK_CAPTURE(hold, most_candidates_for_pairs, Family::convex, Positions::best, 2)
     ->Apply(of_n<106>);
-BENCHMARK_CAPTURE(hold, most_exchanged_teams, Family::regular, Positions::best,
-                  most_exchanged_teams)
+BENCHMARK_CAPTURE(hold, most_swapped_teams, Family::regular, Positions::best, most_swapped_teams)
     ->Apply(of_n<200>);
-BENCHMARK_CAPTURE(hold, most_exchanges, Family::comb, Positions::range, 2)->Apply(of_n<3344>);
+BENCHMARK_CAPTURE(hold, most_swaps, Family::comb, Positions::range, 2)->Apply(of_n<3344>);
 
 }  // namespace
 }  // namespace evenlift::bench

@@ -4,11 +4,11 @@
 #include <string>
 
 #include "evenlift/closure.h"
-#include "evenlift/exchange.h"
 #include "evenlift/hull.h"
 #include "evenlift/placement.h"
 #include "evenlift/selection.h"
 #include "evenlift/settings.h"
+#include "evenlift/swaps.h"
 #include "evenlift/tolerance.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
@@ -33,7 +33,7 @@ Document to_hold(Document document, std::uint32_t teams, Positions positions) {
 
 // The keys of a choice by the functions that describe every placement, not by those of the search.
 HoldKeys keys_by_definition(const Placement& placement, const std::vector<std::uint32_t>& taken,
-                            const FirmHold& firm) {
+                            const HoldRequirements& firm) {
   std::vector<LiftingPoint> points;
   Points positions;
   HoldKeys keys;
@@ -79,14 +79,14 @@ bool is_doubtful(const Placement& placement, const std::vector<std::uint32_t>& t
 }
 
 template <class Visit>
-void for_each_exchange(const Placement& placement, Visit visit) {
+void for_each_swap(const Placement& placement, Visit visit) {
   const std::vector<std::uint32_t>& taken = placement.team_candidates;
   for (std::uint32_t c = 0; c < placement.candidates.size(); ++c) {
     if (std::find(taken.begin(), taken.end(), c) != taken.end()) continue;
     for (std::size_t team = 0; team < taken.size(); ++team) {
-      std::vector<std::uint32_t> exchanged = taken;
-      exchanged[team] = c;
-      visit(exchanged);
+      std::vector<std::uint32_t> swapped = taken;
+      swapped[team] = c;
+      visit(swapped);
     }
   }
 }
@@ -94,7 +94,7 @@ void for_each_exchange(const Placement& placement, Visit visit) {
 // Properties of any teams chosen to hold.
 void check_result(const Placement& placement) {
   const HoldKeys keys =
-      keys_by_definition(placement, placement.team_candidates, firm_hold(placement));
+      keys_by_definition(placement, placement.team_candidates, hold_requirements(placement));
   CHECK(keys.coverage == Approx(placement.coverage).margin(1e-9));
   const double clear = 0.02 * farthest_vertex(placement.polygon, placement.centre_of_mass);
   const bool is_clear =
@@ -108,10 +108,11 @@ void check_result(const Placement& placement) {
                                   *metric_of(placement.settings.method), placement.requested_teams,
                                   first_team(placement.settings.positions));
   REQUIRE(start.size() == placement.team_candidates.size());
-  CHECK_FALSE(clearly_better(keys_by_definition(placement, start, firm_hold(placement)), keys));
-  for_each_exchange(placement, [&](const std::vector<std::uint32_t>& exchanged) {
-    if (clearly_better(keys_by_definition(placement, exchanged, firm_hold(placement)), keys))
-      CHECK(is_doubtful(placement, exchanged));
+  CHECK_FALSE(
+      clearly_better(keys_by_definition(placement, start, hold_requirements(placement)), keys));
+  for_each_swap(placement, [&](const std::vector<std::uint32_t>& swapped) {
+    if (clearly_better(keys_by_definition(placement, swapped, hold_requirements(placement)), keys))
+      CHECK(is_doubtful(placement, swapped));
   });
 }
 
@@ -148,10 +149,11 @@ TEST_CASE("two teams among a dozen candidates hold as well as any two", "[exchan
     INFO("case " << number);
     ++compared;
     const HoldKeys keys =
-        keys_by_definition(*placement, placement->team_candidates, firm_hold(*placement));
+        keys_by_definition(*placement, placement->team_candidates, hold_requirements(*placement));
     for (std::uint32_t a = 0; a < placement->candidates.size(); ++a)
       for (std::uint32_t b = a + 1; b < placement->candidates.size(); ++b)
-        if (clearly_better(keys_by_definition(*placement, {a, b}, firm_hold(*placement)), keys))
+        if (clearly_better(keys_by_definition(*placement, {a, b}, hold_requirements(*placement)),
+                           keys))
           CHECK(is_doubtful(*placement, {a, b}));
   }
   CHECK(compared > 1000);
@@ -166,7 +168,8 @@ TEST_CASE("one team more never loses the hold of the samples", "[exchange][thoro
       for (std::uint32_t teams = 1; teams <= 5; ++teams) {
         const Placement placement = placed(to_hold(corpus::polygon(name), teams, positions));
         const std::uint32_t now =
-            keys_by_definition(placement, placement.team_candidates, firm_hold(placement)).level;
+            keys_by_definition(placement, placement.team_candidates, hold_requirements(placement))
+                .level;
         CHECK(now >= level);
         CHECK(placement.closure.form_closure >= closed);
         closed = placement.closure.form_closure;
@@ -187,36 +190,36 @@ TEST_CASE("a square in ranges is held by two teams, and by its four best places 
 }
 
 TEST_CASE("the story of the exchanges leads from the start to the result", "[exchange][slow]") {
-  int exchanges = 0, jumps = 0;
+  int swaps = 0, jumps = 0;
   for (const std::string& name : corpus::polygon_names()) {
     INFO(name);
     const Placement placement = placed(to_hold(corpus::polygon(name), 3, Positions::range));
     if (placement.teams.size() < 3) continue;
     const auto start = select_teams(placement.polygon, placement.centre_of_mass,
                                     placement.candidates, Metric::area, 3, FirstTeam::longest);
-    const ExchangeHistory history =
-        exchange_teams(placement.polygon, placement.centre_of_mass, placement.candidates, start,
-                       firm_hold(placement));
+    const SwapHistory history =
+        swap_teams(placement.polygon, placement.centre_of_mass, placement.candidates, start,
+                   hold_requirements(placement));
     CHECK(history.start == start);
     CHECK(history.taken() == placement.team_candidates);
     CHECK(history.settled);
     HoldKeys keys = history.keys;
     std::vector<std::uint32_t> taken = start;
-    for (const Exchange& exchange : history.exchanges) {
-      ++exchanges;
-      CHECK(better_by(exchange.keys, keys) == exchange.decided_by);
+    for (const Swap& swap : history.swaps) {
+      ++swaps;
+      CHECK(better_by(swap.keys, keys) == swap.decided_by);
       for (std::uint32_t team = 0; team < taken.size(); ++team) {
         const bool moved =
-            std::find(exchange.teams.begin(), exchange.teams.end(), team) != exchange.teams.end();
-        CHECK(moved == (exchange.taken[team] != taken[team]));
+            std::find(swap.teams.begin(), swap.teams.end(), team) != swap.teams.end();
+        CHECK(moved == (swap.taken[team] != taken[team]));
       }
-      if (exchange.kind == ExchangeKind::single) CHECK(exchange.teams.size() == 1);
-      if (exchange.kind == ExchangeKind::one_more) ++jumps;
-      taken = exchange.taken;
-      keys = exchange.keys;
+      if (swap.kind == SwapKind::single) CHECK(swap.teams.size() == 1);
+      if (swap.kind == SwapKind::one_more) ++jumps;
+      taken = swap.taken;
+      keys = swap.keys;
     }
   }
-  CHECK(exchanges > 100);
+  CHECK(swaps > 100);
   CHECK(jumps > 0);
 }
 
@@ -229,10 +232,10 @@ TEST_CASE("what cannot be exchanged is refused, with the reason", "[exchange]") 
     REQUIRE(check_settings(settings));
     CHECK(check_settings(settings)->place.option == "goal");
   }
-  CHECK_FALSE(check_exchanges(100, most_exchanged_teams));
-  CHECK(check_exchanges(100, most_exchanged_teams + 1)->place.option == "goal");
-  CHECK_FALSE(check_exchanges(100, 100));
-  CHECK(check_exchanges(most_exchanges, 2)->place.option == "goal");
+  CHECK_FALSE(check_swaps(100, most_swapped_teams));
+  CHECK(check_swaps(100, most_swapped_teams + 1)->place.option == "goal");
+  CHECK_FALSE(check_swaps(100, 100));
+  CHECK(check_swaps(most_swaps, 2)->place.option == "goal");
   // If more teams are requested than there are candidates, all candidates are placed.
   const Placement all = placed(to_hold(corpus::polygon("labyrinth"), 1'000'000, Positions::best));
   CHECK(all.teams.size() == all.candidates.size());

@@ -1,4 +1,4 @@
-#include "evenlift/exchange.h"
+#include "evenlift/swaps.h"
 
 #include <algorithm>
 #include <string>
@@ -7,16 +7,16 @@
 #include "evenlift/selection.h"
 #include "evenlift/settings.h"
 #include "evenlift/tolerance.h"
-#include "exchange/rounds.h"
 #include "grasp/hold_levels.h"
+#include "swaps/rounds.h"
 
 namespace evenlift {
 namespace {
 
-using exchange::Better;
-using exchange::Choices;
-using exchange::Part;
-using exchange::Trial;
+using swaps::Better;
+using swaps::Choices;
+using swaps::Part;
+using swaps::Trial;
 
 // The candidates, ordered so that a team that keeps its candidate keeps its number.
 std::vector<std::uint32_t> arranged(const std::vector<std::uint32_t>& before,
@@ -41,28 +41,28 @@ std::vector<Trial> trials_with_others(const Choices& choices,
   return trials;
 }
 
-class Exchanger {
+class Swapper {
  public:
-  Exchanger(Choices& choices, std::vector<std::uint32_t> start) : choices_(choices) {
+  Swapper(Choices& choices, std::vector<std::uint32_t> start) : choices_(choices) {
     history_.keys = keys_ = choices_.keys_of(choices_.part_of(start));
     history_.start = taken_ = std::move(start);
   }
 
-  ExchangeHistory run() {
+  SwapHistory run() {
     if (taken_.size() == 2 && choices_.size() <= most_candidates_for_pairs) try_pairs();
-    make_exchanges();
+    make_swaps();
     // One team fewer may hold where these teams do not.
-    if (keys_.level < best_level && taken_.size() >= 2 && try_one_more()) make_exchanges();
+    if (keys_.level < best_level && taken_.size() >= 2 && try_one_more()) make_swaps();
     return std::move(history_);
   }
 
  private:
   // Swaps teams until no swap makes the choice better.
-  void make_exchanges() {
+  void make_swaps() {
     const std::size_t most_rounds = 4 * taken_.size();
     history_.settled = false;
-    while (!history_.settled && rounds_ < most_rounds && history_.tried <= most_exchanges) {
-      history_.settled = !try_exchanges();
+    while (!history_.settled && rounds_ < most_rounds && history_.tried <= most_swaps) {
+      history_.settled = !try_swaps();
       ++rounds_;
     }
   }
@@ -75,11 +75,11 @@ class Exchanger {
       for (std::uint32_t b = a + 1; b < choices_.size(); ++b)
         if (choices_.fit(a, b)) trials.push_back(choices_.trial(a, b));
     if (const auto best = find(std::move(trials)))
-      take(*best, arranged(taken_, {best->trial.candidate, best->trial.other}), ExchangeKind::pair);
+      take(*best, arranged(taken_, {best->trial.candidate, best->trial.other}), SwapKind::pair);
   }
 
   // Makes the best swap. Returns whether there was one.
-  bool try_exchanges() {
+  bool try_swaps() {
     std::vector<Part> parts;
     for (std::size_t team = 0; team < taken_.size(); ++team)
       parts.push_back(choices_.part_of(taken_, team));
@@ -88,15 +88,15 @@ class Exchanger {
     if (!best) return false;
     std::vector<std::uint32_t> taken = taken_;
     taken[best->trial.other - choices_.size()] = best->trial.candidate;
-    take(*best, std::move(taken), ExchangeKind::single);
+    take(*best, std::move(taken), SwapKind::single);
     return true;
   }
 
   // Replaces all teams by the result for one team fewer plus the best further team. Returns whether
   // that is better.
   bool try_one_more() {
-    Exchanger fewer(choices_, {history_.start.begin(), history_.start.end() - 1});
-    const ExchangeHistory history = fewer.run();
+    Swapper fewer(choices_, {history_.start.begin(), history_.start.end() - 1});
+    const SwapHistory history = fewer.run();
     history_.tried += history.tried;
     std::vector<std::uint32_t> taken = history.taken();
     std::vector<Part> parts;
@@ -105,7 +105,7 @@ class Exchanger {
     const auto best = find(with_others(taken));
     if (!best) return false;
     taken.push_back(best->trial.candidate);
-    take(*best, arranged(taken_, std::move(taken)), ExchangeKind::one_more);
+    take(*best, arranged(taken_, std::move(taken)), SwapKind::one_more);
     return true;
   }
 
@@ -115,16 +115,16 @@ class Exchanger {
 
   std::optional<Better> find(std::vector<Trial> trials) {
     history_.tried += trials.size();
-    return exchange::best_trial(choices_, std::move(trials), keys_);
+    return swaps::best_trial(choices_, std::move(trials), keys_);
   }
 
-  void take(const Better& best, std::vector<std::uint32_t> taken, ExchangeKind kind) {
+  void take(const Better& best, std::vector<std::uint32_t> taken, SwapKind kind) {
     std::vector<std::uint32_t> teams;
     for (std::uint32_t team = 0; team < taken.size(); ++team)
       if (taken[team] != taken_[team]) teams.push_back(team);
     taken_ = taken;
     keys_ = best.keys;
-    history_.exchanges.push_back(
+    history_.swaps.push_back(
         {kind, std::move(teams), std::move(taken), best.keys, best.decided_by});
   }
 
@@ -132,7 +132,7 @@ class Exchanger {
   std::vector<std::uint32_t> taken_;
   HoldKeys keys_;
   std::size_t rounds_ = 0;
-  ExchangeHistory history_;
+  SwapHistory history_;
 };
 
 }  // namespace
@@ -146,21 +146,21 @@ std::optional<HoldKey> better_by(const HoldKeys& a, const HoldKeys& b) {
 
 HoldKeys hold_keys(const Polygon& polygon, const Vec2& centre,
                    const std::vector<Candidate>& candidates,
-                   const std::vector<std::uint32_t>& taken, const FirmHold& firm,
+                   const std::vector<std::uint32_t>& taken, const HoldRequirements& firm,
                    const Stands* stands) {
   const Choices choices(polygon, centre, candidates, firm, stands);
   return choices.keys_of(choices.part_of(taken));
 }
 
-std::optional<InputError> check_exchanges(std::size_t candidates, std::size_t teams,
-                                          const Stands* stands) {
+std::optional<InputError> check_swaps(std::size_t candidates, std::size_t teams,
+                                      const Stands* stands) {
   const std::size_t placed = teams < candidates ? teams : candidates;
   if (placed == candidates && !stands) return std::nullopt;
-  if (placed > most_exchanged_teams)
-    return setting_error(Setting::goal, "at most " + std::to_string(most_exchanged_teams) +
+  if (placed > most_swapped_teams)
+    return setting_error(Setting::goal, "at most " + std::to_string(most_swapped_teams) +
                                             " teams can be swapped for a hold, not " +
                                             std::to_string(placed));
-  if (static_cast<std::uint64_t>(placed) * candidates > most_exchanges)
+  if (static_cast<std::uint64_t>(placed) * candidates > most_swaps)
     return setting_error(Setting::goal,
                          "the object has " + std::to_string(candidates) +
                              " candidates, too many to swap " + std::to_string(placed) +
@@ -168,35 +168,33 @@ std::optional<InputError> check_exchanges(std::size_t candidates, std::size_t te
   return std::nullopt;
 }
 
-ExchangeHistory exchange_teams(const Polygon& polygon, const Vec2& centre,
-                               const std::vector<Candidate>& candidates,
-                               std::vector<std::uint32_t> start, const FirmHold& firm,
-                               const Stands* stands) {
+SwapHistory swap_teams(const Polygon& polygon, const Vec2& centre,
+                       const std::vector<Candidate>& candidates, std::vector<std::uint32_t> start,
+                       const HoldRequirements& firm, const Stands* stands) {
   if (start.size() == candidates.size() || start.empty()) {
-    ExchangeHistory history;
-    if (!start.empty() && start.size() <= most_exchanged_teams)
+    SwapHistory history;
+    if (!start.empty() && start.size() <= most_swapped_teams)
       history.keys = hold_keys(polygon, centre, candidates, start, firm, stands);
     history.start = std::move(start);
     history.settled = true;
     return history;
   }
   Choices choices(polygon, centre, candidates, firm, stands);
-  return Exchanger(choices, std::move(start)).run();
+  return Swapper(choices, std::move(start)).run();
 }
 
-std::optional<Exchange> best_exchange_of(const Polygon& polygon, const Vec2& centre,
-                                         const std::vector<Candidate>& candidates,
-                                         const std::vector<std::uint32_t>& taken,
-                                         std::uint32_t team, const FirmHold& firm,
-                                         const Stands* stands) {
+std::optional<Swap> best_swap_of(const Polygon& polygon, const Vec2& centre,
+                                 const std::vector<Candidate>& candidates,
+                                 const std::vector<std::uint32_t>& taken, std::uint32_t team,
+                                 const HoldRequirements& firm, const Stands* stands) {
   Choices choices(polygon, centre, candidates, firm, stands);
   const HoldKeys now = choices.keys_of(choices.part_of(taken));
   choices.set_parts({choices.part_of(taken, team)});
-  const auto best = exchange::best_trial(choices, trials_with_others(choices, taken), now);
+  const auto best = swaps::best_trial(choices, trials_with_others(choices, taken), now);
   if (!best) return std::nullopt;
-  Exchange exchange{ExchangeKind::single, {team}, taken, best->keys, best->decided_by};
-  exchange.taken[team] = best->trial.candidate;
-  return exchange;
+  Swap swap{SwapKind::single, {team}, taken, best->keys, best->decided_by};
+  swap.taken[team] = best->trial.candidate;
+  return swap;
 }
 
 std::vector<std::uint32_t> choose_candidates(const Polygon& polygon, const Vec2& centre,
@@ -206,9 +204,9 @@ std::vector<std::uint32_t> choose_candidates(const Polygon& polygon, const Vec2&
   std::vector<std::uint32_t> taken =
       select_teams(polygon, centre, candidates, *metric_of(settings.method), teams,
                    first_team(settings.positions), stands);
-  if (!exchanges_teams(settings)) return taken;
-  return exchange_teams(polygon, centre, candidates, std::move(taken),
-                        firm_hold(polygon, centre, settings), stands)
+  if (!swaps_teams(settings)) return taken;
+  return swap_teams(polygon, centre, candidates, std::move(taken),
+                    hold_requirements(polygon, centre, settings), stands)
       .taken();
 }
 

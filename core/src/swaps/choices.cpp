@@ -1,4 +1,4 @@
-#include "exchange/choices.h"
+#include "swaps/choices.h"
 
 #include <algorithm>
 #include <utility>
@@ -7,7 +7,7 @@
 #include "evenlift/tolerance.h"
 #include "grasp/hold_levels.h"
 
-namespace evenlift::exchange {
+namespace evenlift::swaps {
 namespace {
 
 // Covers the rounding of u . w, which is below 1e-15: u is a unit vector, and w has a length of at
@@ -25,7 +25,7 @@ void append(const Chord& chord, std::vector<LiftingPoint>& robots) {
 }  // namespace
 
 Choices::Choices(const Polygon& polygon, const Vec2& centre,
-                 const std::vector<Candidate>& candidates, const FirmHold& firm,
+                 const std::vector<Candidate>& candidates, const HoldRequirements& firm,
                  const Stands* stands)
     : polygon_(polygon),
       candidates_(candidates),
@@ -128,4 +128,4 @@ bool Choices::reaches(const Trial& trial, std::uint32_t level) {
   return false;
 }
 
-}  // namespace evenlift::exchange
+}  // namespace evenlift::swaps
