@@ -207,7 +207,7 @@ test("which loads are shown, how well C is known, and what balanced robots keep 
   assert.equal((await state(page)).robustness.com_radius, 15);
   await set(page, { loads: "plan" });
   assert.match(await thrown(page, "set", { loads: "most" }), /^The load model must be/);
-  assert.match(await thrown(page, "set", { com_radius: -1 }), /^The radius within which/);
+  assert.match(await thrown(page, "set", { com_radius: -1 }), /^The uncertainty of the centre of mass/);
   await page.done();
 });
 

@@ -85,9 +85,9 @@ const refused = [
   [{ teams: "all" }, /teams/],
   [{ teams: null }, /teams/],
   [{ teams: 1e9 }, /team/],
-  [{ metric: "Area" }, /metric/],
-  [{ metric: "" }, /metric/],
-  [{ metric: 1 }, /metric/],
+  [{ metric: "Area" }, /method/],
+  [{ metric: "" }, /method/],
+  [{ metric: 1 }, /method/],
   [{ min_ratio: 1.01 }, /ratio/],
   [{ min_ratio: -0.1 }, /ratio/],
   [{ min_ratio: NaN }, /ratio/],
@@ -105,7 +105,7 @@ const refused = [
   [{ step: "2" }, /step/],
   [{ teams: "max", metric: "random" }, /team/i],
   [{ teams: 4, min_ratio: 2 }, /ratio/],
-  [{ metric: "area\nteams=9" }, /metric/],
+  [{ metric: "area\nteams=9" }, /method/],
 ];
 
 test("set() refuses what it does not know, and then changes nothing", async () => {

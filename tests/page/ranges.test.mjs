@@ -98,7 +98,7 @@ test("set() refuses with a sentence what teams cannot be asked", async () => {
   const page = await browser.open();
   for (const [changes, why] of [
     [{ positions: "any" }, /^The positions must be best or range/],
-    [{ metric: "distributed", goal: "hold" }, /^goal: distributed and random/],
+    [{ metric: "distributed", goal: "hold" }, /^The methods distributed and random/],
   ])
     assert.match(await thrown(page, "set", changes), why);
   await page.done();

@@ -265,6 +265,6 @@ test("Draw and Move say that they are on, and snapping says so, too", async () =
     await idle(page);
   }
   await page.keyboard.press("n");
-  await page.waitForFunction(() => /snaps to the grid/.test(document.getElementById("alert").textContent));
+  await page.waitForFunction(() => /snap to the grid/.test(document.getElementById("alert").textContent));
   await page.done();
 });

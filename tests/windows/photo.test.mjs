@@ -340,7 +340,7 @@ for (const [width, height] of [
       place.y >= 0 && place.x + place.width <= width && place.y + place.height <= height,
       JSON.stringify(place),
     );
-    await card.getByRole("button", { name: "Remove" }).tap();
+    await card.getByRole("button", { name: "Remove", exact: true }).tap();
     assert.equal(await page.locator("#backdrop").count(), 0);
     await page.done();
   });
@@ -354,7 +354,7 @@ test("opacity, removal, and the way back by Open", async () => {
   await page.locator("#canvas").focus();
   await page.keyboard.press("o");
   await page.getByRole("button", { name: "Change …" }).click();
-  await page.getByRole("button", { name: "Remove" }).click();
+  await page.getByRole("button", { name: "Remove", exact: true }).click();
   assert.equal(await page.locator("#backdrop").count(), 0);
   assert.equal(await page.locator("#photo").count(), 0);
   await idle(page);
