@@ -6,7 +6,7 @@ const words = [
   ["Arm", "The distance of a robot from the centre of mass. In a team the robot with the shorter arm carries more."],
   [
     "Balanced robots",
-    "Any number of robots whose centroid is the centre of mass. Equal forces at them add up to the weight and do not turn the object, so all can carry the same load. They do if their forces are controlled, or if all are equally stiff and level and the object does not bend. Three robots that are not on one line always do.",
+    "Any number of robots whose centroid is the centre of mass. Equal forces at these robots can add up to the weight without turning the object, so all can carry the same load. They do if their forces are controlled, or if all are equally stiff and level and the object does not bend. Three robots that are not on one line always carry equal loads.",
   ],
   [
     "Candidate",
@@ -18,19 +18,19 @@ const words = [
   ],
   [
     "Chord",
-    "A segment through C with one end on the outline on each side of C. Between its ends it may leave the object.",
+    "A segment through C with its two ends on the outline, on opposite sides of C. Between its ends it may leave the object.",
   ],
   [
     "Clearance",
-    "The distance from the contacts that a hold needs to the nearest corner. At the corner itself a contact is lost, so a hold by a robot a hair beside a corner cannot be built: the verdict warns of it. The tolerance is the distance that all robots at once may be off along their edges while form closure remains. Robots in corners that point inwards stay there.",
+    "The smallest distance between a corner and a contact that a hold needs. At the corner itself the contact is lost, so a hold that needs a robot a hair’s breadth from a corner cannot be built; the verdict warns of this. The tolerance is the distance that all robots at once may be off along their edges without losing form closure, if robots in corners that point inwards stay there.",
   ],
   [
     "Contact",
-    "A place where a robot touches an edge from outside and pushes along the edge's inward normal. A robot at a vertex that points inwards makes two contacts. A robot at a vertex that points outwards is not counted, since its push has no definite direction. That is the safe side: the regions of free rotation are then too large rather than too small.",
+    "A place where a robot touches an edge from outside and pushes along the edge's inward normal. A robot at a vertex that points inwards makes two contacts. A robot at a vertex that points outwards is not counted, since its push has no definite direction. This errs on the safe side: the regions of free rotation are then too large rather than too small.",
   ],
   [
     "Coverage",
-    "The share of the object's area that lies inside the lifting base, from 0 to 100 %. A press down there does not tip the object, as long as the robots push back (they are stiff, or held at height) and none is overloaded.",
+    "The share of the object's area that lies inside the lifting base, from 0 to 100 %. A downward press there does not tip the object, as long as the robots push back (they are stiff, or held at height) and none is overloaded.",
   ],
   [
     "Edge pair",
@@ -39,15 +39,15 @@ const words = [
   ["Even chord", "A chord that C halves, so that both robots carry the same load. Every convex object has one."],
   [
     "Form closure",
-    "The contacts alone, without friction, prevent every small turn and slide in the plane, to first order. Both regions of free rotation are then empty, and no translation is free. It presumes robots that can push sideways and do not give way. A curve counts as the polygon to which it was flattened.",
+    "The contacts alone, without friction, prevent every small turn and slide in the plane, to first order. Both regions of free rotation are then empty, and no translation is free. It presumes robots that can push sideways and do not give way. A curve counts as the polygon that approximates it.",
   ],
   [
     "Kern",
-    "The part of the lifting base where no press down, however strong, makes a robot go slack, if all robots are equally stiff and level. With more than three robots it is smaller than the base: a strong press down between the two rims makes a robot go slack, though the object does not tip.",
+    "The part of the lifting base where no downward press, however strong, makes a robot go slack, if all robots are equally stiff and level and the object does not bend. With more than three robots the kern is smaller than the base: a strong downward press inside the base but outside the kern makes a robot go slack, even if the object does not tip.",
   ],
   [
     "Lifting base, H",
-    "The convex hull of the lifting points: a rubber band around all robots would enclose it. In robotics it is the support polygon; in heavy transport it is the stability area, and its edges are the tipping lines. A press down inside it changes the loads and does not tip the object, on the conditions given under Coverage.",
+    "The convex hull of the lifting points: a rubber band around all robots would enclose it. In robotics it is the support polygon; in heavy transport it is the stability area, and its edges are the tipping lines. A downward press inside it changes the loads but does not tip the object, if the conditions given under Coverage are met.",
   ],
   [
     "Load",
@@ -56,11 +56,11 @@ const words = [
   ["Load ratio", "The shorter arm of a chord divided by the longer one. At 1 both robots carry the same load."],
   [
     "Margin",
-    "The strength of a hold: the radius of the largest ball about 0 that fits among the forces and torques that the contacts can exert if all their forces together are at most 1 (the L1 form). It depends on C and on the object's size, so it compares placements of one object, not objects.",
+    "The strength of a hold: the radius of the largest ball about 0 that fits among the forces and torques that the contacts can exert if all their forces together are at most 1 (the L1 form). It depends on C and on the object's size, so use it to compare placements of one object, not different objects.",
   ],
   [
     "Method",
-    "How the teams are chosen. By area, circle or distance, the next team is the candidate that adds most to the lifting base by that measure. Equal angles and random ignore the candidates and serve for comparison. Balanced places robots instead of teams, so that all of them can carry the same load.",
+    "The way in which the teams are chosen. By area, circle or distance, the next team is the candidate that adds most to the lifting base by that measure. Equal angles and random ignore the candidates and serve for comparison. Balanced places robots instead of teams, so that all of them can carry the same load.",
   ],
   [
     "Minimum load ratio",
@@ -68,7 +68,7 @@ const words = [
   ],
   [
     "Regions of free rotation",
-    "The points about which the object can begin to turn: clockwise in red, counter-clockwise in blue. Each contact cuts a part of them away; robots at vertices that point outwards cut nothing away.",
+    "The points about which the object can begin to turn: clockwise in red, counter-clockwise in blue. Each contact cuts part of these regions away; robots at vertices that point outwards cut nothing away.",
   ],
   [
     "Second order",
@@ -85,11 +85,11 @@ const words = [
   ["Team", "Two robots, one at each end of a chord. The two discs of a team have the same number."],
   [
     "Tipping",
-    "A press down outside the lifting base tips the object if it is strong enough. The colours show how strong it must be at each point.",
+    "A downward press outside the lifting base tips the object if the press is strong enough. The colours show the force needed at each point.",
   ],
   [
     "Tipping distance",
-    "The distance that C may be off before the object tips, on the conditions given under Coverage: the radius of the dashed circle about C. The ring inside the circle, which you can drag, is the C uncertainty: C is known within it. Riggers call its inside the CoG envelope (CoG: centre of gravity).",
+    "The distance that C may be off before the object tips, if the conditions given under Coverage are met. It is the radius of the dashed circle about C. The ring that you can drag shows the C uncertainty: the true C lies inside the ring. Riggers call the area inside the ring the CoG envelope (CoG: centre of gravity).",
   ],
 ];
 

@@ -8,9 +8,9 @@ function mobility({ free, heldByCurvature }) {
     .map((turn) => turns[turn])
     .join(", ");
   if (heldByCurvature)
-    return "Here it cannot, but only the curvature of its motion holds it. Hatching would show the points about which it could turn.";
+    return "Here it cannot, as long as no robot gives way, but only the curvature of its motion holds it. Hatching would show the points about which it could turn.";
   if (!free.length)
-    return "Here it cannot: the robots hold it. Hatching would show the points about which it could turn.";
+    return "Here it cannot, as long as no robot gives way: the robots hold it. Hatching would show the points about which it could turn.";
   if (!hatched) return "It cannot turn, so nothing is hatched; but it can slide, as the arrow shows.";
   return `Hatching shows the points about which it can turn: ${hatched}.${free.includes("translation") ? " The arrow shows how it slides." : ""}`;
 }
@@ -53,7 +53,7 @@ export const stops = [
     title: "Lifting base",
     where: ({ baseHasArea }) => baseHasArea,
     words: ({ coverage }) =>
-      `The green area is the lifting base. A press down inside it does not tip the object unless a robot is overloaded. Coverage${coverage ? `, here ${coverage},` : ""} is the share of the object above it.`,
+      `The green area is the lifting base. A downward press inside it does not tip the object as long as the robots push back and none is overloaded. Coverage${coverage ? `, here ${coverage},` : ""} is the share of the object above the lifting base.`,
     points: (here) => here.base(),
   },
   {
@@ -77,14 +77,14 @@ export const stops = [
     title: "The shape",
     words: () =>
       finger()
-        ? "Drag a vertex or C. Double-tap an edge to add a vertex. A vertex that you tap can be removed. Undo reverts it all."
-        : "Drag a vertex or C. Double-click an edge to add a vertex. Delete removes the selected vertex. Undo reverts it all.",
+        ? "Drag a vertex or C. Double-tap an edge to add a vertex. You can remove a vertex that you have tapped. Undo reverts every change."
+        : "Drag a vertex or C. Double-click an edge to add a vertex. Delete removes the selected vertex. Undo reverts every change.",
     points: (here) => [...here.vertex(), here.aboutCentre],
   },
   {
     title: "Lessons",
     words: () =>
-      "This window explains the algorithm step by step, with the reason for each choice, even on your own shape.",
+      "This window explains the algorithm step by step, with the reason for each choice, on your own shape too.",
     controls: ["Lessons"],
     menu: true,
   },

@@ -1,8 +1,8 @@
 // Balanced robots: m robots whose centroid is C. Forces of W / m each then add up to W, and their
 // moments about C cancel, so all robots can carry the same load. They do if forces are controlled,
-// or if all are equally stiff and level; three robots that are not on one line always do. Two
-// robots with equal arms are the smallest case. This is beyond the thesis, which calls for such
-// methods in 6.2; algorithm.md, Balanced robots, defines it.
+// or if all robots are equally stiff and level and the object does not bend; three robots that are
+// not on one line always do. Two robots with equal arms are the smallest case. This is beyond the
+// thesis, which calls for such methods in 6.2; algorithm.md, Balanced robots, gives the definition.
 //
 // A local search finds the robots among sets whose centroid is C. The outline of P begins at v*,
 // the vertex farthest from C (of those within tau L, the leftmost, then the lowest), runs once
@@ -15,8 +15,10 @@
 //
 // The better of two sets is ahead in the first key in which they differ:
 // 1. fewer pairs of robots nearer to each other than `apart`;
-// 2. with survive = F > 0: the larger min(F, number of failures that leave the object steady);
-// 3. for the goal hold: the margin reaches more of 0.001, 0.4 mu and mu, mu being min_margin;
+// 2. with survive = F > 0: the larger min(F, number of failures that leave C at least `clear`
+//    inside the hull of the rest);
+// 3. for the goal hold: the margin of the contacts at least `clear` from every corner reaches more
+//    of 0.001, 0.4 mu and mu, mu being min_margin;
 // 4. the larger coverage, by more than 1e-9;
 // 5. the larger sum of |p - C|^2, by more than 1e-9 of it;
 // 6. the robots' places along the outline, compared in order: the first that is smaller by more
@@ -24,7 +26,7 @@
 // If all keys tie, the set found first stays.
 //
 // Robots that hold a constant force give no righting moment: coverage and H presume robots that
-// push back because they are stiff or controlled by height.
+// push back because they are stiff or because their height is controlled.
 #pragma once
 
 #include <array>
@@ -43,10 +45,10 @@ namespace balanced {
 class Rules;
 }
 
-// The object, C and the settings robots, goal, min_margin, apart, survive, robot and no_go, and
-// everything computed from them once. With sized robots or no-go parts, the trial points are spread
-// over the usable parts of the outline, and the search considers only sets in which every robot can
-// stand. Immutable; copies share the data.
+// The object, C and the settings robots, goal, min_margin, apart, clear, survive, robot and no_go,
+// and everything computed from them once. With sized robots or no-go parts, the trial points are
+// spread over the usable parts of the outline, and the search considers only sets in which every
+// robot can stand. Immutable; copies share the data.
 class BalancedProblem {
  public:
   // The settings must be in their ranges. O(n log n), plus the cost of Stands (stands.h).
@@ -89,8 +91,8 @@ struct BalancedSearch {
 inline constexpr std::uint32_t most_rounds = 8;
 
 // The limit on work if the outline has more than 1,000 vertices. Work is counted, not timed, so
-// every platform ends with the same robots: 1 per completion, and 1 more per 100 even candidates
-// about C.
+// every platform ends with the same robots. Each completion counts 1, plus 1 for every 100 even
+// candidates about C.
 inline constexpr std::uint64_t most_work = 150'000;
 
 // Starts the search: S_i is the better of S_(i-2) with two more robots and S_(i-3) with three more,
@@ -101,13 +103,13 @@ inline constexpr std::uint64_t most_work = 150'000;
 // usually much less.
 std::optional<BalancedSearch> start_balanced(const BalancedProblem& problem);
 
-// Whether the start certainly takes less than some tenths of a second, so that an interactive
+// Whether the start is expected to take less than a few tenths of a second, so that an interactive
 // program need not search in the background. The estimate counts completions and even candidates
-// about C, so it is the same on every platform. Combs and spiky stars with some hundred vertices
+// about C, so it is the same on every platform. Combs and spiky stars with a few hundred vertices
 // are slow, and so are four robots on a winding outline. O(n) at worst.
 bool is_quick_to_start(const BalancedProblem& problem);
 
-// Three robots, by their numbers before the swap, that moved to other places.
+// Three robots that a swap moved to other places, by their numbers before the swap.
 struct BalancedSwap {
   std::array<std::uint32_t, 3> numbers{};
   std::array<LiftingPoint, 3> from, to;
@@ -115,14 +117,14 @@ struct BalancedSwap {
 
 // One step of a search. A search goes through the triples i < j < k of robots; with more than 12
 // robots only triples that contain two neighbours along the outline, with more than 24 only three
-// in a row. The best of the current set and of all sets that complete the other robots by three, in
-// this order, becomes the current set, and the robots are renumbered. A round that changes nothing
-// is the last: then no swap makes the set better. A triple costs one completion for each trial
-// point.
+// in a row. The best of the current set and of all sets that complete the other robots by three
+// becomes the current set (of ties, the first in this order), and the robots are renumbered. A
+// round that changes nothing is the last: then no swap makes the set better. A triple costs one
+// completion for each trial point.
 //
 // A search restarts, at most once, if that leads to a better set (docs/algorithm.md). If the robots
 // should hold the object and do not, it restarts with S_4 also chosen among trial points with three
-// more robots, as for m = 4. Robots with a size, for which few sets have room, restart from the
+// more robots, as for m = 4. For robots with a size, which fit in few places, it restarts from the
 // best sets on usable intervals.
 struct BalancedStep {
   BalancedSearch search;             // after the step
@@ -134,10 +136,10 @@ BalancedStep try_next_triple(const BalancedProblem& problem, BalancedSearch sear
 BalancedSearch finish_search(const BalancedProblem& problem, BalancedSearch search);
 
 // The robots, at least three, after the user moves one of them along the outline. Its two
-// neighbours in the list follow, so that C stays the centroid: they move to the ends of an even
-// candidate, such that the sum of their squared moves is least. Nothing if there is no such
+// neighbours in the list follow, so that C stays the centroid: they move to the ends of the even
+// candidate for which the sum of their squared moves is least. Nothing if there is no such
 // candidate: the robot cannot move there. If robots have a size, `to` is the robot's contact, and
-// the robot cannot move to a place where it would not fit or would collide. O(n) at worst, as a
+// the robot cannot move to a place where it would not fit or would collide. O(n) at worst, like a
 // completion.
 std::optional<std::vector<LiftingPoint>> move_robot(const BalancedProblem& problem,
                                                     std::vector<LiftingPoint> robots,

@@ -44,7 +44,7 @@ struct PairVerdict {
   std::optional<Candidate> candidate;
 };
 
-// Decides about one edge pair. O(1).
+// The verdict on one edge pair. O(1).
 PairVerdict examine_pair(const Polygon& polygon, const Vec2& centre, const EdgePair& pair,
                          double min_ratio);
 
@@ -58,7 +58,7 @@ Candidate opposite_chord(const Polygon& polygon, const Vec2& centre,
 // |C r_a| / |C r_b| = (1 - x) q0 + x q1.
 struct PairRange {
   std::uint32_t a = 0, b = 0;                 // the edges
-  Vec2 a0 = Vec2::Zero(), a1 = Vec2::Zero();  // ends of the section of a, from C
+  Vec2 a0 = Vec2::Zero(), a1 = Vec2::Zero();  // ends of the section of a, relative to C
   double q0 = 1, q1 = 1;                      // > 0
   double first = 0, last = 1;                 // the limits of the range, first <= last
 
@@ -71,8 +71,8 @@ struct PairRange {
 std::optional<PairRange> range_of(const Polygon& polygon, const Vec2& centre, const EdgePair& pair,
                                   double min_ratio);
 
-// The range of the two edges on which a chord, such as a candidate's, ends. Nothing also if the
-// edges do not face each other. O(1).
+// The range of the two edges on which a chord ends, for example a candidate's chord. Also nothing
+// if the edges do not face each other. O(1).
 std::optional<PairRange> range_of(const Polygon& polygon, const Vec2& centre, const Chord& chord,
                                   double min_ratio);
 
@@ -112,8 +112,8 @@ inline constexpr std::uint32_t no_index = ~std::uint32_t{0};
 struct TracedCandidates {
   std::vector<Candidate> candidates;
   std::vector<std::uint32_t> of_source;  // the candidate of each source, or no_index
-  // The two range candidates of each source, in order of slope, or no_index; empty with the best
-  // positions only.
+  // The two range candidates of each source, in order of slope, or no_index; empty with
+  // Positions::best.
   std::vector<std::array<std::uint32_t, 2>> ranges_of_source;
 };
 Result<TracedCandidates> trace_candidates(const Polygon& polygon, const Vec2& centre,

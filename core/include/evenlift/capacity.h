@@ -28,17 +28,16 @@ struct CapacityPlan {
   double greatest_load = 0;  // if possible, the greatest load of a robot with that number
   std::uint32_t tried = 0;   // the most teams that were tried; if not possible and below
                              // most_teams_tried(), the method found no place for more
-  // The number of robots in a team. Balanced robots count as one team of all: of the least number
-  // of robots if that is possible, otherwise of most_robots.
+  // The number of robots in a team. Balanced robots form one team: of the least number of robots
+  // if the plan is possible, otherwise of most_robots.
   std::uint32_t team_size = 2;
   bool operator==(const CapacityPlan&) const = default;
 };
 
 // Plans for the object of a placement, which must come from place(), and for robots that carry up
-// to `capacity` > 0 each, in the unit of its weight. The plan depends on the placement's polygon,
-// centre of mass and settings, except the number of teams or robots and settings that only describe
-// the result (overlays, units and the like); same_plan() compares exactly these. The candidates of
-// the placement are reused.
+// to `capacity` > 0 each, in the unit of its weight. The plan depends on the placement's polygon
+// and centre of mass, and on all settings that affect the loads except the number of teams or
+// robots; same_plan() compares exactly these inputs. The candidates of the placement are reused.
 //
 // The methods area, circle, distance and random choose teams one after another, so the first k
 // teams of a selection are a placement of k teams. Such a plan costs as much as selecting the teams
@@ -51,8 +50,9 @@ struct CapacityPlan {
 CapacityPlan plan_capacity(const Placement& placement, double capacity);
 
 // The number of robots needed if any one may fail. While all work, no robot carries more than the
-// capacity. If any one fails, the others carry the object, and again no robot carries more than the
-// capacity, provided all are equally stiff (load_models.h, springs).
+// capacity as planned. After any one has failed, the others carry the object, and no robot carries
+// more than the capacity, provided that all are equally stiff and level and the object is rigid
+// (load_models.h, springs). Sudden changes of load are not considered (failures.h).
 struct FailurePlan {
   bool possible = false;
   std::uint32_t robots = 0;  // if possible, the least sufficient number that was found
@@ -61,11 +61,11 @@ struct FailurePlan {
   bool operator==(const FailurePlan&) const = default;
 };
 
-// Finds the least number of robots for a FailurePlan with the placement's method; place() defines
-// where each number of robots stands. The search begins with the number that the weight alone
-// requires. It ends where the method finds no place for more, at most_teams_tried(), or when the
-// loads of most_loads_planned robots have been computed. For balanced robots it tries
-// most_sets_planned numbers, each with a whole search (balanced.h).
+// Finds the least number of robots for a FailurePlan with the placement's method, which stand where
+// place() would put them. The search begins with the number that the weight alone requires. It ends
+// where the method finds no place for more, at most_teams_tried(), or when the loads of
+// most_loads_planned robots have been computed. For balanced robots it tries most_sets_planned
+// numbers, each with a whole search (balanced.h).
 inline constexpr std::uint64_t most_loads_planned = std::uint64_t{1} << 21;
 inline constexpr std::uint32_t most_sets_planned = 8;
 FailurePlan plan_for_failures(const Placement& placement, double capacity);

@@ -67,10 +67,10 @@ struct VertexChord {
   Chord chord;
 };
 
-// Every chord from a vertex through C, in the order in which a line that turns about C meets their
-// vertices: in each direction, vertices on the line's forward half come first. A chord between two
-// vertices is listed once, at the forward one. Radial edges are met at their end vertices only.
-// More than max_edge_pairs chords are an error. O(n log n + k) for k chords.
+// All chords from a vertex through C, in the order in which a line that turns about C meets their
+// first vertices: in each direction, vertices on the line's forward half come first. A chord
+// between two vertices is listed once, at the forward one. Radial edges are met at their end
+// vertices only. More than max_edge_pairs chords are an error. O(n log n + k) for k chords.
 Result<std::vector<VertexChord>> vertex_chords(const Polygon& polygon, const Vec2& centre);
 
 // The number of edge pairs, without listing them. O(n log n).
@@ -82,8 +82,8 @@ Result<std::vector<EdgePair>> edge_pairs(const Polygon& polygon, const Vec2& cen
 
 // All pairs of opposite vertices, each once, in the order in which C sees the nearer of the two. A
 // vertex within tolerance (tau L) of C has no direction and no opposite vertex. It is an error if
-// they and the edge pairs together exceed max_edge_pairs. O(n log n), and for each vertex v the
-// number of vertices that are farther from C and within the angle 2 tau L / |C v| of its line.
+// these pairs and the edge pairs together exceed max_edge_pairs. O(n log n), plus, for each vertex
+// v, the number of vertices farther from C and within the angle 2 tau L / |C v| of its line.
 Result<std::vector<OppositeVertices>> opposite_vertices(const Polygon& polygon, const Vec2& centre);
 
 }  // namespace evenlift

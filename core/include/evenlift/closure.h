@@ -39,16 +39,16 @@ struct Contact {
   double to_end = std::numeric_limits<double>::infinity();
 };
 
-// The unit vector in which a contact with an edge pushes. The second overload takes an edge between
-// two vertices of a polygon of the given orientation. O(1).
+// The direction, as a unit vector, in which a contact with an edge pushes. The second overload
+// takes an edge between two vertices of a polygon of the given orientation. O(1).
 Vec2 inward_normal(const Polygon& polygon, std::uint32_t edge);
 Vec2 inward_normal(const Vec2& from, const Vec2& to, bool counter_clockwise);
 
 // The contacts of lifting points. A robot has one contact inside an edge, two at a reflex vertex,
 // one at a straight vertex. At a convex vertex its push has no definite direction, so it is not
-// counted; the free regions are then larger than they really are, which is the safe side. A robot
-// is at a vertex if it is within tau L of it. O((m + n) log n) for m points, if few vertices lie
-// within tau L of one another.
+// counted; this can only enlarge the free regions, which errs on the safe side. A robot is at a
+// vertex if it is within tau L of it. O((m + n) log n) for m points, if few vertices lie within
+// tau L of one another.
 std::vector<Contact> contacts(const Polygon& polygon, const std::vector<LiftingPoint>& points);
 
 // The contacts at least `clear` from every corner, within tau L. O(contacts).
@@ -61,7 +61,7 @@ struct FreeRegion {
   bool exists = false;    // some centre is free, near or far
   bool has_area = false;  // false: the region is a point or a line, up to tolerance
   Points clipped;         // the region within the square about C with half side 100 diagonal(),
-                          // counter-clockwise; no, one or two points if it has no area there
+                          // counter-clockwise; at most two points if it has no area there
 };
 
 // The regions of rotation centres that contacts leave free. O(n + m log m) for m contacts on e
@@ -142,16 +142,16 @@ bool in_form_closure(const Polygon& polygon, const Vec2& centre,
                      const std::vector<LiftingPoint>& points);
 
 // The thesis's own, weaker test (5.5): whether neither region of free rotation centres has an area.
-// Objects that can slide between parallel sides or turn about a single point also pass it.
+// Objects that can slide along parallel sides or turn about a single point also pass it.
 // O(m log m + n log n).
 bool no_region_has_area(const Polygon& polygon, const Vec2& centre,
                         const std::vector<LiftingPoint>& points);
 
-// Analyses the grasp of robots at `points`. The tests for empty regions and free translations are
-// exact for the edges' directions and the rounded points. Among contacts on parallel edges, only
-// the first and the last count. O(n log n + m log m) for m contacts on edges of e directions, at
-// worst O(e^2) for the regions, and for margin, clearance and tolerance O(log m) searches of
-// wrench_margin().
+// Analyses the grasp of robots at `points`. The regions are widened by tau L, and a translation is
+// free within tau; apart from these tolerances, the tests are exact for the edges' directions and
+// the rounded points. Among contacts on edges of the same direction, only the first and the last
+// count. O(n log n + m log m) for m contacts on edges of e directions, at worst O(e^2) for the
+// regions, and for margin, clearance and tolerance O(log m) calls of wrench_margin().
 Closure analyse_closure(const Polygon& polygon, const Vec2& centre,
                         const std::vector<LiftingPoint>& points);
 

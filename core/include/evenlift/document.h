@@ -27,7 +27,7 @@ inline constexpr std::size_t max_link_bytes = 1u << 20;   // of a link
 inline constexpr std::uint32_t max_teams = 1u << 20;      // if given as a number
 inline constexpr std::uint32_t least_robots = 2;          // balanced
 inline constexpr std::uint32_t most_robots = 64;          // balanced
-inline constexpr std::uint32_t most_survived = 30;        // 2 F + 3 robots survive F failures
+inline constexpr std::uint32_t most_survived = 30;        // F failures take at least 2 F + 3 robots
 inline constexpr std::size_t most_no_go = 1000;           // no-go parts of edges
 inline constexpr std::size_t most_moved_teams = 1000;     // by hand
 
@@ -80,8 +80,8 @@ inline constexpr Positions all_positions[] = {Positions::best, Positions::range}
 std::string_view name(Positions positions);
 std::optional<Positions> positions_from_name(std::string_view text);
 
-// The method's name in JSON and options, such as "area"; and the method with a name, or nothing for
-// an unknown name. O(1).
+// The method's name in JSON and options, such as "area"; and the method with the given name, or
+// nothing if the name is unknown. O(1).
 std::string_view name(Method method);
 std::optional<Method> method_from_name(std::string_view text);
 
@@ -149,9 +149,9 @@ struct Settings {
   std::optional<double> apart;  // minimum distance between robots, a preference, >= 0, in units of
                                 // length; none means 0.12 R
   std::optional<double>
-      clear;  // smaller distances are not relied on: of contacts from corners, and of C from the
-              // boundary of the lifting base after a failure; >= 0, in units of length; none means
-              // usual_clear times R
+      clear;  // contacts nearer to a corner are not relied on, nor is a C nearer to the boundary of
+              // the lifting base after a failure; >= 0, in units of length; none means usual_clear
+              // times R
   std::uint32_t survive = 0;  // failures of balanced robots that should leave the object steady;
                               // that takes at least 2 survive + 3 robots
   Positions positions = Positions::best;  // of teams of two; balanced robots stand anywhere
@@ -165,8 +165,8 @@ struct Settings {
 struct Shown {
   Overlays overlays;
   std::optional<std::uint32_t> step;  // of the walkthrough, if it is open
-  double com_radius = 0;  // C uncertainty: C is known within this radius, 0 .. max_length, in units
-                          // of length
+  double com_radius = 0;  // C uncertainty: C is known to within this radius, 0 .. max_length, in
+                          // units of length
   std::optional<double> capacity;  // greatest load that a robot can carry,
                                    // min_weight .. max_weight, in the weight's unit; none means no
                                    // limit

@@ -1,11 +1,13 @@
-// The effects of failing robots. Robots fail all at once and without warning, and then carry
-// nothing. The analysis is static: for a moment, a sudden loss can double the change of a load.
+// The effects of failing robots. Robots are assumed to fail all at once and without warning, and
+// then to carry nothing. The analysis is static: for a moment, a sudden loss can double the change
+// of a load.
 //
 // The robots *carry* the object if C lies in their convex hull within tolerance (tau L): they can
 // balance its weight. The object is *steady* if C lies inside that hull by more than the tolerance:
-// then it also withstands a small press down anywhere. The tolerance keeps rounding from deciding
-// either: the two robots of a team and C lie on one line only up to rounding. Far from the origin,
-// where coordinates are not known to tau L, it is their rounding.
+// then it also withstands a small press down anywhere, as long as the robots keep their height and
+// none is overloaded. The tolerance keeps rounding from deciding either: the two robots of a team
+// and C lie on one line only up to rounding. Far from the origin, where coordinates are rounded by
+// more than tau L, the tolerance is that rounding.
 #pragma once
 
 #include <optional>
@@ -17,19 +19,19 @@
 
 namespace evenlift {
 
-// The number of robots that may fail at once, whichever they are, so that the rest still carries
-// the object: the depth of C minus one. The depth is the least number of robots on one side of a
-// line through C, including robots within tolerance of the line (half-space depth; J. W. Tukey,
+// The number of robots that may fail at once, whichever they are, with the rest still carrying the
+// object: the depth of C minus one. The depth is the least number of robots on one side of a line
+// through C, including robots within tolerance of the line (half-space depth; J. W. Tukey,
 // Mathematics and the picturing of data, 1975). -1 if not even all robots together carry the
 // object. With teams of two, t teams carry it after any t - 1 failures, since each side of a line
-// through C has one robot of each team. `robots` are the positions of the robots, in any order,
-// some perhaps at the same place; `diameter` > 0 is L, the object's diameter. O(m log m).
+// through C has at least one robot of each team. `robots` are the positions of the robots, in any
+// order, some perhaps at the same place; `diameter` > 0 is L, the object's diameter. O(m log m).
 int failures_carried(const Points& robots, const Vec2& centre, double diameter);
 
-// The number of robots that may fail at once so that the rest keeps the object steady: robots
-// within tolerance of the line do not count. Never more than failures_carried(). -1 if the object
-// is not steady even with all robots, as with a single team of two. With `inside`, C counts as
-// inside the hull only if it is at least that far from its boundary, within tolerance: robots
+// The number of robots that may fail at once, whichever they are, with the object still steady:
+// robots within tolerance of the line do not count. Never more than failures_carried(). -1 if the
+// object is not steady even with all robots, as with a single team of two. With `inside`, C counts
+// as inside the hull only if it is at least that far from its boundary, within tolerance: robots
 // nearer to the line do not count. O(m log m).
 int failures_steady(const Points& robots, const Vec2& centre, double diameter, double inside = 0);
 
@@ -42,8 +44,8 @@ struct RestOfRobots {
   bool form_closure = false;    // see closure.h, also for the margin
   std::optional<double> margin;
   std::optional<double> greatest_by_plan;  // the greatest load if the partners of the failed robot
-                                           // also stop carrying, and each other team carries its
-                                           // part; none without another team
+                                           // also stop carrying, and every other team carries an
+                                           // equal part; none without another team
   double greatest_by_springs = 0, least_greatest = 0;  // see load_models.h: springs and best
 };
 
@@ -51,7 +53,7 @@ struct RestOfRobots {
 // carry the object. The teams must be those of a placement on the polygon. `inside` is as for
 // failures_steady(). For m robots O(n log n + m n + m^2 log m), O(h n + m h n') for the coverage
 // (stability.h), O(m^3) for the margin, and for the least greatest load O(m^4) up to 65 robots, or
-// O(m^2) for each of its some hundred steps.
+// O(m^2) for each of about a hundred steps.
 std::vector<std::optional<RestOfRobots>> single_failures(const Polygon& polygon, const Vec2& centre,
                                                          double weight,
                                                          const std::vector<Team>& teams,

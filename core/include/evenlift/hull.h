@@ -10,10 +10,10 @@ namespace evenlift {
 // dimensions, 1979) with exact orientations.
 //
 // With `flat` above 0, corners that only rounding creates are omitted: corners within `flat` of
-// another corner, and corners between the ends of a side whose distance from it is at most tau of
-// its length. If all points lie within `flat` of one line, the result is the two ends; if all are
-// equal, one point. O(m log m), plus O(h^2) for h corners if they lie within some `flat` of one
-// line, and O(r^2) for each run of r omitted corners.
+// another corner, and each run of corners between the ends of a side if none of them is farther
+// from that side than tau times its length. If all points lie within `flat` of one line, the result
+// is the two ends; if all are equal, one point. O(m log m), plus O(h^2) for h corners if they lie
+// within 4 `flat` of one line, and O(r^2) for each run of r omitted corners.
 Points convex_hull(Points points, double flat = 0);
 
 // The convex hull of the corners of a hull, which must come from convex_hull, and two more points.

@@ -101,7 +101,7 @@ struct Lesson {
   std::vector<GivenSetting> settings;  // each at most once; as read_setting() reads them
   bool predict = false;
   std::vector<LessonStep> steps;  // at least one
-  std::string question, answer;   // at the end, worded like a step; both empty or neither
+  std::string question, answer;   // at the end, formatted like `words`; both empty or neither
 };
 
 // Reads a lesson in UTF-8 with lines that end in \n or \r\n. Any bytes give a lesson or an error,
@@ -110,11 +110,11 @@ struct Lesson {
 Result<Lesson> parse_lesson(std::string_view text);
 
 // The lesson's document with the lesson's own settings: the document of its link, or else `sample`,
-// which the caller has read by the lesson's `polygon`. Errors are those of decode_link().
+// the sample that `polygon` names, which the caller has read. Errors are those of decode_link().
 Result<Document> lesson_document(const Lesson& lesson, const Document& sample);
 
-// An error of that document or its consequences, at the line of the lesson's own setting if it
-// concerns one. O(settings).
+// The same error, from that document or from its placement, at the line of the lesson's own setting
+// if the error concerns one. O(settings).
 InputError at_line(InputError error, const Lesson& lesson);
 
 // The number of the step in the trace; nothing if the trace has no such step. O(K) for edges and

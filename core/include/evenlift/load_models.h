@@ -11,11 +11,11 @@
 // with the same a and b for all. If the robots' centroid is C, as with even teams, all carry the
 // same load.
 //
-// *Best* is the greatest load of a robot if an ideal controller shares the weight.
+// *Best* is the greatest load of a robot if an ideal controller distributes the weight.
 //
 // *Worst* is the greatest load that each robot can get if heights are unequal and some robots carry
 // nothing, like a table that stands on two of its four legs. Each robot has its own worst case, so
-// these loads add up to more than the weight. They follow from equilibrium alone, so they also
+// these loads can add up to more than the weight. They follow from equilibrium alone, so they also
 // bound the loads under an object that bends.
 //
 // Robots only push up, so no model gives loads if C is outside the robots' convex hull H by more
@@ -56,16 +56,17 @@ struct SpringLoads {
 };
 
 // The loads of equally stiff robots; nothing if the robots do not carry the object. Newton's method
-// on the dual problem, in whose steps robots go slack and take up load again: seldom more than ten
-// steps of O(m), plus O(m log m) for H.
+// solves the dual problem; in its steps robots may go slack and take up load again. Seldom more
+// than ten steps of O(m), plus O(m log m) for H.
 std::optional<SpringLoads> spring_loads(const Points& robots, const Vec2& centre, double diameter,
                                         double weight);
 
 // The least possible value of the greatest load; nothing if the robots do not carry the object. It
 // is the larger of weight / m and the greatest of weight g(C) / (sum over robots of max(0, g)),
 // over the functions g that measure the distance to the left of a line through two robots. O(m^3)
-// for up to 64 robots. For more robots it is found to 13 digits by cutting planes through the
-// centre of gravity (A. Yu. Levin and D. J. Newman, both 1965), in some hundred steps of O(m).
+// for up to 64 robots. For more robots, the method of cutting planes through the centroid of the
+// remaining region (A. Yu. Levin and D. J. Newman, both 1965) finds it to 13 digits in some hundred
+// steps of O(m).
 std::optional<double> best_load(const Points& robots, const Vec2& centre, double diameter,
                                 double weight);
 

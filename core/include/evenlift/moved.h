@@ -1,7 +1,7 @@
-// Robots that the user moves by hand from where the method places them. Balanced robots move along
-// the outline, and two others follow so that C stays the centroid of all. A team that may stand
-// anywhere in its range moves along that range. Positions are stored as points of edges, with
-// twelve decimals of the edge's length, so that links stay short.
+// Robots that the user moves by hand from where the method places them. A balanced robot moves
+// along the outline, and two others follow so that C stays the centroid of all. A team that may
+// stand anywhere in its range moves along that range. Positions are stored as points of edges, as
+// fractions of the edge's length with twelve decimals, so that links stay short.
 #pragma once
 
 #include <cstddef>
@@ -31,10 +31,10 @@ std::optional<Moved> moved_along_range(const Placement& placement, std::size_t r
                                        const Vec2& to);
 
 // The placement with these robots moved, at least one. If teams move, team_candidates becomes
-// empty, since the method did not choose these teams. An error if the placement has another number
-// of balanced robots or fewer teams, if its teams cannot be moved, if an edge does not exist, if C
-// is not the centroid of the balanced robots, if the chord of a team does not end where it should,
-// or if robots with a size do not fit or collide. O(n log n).
+// empty, since the method did not choose these teams. An error if the placement has a different
+// number of balanced robots, or fewer teams, if its teams cannot be moved, if an edge does not
+// exist, if C is not the centroid of the balanced robots, if the chord of a team does not end where
+// it should, or if robots with a size do not fit or collide. O(n log n).
 Result<Placement> with_moved(Placement placement, const Moved& moved);
 
 }  // namespace evenlift

@@ -25,7 +25,7 @@ struct Optimum {
   std::vector<std::uint32_t> taken;  // the candidates of the best choice found, increasing
   double coverage = 0;               // of this choice, 0 .. 1
   double bound = 1;                  // no choice covers more, up to rounding
-  bool proved = false;               // whether no choice is better
+  bool proved = false;               // whether it is proved that no choice covers more
 };
 
 // Called from time to time; true ends the computation, and the bound is then the coverage of all
@@ -59,7 +59,8 @@ struct FirmestChoice {
   std::uint32_t most_level = 3;
   double most_coverage = 1;
   bool compared = false;  // whether all choices were compared
-  // Whether no choice is better: by all keys if all were compared, otherwise by level and coverage.
+  // Whether it is proved that no choice is better: by all keys if all were compared, otherwise by
+  // level and coverage.
   bool proved = false;
 };
 

@@ -35,7 +35,7 @@ struct Placement {
   double coverage = 0;               // see stability.h
   std::optional<LoadSummary> loads;  // nothing without teams
   Closure closure;
-  bool goal_reached = false;  // robots are placed, and with the goal `hold` they hold_clearly()
+  bool goal_reached = false;  // there are robots and, with the goal `hold`, hold_clearly() is true
   Moved moved = {};           // robots that the user moved from where the method places them
   // False if a search or swaps may still find better robots, or if a search was cut short
   // (balanced.h, most_work).
@@ -48,9 +48,9 @@ struct Placement {
 enum class Effort : std::uint8_t { whole, start };
 
 // Checks that settings are in their ranges (settings.h) and compatible: "max" needs a method that
-// chooses among candidates; the goal `hold` needs such a method or balanced robots; failures to
-// survive need enough balanced robots; robots with a size and no-go edges need a method that looks
-// for places. The error's place names the setting. O(parts of no_go).
+// chooses among candidates; the goal `hold`, a robot's size and no-go edges need such a method or
+// balanced robots; failures to survive need enough balanced robots. The error's place names the
+// setting. O(parts of no_go).
 std::optional<InputError> check_settings(const Settings& settings, const Shown& shown = {});
 
 // The boundary points that the robots of all teams touch, in the order of the robots. Hands beneath

@@ -16,7 +16,7 @@ enum class Turn : std::int8_t { reflex = -1, straight = 0, convex = 1 };
 // degree) vertices are allowed. Edge i runs from vertex i to vertex i + 1 (cyclic). Immutable.
 class Polygon {
  public:
-  // Creates a polygon, or returns what is wrong with the vertices: their number, the size of their
+  // Creates a polygon, or returns an error in the vertices: their number, the size of their
   // coordinates, repeated vertices, no area, edges that cross, touch or overlap, or a bounding box
   // whose diagonal is below min_diagonal. All decisions are exact, up to the rounding of that
   // diagonal. If one or two vertices or two edges are at fault, the error names them. O(n log n).
@@ -47,7 +47,7 @@ class Polygon {
   Turn turn(std::size_t i) const;
 
   // Whether vertex i is a corner: convex, with a turn of more than 15 degrees, within tau. The
-  // vertices of a flattened curve are not corners. O(1).
+  // vertices of a finely flattened curve are not corners. O(1).
   bool is_corner(std::size_t i) const;
 
   // The corners of the convex hull, counter-clockwise from the lowest of the leftmost, without
@@ -72,9 +72,9 @@ class Polygon {
 bool is_counter_clockwise(const Points& vertices);
 
 // The centre of mass to use: the given one, or else the polygon's centroid. An error if a
-// coordinate is not finite, exceeds max_coordinate or is below min_coordinate without being 0, or
-// if the point is not strictly inside the polygon's convex hull, which is decided exactly. O(h) for
-// h corners of the hull.
+// coordinate is not finite, if its absolute value exceeds max_coordinate or, unless it is 0, is
+// below min_coordinate, or if the point is not strictly inside the polygon's convex hull, which is
+// decided exactly. O(h) for h corners of the hull.
 Result<Vec2> check_centre_of_mass(const Polygon& polygon, const std::optional<Vec2>& given);
 
 // R, the greatest distance of a vertex from C. O(n).

@@ -42,7 +42,7 @@ std::vector<std::uint32_t> select_teams(const Polygon& polygon, const Vec2& cent
 
 // The score of every candidate against the lifting base of the teams selected so far (at least
 // one): the value that select_teams() maximizes. Scores by area and circle are in squared units of
-// length, scores by distance in units of length. For explanations, since it is slow: O(K n).
+// length, scores by distance in units of length. Too slow for anything but explanations: O(K n).
 std::vector<double> scores(const Polygon& polygon, const Vec2& centre,
                            const std::vector<Candidate>& candidates,
                            const std::vector<std::uint32_t>& selected, Metric metric);

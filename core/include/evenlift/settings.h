@@ -61,7 +61,7 @@ enum class Changes : std::uint8_t {
 enum class CountsFor : std::uint8_t { all, candidates, hold_requirements, balanced };
 bool counts(CountsFor placements, const Settings& settings);  // O(1)
 
-// The options of the program by the commands that accept them. `place`, `trace`, `optimum` and
+// The program's options, grouped by the commands that accept them. `place`, `trace`, `optimum` and
 // `link encode` accept those of a placement; `place` and `link encode` accept all.
 enum class OptionGroup : std::uint8_t { none, placement, uncertainty, units };
 
@@ -80,10 +80,10 @@ struct SettingRange {
 
 struct SettingRow {
   Setting setting;
-  std::string_view name;       // in JSON, scripts and requests, such as "min_ratio"
+  std::string_view name;        // in JSON, scripts and requests, such as "min_ratio"
   std::string_view alias = {};  // a second name that is also read, if there is one
-  std::string_view subject;    // "the minimum load ratio"
-  std::string_view edit = {};  // the change in words for undo, if undo distinguishes it from others
+  std::string_view subject;     // "the minimum load ratio"
+  std::string_view edit = {};   // the words for this change in undo, if undo tells it from others
   Changes changes = Changes::stands;
   CountsFor counts_for = CountsFor::all;
   SettingRange range = {};
@@ -115,10 +115,11 @@ std::span<const SettingRow> all_settings();
 const SettingRow& row_of(Setting setting);
 
 // Whether JSON and links include the setting, given the other settings. Settings that affect only
-// balanced robots or the goal `hold` are omitted elsewhere. O(1).
+// balanced robots or the goal `hold` are omitted where they have no effect. O(1).
 bool is_kept(const SettingRow& row, const Settings& settings);
 
-// The setting's name; and the setting with a name or an alias, or nothing if it is unknown. O(1).
+// The setting's name; and the setting with the given name or alias, or nothing if it is unknown.
+// O(1).
 std::string_view name(Setting setting);
 std::optional<Setting> setting_from_name(std::string_view text);
 
@@ -135,15 +136,15 @@ InputError setting_error(Setting setting);
 InputError setting_error(Setting setting, std::string why);
 
 // Sets a setting of the document from text, such as "0.8", "max" or "3,5:0.25-0.75"; requirement()
-// returns what is allowed. Numbers have the syntax of read_number(), whole numbers that of
+// returns the allowed values. Numbers have the syntax of read_number(), whole numbers that of
 // read_whole(): no spaces and no hexadecimal. Only the comma of `com` may have spaces and tabs
 // around it. Any other text, and any value out of range, is an error and changes nothing. The error
 // for `no_go` quotes the first wrong part if it is short. Any setting that changes where robots
 // stand also discards moves by hand. O(bytes).
 std::optional<InputError> read_setting(Setting setting, std::string_view text, Document& document);
 
-// The setting's value as text that read_setting() accepts; empty if it is not set and has no word
-// for that, such as `apart`. O(bytes).
+// The setting's value as text that read_setting() accepts; empty if the setting is not set and,
+// like `apart`, has no word for that. O(bytes).
 std::string text_of(Setting setting, const Document& document);
 
 // A robot's size as text, and no-go parts as text. O(bytes).

@@ -52,7 +52,7 @@ struct EdgeFrame {
   double length;
 };
 
-// The boundary that robots of one size can use. At t along an edge a robot can stand if
+// The boundary that robots of one size can use. A robot can stand at t along an edge if
 //   1. every other edge is at least r - tau L away from the centre of its body,
 //   2. the segment from the body's centre to the contact meets the object only at the contact (if
 //      the reach is above 0),
@@ -62,7 +62,7 @@ struct EdgeFrame {
 //      as one,
 //   4. no part of the hand's width, from t - w / 2 to t + w / 2, is in a no-go part of the edge.
 // A robot with only a gap above 0 may stand at a vertex, unless a no-go part includes the vertex.
-// Any other robot cannot stand at a vertex: the usable intervals end 2 tau L before it, so that a
+// No other robot can stand at a vertex: the usable intervals end 2 tau L before it, so that a
 // contact counts as inside the edge.
 class Stands {
  public:

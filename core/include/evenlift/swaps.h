@@ -1,10 +1,10 @@
-// Swaps teams of two until they hold the object (algorithm.md, Choosing so that it holds). Beyond
+// Swaps teams of two until they hold the object (algorithm.md, Choosing teams that hold). Beyond
 // the thesis, which considers only the lifting base.
 //
 // A local search begins with the teams that a metric selects. The better of two choices of the same
 // number of teams is ahead in the first key in which they differ:
-// 1. `level`, the number of thresholds among 0.001, 0.4 mu and mu that the margin reaches, mu being
-//    the minimum margin;
+// 1. `level`, the number of thresholds among 0.001, 0.4 mu and mu that the margin of the contacts
+//    at least `clear` from every corner reaches, mu being the minimum margin;
 // 2. the coverage, larger by more than 1e-9;
 // 3. the sum of the load ratios, larger by more than tau.
 //
@@ -17,8 +17,8 @@
 //
 // If the level is then below 3, the search also runs for t - 1 teams. Their result with the best
 // further candidate replaces the t teams if it is better, and swaps continue within the same 4 t
-// rounds. So one more team never lowers the level, though the teams may differ; only if robots have
-// a size may one more team find no room.
+// rounds. So one more team never lowers the level, though the teams may differ. The exception:
+// there may be no room for one more team of robots with a size.
 #pragma once
 
 #include <cstddef>
@@ -60,8 +60,8 @@ HoldKeys hold_keys(const Polygon& polygon, const Vec2& centre,
                    const std::vector<std::uint32_t>& taken, const HoldRequirements& firm,
                    const Stands* stands = nullptr);
 
-// The swapped teams: one; both of two at once; or all, replaced by the result of one team fewer
-// plus one more.
+// The swapped teams: one; both of two at once; or all, replaced by the result for t - 1 teams and
+// one more team.
 enum class SwapKind : std::uint8_t { single, pair, one_more };
 
 struct Swap {
@@ -84,17 +84,16 @@ struct SwapHistory {
   }
 };
 
-// The error if these numbers do not permit swaps: more than most_swapped_teams teams, or more
-// than most_swaps swaps in a round. No error if all candidates are taken, since there is
-// nothing to swap; but with `stands` some teams may find no room. O(1).
+// The error if these numbers do not permit swaps: more than most_swapped_teams teams, or more than
+// most_swaps swaps in a round. No error if all candidates are taken, since there is nothing to
+// swap; but with `stands`, some teams may find no room, so the limits always apply. O(1).
 std::optional<InputError> check_swaps(std::size_t candidates, std::size_t teams,
                                       const Stands* stands = nullptr);
 
-// Swaps the teams. The result is never worse than its start. With `stands` only choices whose
-// robots do not get into each other's way are tried. For t teams among K candidates at most 4 t
-// rounds of O(t K) swaps, of which few need more than a bound; and where the level stays below 3,
-// as much again for t - 1 teams, and so on, so that there are O(t^2) rounds at worst.
-// check_swaps() must allow them.
+// Swaps the teams. The result is never worse than its start. With `stands`, only choices whose
+// robots do not collide are tried. For t teams among K candidates at most 4 t rounds of O(t K)
+// swaps, few of which need more than a bound; and where the level stays below 3, the same again for
+// t - 1 teams, and so on, so that there are O(t^2) rounds at worst. check_swaps() must allow them.
 SwapHistory swap_teams(const Polygon& polygon, const Vec2& centre,
                        const std::vector<Candidate>& candidates, std::vector<std::uint32_t> start,
                        const HoldRequirements& firm, const Stands* stands = nullptr);
@@ -106,9 +105,9 @@ std::optional<Swap> best_swap_of(const Polygon& polygon, const Vec2& centre,
                                  const std::vector<std::uint32_t>& taken, std::uint32_t team,
                                  const HoldRequirements& firm, const Stands* stands = nullptr);
 
-// The teams for the settings with a method that chooses among candidates. They are selected
-// (selection.h) and, if the goal is to hold, swapped; then check_swaps() must allow it. Returns
-// indices into `candidates`.
+// The teams for these settings, whose method must choose among candidates. They are selected
+// (selection.h) and, if the goal is to hold, swapped; in that case check_swaps() must allow the
+// swaps. Returns indices into `candidates`.
 std::vector<std::uint32_t> choose_candidates(const Polygon& polygon, const Vec2& centre,
                                              const std::vector<Candidate>& candidates,
                                              const Settings& settings, std::size_t teams,
