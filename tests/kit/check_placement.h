@@ -339,8 +339,8 @@ class Checker {
         }
         const Vec2 before = v(corner) - v(corner + n() - 1), after = v(corner + 1) - v(corner);
         const double turn = orientation_ * cross_(before, after) / (norm(before) * norm(after));
-        if (std::fabs(turn) < 1e-12) hard_ = true;  // straight or nearly so: left to exact
-                                                    // arithmetic
+        // Straight or nearly so: left to exact arithmetic.
+        if (std::fabs(turn) < 1e-12) hard_ = true;
         if (turn > 0) continue;
         touch(v(corner), corner);
         if (turn < 0) touch(v(corner), corner + n() - 1);

@@ -123,8 +123,7 @@ Real distance_metric(const ExactShape& shape, const RealVec& h1, const RealVec& 
 /// Keeps the elements of `remaining` whose key ties with the best. `doubt` is the largest change
 /// that rounding in doubles may make to the difference of two keys.
 using Key = std::function<Real(std::size_t)>;
-using Tie =
-    std::function<Real(const Real& best)>;  // how far below the best a tying key may be
+using Tie = std::function<Real(const Real& best)>;  // how far below the best a tying key may be
 void keep_best(std::vector<std::size_t>& remaining, const Key& key, const Tie& tie, Calls& calls,
                const char* what, const Real& doubt = 0) {
   std::vector<Real> keys;

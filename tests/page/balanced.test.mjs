@@ -350,7 +350,10 @@ test("balanced robots are compared with teams, on either side", async () => {
   await press(page, "compared");
   await press(page, "Balanced");
   await idle(page);
-  assert.match(await page.locator("#news").textContent(), /Compared with balanced: 6 robots carry equal loads of 16\.7/);
+  assert.match(
+    await page.locator("#news").textContent(),
+    /Compared with balanced: 6 robots carry equal loads of 16\.7/,
+  );
   await set(page, { metric: "balanced" });
   await idle(page);
   assert.deepEqual(await state(page), program("grand-piano"));
@@ -365,7 +368,10 @@ test("balanced robots beside teams are as many as those", async () => {
   await press(page, "compared");
   await press(page, "Balanced");
   await idle(page);
-  assert.match(await page.locator("#news").textContent(), /Compared with balanced: 8 robots carry equal loads of 12\.5/);
+  assert.match(
+    await page.locator("#news").textContent(),
+    /Compared with balanced: 8 robots carry equal loads of 12\.5/,
+  );
   assert.match(await page.locator("#mirror p", { hasText: /^Robots:/ }).textContent(), /^Robots: Area 8, Balanced 8$/);
   await page.done();
 });

@@ -737,9 +737,14 @@ test("what the editor says about an unknown setting names every one that a lesso
   await text.fill("title: Mine\ncolour: red\n");
   await idle(page);
   const said = /^Line 2: unknown setting; the settings are (.+)\.$/.exec(await problem.textContent())[1];
-  const options = [...readFileSync(path.join(root, "docs/cli.md"), "utf8").matchAll(/^\| `--([a-z-]+)/gm)].map(([, name]) => name);
+  const options = [...readFileSync(path.join(root, "docs/cli.md"), "utf8").matchAll(/^\| `--([a-z-]+)/gm)].map(
+    ([, name]) => name,
+  );
   const names = said.split(/, | and /);
-  const [own, settings] = [["title", "polygon", "link", "predict", "overlays"], ["teams", "robots", "capacity", "unit"]];
+  const [own, settings] = [
+    ["title", "polygon", "link", "predict", "overlays"],
+    ["teams", "robots", "capacity", "unit"],
+  ];
   for (const name of [...own, ...settings]) assert.ok(names.includes(name), name);
   for (const name of names) assert.ok(own.includes(name) || options.includes(name), name);
   await page.getByRole("button", { name: "Go to line 2" }).click();

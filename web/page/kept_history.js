@@ -30,8 +30,8 @@ const parts = (line) => line.split(" ");
 
 function restore(program, text) {
   const own = lines(program, Infinity).map(parts);
-  if (own.length === mostSteps || own.some(([, , , link]) => !link)) return; // not all of them could be written and
-                                                                             // read
+  // Not all steps could be written and read.
+  if (own.length === mostSteps || own.some(([, , , link]) => !link)) return;
   const kept = text
     .split("\n")
     .map(parts)
