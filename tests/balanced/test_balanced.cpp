@@ -61,7 +61,7 @@ void check(const Placement& placement, std::uint32_t robots) {
 
 }  // namespace
 
-TEST_CASE("balanced robots stand on the outline, about the centre of mass, and bear the same",
+TEST_CASE("balanced robots stand on the outline, about the centre of mass, and carry the same load",
           "[balanced][thorough]") {
   for (const std::string& name : corpus::polygon_names()) {
     INFO(name);

@@ -66,7 +66,7 @@ TEST_CASE("the story of a search ends with the robots that the search finds",
   }
 }
 
-TEST_CASE("each set of the story is balanced, and each exchange makes the set better",
+TEST_CASE("each set of the story is balanced, and each swap makes the set better",
           "[trace][balanced][slow]") {
   std::size_t moves = 0;
   for (const std::string& name : samples) {
@@ -218,7 +218,7 @@ TEST_CASE("why no robot stands at a place: the best set with one there is no bet
   CHECK(compared > 200);
 }
 
-TEST_CASE("a robot that stands at a place came there by the exchange that is named",
+TEST_CASE("a robot that stands at a place came there by the swap that is named",
           "[trace][balanced]") {
   const Trace trace = traced(document_of("worktop", 6));
   const std::uint32_t last = trace.size() - 1;
@@ -298,7 +298,7 @@ TEST_CASE("a search that is too long for a lesson is refused in a sentence", "[t
   CHECK_FALSE(begun->placement.search_ended);
 }
 
-TEST_CASE("where nobody can be placed the trace says so, and draws no robots",
+TEST_CASE("where no robot can be placed the trace says so, and draws no robots",
           "[trace][balanced]") {
   // C is at a corner of a rectangle: no chord has C strictly between its ends.
   Document document;

@@ -109,7 +109,7 @@ class Improver {
 
 }  // namespace
 
-TEST_CASE("no exchange makes the balanced robots of a small object better", "[balanced][slow]") {
+TEST_CASE("no swap makes the balanced robots of a small object better", "[balanced][slow]") {
   int looked_at = 0;
   for (std::uint64_t number = 0; number < 60; ++number) {
     const Document document = testing::document_of(small_polygons::make_plain_case(number).problem);
@@ -127,12 +127,12 @@ TEST_CASE("no exchange makes the balanced robots of a small object better", "[ba
   CHECK(looked_at > 8);
 }
 
-TEST_CASE("the oracle finds an exchange that improves a start", "[balanced]") {
+TEST_CASE("the oracle finds a swap that improves a start", "[balanced]") {
   const Task task = task_of(corpus::polygon("grand-piano"), 5);
   CHECK(Improver(task, plain(start_balanced(task.problem)->robots)).finds_one());
 }
 
-TEST_CASE("each exchange makes the set better, and says what moved", "[balanced][slow]") {
+TEST_CASE("each swap makes the set better, and says what moved", "[balanced][slow]") {
   for (const char* name : {"grand-piano", "arrow", "letter-e", "thesis-sample"}) {
     INFO(name);
     const Task task = task_of(corpus::polygon(name), 6);
@@ -221,7 +221,7 @@ TEST_CASE("a search ends after eight rounds, even if the last one changed someth
   CHECK(ended.round == most_rounds);
 }
 
-TEST_CASE("the more robots, the nearer to each other are the three that may be exchanged",
+TEST_CASE("the more robots, the nearer to each other are the three that may be swapped",
           "[balanced]") {
   const auto number = [](std::uint32_t robots) { return balanced::triples_of(robots).size(); };
   CHECK(number(3) == 1);

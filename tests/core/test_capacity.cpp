@@ -114,7 +114,7 @@ TEST_CASE("a capacity that no number of teams keeps is said to be impossible", "
   }
 }
 
-TEST_CASE("a plan of teams that are exchanged says how many were tried", "[capacity][words]") {
+TEST_CASE("a plan of teams that are swapped says how many were tried", "[capacity][words]") {
   Document comb;
   comb.vertices = *generate(Family::comb, 40, 1);
   comb.settings.goal = Goal::hold;
@@ -147,7 +147,7 @@ TEST_CASE("robots that carry more than the capacity are told by number", "[capac
   CHECK(overloaded_robots(placement, 1e-9).size() == 2 * placement.teams.size());
 }
 
-TEST_CASE("a plan of teams that are exchanged begins with the fewest that could be enough",
+TEST_CASE("a plan of teams that are swapped begins with the fewest that could be enough",
           "[capacity]") {
   Document document;
   document.vertices = {{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}};

@@ -151,7 +151,7 @@ TEST_CASE("three contacts of a hexagon hold it to second order, six in closure b
   CHECK(*six.margin > 0.01);
 }
 
-TEST_CASE("a robot in the notch of a reflex vertex bears on both of its edges", "[closure]") {
+TEST_CASE("a robot in the notch of a reflex vertex pushes on both of its edges", "[closure]") {
   // The horseshoe's hollow: two reflex vertices and the two outer walls.
   const Polygon u = polygon(u_shape);
   const Closure hollow = analyse_closure(u, {3, 1.5}, {{Vec2(2, 2), 4}, {Vec2(4, 2), 3}});

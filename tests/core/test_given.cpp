@@ -43,6 +43,8 @@ TEST_CASE("a setting given twice in a request is refused", "[request][errors]") 
   CHECK(twice.find("\"bad_setting\"") != std::string::npos);
   CHECK(twice.find("the setting \\\"teams\\\" is given twice") != std::string::npos);
   CHECK(with_settings(R"("teams": null, "teams": null)").find("given twice") != std::string::npos);
+  CHECK(with_settings(R"("metric": "area", "method": "area")").find("given twice") !=
+        std::string::npos);
   CHECK(with_settings(R"("teams": 1, "weight": 7)").find("error") == std::string::npos);
 }
 

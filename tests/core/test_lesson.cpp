@@ -133,6 +133,9 @@ TEST_CASE("each option of the program that sets something is a lesson's key, too
     REQUIRE(lesson.settings.size() == 1);
     CHECK(lesson.settings[0].setting == row.setting);
   }
+  const Lesson lesson = lesson_of("title: T\npolygon: square\nmethod: circle\n[end]\nWords.\n");
+  REQUIRE(lesson.settings.size() == 1);
+  CHECK(lesson.settings[0].setting == Setting::method);
 }
 
 TEST_CASE("a lesson's own settings go before those of its link", "[lesson]") {
@@ -164,6 +167,9 @@ TEST_CASE("what is wrong in a lesson is said with its line", "[lesson]") {
       "unknown setting; the settings are title, polygon, link, predict, teams, metric, min-ratio, com, "
       "weight, seed, overlays, com-radius, capacity, robot, no-go, unit, weight-unit, goal, robots, "
       "positions, min-margin, apart, survive and clear");
+  refused("title: T\n: 3\n", 2, "unknown setting");
+  refused("title: T\nmin_ratio: 0.5\n", 2, "unknown setting");
+  refused("metric: area\nmethod: circle\n", 2, "twice");
   refused("title: T\nHello\n", 2, "expected a setting");
   refused("teams: 0\n", 1, "teams");
   refused("teams: 1048577\n", 1, "teams");

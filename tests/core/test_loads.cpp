@@ -20,7 +20,7 @@ Chord chord(double arm1, double arm2) {
 
 }  // namespace
 
-TEST_CASE("the robot nearer to the centre of mass bears more, by the lever", "[loads]") {
+TEST_CASE("the robot nearer to the centre of mass carries more, by the lever", "[loads]") {
   const std::vector<Team> teams = distribute_weight({chord(1, 3)}, 100);
   REQUIRE(teams.size() == 1);
   CHECK(teams[0].robots[0].load == 75);
@@ -59,7 +59,7 @@ TEST_CASE("an even pair shares evenly and its greatest share is a half", "[loads
   CHECK(summary->max_share == 0.5);
 }
 
-TEST_CASE("without teams nobody bears anything", "[loads]") {
+TEST_CASE("without teams no robot carries anything", "[loads]") {
   CHECK(distribute_weight({}, 100).empty());
   CHECK_FALSE(summarize_loads({}));
 }

@@ -133,7 +133,7 @@ TEST_CASE("a square is covered by teams on its diagonals and held by those at it
   CHECK(placement->closure.second_order);
 }
 
-TEST_CASE("with max every candidate bears a part", "[placement]") {
+TEST_CASE("with max every candidate carries a part", "[placement]") {
   Document d = document(thesis_sample);
   d.settings.teams = std::nullopt;
   const auto placement = place(d);

@@ -98,7 +98,7 @@ TEST_CASE("a chain is called simple if and only if no two edges meet, over thous
   CHECK(not_simple > 2000);
 }
 
-TEST_CASE("every generated polygon is simple, and with two vertices exchanged as by definition",
+TEST_CASE("every generated polygon is simple, and with two vertices swapped as by definition",
           "[simplicity]") {
   std::mt19937_64 engine(2);
   int spoilt = 0;

@@ -547,7 +547,7 @@ TEST_CASE("after an edit the lesson keeps its place as well as it can", "[trace]
         Step{StepKind::sections, Chapter::pairs, 1});
 }
 
-TEST_CASE("what nobody could watch is refused with a sentence", "[trace][slow]") {
+TEST_CASE("what is too long to watch is refused with a sentence", "[trace][slow]") {
   Document document;
   document.vertices = *generate(Family::comb, 2000, 1);
   const Result<Trace> trace = make_trace(placed(document));

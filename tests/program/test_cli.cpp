@@ -262,7 +262,7 @@ TEST_CASE(
   CHECK(corpus::read_file(folder.path() / "before.svg") == "before");
 }
 
-TEST_CASE("output that nobody takes is no crash", "[cli][slow]") {
+TEST_CASE("output that nothing reads is no crash", "[cli][slow]") {
   const Folder folder("pipe");
   const Outcome broken =
       run(folder, "evenlift generate star --n 100000 | head -c 100 > /dev/null; echo done");

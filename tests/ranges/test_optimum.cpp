@@ -156,7 +156,7 @@ TEST_CASE("a bound that takes ends one by one is never below the best ring of wh
   }
 }
 
-TEST_CASE("the firmest choice is at least what exchanges come to", "[optimum][slow]") {
+TEST_CASE("the firmest choice is at least what swaps come to", "[optimum][slow]") {
   int equal = 0, compared = 0;
   for (const Held& held : held_samples()) {
     INFO(held.name);

@@ -80,8 +80,8 @@ TEST_CASE("each range of the trace has the two candidates that it added",
   CHECK(added > 1000);
 }
 
-TEST_CASE("the exchanges of the trace lead from the metric's teams to the result",
-          "[exchange][trace][slow]") {
+TEST_CASE("the swaps of the trace lead from the metric's teams to the result",
+          "[swaps][trace][slow]") {
   std::uint32_t swaps = 0;
   for (const std::string& name : corpus::polygon_names()) {
     INFO(name);
@@ -108,7 +108,7 @@ TEST_CASE("the exchanges of the trace lead from the metric's teams to the result
   CHECK(swaps > 100);
 }
 
-TEST_CASE("every step of ranges and exchanges has its words, figures and line",
+TEST_CASE("every step of ranges and swaps has its words, figures and line",
           "[ranges][trace][slow]") {
   for (const char* name :
        {"thesis-sample-centroid", "guitar", "octagon", "square", "thesis-sample"})
@@ -129,8 +129,8 @@ TEST_CASE("the choice of the longest candidate is told as it is made", "[ranges]
     CHECK(look_at_scores(trace, team).ranking.front() == trace.placement.team_candidates[team]);
 }
 
-TEST_CASE("an exchange of one team is a choice, of which no other answer is better",
-          "[exchange][trace][slow]") {
+TEST_CASE("a swap of one team is a choice, of which no other answer is better",
+          "[swaps][trace][slow]") {
   int teams = 0, candidates = 0, sized = 0, none = 0;
   for (const std::string& name : corpus::polygon_names()) {
     Document document = corpus::polygon(name);

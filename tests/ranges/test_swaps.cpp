@@ -118,8 +118,8 @@ void check_result(const Placement& placement) {
 
 }  // namespace
 
-TEST_CASE("teams that are exchanged are never worse than their start, and no exchange is left",
-          "[exchange][thorough]") {
+TEST_CASE("teams that are swapped are never worse than their start, and no swap is left",
+          "[swaps][thorough]") {
   int closed = 0, placed_at_all = 0;
   const auto metrics = testing::metrics();
   for (std::uint64_t number = 0; number < 2500; ++number) {
@@ -139,7 +139,7 @@ TEST_CASE("teams that are exchanged are never worse than their start, and no exc
   CHECK(closed > placed_at_all / 2);
 }
 
-TEST_CASE("two teams among a dozen candidates hold as well as any two", "[exchange][thorough]") {
+TEST_CASE("two teams among a dozen candidates hold as well as any two", "[swaps][thorough]") {
   int compared = 0;
   for (std::uint64_t number = 0; number < 4000; ++number) {
     Document document = testing::document_of(small_polygons::make_plain_case(number).problem);
@@ -159,7 +159,7 @@ TEST_CASE("two teams among a dozen candidates hold as well as any two", "[exchan
   CHECK(compared > 1000);
 }
 
-TEST_CASE("one team more never loses the hold of the samples", "[exchange][thorough]") {
+TEST_CASE("one team more never loses the hold of the samples", "[swaps][thorough]") {
   for (const std::string& name : corpus::polygon_names()) {
     INFO(name);
     for (const Positions positions : {Positions::best, Positions::range}) {
@@ -179,8 +179,7 @@ TEST_CASE("one team more never loses the hold of the samples", "[exchange][thoro
   }
 }
 
-TEST_CASE("a square in ranges is held by two teams, and by its four best places never",
-          "[exchange]") {
+TEST_CASE("a square in ranges is held by two teams, and by its four best places never", "[swaps]") {
   Document square;
   square.vertices = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   CHECK_FALSE(placed(to_hold(square, 2, Positions::best)).goal_reached);
@@ -189,7 +188,7 @@ TEST_CASE("a square in ranges is held by two teams, and by its four best places 
   CHECK(*placement.closure.margin > 0.05);
 }
 
-TEST_CASE("the story of the exchanges leads from the start to the result", "[exchange][slow]") {
+TEST_CASE("the story of the swaps leads from the start to the result", "[swaps][slow]") {
   int swaps = 0, jumps = 0;
   for (const std::string& name : corpus::polygon_names()) {
     INFO(name);
@@ -223,7 +222,7 @@ TEST_CASE("the story of the exchanges leads from the start to the result", "[exc
   CHECK(jumps > 0);
 }
 
-TEST_CASE("what cannot be exchanged is refused, with the reason", "[exchange]") {
+TEST_CASE("what cannot be swapped is refused, with the reason", "[swaps]") {
   Settings settings;
   settings.goal = Goal::hold;
   CHECK_FALSE(check_settings(settings));

@@ -240,7 +240,7 @@ TEST_CASE("the least possible greatest load is that of the linear program",
   CHECK(uneven > 300);
 }
 
-TEST_CASE("the greatest load that a robot can come to bear is that of the linear program",
+TEST_CASE("the greatest load that a robot can come to carry is that of the linear program",
           "[robustness][models][slow]") {
   int carried = 0;
   for (std::uint64_t number = 0; number < 400; ++number) {
@@ -271,7 +271,7 @@ TEST_CASE("cutting planes find the same least greatest load as all pairs of robo
   }
 }
 
-TEST_CASE("no model has less than the best, and no robot bears more than its worst",
+TEST_CASE("no model has less than the best, and no robot carries more than its worst",
           "[robustness][models]") {
   for (std::uint64_t number = 0; number < 3000; ++number) {
     const RobotSet set = robot_sets::make_set(number, 40);
@@ -313,7 +313,7 @@ TEST_CASE("loads balance the weight however near C is to an edge", "[robustness]
   CHECK(within > 2500);
 }
 
-TEST_CASE("two robots bear by the lever in every model", "[robustness][models]") {
+TEST_CASE("two robots carry by the lever in every model", "[robustness][models]") {
   const RobotSet set = by_hand({{-1, -1}, {3, 3}}, {0, 0});
   CHECK(springs(set, 100)->loads[0] == Approx(75));
   CHECK(springs(set, 100)->loads[1] == Approx(25));
@@ -342,7 +342,7 @@ TEST_CASE("two robots carry what lies within tolerance beyond the line between t
   CHECK_FALSE(carried({0.5, beyond}));
 }
 
-TEST_CASE("robots beside the line on which the centre of mass lies bear nothing",
+TEST_CASE("robots beside the line on which the centre of mass lies carry nothing",
           "[robustness][models]") {
   // C is on the edge of H between the first two.
   const RobotSet set = by_hand({{-1, 0}, {3, 0}, {0, 5}, {1, 2}}, {0, 0});
@@ -364,7 +364,8 @@ TEST_CASE("robots beside the line on which the centre of mass lies bear nothing"
   CHECK(springs(corner, 4)->same_within == 0);
 }
 
-TEST_CASE("without robots below the centre of mass nobody bears anything", "[robustness][models]") {
+TEST_CASE("without robots below the centre of mass no robot carries anything",
+          "[robustness][models]") {
   for (const RobotSet& set : {by_hand({}, {0, 0}), by_hand({{1, 0}}, {0, 0}),
                               by_hand({{1, 0}, {2, 0}, {1, 1}}, {0, 0})}) {
     CHECK_FALSE(springs(set));

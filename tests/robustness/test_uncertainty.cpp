@@ -24,7 +24,7 @@ std::optional<SpringLoads> springs(const RobotSet& set) {
 }  // namespace
 
 TEST_CASE("the object tips if C is off by the distance of the nearest edge",
-          "[robustness][doubt]") {
+          "[robustness][uncertainty]") {
   const Points square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   CHECK(tipping_distance(square, {1, 2}, 6) == 1);
   CHECK(tipping_distance(square, {2, 3.5}, 6) == 0.5);
@@ -36,7 +36,7 @@ TEST_CASE("the object tips if C is off by the distance of the nearest edge",
   CHECK(tipping_distance({}, {1, 0}, 6) == 0);
 }
 
-TEST_CASE("robots carry until C is off by so much, and not beyond", "[robustness][doubt]") {
+TEST_CASE("robots carry until C is off by so much, and not beyond", "[robustness][uncertainty]") {
   for (std::uint64_t number = 0; number < 500; ++number) {
     const RobotSet set = robot_sets::make_steady_set(number, 12);
     const Points hull = convex_hull(set.robots, 1e-9 * set.diameter);
@@ -57,7 +57,8 @@ TEST_CASE("robots carry until C is off by so much, and not beyond", "[robustness
   }
 }
 
-TEST_CASE("robots let go before the object tips; three robots just then", "[robustness][doubt]") {
+TEST_CASE("robots go slack before the object tips; three robots just then",
+          "[robustness][uncertainty]") {
   int three = 0;
   for (std::uint64_t number = 0; number < 1000; ++number) {
     const RobotSet set = robot_sets::make_steady_set(number, 1 + number % 12);
@@ -72,7 +73,8 @@ TEST_CASE("robots let go before the object tips; three robots just then", "[robu
   CHECK(three > 50);
 }
 
-TEST_CASE("ranges are as wide as the doubt, and no load is below 0", "[robustness][doubt]") {
+TEST_CASE("ranges are as wide as the C uncertainty, and no load is below 0",
+          "[robustness][uncertainty]") {
   const SpringLoads springs{{10, 2}, {0.5, 1}, 2};
   const auto ranges = load_ranges({10, 2}, springs, 4);
   CHECK(ranges[0].least == 8);
@@ -86,8 +88,8 @@ TEST_CASE("ranges are as wide as the doubt, and no load is below 0", "[robustnes
   CHECK(greatest_change(springs, 4) == 4);
 }
 
-TEST_CASE("a capacity allows as much doubt as its first robot has room for",
-          "[robustness][doubt]") {
+TEST_CASE("a capacity allows as much uncertainty as its first robot has room for",
+          "[robustness][uncertainty]") {
   const SpringLoads springs{{10, 2}, {0.5, 1}, 20};
   CHECK(radius_within_capacity(springs, 30, 12) == 4.0);
   CHECK(radius_within_capacity(springs, 30, 10) == 0.0);

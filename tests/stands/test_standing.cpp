@@ -158,8 +158,8 @@ std::uint32_t level_of(const Placement& p) {
 
 }  // namespace
 
-TEST_CASE("teams of robots with a size are exchanged until they hold, and never collide",
-          "[stands][exchange][slow]") {
+TEST_CASE("teams of robots with a size are swapped until they hold, and never collide",
+          "[stands][swaps][slow]") {
   std::size_t held = 0, compared = 0;
   for (const std::string& name : corpus::polygon_names()) {
     Document document = sample(name, static_cast<int>(held % 4));
@@ -389,8 +389,8 @@ TEST_CASE("balanced robots with a size stand where they can, and C stays their c
   CHECK(placed_sets > 30);
 }
 
-TEST_CASE("more teams of robots with a size than can be exchanged are refused",
-          "[stands][exchange][errors]") {
+TEST_CASE("more teams of robots with a size than can be swapped are refused",
+          "[stands][swaps][errors]") {
   Document document = corpus::polygon("labyrinth");
   document.settings.goal = Goal::hold;
   document.settings.min_ratio = 0;

@@ -255,8 +255,9 @@ TEST_CASE("units read back, and the usual ones take no character", "[link]") {
     }
 }
 
-TEST_CASE("a doubt, a capacity and the halo read back in every bit, whatever the method",
-          "[link]") {
+TEST_CASE(
+    "a C uncertainty, a capacity and the overlay halo read back in every bit, whatever the method",
+    "[link]") {
   Rng rng(4);
   for (int i = 0; i < 1000; ++i) {
     Document document = i % 2 == 0 ? balanced_document(rng) : random_document(rng, 14);

@@ -37,7 +37,7 @@ RestOfRobots rest(bool steady, double greatest) {
 
 }  // namespace
 
-TEST_CASE("the JSON says of each robot where it stands and faces and what it bears",
+TEST_CASE("the JSON says of each robot where it stands and faces and its load",
           "[json][robustness]") {
   const Placement placement = placed("grand-piano", 3);
   const ordered_json json = json_of(placement);
@@ -87,7 +87,7 @@ TEST_CASE("without teams the JSON has no robots", "[json][robustness]") {
   CHECK(json["loads"].is_null());
 }
 
-TEST_CASE("with doubt about the centre of mass the JSON has ranges", "[json][robustness]") {
+TEST_CASE("with a C uncertainty the JSON has ranges", "[json][robustness]") {
   const Placement placement = placed("grand-piano", 3);
   const ordered_json json = json_of(placement, {.com_radius = 20, .capacity = 18.5})["robustness"];
   CHECK(json["com_radius"] == 20);
@@ -111,9 +111,8 @@ TEST_CASE("with doubt about the centre of mass the JSON has ranges", "[json][rob
   CHECK(json_of(placement, {.capacity = 17})["capacity"]["com_radius"].is_null());
 }
 
-TEST_CASE(
-    "with doubt about the centre of mass the first sentence has the ranges, of balanced robots too",
-    "[words][robustness]") {
+TEST_CASE("with a C uncertainty the first sentence has the ranges, of balanced robots too",
+          "[words][robustness]") {
   Document document = corpus::polygon("corner-sofa");
   document.shown.com_radius = 3;
   document.shown.units.length = LengthUnit::cm;
@@ -204,7 +203,7 @@ TEST_CASE("the models of loads are told in a sentence", "[words][robustness]") {
         "54.0 kg.");
 }
 
-TEST_CASE("doubt about the centre of mass is told in sentences", "[words][robustness]") {
+TEST_CASE("a C uncertainty is told in sentences", "[words][robustness]") {
   const ModelLoads loads{{{10, 2}, {0.5, 1}, 20}, 6, {}};
   const auto words = [&](double radius, double tips) {
     return uncertainty_in_words(loads, {1, 1, tips}, radius);

@@ -406,7 +406,7 @@ TEST_CASE("the summary names each balanced robot", "[view][balanced]") {
   CHECK(text.find("Robot 6 at (") != std::string::npos);
 }
 
-TEST_CASE("the lesson of balanced robots searches to the end, and nobody searches beside",
+TEST_CASE("the lesson of balanced robots searches to the end, and nothing searches beside",
           "[view][balanced][walkthrough]") {
   AppState state = balanced_state();
   REQUIRE(state.derived().search.under_way);

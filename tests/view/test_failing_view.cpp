@@ -222,8 +222,8 @@ TEST_CASE("the verdict's tip says what loads and stability presume of the robots
   CHECK(presumed_in_words(state).empty());
 }
 
-TEST_CASE("a doubt makes the program's ranges, and sentences that say how far they hold",
-          "[view][doubt]") {
+TEST_CASE("a C uncertainty makes the program's ranges, and sentences that say how far they hold",
+          "[view][uncertainty]") {
   AppState state = state_of(Method::area);
   CHECK(uncertainty_words(state).empty());
   give(state, showing(state, &Shown::com_radius, 20));
@@ -259,8 +259,9 @@ TEST_CASE("a doubt makes the program's ranges, and sentences that say how far th
   CHECK(shown(state).com_radius == 20);
 }
 
-TEST_CASE("the grip of the doubt is there with the halo only, and its drag is one step of undo",
-          "[view][doubt]") {
+TEST_CASE(
+    "the grip of the C uncertainty is there with its overlay only, and its drag is one step of undo",
+    "[view][uncertainty]") {
   Page page;
   page.frame();
   AppState& state = page.app.state;

@@ -159,7 +159,7 @@ TEST_CASE("teams at their best places stay where they are", "[view][ranges]") {
   CHECK_FALSE(by_hand(state));
 }
 
-TEST_CASE("each step of exchanges is shown, and a card tells of the exchange", "[view][ranges]") {
+TEST_CASE("each step of swaps is shown, and a card tells of the swap", "[view][ranges]") {
   AppState state = state_in_ranges(Goal::hold);
   CHECK(state.derived().placement->goal_reached);
   give(state, OpenWalkthrough{});
@@ -176,7 +176,7 @@ TEST_CASE("each step of exchanges is shown, and a card tells of the exchange", "
   CHECK(card.reason.find("swaps candidate") != std::string::npos);
 }
 
-TEST_CASE("a few exchanges are predicted, and a wrong guess is told what it would come to",
+TEST_CASE("a few swaps are predicted, and a wrong guess is told what it would come to",
           "[view][ranges]") {
   AppState state = state_in_ranges(Goal::hold);
   give(state, OpenWalkthrough{});
@@ -213,7 +213,7 @@ TEST_CASE("a few exchanges are predicted, and a wrong guess is told what it woul
   CHECK(of_candidates <= most_questions);
 }
 
-TEST_CASE("among many candidates teams are exchanged when a drag ends, and not before",
+TEST_CASE("among many candidates teams are swapped when a drag ends, and not before",
           "[view][ranges][slow]") {
   Document comb;
   comb.vertices = *generate(Family::comb, 200, 1);
@@ -244,7 +244,7 @@ TEST_CASE("among many candidates teams are exchanged when a drag ends, and not b
   CHECK(state.session.notice.text.empty());
 }
 
-TEST_CASE("few candidates are exchanged during a drag, too", "[view][ranges]") {
+TEST_CASE("few candidates are swapped during a drag, too", "[view][ranges]") {
   AppState state = state_in_ranges(Goal::hold);
   const Vec2 to = state.work.document().vertices[0] + Vec2(1, 1);
   give(state, MoveVertex{0, to});
@@ -254,7 +254,7 @@ TEST_CASE("few candidates are exchanged during a drag, too", "[view][ranges]") {
   CHECK(state.derived().placement->goal_reached);
 }
 
-TEST_CASE("teams that would be exchanged for minutes are not, and a notice says so",
+TEST_CASE("teams that would be swapped for minutes are not, and a notice says so",
           "[view][ranges][slow]") {
   Document comb;
   comb.vertices = *generate(Family::comb, 1000, 1);

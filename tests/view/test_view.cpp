@@ -224,7 +224,8 @@ TEST_CASE("a vertex that does not exist cannot be selected", "[view]") {
   CHECK_FALSE(page.app.state.view.selected);
 }
 
-TEST_CASE("a unit, a capacity or a doubt takes effect by itself, as one step of undo", "[view]") {
+TEST_CASE("a unit, a capacity or a C uncertainty takes effect by itself, as one step of undo",
+          "[view]") {
   const std::vector<void (*)(Shown&)> edits{[](Shown& s) { s.units.length = LengthUnit::mm; },
                                             [](Shown& s) { s.units.weight = WeightUnit::t; },
                                             [](Shown& s) { s.capacity = 20; },

@@ -627,7 +627,7 @@ TEST_CASE(
   CHECK(shown(state).com_radius == 7);
 }
 
-TEST_CASE("what somebody opened in a lesson stays when its steps are closed", "[view][lesson]") {
+TEST_CASE("what the user opened in a lesson stays when its steps are closed", "[view][lesson]") {
   Page page;
   AppState& state = page.app.state;
   REQUIRE_FALSE(open_lesson(state, on_a_square, square));

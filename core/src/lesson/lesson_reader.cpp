@@ -1,6 +1,8 @@
 // Reads the text of a lesson, line by line.
+#include <algorithm>
 #include <array>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -89,14 +91,15 @@ class Reader {
     const std::string_view key = trimmed(line.substr(0, colon));
     const std::string_view value = trimmed(line.substr(colon + 1));
     if (value.empty()) return refuse("the setting has no value");
-    if (std::find(seen_.begin(), seen_.end(), key) != seen_.end())
+    const std::optional<Setting> setting = setting_of(key);
+    // A setting and its alias are the same.
+    const std::string_view given = setting ? name(*setting) : key;
+    if (std::find(seen_.begin(), seen_.end(), given) != seen_.end())
       return refuse("the setting is given twice");
-    seen_.emplace_back(key);
+    seen_.push_back(given);
     for (const Key& own : keys)
       if (own.name == key) return (this->*own.take)(value);
-    for (const SettingRow& row : all_settings())
-      if (is_key(row) && (hyphened(row.name) == key || hyphened(row.alias) == key))
-        return take_setting(value, row.setting);
+    if (setting) return take_setting(value, *setting);
     refuse("unknown setting; the settings are " + names_of_keys());
   }
 
@@ -116,8 +119,6 @@ class Reader {
 
   // Reads a setting of the algorithm here only to check its value.
   void take_setting(std::string_view value, Setting setting) {
-    for (const GivenSetting& earlier : lesson_.settings)
-      if (earlier.setting == setting) return refuse("the setting is there twice");
     Document tried;
     if (read_setting(setting, value, tried)) return refuse(requirement(setting));
     lesson_.settings.push_back({setting, std::string(value), line_});
@@ -139,6 +140,14 @@ class Reader {
                                  {"predict", &Reader::take_predict}};
   static bool is_key(const SettingRow& row) {
     return row.option.group != OptionGroup::none || row.setting == Setting::overlays;
+  }
+
+  // The setting of a key, which has hyphens in place of underscores.
+  static std::optional<Setting> setting_of(std::string_view key) {
+    std::string name(key);
+    for (char& c : name) c = c == '-' ? '_' : c == '_' ? '-' : c;
+    const std::optional<Setting> setting = setting_from_name(name);
+    return setting && is_key(row_of(*setting)) ? setting : std::nullopt;
   }
 
   // All keys, such as "title, polygon, teams and overlays".

@@ -10,7 +10,7 @@
 namespace evenlift {
 namespace {
 
-Piece bears(const Trace& trace, std::size_t robots) {
+Piece load_of_each(const Trace& trace, std::size_t robots) {
   const double load = trace.placement.settings.weight / static_cast<double>(robots);
   return weight_text(trace, load, load);
 }
@@ -43,7 +43,7 @@ std::string aim_of_sets(const Settings& settings) {
 std::string StepCaptions::lever() const {
   return fill(
       "Two robots with C midway between them have equal arms. By the law of the lever, both carry the same load, #. But what about three?",
-      {bears(trace_, 2)});
+      {load_of_each(trace_, 2)});
 }
 
 std::string StepFormulas::lever() const {
@@ -52,7 +52,7 @@ std::string StepFormulas::lever() const {
                whole_length = length(robots[1].position - robots[0].position);
   return fill("W1 = W × |C r2| / |r1 r2| = # × # / # = #",
               {exact(placement_.settings.weight), length_text(trace_, arm),
-               length_text(trace_, whole_length), bears(trace_, 2)});
+               length_text(trace_, whole_length), load_of_each(trace_, 2)});
 }
 
 std::string StepCaptions::three() const {
@@ -65,7 +65,7 @@ std::string StepFormulas::three() const {
   const double arm = length(middle - trace_.centre);
   return fill("W3 = W × |C M| / |r3 M| = # × # / # = #",
               {exact(placement_.settings.weight), length_text(trace_, arm),
-               length_text(trace_, length(robots[2].position - middle)), bears(trace_, 3)});
+               length_text(trace_, length(robots[2].position - middle)), load_of_each(trace_, 3)});
 }
 
 std::string StepCaptions::many() const {
@@ -79,7 +79,7 @@ std::string StepFormulas::many() const {
   const std::size_t robots = detail_.balanced->robots.size();
   return fill("(p1 + … + p#) / # = # = C, W / # = #",
               {whole(robots), whole(robots), point_text(trace_, trace_.centre), whole(robots),
-               bears(trace_, robots)});
+               load_of_each(trace_, robots)});
 }
 
 // --- A first set ---------------------------------------------------------------------------------

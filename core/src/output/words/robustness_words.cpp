@@ -26,7 +26,7 @@ std::string springs_in_words(const SpringLoads& springs, const Units& units) {
   for (std::size_t i = 0; i < springs.loads.size(); ++i)
     if (springs.loads[i] == 0) idle.push_back(i + 1);
   if (idle.empty()) return text;
-  return text + (idle.size() == 1 ? " Robot " : " Robots ") + listed(idle, "and") +
+  return text + (idle.size() == 1 ? " Robot " : " Robots ") + listed(idle) +
          (idle.size() == 1 ? " goes slack." : " go slack.");
 }
 
@@ -39,7 +39,7 @@ std::string in_letters(std::size_t number) {
 }
 
 std::string robots_or(const Robots& robots) {
-  return (robots.size() == 1 ? "robot " : "any of robots ") + listed(robots, "and");
+  return (robots.size() == 1 ? "robot " : "any of robots ") + listed(robots);
 }
 
 }  // namespace

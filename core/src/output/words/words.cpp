@@ -32,7 +32,7 @@ std::string teams_of(const Placement& placement, const std::vector<std::size_t>&
     const std::size_t team = find_robot(placement.teams, robot).team + 1;
     if (teams.empty() || teams.back() != team) teams.push_back(team);
   }
-  return (teams.size() == 1 ? "team " : "teams ") + listed(teams, "and");
+  return (teams.size() == 1 ? "team " : "teams ") + listed(teams);
 }
 
 // "robots 3 and 4", numbered from 1.
