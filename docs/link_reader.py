@@ -18,7 +18,8 @@ OVERLAYS = ["candidates", "chords", "hull", "clockwise", "counterclockwise", "ti
 # What a record's payload is read as, by its tag; the other tags are those of later programs.
 RECORDS = {1: ("robots", int), 2: ("goal", str), 3: ("min_margin", float), 4: ("apart", float), 5: ("survive", int),
            6: ("positions", str), 7: ("com_radius", float), 8: ("capacity", float), 9: ("robot", str), 10: ("no_go", str),
-           11: ("units", str), 18: ("halo", str), 19: ("moved", str), 20: ("clear", float)}
+           11: ("units", str), 17: ("support_capacities", str), 18: ("halo", str), 19: ("moved", str), 20: ("clear", float),
+           21: ("supports", list), 22: ("snap", float)}
 DOUBLES = 23  # the scale that numbers every double
 
 
@@ -170,13 +171,24 @@ def read_settings(coder):
     return settings
 
 
+def read_supports(coder):
+    count = coder.integer(10)
+    if not 1 <= count <= 1000:
+        raise LinkError("a number of supports that no writer makes")
+    return read_vertices(coder, count)[0]
+
+
 def read_records(coder, settings):
-    """The settings that came with version 2, each as its text."""
+    """The settings that came with version 2, each as its text; supports as their coordinates."""
     while tag := coder.integer(8):
         if tag not in RECORDS:
             raise LinkError(f"the link was made by a newer evenlift: record {tag}")
+        if tag == 21:  # coordinates, not a text
+            settings["supports"] = read_supports(coder)
+            settings["metric"] = "given"
+            continue
         length = coder.integer(20)
-        if length > {9: 160, 10: 64000, 19: 64000}.get(tag, 32):
+        if length > {9: 160, 10: 64000, 17: 32000, 19: 64000}.get(tag, 32):
             raise LinkError("a record that is too long")
         text = bytes(coder.uniform(256) for _ in range(length)).decode("ascii", "strict")
         name, kind = RECORDS[tag]

@@ -56,7 +56,7 @@ function answerOf({ memory, evenlift_room, evenlift_free, evenlift_answer }, req
 
 // The further options of each function.
 const members = {
-  place: ["candidates", "failures"],
+  place: ["candidates", "failures", "even_out", "require"],
   candidates: [],
   svg: ["candidates"],
   poses: ["format", "frame", "origin"],
@@ -141,9 +141,19 @@ function shapeOf(polygon) {
   return { polygon: Array.from(polygon, vertexOf) };
 }
 
+// A support is a point, and its capacity a number, null, or a text.
+const lists = ["supports", "support_capacities"];
+function listed(name, item) {
+  if (name === "support_capacities") return valueOf(name, item ?? null);
+  if (!isPoint(item)) throw badSetting(name, `${name}: a support must be two numbers [x, y]`);
+  if (!item.every(Number.isFinite)) throw badSetting(name, `${name}: a coordinate is not a finite number`);
+  return item;
+}
+
 // A setting's value in JSON. Values that the core refuses by the setting's name are passed on. A seed beyond 2⁵³ is a
 // BigInt, which JSON does not support; the core reads its digits.
 function valueOf(name, value) {
+  if (Array.isArray(value) && lists.includes(name)) return Array.from(value, (item) => listed(name, item));
   if (Array.isArray(value)) return value.join(",");
   switch (typeof value) {
     case "bigint":
@@ -169,6 +179,11 @@ const frame = /^[A-Za-z0-9_.-][A-Za-z0-9_./-]{0,254}$/;
 const memberRules = {
   candidates: { allows: isOneOf(true, false), requirement: "candidates: expected true or false" },
   failures: { allows: isOneOf(true, false), requirement: "failures: expected true or false" },
+  even_out: { allows: isOneOf(true, false), requirement: "even_out: expected true or false" },
+  require: {
+    allows: (value) => typeof value === "string" && !broken.test(value),
+    requirement: 'require: expected a text such as "held, max<=20"',
+  },
   format: { allows: isOneOf("csv", "json", "yaml"), requirement: "The format of poses must be csv, json or yaml" },
   origin: { allows: isOneOf("file", "com"), requirement: "The origin of poses must be file or com" },
   frame: {

@@ -6,7 +6,7 @@ export type Point = [x: number, y: number];
 /** The vertices of a polygon, or a text: the thesis's format, WKT, GeoJSON, or a share link, which then sets the defaults. */
 export type Polygon = readonly (readonly [x: number, y: number])[] | string;
 
-export type Metric = "area" | "circle" | "distance" | "distributed" | "random" | "balanced";
+export type Metric = "area" | "circle" | "distance" | "distributed" | "random" | "balanced" | "given";
 export type Goal = "cover" | "hold";
 export type Positions = "best" | "range";
 export type LengthUnit = "m" | "cm" | "mm" | "in";
@@ -51,6 +51,12 @@ export interface Settings {
   robot_gap?: number;
   /** No-go edges, counted from 1, or parts of them, such as `"3,5:0.25-0.75"`. Default `"none"`. */
   no_go?: string;
+  /** Robots that already stand: points, or a text such as `"0,0 160,0@30"` with a capacity. Sets the method to `"given"`. */
+  supports?: readonly (readonly [x: number, y: number])[] | string;
+  /** Supports within this length of the outline stand at its edge. Default 1e-6 of the object's diameter. */
+  snap?: number;
+  /** The capacity of each support: `[30, null, 40]`. */
+  support_capacities?: readonly (number | null)[] | string;
   /** The greatest load of one robot, 1e-100 to 1e100; `"none"` for no limit. */
   capacity?: number | "none";
   /** The C uncertainty: the centre of mass is known within this distance. */
@@ -70,6 +76,10 @@ export interface PlaceOptions extends Settings {
   candidates?: boolean;
   /** Reports the effect of each robot's failure. */
   failures?: boolean;
+  /** Moves two or three supports to the edge so that all carry the same load. */
+  even_out?: boolean;
+  /** Conditions on the result, such as `"held, max<=20"`. */
+  require?: string;
 }
 
 export interface SvgOptions extends Settings {
@@ -96,18 +106,22 @@ export interface Candidate {
 export interface Team {
   ends: Point[];
   ratio: number;
-  loads: number[];
+  /** `null` if supports do not carry the object. */
+  loads: (number | null)[];
 }
 
 export interface Robot {
   at: Point;
   /** Counted from 0. */
   team: number;
-  load: number;
-  contact: Point;
+  /** `null` if supports do not carry the object. */
+  load: number | null;
+  /** `null` for a support beneath the object. */
+  contact: Point | null;
   stand: Point;
-  /** Degrees, above -180 and up to 180. */
-  heading: number;
+  /** Degrees, above -180 and up to 180; `null` for a support beneath the object. */
+  heading: number | null;
+  place: "edge" | "beneath";
 }
 
 export type Motion = "clockwise" | "counterclockwise" | "translation";
@@ -151,6 +165,27 @@ export interface Robustness {
   springs_ranges?: [least: number, greatest: number][];
 }
 
+export interface Verdict {
+  kind: "good" | "warning" | "bad";
+  /** Sentences, the most serious first; none if the result is good. */
+  reasons: string[];
+}
+
+/** A support that does not fit. */
+export interface Misfit {
+  /** Counted from 0. */
+  robot: number;
+  /** `"outside"`, `"arm"`, `"hand"`, `"no-go"`, or `"too near robot 2"`, counted from 1. */
+  why: string;
+}
+
+/** A condition of `require`. */
+export interface Requirement {
+  condition: string;
+  value: number | boolean | null;
+  kept: boolean;
+}
+
 /** The lift after this robot fails; members are `null` if the others do not carry the object. */
 export interface Failure {
   /** Counted from 0. */
@@ -171,7 +206,8 @@ export interface Failure {
 }
 
 export interface Capacity {
-  limit: number;
+  /** `null` if only single supports have a capacity. */
+  limit: number | null;
   /** The robots that carry more, counted from 0, team after team. */
   overloaded: number[];
   teams_needed: number | null;
@@ -208,6 +244,12 @@ export interface Placement {
   closure: Closure;
   goal: Goal;
   goal_reached: boolean;
+  /** Whether the robots can carry the object. */
+  stands: boolean;
+  verdict: Verdict;
+  /** The following two exist only with supports, the second if the object falls: the robots over which it tips, counted from 0. */
+  misfits?: Misfit[];
+  tips_over?: number[];
   /** As used; `null` for the default. */
   clear: number | null;
   /** For balanced robots: whether the search has ended. */
@@ -219,6 +261,10 @@ export interface Placement {
   survive?: number;
   /** Only if it is not `"best"`. */
   positions?: "range";
+  /** The following three exist only with the method `"given"`; the last two if they are set. */
+  supports?: Point[];
+  snap?: number;
+  support_capacities?: (number | null)[];
   /** If `requested_teams` differs from the setting: `"max"`, or for balanced robots the number of teams for the other methods. */
   teams_asked?: number | "max";
   /** Only for a link with overlays that are not the default. */
@@ -239,8 +285,10 @@ export interface Placement {
   robustness?: Robustness;
   /** Only with `failures`. */
   failures?: Failure[];
-  /** Only with a `capacity`. */
+  /** Only with a `capacity`, or if a support has one. */
   capacity?: Capacity;
+  /** Only with `require`. */
+  requirements?: Requirement[];
 }
 
 export interface Figure {

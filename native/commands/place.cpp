@@ -6,6 +6,7 @@
 #include "evenlift/output/markup.h"
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/output/svg.h"
+#include "evenlift/output/verdict.h"
 #include "evenlift/output/words.h"
 #include "evenlift/placement.h"
 #include "evenlift/settings.h"
@@ -24,23 +25,35 @@ std::string overloaded(double load1, double load2, double capacity) {
   return first && second ? "both" : first ? "first" : second ? "second" : "-";
 }
 
-// Balanced robots, one in each row.
-std::string robot_table(const Placement& placement, const ShownLoads& shown,
-                        const std::optional<double>& capacity) {
+// The robots of one team, one in each row.
+std::string robot_table(const ShownPlacement& of, const ShownLoads& shown) {
+  const Placement& placement = of.placement;
+  const bool given = placement.settings.method == Method::given;
+  const bool has_own = has_own_capacities(of);
   const Team& team = placement.teams.front();
   const TeamInWords words = team_in_words(placement, 0, coordinate_decimals(placement.vertices()));
   std::vector<Row> rows = {{"robot", "at", shown.heading}};
-  if (capacity) rows[0].push_back("overloaded");
+  if (given) rows[0].insert(rows[0].begin() + 2, "stands");
+  if (has_own) rows[0].push_back("capacity");
+  if (has_capacities(of)) rows[0].push_back("overloaded");
   for (std::size_t i = 0; i < team.robots.size(); ++i) {
-    rows.push_back({std::to_string(i + 1), words.at[i], shown.text[i]});
-    if (capacity) rows.back().push_back(shown.greatest[i] > *capacity ? "yes" : "-");
+    const bool carries = placement.loads.has_value();
+    rows.push_back({std::to_string(i + 1), words.at[i], carries ? shown.text[i] : "-"});
+    if (given)
+      rows.back().insert(rows.back().begin() + 2,
+                         team.robots[i].point.edge == beneath ? "beneath" : "at the edge");
+    const std::optional<double> capacity = capacity_of(of, i);
+    if (has_own) rows.back().push_back(capacity ? plain(*capacity) : "-");
+    if (has_capacities(of))
+      rows.back().push_back(capacity && shown.greatest[i] > *capacity ? "yes" : "-");
   }
   return table(rows);
 }
 
-std::string team_table(const Placement& placement, const ShownLoads& shown,
-                       const std::optional<double>& capacity) {
-  if (placement.settings.method == Method::balanced) return robot_table(placement, shown, capacity);
+std::string team_table(const ShownPlacement& of, const ShownLoads& shown) {
+  const Placement& placement = of.placement;
+  const std::optional<double>& capacity = of.shown.capacity;
+  if (is_one_team(placement.settings.method)) return robot_table(of, shown);
   const int decimals = coordinate_decimals(placement.vertices());
   std::vector<Row> rows = {{"team", "ratio", "robot at", shown.heading, "robot at", shown.heading}};
   if (capacity) rows[0].push_back("overloaded");
@@ -83,7 +96,7 @@ std::string facts(const ShownPlacement& of, const Robustness& robustness) {
     lines.emplace_back("Goal", std::string(name(goal_of(settings))) + reached);
     if (settings.survive > 0)
       lines.emplace_back("Failures to survive", std::to_string(settings.survive));
-  } else {
+  } else if (settings.method != Method::given) {
     lines.emplace_back("Minimum load ratio", plain(settings.min_ratio));
     if (settings.positions == Positions::range)
       lines.emplace_back("Positions", "anywhere in the range");
@@ -105,11 +118,10 @@ std::string facts(const ShownPlacement& of, const Robustness& robustness) {
 }
 
 std::string for_people(const ShownPlacement& of, bool with_candidates,
-                       const std::optional<CapacityInJson>& capacity,
-                       const RobustnessAsked& asked) {
+                       const std::optional<CapacityInJson>& capacity, const RobustnessAsked& asked,
+                       const std::vector<Requirement>& requirements) {
   const Placement& placement = of.placement;
   const RobustnessKnown known(placement, asked);
-  const auto limit = capacity ? std::optional<double>(capacity->limit) : std::nullopt;
   const LoadModel model = known.models ? asked.model : LoadModel::plan;
   std::string sentences, tables;
   std::vector<double> greatest;
@@ -118,20 +130,21 @@ std::string for_people(const ShownPlacement& of, bool with_candidates,
   } else {
     const ShownLoads shown = shown_loads(placement, known);
     sentences = verdict(of, model, shown.ranges) + "\n";
-    tables += team_table(placement, shown, limit) + "\n";
+    tables += team_table(of, shown) + "\n";
     greatest = shown.greatest;
   }
   if (!placement.search_ended && !placement.teams.empty())
     sentences +=
         "The outline is so large that the search was cut short: there may be better places.\n";
   if (capacity)
-    sentences += capacity_in_words(of, capacity->limit, &capacity->plan,
-                                   overloaded_robots(greatest, capacity->limit), model,
+    sentences += capacity_in_words(of, &capacity->plan, overloaded_robots(of, greatest), model,
                                    std::nullopt, &*capacity->if_one_fails) +
                  "\n";
-  sentences += robustness_lines(known, limit, of.shown.units);
-  if (asked.failures && !placement.teams.empty())
-    tables += failure_table(placement, known, limit) + "\n";
+  sentences += robustness_lines(of, known);
+  for (const std::string& misfit : misfits_in_words(of)) sentences += misfit + "\n";
+  for (const Requirement& requirement : requirements)
+    sentences += requirement_in_words(requirement) + "\n";
+  if (asked.failures && placement.loads) tables += failure_table(of, known) + "\n";
   if (with_candidates && !placement.candidates.empty()) tables += candidate_table(placement) + "\n";
   return sentences + "\n" + tables + facts(of, known.robustness);
 }
@@ -140,7 +153,8 @@ std::string for_people(const ShownPlacement& of, bool with_candidates,
 struct PlaceOptions {
   InputOptions input;
   RobustnessOptions robustness;
-  bool as_json = false, candidates = false;
+  bool as_json = false, candidates = false, even_out = false;
+  std::optional<std::string> require;
   std::optional<std::string> svg;
   PoseFileOptions poses;
 
@@ -149,6 +163,9 @@ struct PlaceOptions {
     input.settings.declare(line, OptionGroup::uncertainty);
     input.settings.declare(line, OptionGroup::units);
     robustness.declare(line);
+    line.flag(even_out, "--even-out", "move given supports to the nearest places with equal loads");
+    line.value(require, "--require", "\"CONDITION, ...\"",
+               "such as \"held, coverage>=0.8, max<=20\"; exit status 3 if one is not kept");
     line.flag(as_json, "--json", "one JSON object instead of a table");
     line.flag(candidates, "--candidates", "also list the candidates, and show them in the picture");
     line.value(svg, "--svg", "OUT", "also write a picture as SVG");
@@ -175,28 +192,44 @@ void check_outputs(const PlaceOptions& options, const std::optional<PosesAsked>&
                   "would overwrite " + poses->file + ", which --svg writes"};
 }
 
+std::vector<Condition> conditions_of(const PlaceOptions& options) {
+  if (!options.require) return {};
+  Result<std::vector<Condition>> conditions = read_conditions(*options.require);
+  if (!conditions) throw Failure{bad_input_status, "--require", conditions.error().message};
+  return *std::move(conditions);
+}
+
+Document evened(const Input& input, const PlaceOptions& options) {
+  Result<Document> even = with_even_supports(input.document);
+  if (!even) throw options.input.settings.failure(input.source, even.error());
+  return *std::move(even);
+}
+
 struct Outputs {
   std::string printed;
   std::optional<std::string> svg, poses;
+  bool kept = true;  // all requirements
 };
 
 // Throws Failure.
 Outputs make_outputs(const Input& input, const PlaceOptions& options,
-                     const std::optional<PosesAsked>& poses, const RobustnessAsked& asked) {
+                     const std::optional<PosesAsked>& poses, const RobustnessAsked& asked,
+                     const std::vector<Condition>& conditions) {
   const Waiting waiting("placing the robots");
   const Result<Placement> placement = place(input.document);
   if (!placement) throw options.input.settings.failure(input.source, placement.error());
   const ShownPlacement shown(*placement, input.document.shown);
-  std::optional<CapacityInJson> capacity;
-  if (const auto& limit = shown.shown.capacity)
-    capacity = CapacityInJson{*limit, plan_capacity(*placement, *limit),
-                              plan_for_failures(*placement, *limit)};
+  const std::optional<CapacityInJson> capacity = capacity_in_json(shown);
+  const std::vector<Requirement> requirements = check_conditions(*placement, conditions);
   Outputs outputs;
   if (options.svg) outputs.svg = picture(*placement, input.document, options.candidates);
   if (poses) outputs.poses = poses_text(shown, poses->format, poses->options);
-  outputs.printed = options.as_json
-                        ? placement_json(shown, options.candidates, capacity, asked.failures)
-                        : for_people(shown, options.candidates, capacity, asked);
+  outputs.printed =
+      options.as_json
+          ? placement_json(shown, options.candidates, capacity, asked.failures, requirements)
+          : for_people(shown, options.candidates, capacity, asked, requirements);
+  outputs.kept = std::all_of(requirements.begin(), requirements.end(),
+                             [](const Requirement& each) { return each.kept; });
   return outputs;
 }
 
@@ -204,7 +237,9 @@ Outputs make_outputs(const Input& input, const PlaceOptions& options,
 
 void cmd_place(const Arguments& arguments) {
   CommandLine line(
-      "evenlift place", "Places teams of two robots, or any number of balanced ones, on a polygon.",
+      "evenlift place",
+      "Places teams of two robots, or any number of balanced ones, on a polygon, or judges robots that "
+      "already stand.",
       "FILE is a path, - for standard input, or a share link. Its format is recognised by its content:\n"
       "the thesis's text, columns of numbers (CSV), SVG, DXF, WKT POLYGON, GeoJSON, or a result\n"
       "of --json. If it has several shapes, --shape selects one.\n\n"
@@ -212,19 +247,23 @@ void cmd_place(const Arguments& arguments) {
       "  evenlift place table.txt --teams 4 --svg table.svg\n"
       "  evenlift place drawing.dxf --shape 2\n"
       "  evenlift place table.txt --metric circle --com 120,80 --json\n"
-      "  evenlift place table.txt --metric balanced --robots 5\n");
+      "  evenlift place table.txt --metric balanced --robots 5\n"
+      "  evenlift place table.txt --supports \"0,0 160,0 80,90\" --require \"stands, max<=40\"\n");
   PlaceOptions options;
   options.declare(line);
   if (!line.parse(arguments)) return;
 
-  const Input input = options.input.read();
+  Input input = options.input.read();
+  const std::vector<Condition> conditions = conditions_of(options);
   const std::optional<PosesAsked> pose_file = options.poses.asked();
   check_outputs(options, pose_file);
   const RobustnessAsked asked(options.robustness, input.document.shown);
-  const Outputs outputs = make_outputs(input, options, pose_file, asked);
+  if (options.even_out) input.document = evened(input, options);
+  const Outputs outputs = make_outputs(input, options, pose_file, asked, conditions);
   if (outputs.svg) write_file(*options.svg, *outputs.svg);
   if (outputs.poses) write_file(pose_file->file, *outputs.poses);
   write_output(outputs.printed);
+  if (!outputs.kept) throw Failure{not_kept_status, {}, {}, {}, true};
 }
 
 }  // namespace evenlift::native

@@ -11,6 +11,7 @@
 namespace evenlift::native {
 
 inline constexpr int bad_input_status = 2;  // wrong usage or input
+inline constexpr int not_kept_status = 3;   // a requirement that is not kept
 inline constexpr int other_status = 1;      // anything else, such as a file that cannot be written
 
 // Commands throw it; main catches it and prints `evenlift: WHERE: WHAT`.

@@ -1,5 +1,6 @@
 #include "input/options.h"
 
+#include "evenlift/import.h"
 #include "evenlift/numbers.h"
 
 namespace evenlift::native {
@@ -12,6 +13,9 @@ std::string as_typed(std::string_view setting) { return "--" + hyphened(setting)
 std::string why_unused(const SettingRow& row, const Settings& settings) {
   if (row.setting == Setting::teams && settings.method == Method::balanced)
     return "balanced robots do not form teams; give --robots";
+  if (settings.method == Method::given && row.counts_for != CountsFor::given &&
+      !counts(row.counts_for, settings))
+    return "does not apply to given supports";
   if (counts(row.counts_for, settings)) return {};
   const std::string method(name(settings.method));
   switch (row.counts_for) {
@@ -21,8 +25,12 @@ std::string why_unused(const SettingRow& row, const Settings& settings) {
       return "applies only to --metric area, circle and distance, not to " + method;
     case CountsFor::hold_requirements:
       return "applies only to --goal hold";
+    case CountsFor::placing:
+      break;
     case CountsFor::balanced:
       return "applies only to --metric balanced, not to " + method;
+    case CountsFor::given:
+      return "applies only to --metric given, not to " + method;
   }
   return {};
 }
@@ -32,6 +40,45 @@ Value value_or_refusal(Setting setting, const std::optional<Value>& value,
                        const std::string& text) {
   if (!value) throw bad_value(as_typed(name(setting)), requirement(setting), text);
   return *value;
+}
+
+// The units of length in a metre. Coordinates without a unit count as metres (poses.h).
+double per_metre(LengthUnit unit) {
+  switch (unit) {
+    case LengthUnit::none:
+    case LengthUnit::m:
+      break;
+    case LengthUnit::cm:
+      return 100;
+    case LengthUnit::mm:
+      return 1000;
+    case LengthUnit::in:
+      return 10000 / 254.0;
+  }
+  return 1;
+}
+
+// Reads the supports themselves, or a file of them.
+void supports_option(const std::string& text, Document& document) {
+  if (!read_setting(Setting::supports, text, document)) return;
+  const std::optional<std::string> file = read_file(text);
+  if (!file && text.find(',') == std::string::npos)
+    throw Failure{bad_input_status, "--supports",
+                  "there is no file " + text.substr(0, 200) +
+                      "; points are written like "
+                      "\"0,0 160,0 80,90\""};
+  if (!file) return setting_option(Setting::supports, text, document);  // says what is wrong
+  const Result<SupportFile> read = read_support_file(*file);
+  if (!read) throw bad_input(text, read.error());
+  // A hand lifts beneath the object, away from the contact.
+  const bool by_contact = document.settings.robot.depth > 0 && !read->contacts.empty();
+  const double scale = read->in_metres ? per_metre(document.shown.units.length) : 1;
+  document.settings.supports.clear();
+  for (const Vec2& place : by_contact ? read->contacts : read->places)
+    document.settings.supports.push_back(place * scale);
+  document.shown.support_capacities = read->capacities;
+  document.settings.method = Method::given;
+  document.moved = {};
 }
 
 }  // namespace
@@ -67,7 +114,12 @@ void SettingOptions::declare(CommandLine& line, OptionGroup group) {
 
 void SettingOptions::apply(Document& document) const {
   for (const SettingRow& row : all_settings())
-    if (typed(row.setting)) setting_option(row.setting, *typed(row.setting), document);
+    if (typed(row.setting) && row.setting != Setting::supports)
+      setting_option(row.setting, *typed(row.setting), document);
+  // A file of supports may need the unit. Supports bring their method; another one is refused below.
+  const Method method = document.settings.method;
+  if (const Typed& supports = typed(Setting::supports)) supports_option(*supports, document);
+  if (typed(Setting::method)) document.settings.method = method;
   for (const SettingRow& row : all_settings())
     if (typed(row.setting))
       if (const std::string why = why_unused(row, document.settings); !why.empty())

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "evenlift/capacity.h"
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/output/words.h"
 #include "input/failure.h"
@@ -80,38 +81,42 @@ ShownLoads shown_loads(const Placement& placement, const RobustnessKnown& known)
   return shown;
 }
 
-std::string robustness_lines(const RobustnessKnown& known, const std::optional<double>& capacity,
-                             const Units& units) {
+std::string robustness_lines(const ShownPlacement& of, const RobustnessKnown& known) {
+  if (!of.placement.loads) return {};
+  const Units& units = of.shown.units;
   const RobustnessAsked& asked = known.asked;
   std::string text;
   if (known.models && asked.model != LoadModel::plan)
     text += model_in_words(asked.model, *known.models, units) + "\n";
   if (known.models && asked.com_radius > 0) {
     text += uncertainty_in_words(*known.models, known.robustness, asked.com_radius, units);
-    if (capacity)
-      text += " " +
-              uncertainty_for_capacity_in_words(*known.models, known.robustness, *capacity, units);
+    if (has_capacities(of))
+      text += " " + uncertainty_for_capacity_in_words(*known.models, known.robustness, of);
     text += "\n";
   }
-  if (!known.failures.empty()) text += failures_in_words(known.failures, units, capacity) + "\n";
+  if (!known.failures.empty())
+    text += failures_in_words(known.failures, units, overloads_after(of, known.failures),
+                              has_own_capacities(of) || !of.shown.capacity
+                                  ? "its capacity"
+                                  : given_weight(*of.shown.capacity, units)) +
+            "\n";
   return text;
 }
 
-std::string failure_table(const Placement& placement, const RobustnessKnown& known,
-                          const std::optional<double>& capacity) {
+std::string failure_table(const ShownPlacement& of, const RobustnessKnown& known) {
   if (known.failures.empty()) return {};
+  const std::vector<bool> overloads = overloads_after(of, known.failures);
   double largest = 0;
   for (const auto& rest : known.failures)
     if (rest)
       largest = std::max({largest, rest->greatest_by_plan.value_or(0), rest->greatest_by_springs});
   std::vector<Row> rows = {{"fails", "of team", "carried", "steady", "tipping distance", "coverage",
                             "form closure", "by plan", "springs", "best"}};
-  if (capacity) rows[0].push_back("overloaded");
+  if (has_capacities(of)) rows[0].push_back("overloaded");
   for (std::size_t robot = 0; robot < known.failures.size(); ++robot) {
     const std::optional<RestOfRobots>& rest = known.failures[robot];
-    rows.push_back(failure_row(robot, find_robot(placement.teams, robot).team, rest, largest));
-    if (capacity)
-      rows.back().push_back(rest && rest->greatest_by_springs > *capacity ? "yes" : "-");
+    rows.push_back(failure_row(robot, find_robot(of.placement.teams, robot).team, rest, largest));
+    if (has_capacities(of)) rows.back().push_back(overloads[robot] ? "yes" : "-");
   }
   return table(rows);
 }

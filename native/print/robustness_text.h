@@ -50,11 +50,9 @@ struct ShownLoads {
 ShownLoads shown_loads(const Placement& placement, const RobustnessKnown& known);
 
 // The requested sentences about loads, uncertainty and failures, one per line.
-std::string robustness_lines(const RobustnessKnown& known, const std::optional<double>& capacity,
-                             const Units& units);
+std::string robustness_lines(const ShownPlacement& of, const RobustnessKnown& known);
 
 // The effect of each robot's failure, one row per robot; empty if not requested.
-std::string failure_table(const Placement& placement, const RobustnessKnown& known,
-                          const std::optional<double>& capacity);
+std::string failure_table(const ShownPlacement& of, const RobustnessKnown& known);
 
 }  // namespace evenlift::native

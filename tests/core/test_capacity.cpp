@@ -14,6 +14,12 @@ using evenlift::testing::placed;
 
 namespace {
 
+Shown with_capacity(double capacity) {
+  Shown shown;
+  shown.capacity = capacity;
+  return shown;
+}
+
 Document distributed_square() {
   Document square;
   square.vertices = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
@@ -125,7 +131,8 @@ TEST_CASE("a plan of teams that are swapped says how many were tried", "[capacit
   const CapacityPlan many = plan_capacity(points, 0.5);
   CHECK_FALSE(many.possible);
   CHECK(many.tried == most_teams_tried(points.settings));
-  CHECK(capacity_in_words(points, 0.5, &many).ends_with("Even 64 robots are too few."));
+  CHECK(capacity_in_words({points, with_capacity(0.5)}, &many)
+            .ends_with("Even 64 robots are too few."));
 
   comb.settings.robot.radius = 20;
   const CapacityPlan few = plan_capacity(placed(comb), 0.5);
@@ -140,11 +147,12 @@ TEST_CASE("robots that carry more than the capacity are told by number", "[capac
   Document document = corpus::polygon("grand-piano");
   const Placement placement = placed(document);
   const double most = placement.loads->max;
-  CHECK(overloaded_robots(placement, most).empty());
-  const std::vector<std::size_t> over = overloaded_robots(placement, std::nextafter(most, 0));
+  CHECK(overloaded_robots({placement, with_capacity(most)}).empty());
+  const std::vector<std::size_t> over =
+      overloaded_robots({placement, with_capacity(std::nextafter(most, 0))});
   REQUIRE(over.size() == 1);
   CHECK(placement.teams[over[0] / 2].robots[over[0] % 2].load == most);
-  CHECK(overloaded_robots(placement, 1e-9).size() == 2 * placement.teams.size());
+  CHECK(overloaded_robots({placement, with_capacity(1e-9)}).size() == 2 * placement.teams.size());
 }
 
 TEST_CASE("a plan of teams that are swapped begins with the fewest that could be enough",

@@ -125,7 +125,7 @@ TEST_CASE("each option of the program that sets something is a lesson's key, too
           "[lesson][settings]") {
   Document document;
   document.settings.goal = Goal::hold;
-  document.settings.apart = document.settings.clear = 1;
+  document.settings.apart = document.settings.clear = document.settings.snap = 1;
   for (const SettingRow& row : all_settings()) {
     if (row.option.group == OptionGroup::none) continue;
     const Lesson lesson = lesson_of("title: T\npolygon: square\n" + hyphened(row.name) + ": " +
@@ -166,7 +166,7 @@ TEST_CASE("what is wrong in a lesson is said with its line", "[lesson]") {
       "title: T\npolygn: square\n", 2,
       "unknown setting; the settings are title, polygon, link, predict, teams, metric, min-ratio, com, "
       "weight, seed, overlays, com-radius, capacity, robot, no-go, unit, weight-unit, goal, robots, "
-      "positions, min-margin, apart, survive and clear");
+      "positions, min-margin, apart, survive, clear, supports and snap");
   refused("title: T\n: 3\n", 2, "unknown setting");
   refused("title: T\nmin_ratio: 0.5\n", 2, "unknown setting");
   refused("metric: area\nmethod: circle\n", 2, "twice");

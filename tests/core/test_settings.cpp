@@ -285,7 +285,7 @@ TEST_CASE("what each setting may be is said as ever", "[settings]") {
   const std::pair<Setting, const char*> sentences[] = {
       {Setting::teams, "the number of teams must be a whole number from 1 to 1048576, or max"},
       {Setting::method,
-       "the method must be area, circle, distance, distributed, random or balanced"},
+       "the method must be area, circle, distance, distributed, random, balanced or given"},
       {Setting::min_ratio, "the minimum load ratio must be a number from 0 to 1"},
       {Setting::com, "the centre of mass must be two numbers X,Y, or centroid"},
       {Setting::weight, "the weight must be a number greater than 0, from 1e-100 to 1e100"},
@@ -317,6 +317,11 @@ TEST_CASE("what each setting may be is said as ever", "[settings]") {
       {Setting::robot_width, "the width of a robot's hand must be a number from 0 to 1000000000"},
       {Setting::robot_gap, "the gap between robots must be a number from 0 to 1000000000"},
       {Setting::clear, "the clearance must be a number from 0 to 1000000000"},
+      {Setting::supports,
+       "the supports must be 1 to 1000 points X,Y with spaces between them, such as 0,0 160,0 80,90, each perhaps with its capacity as X,Y@K; or none"},
+      {Setting::snap, "the snap distance must be a number from 0 to 1000000000"},
+      {Setting::support_capacities,
+       "the capacities of the supports must be a number greater than 0, or none, for each support, such as 30,none,40; or nothing"},
   };
   CHECK(std::size(sentences) == all_settings().size());
   for (const auto& [setting, sentence] : sentences) CHECK(requirement(setting) == sentence);
@@ -498,7 +503,7 @@ TEST_CASE("each range holds for settings as values, in links and placements alik
     check([&](Shown& s) { s.capacity = load; }, Setting::capacity);
   check([](Settings& s) { s.teams = 0; }, Setting::teams);
   check([](Settings& s) { s.teams = max_teams + 1; }, Setting::teams);
-  check([](Settings& s) { s.method = static_cast<Method>(6); }, Setting::method);
+  check([](Settings& s) { s.method = static_cast<Method>(7); }, Setting::method);
   for (const double ratio : {-0.1, 1.1, infinity, std::nan("")})
     check([&](Settings& s) { s.min_ratio = ratio; }, Setting::min_ratio);
   for (const double weight : {0.0, -1.0, infinity, std::nan("")})
@@ -518,6 +523,11 @@ TEST_CASE("each range holds for settings as values, in links and placements alik
       check([&](Settings& s) { s.robot.*part = size; }, Setting::robot);
   check([](Settings& s) { s.no_go = {{0, 0.5, 0.5}}; }, Setting::no_go);
   check([](Settings& s) { s.no_go = {{0, 0, 1.5}}; }, Setting::no_go);
+  check([](Settings& s) { s.supports.assign(most_supports + 1, Vec2(0, 0)); }, Setting::supports);
+  check([](Settings& s) { s.supports = {{0, 2e9}}; }, Setting::supports);
+  for (const double snap : {-1.0, too_long, infinity, std::nan("")})
+    check([&](Settings& s) { s.snap = snap; }, Setting::snap);
+  check([](Shown& s) { s.support_capacities = {0.0}; }, Setting::support_capacities);
   check([](Shown& s) { s.units.length = static_cast<LengthUnit>(5); }, Setting::unit);
   check([](Shown& s) { s.units.weight = static_cast<WeightUnit>(4); }, Setting::weight_unit);
 }

@@ -58,7 +58,14 @@ inline Document document_with(AnyNumbers& any) {
   }
   Settings& settings = document.settings;
   Shown& shown = document.shown;
-  settings.method = all_methods[any.below(6)];
+  settings.method = named_methods[any.below(7)];
+  const std::uint32_t supports = any.below(6);
+  for (std::uint32_t i = 0; i < supports; ++i) {
+    const double x = any.number(0.5 * i);
+    settings.supports.emplace_back(x, any.number(0.5));
+  }
+  if (any.below(4) == 0) settings.snap = any.number(1e-3);
+  if (any.below(3) == 0) shown.support_capacities.assign(supports, any.number(30));
   settings.teams = 1 + any.below(4);
   settings.robots = 2 + any.below(5);
   settings.positions = any.below(2) == 0 ? Positions::best : Positions::range;
@@ -102,7 +109,7 @@ inline bool keeps_its_word(const Document& document, int& placed) {
   ++placed;
   std::optional<CapacityInJson> capacity;
   if (const auto& limit = document.shown.capacity)
-    capacity = CapacityInJson{*limit, plan_capacity(*placement, *limit), {}};
+    capacity = CapacityInJson{plan_capacity(*placement, *limit), {}};
   const ShownPlacement shown(*placement, document.shown);
   return is_finite_text(placement_json(shown, true, capacity, true)) &&
          is_finite_text(poses_text(shown, PoseFormat::csv)) &&

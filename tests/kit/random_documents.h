@@ -35,7 +35,8 @@ inline bool same_polygon(const Document& a, const Document& b) {
 
 inline bool same_document(const Document& a, const Document& b) {
   return same_polygon(a, b) && a.settings == b.settings && a.shown == b.shown &&
-         a.moved == b.moved && bits_of(a.settings.weight) == bits_of(b.settings.weight) &&
+         a.moved == b.moved && same_vertices(a.settings.supports, b.settings.supports) &&
+         bits_of(a.settings.weight) == bits_of(b.settings.weight) &&
          bits_of(a.shown.com_radius) == bits_of(b.shown.com_radius) &&
          bits_of(a.settings.min_ratio) == bits_of(b.settings.min_ratio);
 }
@@ -140,6 +141,19 @@ inline Document random_document(Rng& rng, std::size_t greatest_n) {
   if (centre == 3 && !document.vertices.empty()) document.centre_of_mass = document.vertices[0];
   if (rng.below(2) == 0) take_random_settings(rng, document);
   return document;
+}
+
+// Gives the document supports, the method `given`, and perhaps capacities.
+inline void take_random_supports(Rng& rng, Document& document) {
+  document.settings.method = Method::given;
+  document.settings.supports = random_vertices(rng, 1 + rng.below(12));
+  if (rng.below(2) == 0) document.settings.snap = rng.uniform();
+  if (rng.below(2) == 0) return;
+  auto& capacities = document.shown.support_capacities;
+  capacities.resize(document.settings.supports.size());
+  for (auto& capacity : capacities)
+    if (rng.below(2) == 0) capacity = 1 + rng.uniform();
+  capacities.back() = 30;
 }
 
 // The text with a few bytes changed, dropped, doubled or moved.

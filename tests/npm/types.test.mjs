@@ -97,7 +97,7 @@ test("the lines of the READMEs and every function are typed", () => {
     complaintsOf(`
     import { EvenliftError, candidates, experiment, link, place, poses, run, svg, version } from "evenlift";
     const polygon = ${polygon};
-    const loads: number[] = place(polygon, { teams: "max", metric: "circle", seed: 7n, centre_of_mass: [500, 480], failures: true }).teams.flatMap((team) => team.loads);
+    const loads: (number | null)[] = place(polygon, { teams: "max", metric: "circle", seed: 7n, centre_of_mass: [500, 480], failures: true }).teams.flatMap((team) => team.loads);
     const kinds: ("bisecting" | "vertex" | "midpoint" | "range")[] = candidates([[0, 0], [4, 0], [4, 3]] as const).map(({ kind }) => kind);
     const beside: number | null = place(polygon, { clear: 0.1 }).closure.clearance;
     const texts: string[] = [svg(polygon, { overlays: ["hull"] }), link(polygon), poses(polygon, { format: "yaml", frame: "plate", origin: "com" }),

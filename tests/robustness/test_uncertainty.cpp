@@ -91,10 +91,14 @@ TEST_CASE("ranges are as wide as the C uncertainty, and no load is below 0",
 TEST_CASE("a capacity allows as much uncertainty as its first robot has room for",
           "[robustness][uncertainty]") {
   const SpringLoads springs{{10, 2}, {0.5, 1}, 20};
-  CHECK(radius_within_capacity(springs, 30, 12) == 4.0);
-  CHECK(radius_within_capacity(springs, 30, 10) == 0.0);
-  CHECK_FALSE(radius_within_capacity(springs, 30, 9.9));
+  const auto within = [&](double tipping, double capacity) {
+    return radius_within_capacity(
+        springs, tipping, std::vector<std::optional<double>>(springs.loads.size(), capacity));
+  };
+  CHECK(within(30, 12) == 4.0);
+  CHECK(within(30, 10) == 0.0);
+  CHECK_FALSE(within(30, 9.9));
   // Nothing is promised beyond the radius at which a robot goes slack or the object tips.
-  CHECK(radius_within_capacity(springs, 30, 1000) == 20.0);
-  CHECK(radius_within_capacity(springs, 3, 1000) == 3.0);
+  CHECK(within(30, 1000) == 20.0);
+  CHECK(within(3, 1000) == 3.0);
 }

@@ -78,6 +78,22 @@ Document generated_document(Rng& rng) {
   return document;
 }
 
+// Robots at vertices, on edges, or somewhere between, which may be outside the object.
+void add_supports(Rng& rng, Document& document) {
+  Settings& settings = document.settings;
+  const Points& vertices = document.vertices;
+  settings.method = Method::given;
+  const std::uint64_t number = 1 + rng.below(8);
+  for (std::uint64_t i = 0; i < number; ++i) {
+    const auto at = static_cast<std::size_t>(rng.below(vertices.size()));
+    const std::size_t other = rng.below(3) > 0
+                                  ? (at + 1) % vertices.size()
+                                  : static_cast<std::size_t>(rng.below(vertices.size()));
+    const double part = rng.below(4) == 0 ? 0 : rng.uniform();
+    settings.supports.push_back(vertices[at] + part * (vertices[other] - vertices[at]));
+  }
+}
+
 Settings settings_from(Rng& rng) {
   Settings settings;
   settings.method = all_methods[rng.below(std::size(all_methods))];
@@ -121,6 +137,7 @@ Document document_of(std::uint64_t number) {
   Rng rng(number);
   Document document = rng.below(2) == 0 ? small_document(number) : generated_document(rng);
   document.settings = settings_from(rng);
+  if (rng.below(8) == 0) add_supports(rng, document);
   give_size(rng, document);
   return document;
 }
@@ -162,8 +179,11 @@ void say_all(std::uint64_t number, Take take) {
     case 4: {
       const double capacity = document.settings.weight / 9;
       const CapacityPlan plan = plan_capacity(*placement, capacity);
-      take(placement_json(*placement, false, CapacityInJson{capacity, plan}));
-      take(capacity_in_words(*placement, capacity, &plan) + "\n");
+      Shown limited;
+      limited.capacity = capacity;
+      const ShownPlacement of(*placement, limited);
+      take(placement_json(of, false, CapacityInJson{plan, {}}));
+      take(capacity_in_words(of, &plan) + "\n");
       break;
     }
     case 5: {

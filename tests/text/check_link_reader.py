@@ -32,7 +32,7 @@ def exact(value):
 
 def comparable(content):
     settings = dict(content["settings"])
-    for name in ("min_ratio", "weight", "min_margin", "apart", "clear", "com_radius", "capacity"):
+    for name in ("min_ratio", "weight", "min_margin", "apart", "clear", "snap", "com_radius", "capacity"):
         if name in settings:
             settings[name] = exact(settings[name])
     return exact(content["vertices"]), exact(content["centre_of_mass"]), settings

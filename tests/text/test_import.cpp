@@ -697,11 +697,11 @@ TEST_CASE("a result opens again with all its settings", "[import][json]") {
     document.centre_of_mass = centre;
     const Result<Placement> placement = place(document);
     REQUIRE(placement.ok());
-    const Import result =
-        read(placement_json(*placement, true, CapacityInJson{40, plan_capacity(*placement, 40)}));
-    CHECK(result.has_settings);
     Document with_capacity = document;
     with_capacity.shown.capacity = 40;
+    const ShownPlacement shown(*placement, with_capacity.shown);
+    const Import result = read(placement_json(shown, true, capacity_in_json(shown)));
+    CHECK(result.has_settings);
     CHECK(evenlift::testing::same_document(result.shapes.at(0).document, with_capacity));
     Document doubted = document;
     doubted.shown.com_radius = 2.5;

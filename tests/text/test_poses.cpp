@@ -24,6 +24,7 @@ Placement one_robot(const Vec2& at, std::uint32_t edge) {
   Placement placement(testing::polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
   placement.centre_of_mass = {2, 2};
   placement.teams = {Team{{Robot{{at, edge}, 1, 12.5}}, 1}};
+  placement.loads = summarize_loads(placement.teams);
   return placement;
 }
 

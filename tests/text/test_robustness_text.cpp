@@ -23,8 +23,7 @@ Placement placed(const std::string& name, std::uint32_t teams) {
 
 ordered_json json_of(const Placement& placement, const Shown& shown = {}, bool failures = false) {
   std::optional<CapacityInJson> limit;
-  if (shown.capacity)
-    limit = CapacityInJson{*shown.capacity, plan_capacity(placement, *shown.capacity)};
+  if (shown.capacity) limit = CapacityInJson{plan_capacity(placement, *shown.capacity), {}};
   return ordered_json::parse(placement_json({placement, shown}, false, limit, failures));
 }
 
@@ -44,7 +43,7 @@ TEST_CASE("the JSON says of each robot where it stands and faces and its load",
   REQUIRE(json["robots"].size() == 6);
   for (std::size_t i = 0; i < 6; ++i) {
     const ordered_json& robot = json["robots"][i];
-    CHECK(names_in(robot) == Names{"at", "team", "load", "contact", "stand", "heading"});
+    CHECK(names_in(robot) == Names{"at", "team", "load", "contact", "stand", "heading", "place"});
     CHECK(robot["team"] == i / 2);
     CHECK(robot["at"] == json["teams"][i / 2]["ends"][i % 2]);
     CHECK(robot["load"] == json["teams"][i / 2]["loads"][i % 2]);
@@ -218,10 +217,21 @@ TEST_CASE("a C uncertainty is told in sentences", "[words][robustness]") {
         off + "31" + change + "31.0 kg. From 30.0 on, the object can tip.");
   CHECK(plainly(words(1, 0)) ==
         off + "1" + change + "1.00 kg. Even the smallest error can tip the object.");
-  CHECK(plainly(uncertainty_for_capacity_in_words(loads, {1, 1, 30}, 12)) ==
+  Placement two(testing::polygon(testing::square));
+  two.teams = {Team{{Robot{}, Robot{}}, 1}};
+  const auto for_capacity = [&](double capacity) {
+    Shown shown;
+    shown.capacity = capacity;
+    return plainly(uncertainty_for_capacity_in_words(loads, {1, 1, 30}, {two, shown}));
+  };
+  CHECK(for_capacity(12) ==
         "Equally stiff robots stay within 12 kg as long as C is off by at most 4.00.");
-  CHECK(plainly(uncertainty_for_capacity_in_words(loads, {1, 1, 30}, 9)) ==
-        "If all robots are equally stiff, some carry more than 9 kg.");
+  CHECK(for_capacity(9) == "If all robots are equally stiff, some carry more than 9 kg.");
+  two.settings.method = Method::given;
+  Shown own;
+  own.support_capacities = {12, std::nullopt};
+  CHECK(plainly(uncertainty_for_capacity_in_words(loads, {1, 1, 30}, {two, own})) ==
+        "Equally stiff robots stay within their capacities as long as C is off by at most 4.00.");
 }
 
 TEST_CASE("an object can tip from the very distance on at which it tips", "[words][robustness]") {

@@ -143,7 +143,7 @@ TEST_CASE("what can still move is named, and what holds the object", "[words]") 
   placement.closure.clearance = {0.0912, 4, 0.05};
   CHECK(
       plainly(closure_in_words(placement)) ==
-      "It is held only while a robot of team 3 stands exactly in place: it is 0.091 from a corner.");
+      "The hold depends on the accuracy of a robot of team 3, which stands only 0.091 from a corner.");
   CHECK_FALSE(is_held(placement));
   placement.settings.clear = 0.09;
   CHECK(is_held(placement));
@@ -158,7 +158,9 @@ TEST_CASE("a capacity names the teams that are overloaded and the robots that ar
           "[words][capacity]") {
   Placement placement = three_teams();
   const auto words = [&](double capacity, const CapacityPlan* plan = nullptr) {
-    return plainly(capacity_in_words(placement, capacity, plan));
+    Shown shown;
+    shown.capacity = capacity;
+    return plainly(capacity_in_words({placement, shown}, plan));
   };
   CHECK(words(18.06) == "No robot carries more than 18.06 kg.");
   CHECK(words(16) == "3 of 6 robots are overloaded, with more than 16 kg: teams 1, 2 and 3.");
@@ -188,9 +190,11 @@ TEST_CASE("a capacity names the teams that are overloaded and the robots that ar
 TEST_CASE("a capacity says of which loads and of which robots it speaks", "[words][capacity]") {
   const Placement placement = three_teams();
   const CapacityPlan plan{true, 4, 12.48, 4}, none{false, 0, 0, 9};
+  Shown shown;
+  shown.capacity = 17;
   const auto words = [&](LoadModel model, const std::vector<std::size_t>& robots,
                          const CapacityPlan& needed, std::optional<std::size_t> failed = {}) {
-    return plainly(capacity_in_words(placement, 17, &needed, robots, model, failed));
+    return plainly(capacity_in_words({placement, shown}, &needed, robots, model, failed));
   };
   CHECK(
       words(LoadModel::springs, {0, 3}, plan) ==

@@ -151,12 +151,13 @@ TEST_CASE("steps are those of teams where they were found", "[view][ranges]") {
   CHECK_FALSE(walkthrough_is_open(state));
 }
 
-TEST_CASE("teams at their best places stay where they are", "[view][ranges]") {
+TEST_CASE("a robot of a team at its best place is taken over by hand", "[view][ranges]") {
   AppState state;
   begin(state, placed(document(asset(EVENLIFT_ASSETS_DIR "/polygons/guitar.txt"))));
-  CHECK_FALSE(can_take_robot(state, {Pick::Kind::robot, 1, 0, place_of(state, 1, 0)}));
+  CHECK(can_take_robot(state, {Pick::Kind::robot, 1, 0, place_of(state, 1, 0)}));
   give(state, MoveRobot{2, state.derived().placement->centre_of_mass});
   CHECK_FALSE(by_hand(state));
+  CHECK(settings(state).method == Method::given);
 }
 
 TEST_CASE("each step of swaps is shown, and a card tells of the swap", "[view][ranges]") {

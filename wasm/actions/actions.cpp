@@ -21,6 +21,8 @@ std::uint32_t teams_now(const AppState& s) { return settings(s).teams.value_or(p
 template <int by>
 void change_number(const AppState& s, Commands& out) {
   Settings changed = settings(s);
+  if (changed.method == Method::given)
+    return out.push_back(by > 0 ? Command(AddRobot{}) : Command(RemoveRobot{}));
   const auto within = [](std::int64_t number, std::uint32_t low, std::uint32_t high) {
     return static_cast<std::uint32_t>(std::clamp<std::int64_t>(number, low, high));
   };
@@ -32,9 +34,10 @@ void change_number(const AppState& s, Commands& out) {
 }
 
 void next_method(const AppState& s, Commands& out) {
-  const auto* at = std::find(std::begin(all_methods), std::end(all_methods), settings(s).method);
-  const auto next = static_cast<std::size_t>(at - std::begin(all_methods)) + 1;
-  out.push_back(SetMethod{all_methods[next % std::size(all_methods)]});
+  const auto* at =
+      std::find(std::begin(named_methods), std::end(named_methods), settings(s).method);
+  const auto next = static_cast<std::size_t>(at - std::begin(named_methods)) + 1;
+  out.push_back(SetMethod{named_methods[next % std::size(named_methods)]});
 }
 
 void change_ratio(const AppState& s, Commands& out, double steps) {
@@ -273,7 +276,7 @@ const std::vector<Action> table = {
     {ActionId::right_finely, Group::editing, Icon::none, "Move the cursor to the right by a pixel", "", {{"ArrowRight", false, true}}, when::drawing, move_cursor_finely<1, 0>},
     {ActionId::up_finely, Group::editing, Icon::none, "Move the cursor up by a pixel", "", {{"ArrowUp", false, true}}, when::drawing, move_cursor_finely<0, 1>},
     {ActionId::down_finely, Group::editing, Icon::none, "Move the cursor down by a pixel", "", {{"ArrowDown", false, true}}, when::drawing, move_cursor_finely<0, -1>},
-    {ActionId::left, Group::editing, Icon::none, "Move the selected vertex, the balanced robot whose card is open, the shape, or the drawing cursor", "Arrows", {{"ArrowLeft"}}, when::can_nudge, nudge_by<-1, 0>},
+    {ActionId::left, Group::editing, Icon::none, "Move the selected vertex, the robot whose card is open, the shape, or the drawing cursor", "Arrows", {{"ArrowLeft"}}, when::can_nudge, nudge_by<-1, 0>},
     {ActionId::right, Group::editing, Icon::none, "Move to the right", "", {{"ArrowRight"}}, when::can_nudge, nudge_by<1, 0>},
     {ActionId::up, Group::editing, Icon::none, "Move up", "", {{"ArrowUp"}}, when::can_nudge, nudge_by<0, 1>},
     {ActionId::down, Group::editing, Icon::none, "Move down", "", {{"ArrowDown"}}, when::can_nudge, nudge_by<0, -1>},
@@ -283,7 +286,11 @@ const std::vector<Action> table = {
     {ActionId::smaller, Group::editing, Icon::none, "Make the shape smaller", "", {{"{"}}, when::transforming, scale<9>},
     {ActionId::snap_grid, Group::editing, Icon::none, "Snap to the grid", "N", {{"n"}}, when::editing, snap<&Snap::grid>},
     {ActionId::snap_axis, Group::editing, Icon::none, "Snap to the axis", "X", {{"x"}}, when::editing, snap<&Snap::axis>},
-    {ActionId::more_teams, Group::teams, Icon::plus, "One more team or balanced robot", "T", {{"t"}}, when::has_teams_number, change_number<1>},
+    {ActionId::place_yourself, Group::teams, Icon::none, "Place four robots yourself", "Shift+X", {{"X"}}, when::has_teams_number, ask<PlaceYourself>},
+    {ActionId::remove_robot, Group::teams, Icon::none, "Remove the robot whose card is open", "Delete", {{"Delete"}, {"Backspace"}}, when::on_own_robot,
+     [](const AppState& s, Commands& out) { out.push_back(RemoveRobot{s.derived().explanation->robot}); }},
+    {ActionId::even_out, Group::teams, Icon::none, "Even out the robots placed by hand", "Shift+Q", {{"Q"}}, when::by_own_hand, ask<EvenOut>},
+    {ActionId::more_teams, Group::teams, Icon::plus, "One more team or robot", "T", {{"t"}}, when::has_teams_number, change_number<1>},
     {ActionId::fewer_teams, Group::teams, Icon::minus, "One fewer team or balanced robot", "Shift+T", {{"T"}}, when::has_teams_number, change_number<-1>},
     {ActionId::next_method, Group::teams, Icon::none, "Next method", "M", {{"m"}}, when::editing, next_method},
     {ActionId::compare, Group::teams, Icon::compare, "Compare with another method", "K", {{"k"}}, when::editing, next_second_method},

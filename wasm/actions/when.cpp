@@ -22,9 +22,14 @@ bool on_vertex(const AppState& s) { return on_parts(s) && s.view.selected.has_va
 
 bool on_robot(const AppState& s) {
   return on_parts(s) && s.derived().explanation && s.derived().explanation->robot &&
-         s.derived().placement &&
-         (settings(s).method == Method::balanced || can_move_teams(*s.derived().placement));
+         s.derived().placement && !in_walkthrough(s);
 }
+
+bool by_own_hand(const AppState& s) {
+  return has_teams_number(s) && settings(s).method == Method::given;
+}
+
+bool on_own_robot(const AppState& s) { return on_robot(s) && by_own_hand(s); }
 
 bool can_nudge(const AppState& s) {
   return on_vertex(s) || on_robot(s) || transforming(s) || drawing(s);

@@ -14,7 +14,9 @@ bool transforming(const AppState& s);
 bool in_walkthrough(const AppState& s);
 bool on_parts(const AppState& s);
 bool on_vertex(const AppState& s);
-bool on_robot(const AppState& s);  // a robot that the user can move, with its card open
+bool on_robot(const AppState& s);      // a robot that the user can move, with its card open
+bool by_own_hand(const AppState& s);   // the robots are placed by hand
+bool on_own_robot(const AppState& s);  // and the card of one is open
 bool can_nudge(const AppState& s);
 
 // While a polygon is drawn, undo removes one vertex.

@@ -13,6 +13,7 @@
 #include "edits/editing.h"
 #include "edits/open_document.h"
 #include "edits/sight.h"
+#include "edits/supports.h"
 #include "edits/undo.h"
 #include "edits/vertices.h"
 #include "evenlift/link.h"
@@ -50,6 +51,11 @@ struct Applier {
     document.moved = moved;
   }
   void operator()(const SetMethod& c) const {
+    if (c.method == Method::given) {
+      if (state.derived().placement)
+        (*this)(SetSettings{taken_over(settings(state), *state.derived().placement)});
+      return;
+    }
     auto [changed, aside] =
         with_method(settings(state), c.method, placed_teams(state), std::move(state.work.aside));
     state.work.aside = std::move(aside);
@@ -79,11 +85,22 @@ struct Applier {
     document.centre_of_mass = c.centre_of_mass;
   }
   void operator()(const EndEdit&) const {
+    state.view.away.reset();
     if (!state.work.edit_open) return;
     state.work.edit_open = false;
     if (state.view.camera_follows && !centre_is_shown(state)) state.view.fit_due = true;
   }
-  void operator()(const MoveRobot& c) const { move_robot(state, c.robot, c.to); }
+  void operator()(const MoveRobot& c) const {
+    const auto& placement = state.derived().placement;
+    if (placement && stands_freely(*placement))
+      move_support(state, c.robot, c.to);
+    else
+      move_robot(state, c.robot, c.to);
+  }
+  void operator()(const PlaceYourself&) const { place_yourself(state); }
+  void operator()(const AddRobot& c) const { add_support(state, c.at); }
+  void operator()(const RemoveRobot& c) const { remove_support(state, c.robot); }
+  void operator()(const EvenOut&) const { even_out_supports(state); }
   void operator()(const ResetRobots&) const { put_robots_back(state); }
   void operator()(TakeRobots& c) const {
     const Search& search = state.derived().search;

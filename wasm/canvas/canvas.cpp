@@ -76,7 +76,7 @@ void draw_chord(const Painter& painter, const CanvasView& view, const Shape& sha
   constexpr std::size_t many = 60;
   const std::size_t teams = view.placement->teams.size();
   // A line between a balanced robot and C is not a chord.
-  const bool balanced = view.placement->settings.method == Method::balanced,
+  const bool balanced = is_one_team(view.placement->settings.method),
              thin = balanced || teams > many;
   const float width = thin ? 1.0f : 2.0f;
   if (!balanced && named(view, shape.team)) {

@@ -81,7 +81,7 @@ std::string hint_of_robot(const AppState& state, const Pick& at) {
   const Units& units = shown(state).units;
   if (const Failure* failure = failing(state); failure && !at.second)
     return hint_of_failing(*failure, at, units);
-  if (!placement || placement->settings.method != Method::balanced)
+  if (!placement || !is_one_team(placement->settings.method))
     return hint_of_team(placement, at.index, units) +
            (can_take_robot(state, at) ? " · drag it along its range" : "");
   const auto robot = static_cast<std::size_t>(at.end);
@@ -136,7 +136,7 @@ std::string hint_of_pick(const AppState& state, const Pick& at) {
     case Pick::Kind::ground:
       break;
   }
-  return "Drag a vertex or the centre of mass · scroll to zoom · ? for keys";
+  return "Drag a robot, a vertex or the centre of mass · scroll to zoom · ? for keys";
 }
 
 }  // namespace

@@ -222,6 +222,9 @@ constexpr Look looks[] = {
     {FigureKind::unusable,         draw_elsewhere,      &Theme::amber},
     {FigureKind::body,             draw_body,           &Theme::robot, 1.5f},
     {FigureKind::hand,             draw_hand,           &Theme::robot, 1.5f},
+    {FigureKind::share,            draw_light_area<12>, &Theme::accent, 1.5f},
+    {FigureKind::level,            draw_dashes,         &Theme::chord, 1.2f},
+    {FigureKind::sinks,            draw_way,            &Theme::amber_on_object, 3},
 };
 // clang-format on
 

@@ -84,7 +84,7 @@ void Derivation::place() {
   placed_ = robots_ = true;
   drop_search(facts_, effects_);
   const Document& document = state_.work.document();
-  if (given_.moved) {
+  if (given_.moved && document.settings.method != Method::given) {
     facts_.placement = std::move(*given_.placement);
     facts_.placed.moved = facts_.placement->moved;
   } else if (given_.placement) {
@@ -143,8 +143,8 @@ void Derivation::tell_units() {
 
 void Derivation::place_second() {
   const bool waits = comes_to_rest() && facts_.second && waits_for_swap(*facts_.second);
-  const bool due =
-      (placed_ && !given_.moved) || waits || now_.second_method != before_.second_method;
+  const bool due = (placed_ && (!given_.moved || facts_.placed.settings.method == Method::given)) ||
+                   waits || now_.second_method != before_.second_method;
   if (!due || facts_.refusal) return;
   const auto balanced = [](const std::optional<Placement>& placement) {
     return placement && placement->settings.method == Method::balanced;

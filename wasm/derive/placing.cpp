@@ -20,15 +20,22 @@ Result<std::vector<Candidate>> all_candidates(const Placement& placement) {
   return std::move(found->candidates);
 }
 
+// The number of balanced robots to compare with: that of the placement, made even for teams.
+std::uint32_t robots_beside(const Derived& facts, std::uint32_t teams) {
+  return facts.placed.settings.method == Method::given
+             ? static_cast<std::uint32_t>(facts.placed.settings.supports.size())
+             : 2 * teams;
+}
+
 // The document by the second method, with the same number of robots.
 Document by_second_method(const Derived& facts, Method second) {
   Document document = facts.placed;
   document.moved = {};
   const std::uint32_t teams = placed_teams(facts.placement);
   Settings& settings = document.settings;
-  if (!settings.teams || settings.method == Method::balanced) settings.teams = teams;
+  if (!settings.teams || is_one_team(settings.method)) settings.teams = teams;
   if (second == Method::balanced)
-    settings.robots = std::clamp(2 * teams, fewest_robots(settings), most_robots);
+    settings.robots = std::clamp(robots_beside(facts, teams), fewest_robots(settings), most_robots);
   settings = with_method(settings, second, teams);
   return document;
 }

@@ -34,7 +34,7 @@ void draw_centre(const Painter& painter, const CanvasView& view) {
   const AppState& state = view.state;
   const Theme& theme = view.theme;
   const ImVec2 at = painter.at(centre_of_mass(state));
-  if (view.placement && view.placement->settings.method == Method::balanced)
+  if (view.placement && is_one_team(view.placement->settings.method))
     draw_tip(painter, ImVec2(at.x, at.y + 11), theme, theme.robot);
   const bool hovered = is_hovered(state, Pick::Kind::centre, 0);
   if (hovered) painter.list().AddCircleFilled(at, 16, theme.accent.at(0.22f).packed(), 32);

@@ -53,7 +53,7 @@ double body_radius(const CanvasView& view) {
 std::optional<Chord> pointed_chord(const CanvasView& view) {
   const Pick at = marked_part(view.state);
   const Placement& placement = *view.placement;
-  if (placement.settings.method == Method::balanced || view.failure() || at.second != view.second ||
+  if (is_one_team(placement.settings.method) || view.failure() || at.second != view.second ||
       view.state.view.held.kind != Pick::Kind::none)
     return std::nullopt;
   return chord_of_part(placement, at);

@@ -19,6 +19,7 @@
 #include "marks/walkthrough_robots.h"
 #include "tools/pick.h"
 #include "tools/shorter_way.h"
+#include "tools/support_spots.h"
 #include "ui/controls.h"
 #include "ui/vec.h"
 
@@ -72,7 +73,7 @@ void draw_closed_stretch(const Painter& painter, const CanvasView& view) {
   const auto robot = static_cast<std::size_t>(state.view.held.end);
   if (!state.view.closed_to || view.second || state.view.held.kind != Pick::Kind::robot) return;
   const Placement& placement = *view.placement;
-  const bool balanced = placement.settings.method == Method::balanced;
+  const bool balanced = is_one_team(placement.settings.method);
   const std::size_t team = balanced ? 0 : state.view.held.index;
   if (team >= placement.teams.size() || robot >= placement.teams[team].robots.size()) return;
   LiftingPoint from = placement.teams[team].robots[robot].point;
@@ -83,6 +84,31 @@ void draw_closed_stretch(const Painter& painter, const CanvasView& view) {
   const Vec2 spot(static_cast<double>(at.x), static_cast<double>(at.y));
   draw_word(painter.list(), spot, view.uncovered(), view.theme, view.theme.amber,
             closed_in_words(placement, team * placement.teams[team].robots.size() + robot));
+}
+
+// While a robot is placed by hand: a ghost where it would be even with another robot, and outside
+// the object the robot that letting go takes away.
+void draw_support_help(const Painter& painter, const CanvasView& view) {
+  const AppState& state = view.state;
+  if (view.second || !holds_support(state)) return;
+  const Theme& theme = view.theme;
+  if (const auto& away = state.view.away) {
+    const ImVec2 at = painter.at(away->at);
+    painter.list().AddCircleFilled(at, 12, theme.robot.at(0.25f).packed(), 32);
+    painter.list().AddCircle(at, 12, theme.robot.at(0.6f).packed(), 32, 1.5f);
+    const Vec2 spot(static_cast<double>(at.x), static_cast<double>(at.y));
+    draw_word(painter.list(), spot, view.uncovered(), theme, theme.second_text,
+              "Let go to take it away");
+    return;
+  }
+  constexpr double ghost_reach = 60;  // pixels
+  const auto robot = static_cast<std::size_t>(state.view.held.end);
+  const std::vector<Robot>& robots = view.placement->teams[0].robots;
+  if (robot >= robots.size()) return;
+  const auto even = even_spot(state, robots[robot].point.position, robot, ghost_reach);
+  if (!even) return;
+  painter.list().AddCircle(painter.at(*even), 10, theme.accent_on_object.packed(), 32, 1.5f);
+  painter.list().AddCircleFilled(painter.at(*even), 3, theme.accent_on_object.packed(), 16);
 }
 
 // The least press down at the pointer that tips the object.
@@ -239,6 +265,7 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
   if (view.current()) {
     draw_halo(painter, view);
     draw_closed_stretch(painter, view);
+    draw_support_help(painter, view);
     draw_robots(painter, view);
     draw_ratio(painter, view);
   }

@@ -57,14 +57,16 @@ void draw_robot(const Painter& painter, const Theme& theme, const RobotSize& siz
     list.PathArcTo(at, size.ring, start, start + 2 * pi * static_cast<float>(look.share), 40);
     list.PathStroke((look.over ? theme.amber : theme.robot_ring).packed(), 0,
                     look.over ? 3.0f : 2.0f);
-    list.AddCircleFilled(at, size.disc - 1, theme.robot.packed(), 32);
+    list.AddCircleFilled(at, size.disc - 1, (look.beneath ? theme.object : theme.robot).packed(),
+                         32);
+    if (look.beneath) list.AddCircle(at, size.disc - 2, theme.robot.packed(), 32, 1.5f);
   }
   if (look.explained) list.AddCircle(at, size.ring + 4, theme.accent_on_object.packed(), 40, 3);
   if (!size.numbered) return;
   const std::string number = std::to_string(look.number);
   const ImVec2 text = text_size(Face::tiny, number);
   draw_text(list, Face::tiny, ImVec2(at.x - text.x / 2, at.y - text.y / 2),
-            look.failed ? theme.robot : theme.robot_text, number);
+            look.failed || look.beneath ? theme.robot : theme.robot_text, number);
 }
 
 void draw_swarm(const Painter& painter, const CanvasView& view, std::size_t teams) {

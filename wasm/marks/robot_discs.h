@@ -36,6 +36,7 @@ struct RobotLook {
   double share = 1;  // of the greatest load
   bool over = false, failed = false;
   bool explained = false;  // its card is open
+  bool beneath = false;    // it stands beneath the object, and touches nothing sideways
 };
 void draw_robot(const Painter& painter, const Theme& theme, const RobotSize& size,
                 const Vec2& world, const RobotLook& look);

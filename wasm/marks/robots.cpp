@@ -34,7 +34,7 @@ void draw_robots(const Painter& painter, const CanvasView& view) {
   const auto is_explained = [&](std::size_t robot) {
     return card && !view.second && card->robot == robot;
   };
-  const bool alone = placement.settings.method == Method::balanced || view.failure();
+  const bool alone = is_one_team(placement.settings.method) || view.failure();
   for (std::size_t i = placement.teams.size(); i-- > 0;) {
     std::size_t number = robots_of(placement.teams, i);
     for (const Robot& robot : placement.teams[i].robots) {
@@ -48,7 +48,7 @@ void draw_robots(const Painter& painter, const CanvasView& view) {
       draw_robot(painter, view.theme, now, at,
                  {alone ? number + 1 : i + 1, outlook.greatest > 0 ? load / outlook.greatest : 0,
                   view.overloads(load), view.failure() && view.failure()->robot == number,
-                  is_explained(number)});
+                  is_explained(number), robot.point.edge == beneath});
       ++number;
     }
   }

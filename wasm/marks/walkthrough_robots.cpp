@@ -75,8 +75,20 @@ std::vector<LoadLabel> loads_of_walkthrough(const CanvasView& view) {
   return planned_load_labels(found, robot_size((walk.detail.balanced->robots.size() + 1) / 2));
 }
 
+// The given supports that the steps have shown.
+void draw_supports_of_walkthrough(const Painter& painter, const CanvasView& view) {
+  const std::vector<Robot>& robots = view.placement->teams[0].robots;
+  const std::uint32_t known = view.state.view.walkthrough.known.robots;
+  const RobotSize size = robot_size((robots.size() + 1) / 2);
+  for (std::size_t i = std::min<std::size_t>(known, robots.size()); i-- > 0;)
+    draw_robot(painter, view.theme, size, robots[i].point.position,
+               {.number = i + 1, .beneath = robots[i].point.edge == beneath});
+}
+
 void draw_robots_of_walkthrough(const Painter& painter, const CanvasView& view) {
   const Placement& placement = *view.placement;
+  if (view.state.view.walkthrough.trace->given())
+    return draw_supports_of_walkthrough(painter, view);
   if (view.state.view.walkthrough.trace->balanced())
     return draw_balanced_of_walkthrough(painter, view);
   const Progress& known = view.state.view.walkthrough.known;

@@ -124,9 +124,10 @@ EMSCRIPTEN_KEEPALIVE const char* page_state() {
       state.derived().plan_due ? std::nullopt : state.derived().spare;
   if (shown.capacity && !spare && state.derived().placement->settings.method != Method::balanced)
     spare = plan_for_failures(*state.derived().placement, *shown.capacity);
+  if (!shown.capacity && evenlift::has_capacities({*state.derived().placement, shown}))
+    capacity = CapacityInJson{};
   if (shown.capacity)
-    capacity = CapacityInJson{*shown.capacity,
-                              state.derived().plan && !state.derived().plan_due
+    capacity = CapacityInJson{state.derived().plan && !state.derived().plan_due
                                   ? *state.derived().plan
                                   : plan_capacity(*state.derived().placement, *shown.capacity),
                               spare};

@@ -23,6 +23,7 @@ inline constexpr MethodWords methods[] = {
     {Method::distributed, "Equal angles", "between teams, for comparison"},
     {Method::random, "Random", "teams at random, for comparison"},
     {Method::balanced, "Balanced", "all robots can carry the same load"},
+    {Method::given, "By hand", "robots where you put them"},
 };
 
 inline const MethodWords& words_of(Method method) {

@@ -53,6 +53,13 @@ constexpr LengthRow apart{Setting::apart,
                           &Settings::apart,
                           "Default: 12 % of the object's radius"};
 
+constexpr LengthRow snap{Setting::snap,
+                         "Snap",
+                         "Robots within this distance of the outline stand at the edge",
+                         "Snap distance of robots",
+                         &Settings::snap,
+                         "Default: a millionth of the object's size"};
+
 constexpr Choice length_units[] = {{"no unit"}, {"m"}, {"cm"}, {"mm"}, {"in"}};
 constexpr Choice weight_units[] = {{"kg"}, {"t"}, {"N"}, {"lb"}};
 static_assert(std::size(length_units) == std::size(all_length_units));
@@ -110,6 +117,7 @@ void draw_rows(const Ui& ui) {
   if (shown(ui.state).com_radius > 0) draw_block(ui, uncertainty_words(ui.state), 5);
   draw_length(ui, clear);
   draw_units(ui);
+  if (settings(ui.state).method == Method::given) draw_length(ui, snap);
   if (settings(ui.state).method != Method::balanced) return;
   draw_length(ui, apart);
   draw_survive(ui);

@@ -36,13 +36,13 @@ constexpr Overlay overlays[] = {
 
 // Why this overlay is always empty for the method; null if it is not.
 const char* why_none(Method method, const Overlay& overlay) {
-  const bool weighs = method != Method::balanced || overlay.shown != &Overlays::candidates;
-  return weighs ? nullptr : "Balanced robots are not chosen among candidate chords";
+  const bool weighs = !is_one_team(method) || overlay.shown != &Overlays::candidates;
+  return weighs ? nullptr : "These robots are not chosen among candidate chords";
 }
 
 // Whether the overlay shows the lines of balanced robots in place of chords.
 bool shows_lines(Method method, const Overlay& overlay) {
-  return overlay.shown == &Overlays::chords && method == Method::balanced;
+  return overlay.shown == &Overlays::chords && is_one_team(method);
 }
 
 const char* label_of(Method method, const Overlay& overlay) {

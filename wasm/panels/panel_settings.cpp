@@ -32,6 +32,7 @@ void draw_method(const Ui& ui) {
 
 // Why the minimum load ratio has no effect; null if it has one.
 const char* why_no_ratio(Method method) {
+  if (method == Method::given) return "Robots placed by hand are not chosen by their load ratio";
   if (method == Method::balanced)
     return "Balanced robots can all carry the same load: the ratio is always 1";
   return selects_candidates(method)
@@ -104,6 +105,19 @@ void draw_centre(const Ui& ui) {
     ui.push(ReleaseCentre{});
 }
 
+// One line: the greatest load, its spread, coverage, and whether the object is held. Below it, the
+// button that shows as many balanced robots beside these.
+void draw_score(const Ui& ui) {
+  if (!ui.state.derived().placement) return;
+  text_block_of(Face::label, ui.theme.second_text, score(ui.state),
+                ImGui::GetContentRegionAvail().x, 2);
+  const bool compared = ui.state.work.second_method == Method::balanced;
+  const float width = ImGui::GetContentRegionAvail().x;
+  if (flat_button(ui, "evenlift's", compared ? "Hide evenlift's" : "Show evenlift's", width))
+    ui.push(Compare{compared ? std::nullopt : std::optional(Method::balanced)});
+  if (ImGui::IsItemHovered()) tip(ui, "As many balanced robots, in a second picture");
+}
+
 // Moves robots that the user moved by hand back to their original places.
 void draw_reset(const Ui& ui, float width) {
   ImGui::SameLine(0, 8);
@@ -126,6 +140,24 @@ void draw_robots_stepper(const Ui& ui) {
   if (by == 0) return;
   changed.robots = by > 0 ? changed.robots + 1 : changed.robots - 1;
   ui.push(SetSettings{changed});
+}
+
+// The number of robots placed by hand, and the button that makes their loads equal.
+void draw_supports_stepper(const Ui& ui) {
+  const std::size_t robots = settings(ui.state).supports.size();
+  constexpr float button = 92;
+  const float width = labelled(
+      ui, "Robots", "One more goes where it adds most to the lifting base; drag any robot");
+  const int by = stepper(ui, "supports", std::to_string(robots), width - button - 8,
+                         {.can_lower = robots > 1,
+                          .can_raise = robots < most_supports,
+                          .label = "Robots placed by hand"});
+  ImGui::SameLine(0, 8);
+  if (flat_button(ui, "even out", "Even out", button)) ui.push(EvenOut{});
+  if (ImGui::IsItemHovered()) tip(ui, "Move two or three robots so that all carry the same load");
+  if (by > 0) ui.push(AddRobot{});
+  if (by < 0) ui.push(RemoveRobot{});
+  draw_score(ui);
 }
 
 }  // namespace
@@ -161,6 +193,7 @@ void draw_goal(const Ui& ui) {
 }
 
 void draw_teams_stepper(const Ui& ui) {
+  if (settings(ui.state).method == Method::given) return draw_supports_stepper(ui);
   if (settings(ui.state).method == Method::balanced) return draw_robots_stepper(ui);
   Settings changed = settings(ui.state);
   const bool all = !changed.teams, can_have_all = selects_candidates(changed.method);

@@ -198,7 +198,7 @@ void draw_teams(const Ui& ui) {
   const std::size_t count = ui.state.derived().placement->teams.size();
   const Columns c = columns(ui, ImGui::GetCursorScreenPos().x, ImGui::GetContentRegionAvail().x);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 2));
-  if (ui.state.derived().placement->settings.method == Method::balanced) {
+  if (is_one_team(ui.state.derived().placement->settings.method)) {
     draw_robots(ui, c);
     return ImGui::PopStyleVar();
   }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "evenlift/output/robustness_words.h"
+#include "evenlift/output/verdict.h"
 #include "evenlift/output/words.h"
 #include "tools/drawing.h"
 #include "walkthrough/words.h"
@@ -11,34 +12,37 @@
 namespace evenlift::view {
 
 bool is_overloaded(const AppState& state) {
-  const std::optional<double>& capacity = shown(state).capacity;
-  return capacity && state.derived().outlook.greatest > *capacity;
+  std::vector<double> greatest;
+  for (const LoadRange& range : state.derived().outlook.loads) greatest.push_back(range.greatest);
+  return !overloaded_robots({*state.derived().placement, shown(state)}, greatest).empty();
 }
 
 namespace {
 
+Mood mood_of(const Judgement& judgement, const Placement& placement) {
+  if (judgement.kind == VerdictKind::good) return Mood::good;
+  const bool falls = judgement.kind == VerdictKind::bad && !placement.teams.empty();
+  return falls ? Mood::falls : Mood::not_quite;
+}
+
 Verdict of_placement(const AppState& state) {
   const Placement& placement = *state.derived().placement;
-  const bool as_asked =
-      !placement.teams.empty() && placement.teams.size() >= placement.requested_teams;
-  const std::string tips = placement.teams.empty()
-                               ? std::string()
-                               : tipping_in_words(state.derived().outlook.robustness,
-                                                  shown(state).com_radius, shown(state).units);
-  const bool good = as_asked && placement.coverage >= good_coverage && is_held(placement) &&
-                    !is_overloaded(state) && tips.empty();
-  std::string detail =
-      (tips.empty() ? tips : tips + " ") + detail_in_words({placement, shown(state)});
+  const ShownPlacement of(placement, shown(state));
+  const Outlook& outlook = state.derived().outlook;
+  const std::string tips =
+      placement.loads
+          ? tipping_in_words(outlook.robustness, shown(state).com_radius, shown(state).units)
+          : std::string();
+  std::string detail = (tips.empty() ? tips : tips + " ") + detail_in_words(of);
+  for (const std::string& misfit : misfits_in_words(of)) detail += " " + misfit;
   if (!placement.teams.empty() && !placement.goal_reached)
     detail += " So the goal to hold is not reached.";
-  return {good ? Mood::good : Mood::not_quite,
-          loads_in_words({placement, shown(state)}, state.derived().outlook.model,
-                         state.derived().outlook.loads),
-          std::move(detail)};
+  return {mood_of(judge(of, outlook.robustness, outlook.loads), placement),
+          loads_in_words(of, outlook.model, outlook.loads), std::move(detail)};
 }
 
 Verdict of_failure(const AppState& state, const Failure& failure) {
-  const bool teams = failure.placement.settings.method != Method::balanced;
+  const bool teams = !is_one_team(failure.placement.settings.method);
   return {mood_of(state, failure.rest), failure_words(state, failure.robot),
           rest_in_words({failure.placement, shown(state)}) +
               (teams ? " While one fails, the discs show robot numbers, not team numbers." : "")};
@@ -70,12 +74,14 @@ Verdict of_drawing(const AppState& state) {
               : press + " the first vertex to close the shape."};
 }
 
-// The places of the balanced robots.
-std::string balanced_in_words(const Placement& placement) {
-  std::string text = " " + count_of(count_robots(placement.teams), "robot", "robots") + " of " +
-                     std::to_string(placement.settings.robots) +
-                     " requested, method balanced, goal " +
-                     std::string(name(goal_of(placement.settings))) + ".";
+// The places of the robots of one team.
+std::string robots_in_words(const Placement& placement) {
+  const bool given = placement.settings.method == Method::given;
+  std::string text = " " + count_of(count_robots(placement.teams), "robot", "robots");
+  text += given ? ", placed by hand."
+                : " of " + std::to_string(placement.settings.robots) +
+                      " requested, method balanced, goal " +
+                      std::string(name(goal_of(placement.settings))) + ".";
   if (placement.teams.empty()) return text;
   const TeamInWords team = team_in_words(placement, 0, coordinate_decimals(placement.vertices()));
   for (std::size_t i = 0; i < team.at.size(); ++i)
@@ -121,17 +127,30 @@ std::string news_of_drawing(const AppState& state) {
 
 }  // namespace
 
+std::string score(const AppState& state) {
+  const Placement& placement = *state.derived().placement;
+  const Units& units = shown(state).units;
+  std::string text = count_of(count_robots(placement.teams), "robot", "robots");
+  if (const auto& loads = placement.loads)
+    text += " · at most " + load_in_words(loads->max, loads->max, units) + " · spread " +
+            load_in_words(loads->spread, loads->max, units);
+  else
+    text += " · it falls";
+  return text + " · " + percentage(placement.coverage) + " covered · " +
+         (is_held(placement) ? "held" : "not held");
+}
+
 std::string need_in_words(const AppState& state) {
-  const std::optional<double>& capacity = shown(state).capacity;
-  if (!capacity || !state.derived().placement) return {};
+  if (!state.derived().placement) return {};
+  if (!has_capacities({*state.derived().placement, shown(state)})) return {};
   const Outlook& outlook = shown_outlook(state);
   std::vector<double> greatest;
   for (const LoadRange& range : outlook.loads) greatest.push_back(range.greatest);
   const Failure* failure = failing(state);
-  return capacity_in_words({*state.derived().placement, shown(state)}, *capacity,
+  return capacity_in_words({*state.derived().placement, shown(state)},
                            state.derived().plan ? &*state.derived().plan : nullptr,
-                           overloaded_robots(greatest, *capacity), outlook.model,
-                           failure ? std::optional(failure->robot) : std::nullopt,
+                           overloaded_robots({*state.derived().placement, shown(state)}, greatest),
+                           outlook.model, failure ? std::optional(failure->robot) : std::nullopt,
                            state.derived().spare && !failure ? &*state.derived().spare : nullptr);
 }
 
@@ -155,8 +174,8 @@ std::string uncertainty_words(const AppState& state) {
   if (!models || now.com_radius == 0) return {};
   const Robustness& robustness = state.derived().outlook.robustness;
   std::string text = uncertainty_in_words(*models, robustness, now.com_radius, now.units);
-  if (now.capacity)
-    text += " " + uncertainty_for_capacity_in_words(*models, robustness, *now.capacity, now.units);
+  const ShownPlacement of(*state.derived().placement, now);
+  if (has_capacities(of)) text += " " + uncertainty_for_capacity_in_words(*models, robustness, of);
   return text;
 }
 
@@ -223,7 +242,7 @@ std::string summary(const AppState& state) {
     if (!more.empty()) text += " " + more;
   const Placement& placement = *state.derived().placement;
   const Settings& settings = placement.settings;
-  if (settings.method == Method::balanced) return text + balanced_in_words(placement);
+  if (is_one_team(settings.method)) return text + robots_in_words(placement);
   text += " " + count_of(placement.teams.size(), "team", "teams") + " of " +
           std::to_string(placement.requested_teams) + " requested, method " +
           method_in_words(settings.method) + ", minimum load ratio " + plain(settings.min_ratio) +

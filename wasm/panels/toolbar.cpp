@@ -201,6 +201,12 @@ void draw_notice(const Ui& ui) {
             ui.theme.panel);
   ImGui::SetCursorScreenPos(ImVec2(at.x + 32, at.y + 3));
   text_block(face, ui.theme.text, notice.text, 30);
+  if (!notice.undo.empty()) {
+    ImGui::SetCursorScreenPos(ImVec2(at.x + 32, ImGui::GetCursorScreenPos().y + 4));
+    if (flat_button(ui, "undo offered", notice.undo.c_str(),
+                    text_button_width(notice.undo.c_str())))
+      ui.push(Undo{});
+  }
   const ImVec2 after = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos(ImVec2(at.x + static_cast<float>(width) - 20 - 24, at.y));
   if (icon_button(ui, "close", Icon::close, true, "Close (Esc)", 24)) ui.push(ShowNotice{});

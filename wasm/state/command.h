@@ -52,11 +52,19 @@ struct Undo {};
 struct Redo {};
 
 // Moves a balanced robot along the outline, and its neighbours follow; or moves a team, with the
-// robot, along its range. Always live.
+// robot, along its range; or moves the robot freely, with the method `given`. Always live.
 struct MoveRobot {
   std::size_t robot;  // counted team after team
-  Vec2 to;            // the robot goes to the nearest point of the outline
+  Vec2 to;
 };
+struct PlaceYourself {};  // four robots beneath the object, to play with
+struct AddRobot {         // at a place, or where it adds most to the lifting base
+  std::optional<Vec2> at;
+};
+struct RemoveRobot {  // by its number from 0, or the last
+  std::optional<std::size_t> robot;
+};
+struct EvenOut {};      // moves two or three given robots so that all carry the same load
 struct ResetRobots {};  // back to where the method placed them
 
 // The result of the search with this number (Given::Found). Without `robots`, the search cannot
@@ -276,16 +284,17 @@ struct AddStep {
 
 using Command = std::variant<
     SetSettings, SetMethod, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex,
-    OpenDocument, SetPolygon, EndEdit, MoveRobot, ResetRobots, Undo, Redo, SetShown, SetTool,
-    GripPolygon, AddPoint, MovePoint, TakePointBack, PutPointBack, FinishDrawing, SetDrawCursor,
-    TypeEdge, WithdrawEdge, SetSnap, Compare, Fail, SetLoadModel, SetMotion, OpenWalkthrough,
-    CloseWalkthrough, GoToStep, MoveSteps, MoveChapters, SetPlaying, SetSpeed, SetPredict, Guess,
-    PointAtChoice, AskWhy, Measure, HoverFigure, Explain, ShowInLesson, LeaveScript, ShowAllSteps,
-    SetPresenting, SelectVertex, SetHover, SetHeld, SetCamera, FitView, ZoomView, SetPanelOpen,
-    SetMoreOpen, SetRobotOpen, SetErases, ListIsOpen, CloseList, SetSheet, MeasureSheet,
-    MeasureNotice, CopyLink, TypeValue, OpenDialog, OpenPage, LayOutAgain, TakeRobots, ShowNotice,
-    EndNotice, SetCanvas, SetPreferences, SetTouch, CoverScreen, MakeRoom, LayPicture,
-    TakePictureAway, SetMeasuring, KeepMotion, KeepComparison, ForgetSteps, AddStep>;
+    OpenDocument, SetPolygon, EndEdit, MoveRobot, PlaceYourself, AddRobot, RemoveRobot, EvenOut,
+    ResetRobots, Undo, Redo, SetShown, SetTool, GripPolygon, AddPoint, MovePoint, TakePointBack,
+    PutPointBack, FinishDrawing, SetDrawCursor, TypeEdge, WithdrawEdge, SetSnap, Compare, Fail,
+    SetLoadModel, SetMotion, OpenWalkthrough, CloseWalkthrough, GoToStep, MoveSteps, MoveChapters,
+    SetPlaying, SetSpeed, SetPredict, Guess, PointAtChoice, AskWhy, Measure, HoverFigure, Explain,
+    ShowInLesson, LeaveScript, ShowAllSteps, SetPresenting, SelectVertex, SetHover, SetHeld,
+    SetCamera, FitView, ZoomView, SetPanelOpen, SetMoreOpen, SetRobotOpen, SetErases, ListIsOpen,
+    CloseList, SetSheet, MeasureSheet, MeasureNotice, CopyLink, TypeValue, OpenDialog, OpenPage,
+    LayOutAgain, TakeRobots, ShowNotice, EndNotice, SetCanvas, SetPreferences, SetTouch,
+    CoverScreen, MakeRoom, LayPicture, TakePictureAway, SetMeasuring, KeepMotion, KeepComparison,
+    ForgetSteps, AddStep>;
 using Commands = std::vector<Command>;
 
 }  // namespace evenlift::view

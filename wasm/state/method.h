@@ -19,15 +19,14 @@ inline std::uint32_t placed_teams(const AppState& state) {
 }
 
 // Whether a method considers the robots' size; for the others, robots are points.
-inline bool takes_sizes(Method method) {
-  return method == Method::balanced || selects_candidates(method);
-}
+inline bool takes_sizes(Method method) { return is_one_team(method) || selects_candidates(method); }
 
 // The settings with another method. Settings that the new method does not support are reset: "max"
 // to `teams`, the goal, the robots' size, and the no-go edges. For teams, a goal of balanced robots
 // is also reset.
 inline Settings with_method(Settings settings, Method method, std::uint32_t teams) {
   const bool balanced = method == Method::balanced;
+  if (method != Method::given) settings.supports.clear();
   if (!settings.teams && !selects_candidates(method) && !balanced) settings.teams = teams;
   const bool from_balanced = settings.method == Method::balanced;
   if (!balanced && (from_balanced || !selects_candidates(method))) settings.goal.reset();

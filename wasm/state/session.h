@@ -35,6 +35,7 @@ struct Notice {
   enum class Kind : std::uint8_t { info, problem };
   Kind kind = Kind::info;
   std::string text;  // empty: no notice
+  std::string undo;  // the label of a button that undoes the last edit, if there is one
 };
 
 struct Session {

@@ -68,7 +68,13 @@ struct View {
   std::optional<std::size_t> selected;  // vertex
   Pick hover, held;
   std::optional<LiftingPoint>
-      closed_to;           // where the dragged robot should go, if the others cannot follow
+      closed_to;  // where the dragged robot should go, if the others cannot follow
+  // A support that the pointer holds outside the object; meanwhile it is not among the supports.
+  struct Away {
+    Vec2 at;
+    std::optional<double> capacity;
+  };
+  std::optional<Away> away;
   bool erases = false;     // what the brush does while it is held
   bool measuring = false;  // the user chooses two points of the backdrop, to set its scale
 

@@ -66,7 +66,7 @@ Pick edge_at(const AppState& state, const Vec2& screen) {
 }
 
 Pick chord_at(const AppState& state, const Placement& placement, const Vec2& screen) {
-  if (placement.settings.method == Method::balanced) return {};  // balanced robots have no chords
+  if (is_one_team(placement.settings.method)) return {};  // these robots have no chords
   Nearest nearest{6};
   const std::vector<Team>& teams = placement.teams;
   const Vec2 world = state.view.camera.to_world(screen);
@@ -81,7 +81,7 @@ Pick chord_at(const AppState& state, const Placement& placement, const Vec2& scr
 }
 
 Pick candidate_at(const AppState& state, const Placement& placement, const Vec2& screen) {
-  if (!shown(state).overlays.candidates || placement.settings.method == Method::balanced) return {};
+  if (!shown(state).overlays.candidates || is_one_team(placement.settings.method)) return {};
   Nearest nearest{state.session.screen.touch ? 12.0 : 6.0};
   const Vec2 world = state.view.camera.to_world(screen);
   for (std::size_t i = 0; i < placement.candidates.size(); ++i) {
@@ -165,8 +165,11 @@ Pick pick(const AppState& state, const Vec2& screen, bool second) {
     const auto away = [&](const Pick& p) {
       return distance(state.view.camera.to_screen(p.at), screen);
     };
-    // On a vertex, the robot with the open card comes first, so that the user can grab it there.
-    const bool first = !second && is_asked_about(state, robot) && can_take_robot(state, robot);
+    // On a vertex, a robot placed by hand or with the open card comes first, so that the user can
+    // grab it there.
+    const bool first =
+        !second && can_take_robot(state, robot) &&
+        (placement->settings.method == Method::given || is_asked_about(state, robot));
     if (robot.kind != Pick::Kind::none &&
         (found.kind == Pick::Kind::none || first || away(robot) < away(found)))
       found = robot;
@@ -183,16 +186,13 @@ Pick pick(const AppState& state, const Vec2& screen, bool second) {
 }
 
 bool can_take_robot(const AppState& state, const Pick& pick) {
-  if (pick.kind != Pick::Kind::robot || pick.second || state.session.screen.embed) return false;
-  if (walkthrough_is_open(state)) return false;  // it shows other robots
-  const Placement* placement = current_placement(state, false);
-  if (!placement) return false;
-  return can_move_teams(*placement) ||
-         (placement->settings.method == Method::balanced && count_robots(placement->teams) >= 3);
+  if (pick.kind != Pick::Kind::robot || pick.second) return false;
+  if (walkthrough_is_open(state) || failing(state)) return false;  // other robots are shown
+  return current_placement(state, false) != nullptr;
 }
 
 Pick pick_to_hold(const AppState& state, const Vec2& screen, bool second) {
-  Pick nearest = pick(state, screen, second);
+  const Pick nearest = pick(state, screen, second);
   if (can_take_robot(state, nearest)) return nearest;
   Pick found = part_at(state, screen);
   found.second = second;

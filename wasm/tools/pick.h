@@ -12,8 +12,8 @@ namespace evenlift::view {
 // robots and chords are that method's. O(vertices + teams).
 Pick pick(const AppState& state, const Vec2& screen, bool second = false);
 
-// Whether the picked part is a robot that the user can move by hand: a balanced robot that two
-// others can follow, or a robot of a team that may stand anywhere in its range.
+// Whether the picked part is a robot that the user can move by hand: any robot of the first picture,
+// unless a walkthrough is open or a robot fails.
 bool can_take_robot(const AppState& state, const Pick& pick);
 
 // Like pick(), for a press that may begin a drag: a vertex or the centre of mass within reach

@@ -115,6 +115,27 @@ void explain_balanced(Explanation& explanation, const ShownPlacement& of, const 
       "are equally stiff and level.";
 }
 
+// Describes a robot placed by hand.
+void explain_support(Explanation& explanation, const ShownPlacement& of, const Pick& pick) {
+  const Placement& placement = of.placement;
+  const auto robot = static_cast<std::size_t>(pick.end);
+  const TeamInWords words = team_in_words(placement, 0, coordinate_decimals(placement.vertices()));
+  const Units& units = of.shown.units;
+  if (!pick.second) explanation.robot = robot;
+  explanation.title = "Robot " + number(robot) + " of " + std::to_string(words.loads.size());
+  if (placement.loads)
+    explanation.rows.push_back({"It carries", with_weight_unit(words.loads[robot], units) + " of " +
+                                                  given_weight(placement.settings.weight, units)});
+  explanation.rows.push_back({"It stands at", words.at[robot]});
+  if (const auto capacity = capacity_of(of, robot))
+    explanation.rows.push_back({"It can carry", given_weight(*capacity, units)});
+  explanation.reason = placement.teams[0].robots[robot].point.edge == beneath
+                           ? "It stands beneath the object: it lifts, and touches nothing sideways."
+                           : "It stands at the edge, where you put it.";
+  if (placement.loads && words.loads.size() > 3)
+    explanation.reason += " Loads are those of equally stiff and level robots.";
+}
+
 void explain_candidate(Explanation& explanation, const ShownPlacement& of, const Pick& pick,
                        const Trace* trace) {
   const Placement& placement = of.placement;
@@ -134,6 +155,10 @@ Explanation explain(const AppState& state, const Pick& pick) {
   const ShownPlacement of(placement, shown(state));
   Explanation explanation;
   explanation.of = pick;
+  if (placement.settings.method == Method::given) {
+    explain_support(explanation, of, pick);
+    return explanation;
+  }
   if (placement.settings.method == Method::balanced) {
     explain_balanced(explanation, of, pick);
     return explanation;

@@ -6,7 +6,8 @@ import { idle } from "./work.js";
 // Writes the changes for set() as text for the program, which checks them (settings.h). A value that is neither a
 // number nor a word is written as JSON, which every setting refuses.
 const lists = ["com", "overlays"];
-const texts = ["robot", "no_go"]; // as the program itself reads them: "r=30,reach=5", "3,5:0.25-0.75"
+// As the program itself reads them: "r=30,reach=5", "3,5:0.25-0.75", "0,0 160,0@30", "30,none".
+const texts = ["robot", "no_go", "supports", "support_capacities"];
 
 function word(value) {
   const other = typeof value === "object" || (typeof value === "string" && !/^[a-zA-Z]+$/.test(value));
@@ -15,8 +16,10 @@ function word(value) {
 
 function written(name, value) {
   if (value === null) return name === "com" ? "centroid" : "none";
+  if (Array.isArray(value) && name === "supports") return value.map((at) => written("com", at)).join(" ") || "none";
+  if (Array.isArray(value) && name === "support_capacities") return value.map((load) => word(load ?? "none")).join(",");
   if (Array.isArray(value) && lists.includes(name)) return value.map(word).join(",") || "none";
-  if (typeof value === "string" && texts.includes(name) && /^[\w=.,:+-]+$/.test(value)) return value;
+  if (typeof value === "string" && texts.includes(name) && /^[\w=.,:+@ -]+$/.test(value)) return value;
   // JavaScript may have rounded a whole number this large.
   if (name === "seed" && typeof value === "number" && !Number.isSafeInteger(value)) return "rounded";
   return word(value);

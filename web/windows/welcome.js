@@ -1,4 +1,4 @@
-// The card of the first visit: an introduction, and three ways to begin.
+// The card of the first visit: an introduction, and four ways to begin.
 import { closingButton, openCard } from "../kit/card.js";
 import { el } from "../kit/elements.js";
 import { lasting, write } from "../page/storage.js";
@@ -12,6 +12,10 @@ export async function show(page, { first = false } = {}) {
   const there = document.getElementById("welcome");
   if (there) return there.querySelector("button").focus({ preventScroll: true });
   const leave = new AbortController();
+  const place = () => {
+    page.program.number("page_key", "X", 0, 1);
+    document.getElementById("canvas").focus({ preventScroll: true });
+  };
   const draw = () => {
     page.program.number("page_key", "d", 0, 0);
     document.getElementById("canvas").focus({ preventScroll: true });
@@ -29,7 +33,8 @@ export async function show(page, { first = false } = {}) {
       el(
         "div",
         { class: "ways" },
-        closingButton("Draw your own", { class: "button primary" }, draw),
+        closingButton("Place robots yourself", { class: "button primary" }, place),
+        closingButton("Draw your own", {}, draw),
         closingButton("Choose a sample", {}, () => showSamples(page)),
         closingButton("Take the tour", { title: "It takes two minutes" }, () => showTour(page)),
       ),
@@ -42,7 +47,8 @@ export async function show(page, { first = false } = {}) {
   });
   if (first)
     page.announce(
-      "How to begin: draw your own shape, choose a sample, or take the tour. Shift+W moves the focus there.",
+      "How to begin: place robots yourself, draw your own shape, choose a sample, or take the tour. " +
+        "Shift+W moves the focus there.",
     );
   // After the first action the card is no longer needed. The program reports a change in the middle of it, so this
   // waits for its end.

@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "evenlift/failures.h"
 #include "evenlift/placement.h"
 
 namespace evenlift {
@@ -16,11 +18,28 @@ inline constexpr std::uint32_t most_teams_for_capacity = 512;
 // (swaps.h) if teams are swapped until they hold, otherwise most_teams_for_capacity. O(1).
 std::uint32_t most_teams_tried(const Settings& settings);
 
-// The robots that carry more than `capacity`, numbered as in find_robot() (loads.h). O(robots).
-std::vector<std::size_t> overloaded_robots(const Placement& placement, double capacity);
+// The greatest load that a robot can carry: a given support's own capacity, if it has one,
+// otherwise the common one. Nothing if neither is given. Robots are numbered as in find_robot()
+// (loads.h). O(1).
+std::optional<double> capacity_of(const ShownPlacement& of, std::size_t robot);
 
-// The indices of the loads that exceed `capacity`. O(robots).
-std::vector<std::size_t> overloaded_robots(const std::vector<double>& loads, double capacity);
+// Whether any robot has a capacity, and whether supports have capacities of their own. O(1).
+bool has_capacities(const ShownPlacement& of);
+bool has_own_capacities(const ShownPlacement& of);
+
+// The robots whose planned loads, or the given loads, exceed their capacities. O(robots).
+std::vector<std::size_t> overloaded_robots(const ShownPlacement& of);
+std::vector<std::size_t> overloaded_robots(const ShownPlacement& of,
+                                           const std::vector<double>& loads);
+
+// The capacity of each robot, or nothing for a robot without one. O(robots).
+std::vector<std::optional<double>> capacities_of(const ShownPlacement& of);
+
+// For each robot, whether another one would carry more than its capacity after the failure, by
+// springs; false if the others do not carry the object. `failures` are those of single_failures()
+// (placed_robots.h). O(m), or O(m^2 log m) if supports have capacities of their own.
+std::vector<bool> overloads_after(const ShownPlacement& of,
+                                  const std::vector<std::optional<RestOfRobots>>& failures);
 
 struct CapacityPlan {
   bool possible = false;     // whether some number of teams keeps every robot within the capacity
@@ -46,7 +65,7 @@ struct CapacityPlan {
 // that are swapped until they hold also differ for each number: each number costs as much as its
 // swaps (swaps.h). Balanced robots all carry the same planned load, so their least number
 // follows from the weight and from the number of failures to survive; whether such a set exists is
-// not checked.
+// not checked. For given supports no plan is possible.
 CapacityPlan plan_capacity(const Placement& placement, double capacity);
 
 // The number of robots needed if any one may fail. While all work, no robot carries more than the

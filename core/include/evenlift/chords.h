@@ -16,8 +16,12 @@ namespace evenlift {
 // A point on the boundary where a robot may stand.
 struct LiftingPoint {
   Vec2 position = Vec2::Zero();
-  std::uint32_t edge = 0;  // an edge on which it lies
+  std::uint32_t edge = 0;  // an edge on which it lies, or `beneath`
 };
+
+// In place of an edge: the point lies inside the object, where a robot lifts and touches nothing
+// sideways (supports.h).
+inline constexpr std::uint32_t beneath = ~std::uint32_t{0};
 
 // The positions of the points, in the same order. O(points).
 Points positions(const std::vector<LiftingPoint>& points);

@@ -29,12 +29,25 @@ inline constexpr std::uint32_t least_robots = 2;          // balanced
 inline constexpr std::uint32_t most_robots = 64;          // balanced
 inline constexpr std::uint32_t most_survived = 30;        // F failures take at least 2 F + 3 robots
 inline constexpr std::size_t most_no_go = 1000;           // no-go parts of edges
+inline constexpr std::size_t most_supports = 1000;        // for Method::given
 inline constexpr std::size_t most_moved_teams = 1000;     // by hand
 
 // How teams are chosen (algorithm.md, Selection; thesis 3.3 and 5.2).
-enum class Method : std::uint8_t { area, circle, distance, distributed, random, balanced };
+enum class Method : std::uint8_t { area, circle, distance, distributed, random, balanced, given };
+
+// The methods that find places for the robots. Method::given takes the places in the settings.
 inline constexpr Method all_methods[] = {Method::area,        Method::circle, Method::distance,
                                          Method::distributed, Method::random, Method::balanced};
+
+// All methods, each with a name in options and JSON.
+inline constexpr Method named_methods[] = {Method::area,        Method::circle, Method::distance,
+                                           Method::distributed, Method::random, Method::balanced,
+                                           Method::given};
+
+// Whether all robots form one team; the other methods make teams of two. O(1).
+constexpr bool is_one_team(Method method) {
+  return method == Method::balanced || method == Method::given;
+}
 
 // The methods of the thesis, which place teams of two.
 inline constexpr Method pair_methods[] = {Method::area, Method::circle, Method::distance,
@@ -58,6 +71,7 @@ constexpr std::optional<Metric> metric_of(Method method) {
     case Method::distributed:
     case Method::random:
     case Method::balanced:
+    case Method::given:
       break;
   }
   return std::nullopt;
@@ -157,6 +171,9 @@ struct Settings {
   Positions positions = Positions::best;  // of teams of two; balanced robots stand anywhere
   RobotSize robot;
   std::vector<EdgePart> no_go;  // no robot may touch these parts; at most most_no_go, in any order
+  Points supports;              // for Method::given, 1 .. most_supports (supports.h)
+  std::optional<double> snap;   // supports within this distance of the outline stand at the edge,
+                                // 0 .. max_length, in units of length; none means 1e-6 L
   bool operator==(const Settings&) const = default;
 };
 
@@ -170,6 +187,9 @@ struct Shown {
   std::optional<double> capacity;  // greatest load that a robot can carry,
                                    // min_weight .. max_weight, in the weight's unit; none means no
                                    // limit
+  // For Method::given: the capacity of each support, or none for the common one. As many as
+  // supports, or empty.
+  std::vector<std::optional<double>> support_capacities;
   Units units;
   bool operator==(const Shown&) const = default;
 };

@@ -71,6 +71,20 @@ struct Import {
 // shapes together. O(bytes + points), and O(n log n) for chains.
 Result<Import> read_shapes(std::string_view text, const ImportOptions& options = {});
 
+// The places of robots that already stand, with their capacities if any robot has one: as many, each
+// a number or nothing.
+struct SupportFile {
+  Points places;
+  Points contacts;  // where they touch the boundary, if a result says so; as many, or none
+  std::vector<std::optional<double>> capacities;
+  bool in_metres = false;  // robot poses for ROS 2 are, whatever the unit of the object
+};
+
+// Reads the places from a table whose first line names the columns x and y, and perhaps capacity;
+// from the JSON of a result (robots[].at) or of robot poses; from [[x, y], ...]; or from robot poses
+// as YAML. Bounded by max_text_bytes and most_supports. O(bytes).
+Result<SupportFile> read_support_file(std::string_view text);
+
 // Describes a shape by its name, kind, vertices and size, as in `"base plate", rectangle, 4
 // vertices, 120 x 80`. O(n).
 std::string describe(const ImportedShape& shape);

@@ -20,8 +20,9 @@ struct Robot {
 // same number of robots. The methods of the thesis make teams of two, at the ends of a chord.
 struct Team {
   std::vector<Robot> robots;  // r1 before r2 of a chord
-  double ratio = 1;  // the least load divided by the greatest, in (0, 1]; 0 only if a robot fails
-                     // (with_failure() of placed_robots.h)
+  // The least load divided by the greatest, in (0, 1]; 0 only if a robot carries nothing, which
+  // happens to given supports and if a robot fails (with_failure() of placed_robots.h).
+  double ratio = 1;
 };
 
 // The chord of a team of two. O(1).

@@ -6,9 +6,11 @@
 #include <optional>
 #include <vector>
 
+#include "evenlift/equilibrium.h"
 #include "evenlift/failures.h"
 #include "evenlift/load_models.h"
 #include "evenlift/placement.h"
+#include "evenlift/supports.h"
 #include "evenlift/uncertainty.h"
 
 namespace evenlift {
@@ -17,10 +19,12 @@ struct PlacedRobot {
   Vec2 at = Vec2::Zero();       // the lifting point
   Vec2 contact = Vec2::Zero();  // where it touches the boundary
   Vec2 stand = Vec2::Zero();    // the centre of its body
+  bool beneath = false;         // it stands beneath the object and touches nothing (supports.h);
+                                // contact and stand are then the lifting point
   std::uint32_t team = 0;
   double load = 0;  // as planned
   // The direction of the inward normal there, in (-180, 180]; at a vertex, the middle between the
-  // normals of its two edges.
+  // normals of its two edges; 0 beneath the object.
   double heading_deg = 0;
   Vec2 direction = Vec2(1, 0);  // the same direction as a unit vector, up to rounding
 };
@@ -29,9 +33,15 @@ struct PlacedRobot {
 // (tau L) of an end of its edge. O(n + m).
 std::vector<PlacedRobot> placed_robots(const Placement& placement);
 
+// Whether the object stands on its robots (equilibrium.h). O(m log m).
+Equilibrium equilibrium(const Placement& placement);
+
+// The given supports that do not fit or are too near to each other (supports.h); the methods that
+// find places leave none. O(m log n + m^2).
+std::vector<Misfit> misfits(const Placement& placement);
+
 // The loads by the models of load_models.h, in the order of the robots. Nothing if there are no
-// teams, or if C is outside H, which only rounding can cause. O(m log m), and O(m^3) up to 64
-// robots.
+// teams, or if the object falls. O(m log m), and O(m^3) up to 64 robots.
 struct ModelLoads {
   SpringLoads springs;
   double best = 0;

@@ -26,14 +26,15 @@ struct Placement {
   Settings settings;                     // as given
   std::shared_ptr<const Stands> stands;  // null if robots are points that may stand anywhere
   std::vector<Candidate> candidates;     // in candidate order; found with every method
-  std::uint32_t requested_teams = 0;     // as given; "max": all candidates; balanced robots: 1
+  std::uint32_t requested_teams = 0;     // as given; "max": all candidates; one team: 1
   std::vector<Team> teams;               // in the order of choice; perhaps fewer than requested.
-                                         // Balanced robots act as one team
+                                         // Balanced robots and supports act as one team
   std::vector<std::uint32_t> team_candidates;  // the index of each team's candidate; empty if the
                                                // method does not choose among candidates
-  Points lifting_base;               // corners of H, counter-clockwise; empty without teams
-  double coverage = 0;               // see stability.h
-  std::optional<LoadSummary> loads;  // nothing without teams
+  Points lifting_base;  // corners of H, counter-clockwise; empty without teams
+  double coverage = 0;  // see stability.h
+  std::optional<LoadSummary>
+      loads;  // nothing without teams, or if the object falls (equilibrium.h)
   Closure closure;
   bool goal_reached = false;  // there are robots and, with the goal `hold`, hold_clearly() is true
   Moved moved = {};           // robots that the user moved from where the method places them
@@ -49,8 +50,9 @@ enum class Effort : std::uint8_t { whole, start };
 
 // Checks that settings are in their ranges (settings.h) and compatible: "max" needs a method that
 // chooses among candidates; the goal `hold`, a robot's size and no-go edges need such a method or
-// balanced robots; failures to survive need enough balanced robots. The error's place names the
-// setting. O(parts of no_go).
+// balanced robots; failures to survive need enough balanced robots; the method `given` needs
+// supports, and their capacities must be as many. The error's place names the setting.
+// O(parts of no_go and supports).
 std::optional<InputError> check_settings(const Settings& settings, const Shown& shown = {});
 
 // The boundary points that the robots of all teams touch, in the order of the robots. Hands beneath
@@ -66,7 +68,7 @@ bool hold_clearly(const Placement& placement);
 
 // Checks the document and computes everything that is reported about it. The same document gives
 // the same bits on every platform. The errors are those of check_settings(), Polygon::create(),
-// check_centre_of_mass(), make_stands(), find_candidates() and check_swaps().
+// check_centre_of_mass(), make_stands(), place_supports(), find_candidates() and check_swaps().
 // O(n log n + K log K) for K edge pairs, plus the cost of the stands (stands.h), the selection
 // (selection.h), the swaps (swaps.h) or the search for balanced robots (balanced.h), and O(n h)
 // for the coverage.
@@ -77,6 +79,11 @@ Result<Placement> place(const Document& document, Effort effort = Effort::whole)
 Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_mass,
                         const Settings& settings, Effort effort = Effort::whole,
                         const Moved& moved = {});
+
+// The document with its supports moved to the nearest places with equal loads (even_out() of
+// supports.h). An error if there are none, if the method is not `given`, or if place() refuses the
+// document.
+Result<Document> with_even_supports(const Document& document);
 
 // Only the candidates among which place() would choose: those for the document's positions, robots
 // and no-go edges, whatever its method. O(n log n + K log K) for K edge pairs.

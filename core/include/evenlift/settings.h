@@ -44,6 +44,9 @@ enum class Setting : std::uint8_t {
   robot_depth,
   robot_width,
   robot_gap,
+  supports,
+  snap,
+  support_capacities,
   loads,
   failed,
   end_of_settings  // not a setting; keep it last: it counts the settings, and each needs a row
@@ -58,7 +61,14 @@ enum class Changes : std::uint8_t {
 };
 
 // The placements that a setting affects.
-enum class CountsFor : std::uint8_t { all, candidates, hold_requirements, balanced };
+enum class CountsFor : std::uint8_t {
+  all,
+  placing,            // all methods but `given`
+  candidates,         // methods that choose among candidates
+  hold_requirements,  // balanced robots, and the goal `hold`
+  balanced,
+  given
+};
 bool counts(CountsFor placements, const Settings& settings);  // O(1)
 
 // The program's options, grouped by the commands that accept them. `place`, `trace`, `optimum` and
@@ -115,7 +125,7 @@ std::span<const SettingRow> all_settings();
 const SettingRow& row_of(Setting setting);
 
 // Whether JSON and links include the setting, given the other settings. Settings that affect only
-// balanced robots or the goal `hold` are omitted where they have no effect. O(1).
+// balanced robots, the goal `hold` or supports are omitted where they have no effect. O(1).
 bool is_kept(const SettingRow& row, const Settings& settings);
 
 // The setting's name; and the setting with the given name or alias, or nothing if it is unknown.
@@ -139,17 +149,19 @@ InputError setting_error(Setting setting, std::string why);
 // returns the allowed values. Numbers have the syntax of read_number(), whole numbers that of
 // read_whole(): no spaces and no hexadecimal. Only the comma of `com` may have spaces and tabs
 // around it. Any other text, and any value out of range, is an error and changes nothing. The error
-// for `no_go` quotes the first wrong part if it is short. Any setting that changes where robots
-// stand also discards moves by hand. O(bytes).
+// for `no_go` or `supports` quotes the first wrong part if it is short. Any setting that changes
+// where robots stand also discards moves by hand. Supports also set the method `given`, and the
+// capacities that follow an @, such as "0,0@30 160,0". O(bytes).
 std::optional<InputError> read_setting(Setting setting, std::string_view text, Document& document);
 
 // The setting's value as text that read_setting() accepts; empty if the setting is not set and,
 // like `apart`, has no word for that. O(bytes).
 std::string text_of(Setting setting, const Document& document);
 
-// A robot's size as text, and no-go parts as text. O(bytes).
+// A robot's size, no-go parts and supports ("0,0 160,0 80,90") as text. O(bytes).
 std::string robot_text(const RobotSize& robot);
 std::string no_go_text(const std::vector<EdgePart>& no_go);
+std::string supports_text(const Points& supports);
 
 // The overlays with their names in JSON and texts.
 struct NamedOverlay {

@@ -97,10 +97,10 @@ class Stands {
   std::optional<WhyUnusable> why_not(std::uint32_t edge, double t) const;
 
   // The contact of the robot with this lifting point, and the centre of its body. At a vertex,
-  // where only points can stand, both are the lifting point itself. O(1).
+  // where only points can stand, and beneath the object both are the lifting point itself. O(1).
   Vec2 contact(const LiftingPoint& point) const;
   Vec2 stand(const LiftingPoint& point) const;
-  // The lifting point of a contact on an edge. O(1).
+  // The lifting point of a contact on an edge, or of a robot beneath the object. O(1).
   LiftingPoint lifting_point(const LiftingPoint& contact) const;
   // The distance along its edge from the first vertex to a lifting point or contact. O(1).
   double along(const LiftingPoint& point) const;
@@ -110,7 +110,8 @@ class Stands {
   // Whether two robots collide. The centres of their bodies must be at least 2 r + gap apart, and
   // the centre lines of their hands at least the hand's width. With a reach, the arm of each (from
   // its contact to the centre of its body) must be at least r + gap from the centre of the other's
-  // body, and the arms must not cross. All distances are to tau L. O(1).
+  // body, and the arms must not cross. A robot beneath the object has neither arm nor hand. All
+  // distances are to tau L. O(1).
   bool collide(const LiftingPoint& a, const LiftingPoint& b) const;
   // Whether any two of these robots collide. O(m^2).
   bool any_collide(const std::vector<LiftingPoint>& points) const;
@@ -135,7 +136,8 @@ std::vector<LiftingPoint> contact_points(const Stands* stands, std::vector<Lifti
 bool stands_anywhere(const Settings& settings);
 
 // The stands for these settings; null if robots are points that may stand anywhere. An error if an
-// edge of no_go does not exist, or if no robot could stand anywhere. Costs as much as Stands.
+// edge of no_go does not exist, or if a method would have to find places where no robot could stand
+// anywhere. Costs as much as Stands.
 Result<std::shared_ptr<const Stands>> make_stands(const Polygon& polygon, const Settings& settings);
 
 // The no-go parts when the user marks or edits the outline by hand. Results are in order and do not

@@ -39,6 +39,7 @@ namespace evenlift {
 enum class Chapter : std::uint8_t {
   object,         // the polygon and its centre of mass
   law,            // balanced robots: from the law of the lever to the law of the centroid
+  robots,         // given supports: where they stand
   vertex_chords,  // from each vertex through C
   slopes,         // the order of these chords
   pairs,          // edges that face each other, opposite vertices, and the candidates of both
@@ -52,7 +53,7 @@ enum class Chapter : std::uint8_t {
   failures,  // balanced robots: if one fails
   grasp,     // coverage and immobilization
 };
-inline constexpr std::uint32_t chapter_count = 14;
+inline constexpr std::uint32_t chapter_count = 15;
 
 // The subject of a step. The `item` of a step counts from 0 among the steps of its kind. The
 // comments name the numbered things; "1" means that there is only one such step.
@@ -102,8 +103,16 @@ enum class StepKind : std::uint8_t {
   held,   // 1: no swap makes the teams better
   // Robots with a size, or no-go edges:
   stands,  // 1, after the centre of mass: the usable boundary, and why the rest is not usable
+  // Given supports:
+  support,     // supports: at the edge or beneath
+  equations,   // 1: three equations, and whether they determine the loads
+  by_lever,    // 1: two robots
+  by_areas,    // 1: three robots, not on one line
+  by_springs,  // 1: any other number: a board on equal springs
+  extremes,    // 1, after by_springs: the loads at best and at worst
+  falls,       // 1: C is outside H, in place of the loads
 };
-inline constexpr std::uint32_t step_kind_count = 42;
+inline constexpr std::uint32_t step_kind_count = 49;
 inline constexpr std::uint32_t most_failing = 16;
 
 // "pairs", "first_team"; "outcome", "second_order": the names in JSON, lessons and links. O(1).
@@ -197,8 +206,9 @@ struct Trace {
   const std::vector<Team>& selected_teams() const {
     return stages.empty() ? placement.teams : stages.front();
   }
-  // Whether the robots are balanced. O(1).
+  // Whether the robots are balanced, and whether they are given supports. O(1).
   bool balanced() const { return problem.has_value(); }
+  bool given() const { return placement.settings.method == Method::given; }
 };
 
 // Whether C lies outside the polygon; the boundary counts as inside. Exact. O(n).
@@ -221,6 +231,7 @@ std::uint32_t nearest_step(const Trace& trace, const Step& step);
 // The knowledge after step k, as counts from the beginning of the trace's and the placement's
 // arrays.
 struct Progress {
+  std::uint32_t robots = 0;  // given supports shown
   std::uint32_t rays = 0;
   bool slopes = false;
   std::uint32_t sections = 0;    // pairs shown
@@ -475,8 +486,11 @@ enum class FigureKind : std::uint8_t {
   body,         // 1 point, the centre of a robot's body; value: radius; item: the unusable part
                 // where the robot does not fit, none if it fits
   hand,         // a robot's arm or hand, a segment or an area; item: as for `body`
+  share,        // triangle of C and two of three robots; item: the third robot; value: its share
+  level,        // line on which springs carry the same; value: that load
+  sinks,        // from C in the direction in which a board on springs sinks
 };
-inline constexpr std::uint32_t figure_kind_count = 45;
+inline constexpr std::uint32_t figure_kind_count = 48;
 std::string_view name(FigureKind kind);
 
 struct Figure {

@@ -35,10 +35,10 @@ std::vector<LoadRange> load_ranges(const std::vector<double>& loads, const Sprin
 // The greatest change of any load while C is anywhere within the radius. O(m).
 double greatest_change(const SpringLoads& springs, double radius);
 
-// The greatest radius within which C may lie so that, by springs, no robot carries more than the
-// capacity. At most springs.same_within, since no bound holds beyond it, and at most the tipping
+// The greatest radius within which C may lie so that, by springs, no robot carries more than its
+// capacity; robots without one carry anything. At most springs.same_within, since no bound holds beyond it, and at most the tipping
 // distance. Nothing if a robot is overloaded even with C at its assumed place. O(m).
 std::optional<double> radius_within_capacity(const SpringLoads& springs, double tipping_distance,
-                                             double capacity);
+                                             const std::vector<std::optional<double>>& capacities);
 
 }  // namespace evenlift

@@ -16,12 +16,14 @@ std::string_view name(Method method) {
       return "random";
     case Method::balanced:
       return "balanced";
+    case Method::given:
+      return "given";
   }
   return {};
 }
 
 std::optional<Method> method_from_name(std::string_view text) {
-  for (const Method method : all_methods) {
+  for (const Method method : named_methods) {
     if (text == name(method)) return method;
   }
   return std::nullopt;
@@ -76,6 +78,7 @@ std::optional<Positions> positions_from_name(std::string_view text) {
 }
 
 Goal goal_of(const Settings& settings) {
+  if (settings.method == Method::given) return Goal::cover;
   if (settings.goal) return *settings.goal;
   const bool holds = settings.method == Method::balanced && settings.robots > 3;
   return holds ? Goal::hold : Goal::cover;

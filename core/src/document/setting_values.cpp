@@ -1,7 +1,11 @@
 // Values with their own syntax.
 #include "document/setting_values.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "document/stand_settings.h"
+#include "document/support_settings.h"
 #include "numbers/text_cursor.h"
 
 namespace evenlift {
@@ -85,6 +89,31 @@ std::string text_of(const std::vector<EdgePart>& no_go, const SettingRange&) {
   return no_go_text(no_go);
 }
 bool is_within(const std::vector<EdgePart>& no_go, const SettingRange&) { return is_no_go(no_go); }
+
+bool take(std::string_view text, const SettingRange&, Points& supports) {
+  Document read;
+  if (!read_supports(text, read)) return false;
+  supports = std::move(read.settings.supports);
+  return true;
+}
+std::string text_of(const Points& supports, const SettingRange&) { return supports_text(supports); }
+bool is_within(const Points& supports, const SettingRange&) {
+  const auto is_bounded = [](const Vec2& at) {
+    return std::fabs(at.x()) <= max_coordinate && std::fabs(at.y()) <= max_coordinate;
+  };
+  return supports.size() <= most_supports &&
+         std::all_of(supports.begin(), supports.end(), is_bounded);
+}
+
+bool take(std::string_view text, const SettingRange&, Capacities& capacities) {
+  return read_capacities(text, capacities);
+}
+std::string text_of(const Capacities& capacities, const SettingRange&) {
+  return capacities_text(capacities);
+}
+bool is_within(const Capacities& capacities, const SettingRange&) {
+  return are_capacities(capacities);
+}
 
 }  // namespace setting_value
 

@@ -49,7 +49,7 @@ inline std::string text_of(std::uint64_t value, const SettingRange&) {
 
 // --- A choice of several, by name
 
-inline const auto& all_of(Method) { return all_methods; }
+inline const auto& all_of(Method) { return named_methods; }
 inline const auto& all_of(Goal) { return all_goals; }
 inline const auto& all_of(Positions) { return all_positions; }
 inline const auto& all_of(LengthUnit) { return all_length_units; }
@@ -113,18 +113,25 @@ bool take(std::string_view text, const SettingRange& range, std::optional<Value>
 // --- Values with their own syntax (setting_values.cpp)
 
 using NoGo = std::vector<EdgePart>;
+using Capacities = std::vector<std::optional<double>>;
 bool take(std::string_view text, const SettingRange&, std::optional<Vec2>& centre);
 bool take(std::string_view text, const SettingRange&, Overlays& overlays);
 bool take(std::string_view text, const SettingRange&, RobotSize& robot);
 bool take(std::string_view text, const SettingRange&, NoGo& no_go);
+bool take(std::string_view text, const SettingRange&, Points& supports);
+bool take(std::string_view text, const SettingRange&, Capacities& capacities);
 std::string text_of(const std::optional<Vec2>& centre, const SettingRange&);
 std::string text_of(const Overlays& overlays, const SettingRange&);
 std::string text_of(const RobotSize& robot, const SettingRange&);
 std::string text_of(const NoGo& no_go, const SettingRange&);
+std::string text_of(const Points& supports, const SettingRange&);
+std::string text_of(const Capacities& capacities, const SettingRange&);
 bool is_within(const std::optional<Vec2>& centre, const SettingRange&);
 bool is_within(const Overlays& overlays, const SettingRange&);
 bool is_within(const RobotSize& robot, const SettingRange&);
 bool is_within(const NoGo& no_go, const SettingRange&);
+bool is_within(const Points& supports, const SettingRange&);
+bool is_within(const Capacities& capacities, const SettingRange&);
 
 // --- The kind of a value in words, such as "a number from 0 to 1"
 

@@ -4,6 +4,7 @@
 
 #include "document/setting_values.h"
 #include "document/stand_settings.h"
+#include "document/support_settings.h"
 #include "evenlift/numbers.h"
 
 namespace evenlift {
@@ -61,6 +62,16 @@ constexpr SettingRow::Access part_of_robot() {
   return access;
 }
 
+// Supports, which bring their capacities and their method.
+constexpr SettingRow::Access supports_with_capacities() {
+  SettingRow::Access access = of<&Settings::supports>();
+  access.read = [](std::string_view text, const SettingRange&, Document& document) {
+    return read_supports(text, document);
+  };
+  return access;
+}
+constexpr SettingRow::Access of_supports = supports_with_capacities();
+
 constexpr SettingRow::Access of_the_view = {
     [](std::string_view, const SettingRange&, Document&) { return false; },
     [](const Document&, const SettingRange&) { return std::string(); },
@@ -75,6 +86,7 @@ constexpr SettingRow rows[] = {
      .name = "teams",
      .subject = "the number of teams",
      .edit = "the number of teams",
+     .counts_for = CountsFor::placing,
      .range = {1, max_teams, "max"},
      .option = {OptionGroup::placement, "N",
                 "number of teams, or max for every candidate (default 3)"},
@@ -86,7 +98,7 @@ constexpr SettingRow rows[] = {
      .subject = "the method",
      .edit = "the method",
      .option = {OptionGroup::placement, "NAME",
-                "area (default), circle, distance, distributed, random or balanced"},
+                "area (default), circle, distance, distributed, random, balanced or given"},
      .in_document = Listed::always,
      .in_result = Listed::always,
      .access = of<&Settings::method>()},
@@ -94,6 +106,7 @@ constexpr SettingRow rows[] = {
      .name = "min_ratio",
      .subject = "the minimum load ratio",
      .edit = "the minimum load ratio",
+     .counts_for = CountsFor::placing,
      .range = {0, 1},
      .option = {OptionGroup::placement, "R", "minimum load ratio, 0 to 1 (default 0.8)"},
      .in_document = Listed::always,
@@ -121,6 +134,7 @@ constexpr SettingRow rows[] = {
      .name = "seed",
      .subject = "the seed",
      .edit = "the seed",
+     .counts_for = CountsFor::placing,
      .option = {OptionGroup::placement, "S", "for the method random (default 1)"},
      .in_document = Listed::always,
      .in_result = Listed::always,
@@ -208,6 +222,7 @@ constexpr SettingRow rows[] = {
      .name = "goal",
      .subject = "the goal",
      .edit = "the goal or its limits",
+     .counts_for = CountsFor::placing,
      .option = {OptionGroup::placement, "GOAL",
                 "cover: the widest lifting base; hold: a hold with the minimum margin first"},
      .record = 2,
@@ -316,6 +331,44 @@ constexpr SettingRow rows[] = {
      .range = length,
      .is_length = true,
      .access = part_of_robot<&RobotSize::gap>()},
+    {.setting = Setting::supports,
+     .name = "supports",
+     .subject = "the supports",
+     .edit = "the robots",
+     .counts_for = CountsFor::given,
+     .rule = "must be 1 to 1000 points X,Y with spaces between them, such as 0,0 160,0 80,90, each "
+             "perhaps with its capacity as X,Y@K; or none",
+     .option = {OptionGroup::placement, "\"X,Y[@K] ...\"",
+                "robots that already stand, each perhaps with its capacity; or a file of them"},
+     .record = 21,
+     .in_document = Listed::if_changed,
+     .in_result = Listed::if_changed,
+     .access = of_supports},
+    {.setting = Setting::snap,
+     .name = "snap",
+     .subject = "the snap distance",
+     .edit = "the snap distance",
+     .counts_for = CountsFor::given,
+     .range = length,
+     .option = {OptionGroup::placement, "S",
+                "supports within S of the outline stand at the edge (default 1e-6 of its size)"},
+     .record = 22,
+     .in_document = Listed::if_changed,
+     .in_result = Listed::if_changed,
+     .is_length = true,
+     .access = of<&Settings::snap>()},
+    {.setting = Setting::support_capacities,
+     .name = "support_capacities",
+     .subject = "the capacities of the supports",
+     .edit = "the capacities of the supports",
+     .changes = Changes::shown,
+     .counts_for = CountsFor::given,
+     .rule = "must be a number greater than 0, or none, for each support, such as 30,none,40; or "
+             "nothing",
+     .record = 17,
+     .in_document = Listed::if_changed,
+     .in_result = Listed::if_changed,
+     .access = of<&Shown::support_capacities>()},
     {.setting = Setting::loads,
      .name = "loads",
      .subject = "the load model",
@@ -363,19 +416,24 @@ bool counts(CountsFor placements, const Settings& settings) {
   switch (placements) {
     case CountsFor::all:
       return true;
+    case CountsFor::placing:
+      return settings.method != Method::given;
     case CountsFor::candidates:
       return selects_candidates(settings.method);
     case CountsFor::hold_requirements:
       return balanced || goal_of(settings) == Goal::hold;
     case CountsFor::balanced:
       return balanced;
+    case CountsFor::given:
+      return settings.method == Method::given;
   }
   return true;
 }
 
 bool is_kept(const SettingRow& row, const Settings& settings) {
-  const bool is_theirs =
-      row.counts_for == CountsFor::balanced || row.counts_for == CountsFor::hold_requirements;
+  const bool is_theirs = row.counts_for == CountsFor::balanced ||
+                         row.counts_for == CountsFor::hold_requirements ||
+                         row.counts_for == CountsFor::given;
   return !is_theirs || counts(row.counts_for, settings);
 }
 
@@ -396,7 +454,9 @@ InputError setting_error(Setting setting, std::string why) {
 std::optional<InputError> read_setting(Setting setting, std::string_view text, Document& document) {
   const SettingRow& row = row_of(setting);
   if (!row.access.read(text, row.range, document)) {
-    const std::string_view part = setting == Setting::no_go ? refused_part(text) : "";
+    const std::string_view part = setting == Setting::no_go      ? refused_part(text)
+                                  : setting == Setting::supports ? refused_support(text)
+                                                                 : "";
     if (part.empty()) return setting_error(setting);
     return setting_error(setting, requirement(setting) + (", not \"" + std::string(part) + "\""));
   }

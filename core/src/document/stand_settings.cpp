@@ -90,6 +90,11 @@ bool read_no_go(std::string_view text, std::vector<EdgePart>& no_go) {
   return good;
 }
 
+bool is_quotable(std::string_view part) {
+  return part.size() <= 40 &&
+         std::all_of(part.begin(), part.end(), [](char c) { return c >= ' ' && c <= '~'; });
+}
+
 std::string_view refused_part(std::string_view text) {
   std::string_view refused;
   for_each_word(text, [&](std::string_view word) {
@@ -97,10 +102,7 @@ std::string_view refused_part(std::string_view text) {
     refused = word;
     return false;
   });
-  const bool quotable =
-      refused.size() <= 40 &&
-      std::all_of(refused.begin(), refused.end(), [](char c) { return c >= ' ' && c <= '~'; });
-  return quotable ? refused : std::string_view();
+  return is_quotable(refused) ? refused : std::string_view();
 }
 
 bool is_robot_size(const RobotSize& robot) {

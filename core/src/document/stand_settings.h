@@ -30,6 +30,9 @@ bool read_no_go(std::string_view text, std::vector<EdgePart>& no_go);
 // too long or strange to quote. O(bytes).
 std::string_view refused_part(std::string_view text);
 
+// Whether a part of a text is short and plain enough to quote in a message. O(bytes).
+bool is_quotable(std::string_view part);
+
 // Whether the values are in their ranges. O(1) and O(parts).
 bool is_robot_size(const RobotSize& robot);
 bool is_no_go(const std::vector<EdgePart>& no_go);

@@ -60,6 +60,7 @@ Contact ContactFinder::contact_inside(const Vec2& p, std::uint32_t edge,
 std::vector<Contact> ContactFinder::find(const std::vector<LiftingPoint>& points) const {
   std::vector<Contact> contacts;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (points[i].edge == beneath) continue;
     const auto vertex = vertex_at(points[i].position);
     if (!vertex) {
       contacts.push_back(contact_inside(points[i].position, points[i].edge, i));

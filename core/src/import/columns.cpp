@@ -6,6 +6,7 @@
 
 #include "evenlift/numbers.h"
 #include "formats/readers.h"
+#include "import/cells.h"
 #include "import/gathering.h"
 #include "import/readers.h"
 #include "import/unit_words.h"
@@ -14,59 +15,11 @@
 namespace evenlift {
 namespace {
 
-using Fields = std::vector<std::string_view>;
-
-// No table of coordinates has more.
-constexpr std::size_t most_fields = 1000;
-
-std::string_view unquoted(std::string_view field) {
-  field = trimmed(field);
-  if (field.size() >= 2 && field.front() == '"' && field.back() == '"')
-    field = trimmed(field.substr(1, field.size() - 2));
-  return field;
-}
-
 // Whether the line begins with a number, perhaps in quotes. No heading does.
 bool has_number_first(std::string_view line) {
   line.remove_prefix(std::min(line.find_first_not_of(" \t\"+-.,;|"), line.size()));
   return !line.empty() && line[0] >= '0' && line[0] <= '9';
 }
-
-// A line that is neither blank nor a comment.
-struct Line {
-  std::string_view text;
-  bool after_blank = false;  // a blank line precedes it
-};
-
-class Lines {
- public:
-  explicit Lines(std::string_view text) : text_(text) {}
-
-  std::optional<Line> next() {
-    bool blank = false;
-    while (at_ < text_.size()) {
-      const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
-      const std::string_view line = trimmed_of_commas(text_.substr(at_, end - at_));
-      at_ = end + 1;
-      if (end + 1 < text_.size() && text_[end] == '\r' && text_[end + 1] == '\n') ++at_;
-      if (line.empty())
-        blank = true;
-      else if (line.front() != '#')
-        return Line{line, blank};
-    }
-    return std::nullopt;
-  }
-
- private:
-  // A spreadsheet writes an empty row as separators alone.
-  static std::string_view trimmed_of_commas(std::string_view line) {
-    const bool nothing = line.find_first_not_of(" \t,;|") == std::string_view::npos;
-    return nothing ? std::string_view() : line;
-  }
-
-  std::string_view text_;
-  std::size_t at_ = 0;
-};
 
 class ColumnReader {
  public:
@@ -81,9 +34,7 @@ class ColumnReader {
   }
   void find_separator();
   std::optional<InputError> read_lines();
-  Fields split(std::string_view line) const;
   bool is_heading(const Line& line, const Fields& fields) const;
-  std::optional<double> number(std::string_view field) const;
   std::optional<InputError> heading(const Line& line, const Fields& fields);
   std::optional<InputError> row(const Line& line);
   std::optional<InputError> choose_columns(const Line& line, const Fields& fields);
@@ -110,51 +61,6 @@ InputError ColumnReader::error(std::string_view at, ErrorCode code,
   return text_error(code, std::string(message), text_, offset);
 }
 
-// The first of these separators that the line contains.
-char separator_of(std::string_view line) {
-  for (const char c : {'\t', ';', '|', ','})
-    if (line.find(c) != std::string_view::npos) return c;
-  return ' ';
-}
-
-Fields ColumnReader::split(std::string_view line) const {
-  Fields fields;
-  for (std::size_t at = 0; at <= line.size() && fields.size() < most_fields;) {
-    if (separator_ == ' ') {
-      at = std::min(line.find_first_not_of(" \t", at), line.size());
-      if (at == line.size()) break;
-    }
-    // A quoted field may contain the separator.
-    const bool quoted = at < line.size() && line[at] == '"';
-    const std::size_t quote = quoted ? line.find('"', at + 1) : std::string_view::npos;
-    const std::size_t from = quote == std::string_view::npos ? at : quote;
-    const std::string_view separators =
-        separator_ == ' ' ? std::string_view(" \t") : std::string_view(&separator_, 1);
-    const std::size_t end = std::min(line.find_first_of(separators, from), line.size());
-    fields.push_back(unquoted(line.substr(at, end - at)));
-    at = end + 1;
-  }
-  while (!fields.empty() && fields.back().empty()) fields.pop_back();
-  return fields;
-}
-
-std::optional<double> ColumnReader::number(std::string_view field) const {
-  const std::size_t comma = field.find(',');
-  if (comma == std::string_view::npos) return read_number(field);
-  const bool one_mark = field.find_first_of(".,", comma + 1) == std::string_view::npos &&
-                        field.find('.') == std::string_view::npos;
-  if (!decimal_comma_ || !one_mark) return std::nullopt;
-  std::string with_point(field);
-  with_point[comma] = '.';
-  return read_number(with_point);
-}
-
-// "x", "X", "x_mm", "x (m)", but not "xml" or "share_of_x".
-bool names_column(std::string_view field, char name) {
-  if (field.empty() || lower_case(field[0]) != name) return false;
-  return field.size() == 1 || (!is_letter(field[1]) && static_cast<unsigned char>(field[1]) < 0x80);
-}
-
 // The unit at the end of a column's name, such as "x (mm)", "x_cm" or "X [m]"; none without one.
 LengthUnit unit_of_column(std::string_view field) {
   const auto is_mark = [](char c) { return !is_letter(c); };
@@ -164,11 +70,6 @@ LengthUnit unit_of_column(std::string_view field) {
   for (const LengthUnit unit : all_length_units)
     if (unit != LengthUnit::none && same_word(field, name(unit))) return unit;
   return LengthUnit::none;
-}
-
-bool has_field(const Fields& fields, std::string_view name) {
-  return std::any_of(fields.begin(), fields.end(),
-                     [&](std::string_view field) { return same_word(field, name); });
 }
 
 std::optional<InputError> ColumnReader::heading(const Line& line, const Fields& fields) {
@@ -217,12 +118,12 @@ InputError ColumnReader::not_a_number(std::string_view field) const {
 std::optional<InputError> ColumnReader::choose_columns(const Line& line, const Fields& fields) {
   // "1,5 2,3" may mean 1.5 and 2.3, or three numbers.
   for (const std::string_view field : fields)
-    if (!number(field) &&
+    if (!cell_number(field, decimal_comma_) &&
         field.find_first_not_of("0123456789+-.,eE \t") == std::string_view::npos && !field.empty())
       return not_a_number(field);
   std::size_t numbers = 0;
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (!number(fields[i])) continue;
+    if (!cell_number(fields[i], decimal_comma_)) continue;
     ++numbers;
     if (!x_)
       x_ = i;
@@ -231,7 +132,7 @@ std::optional<InputError> ColumnReader::choose_columns(const Line& line, const F
   }
   if (numbers < 2) {
     const auto wrong = std::find_if(fields.begin(), fields.end(), [&](std::string_view field) {
-      return !field.empty() && !number(field);
+      return !field.empty() && !cell_number(field, decimal_comma_);
     });
     if (wrong != fields.end()) return not_a_number(*wrong);
     return error(line, ErrorCode::bad_syntax, "a line has two numbers, x and y");
@@ -241,7 +142,7 @@ std::optional<InputError> ColumnReader::choose_columns(const Line& line, const F
 }
 
 std::optional<InputError> ColumnReader::row(const Line& line) {
-  const Fields fields = split(line.text);
+  const Fields fields = split_cells(line.text, separator_);
   if (!x_)
     if (auto wrong = choose_columns(line, fields)) return wrong;
   double values[2];
@@ -249,7 +150,7 @@ std::optional<InputError> ColumnReader::row(const Line& line) {
   for (int i = 0; i < 2; ++i) {
     if (columns[i] >= fields.size() || fields[columns[i]].empty())
       return error(line, ErrorCode::bad_syntax, i == 0 ? "the line has no x" : "the line has no y");
-    const std::optional<double> value = number(fields[columns[i]]);
+    const std::optional<double> value = cell_number(fields[columns[i]], decimal_comma_);
     if (!value) return not_a_number(fields[columns[i]]);
     values[i] = *value;
   }
@@ -287,8 +188,9 @@ void ColumnReader::find_separator() {
 // Whether no field of the line is a number, and the line does not begin with one.
 bool ColumnReader::is_heading(const Line& line, const Fields& fields) const {
   return !has_number_first(line.text) &&
-         std::none_of(fields.begin(), fields.end(),
-                      [&](std::string_view field) { return number(field).has_value(); });
+         std::none_of(fields.begin(), fields.end(), [&](std::string_view field) {
+           return cell_number(field, decimal_comma_).has_value();
+         });
 }
 
 // Whether the line is the heading of poses for ROS 2.
@@ -302,7 +204,7 @@ std::optional<InputError> ColumnReader::read_lines() {
       return error(*line, ErrorCode::unsupported, robots_are_no_polygon);
     if (line->after_blank) end_shape();
     const bool begins = first || (line->after_blank && points_.empty());
-    const Fields fields = split(line->text);
+    const Fields fields = split_cells(line->text, separator_);
     first = begins && is_heading(*line, fields);  // a name may precede a heading
     if (auto wrong = first ? heading(*line, fields) : row(*line)) return wrong;
     has_rows_ = has_rows_ || !first;

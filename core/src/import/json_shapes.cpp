@@ -38,6 +38,7 @@ class JsonShapes {
   std::optional<InputError> take_teams(Document& document) const;
   std::optional<InputError> take_stands(Document& document) const;
   std::optional<InputError> take_moved(Document& document) const;
+  std::optional<InputError> take_supports(Document& document);
   std::optional<InputError> take_uncertainty(Document& document) const;
   std::optional<InputError> take_settings(Document& document);
   std::optional<InputError> take_overlays(Index overlays, Overlays& shown) const;
@@ -115,12 +116,12 @@ std::optional<InputError> JsonShapes::take_row(const SettingRow& row, Document& 
 }
 
 // A result lists its teams and gives the requested number. For `max` that is a plain number, and
-// for balanced robots it is 1: then `teams_asked` holds the setting.
+// for balanced robots and supports it is 1: then `teams_asked` holds the setting.
 std::optional<InputError> JsonShapes::take_teams(Document& document) const {
-  const bool balanced = document.settings.method == Method::balanced;
+  const bool one_team = is_one_team(document.settings.method);
   for (const std::string_view name : {"teams", "requested_teams", "teams_asked"})
     if (const auto at = tree_.member(0, name);
-        at && !is(at, Kind::array) && !(balanced && name == "requested_teams"))
+        at && !is(at, Kind::array) && !(one_team && name == "requested_teams"))
       if (auto wrong =
               take_setting(Setting::teams, *at, value_text(row_of(Setting::teams), *at), document))
         return wrong;
@@ -148,6 +149,7 @@ std::optional<InputError> JsonShapes::take_settings(Document& document) {
     if (auto wrong = take_overlays(*at, document.shown.overlays)) return wrong;
   if (auto wrong = take_stands(document)) return wrong;
   if (auto wrong = take_moved(document)) return wrong;
+  if (auto wrong = take_supports(document)) return wrong;
   return take_uncertainty(document);
 }
 
@@ -161,6 +163,24 @@ std::optional<InputError> JsonShapes::take_moved(Document& document) const {
                  "robots moved by hand must be written like 3:0.25,5:0.5,9:1 or 2@3:0.25/9");
   document.moved = *std::move(moved);
   return std::nullopt;
+}
+
+// Reads the supports and their capacities. A result contains them if its method is `given`.
+std::optional<InputError> JsonShapes::take_supports(Document& document) {
+  const auto supports = tree_.member(0, "supports"),
+             capacities = tree_.member(0, "support_capacities");
+  if (!is(supports, Kind::array) || document.settings.method != Method::given) return std::nullopt;
+  Result<Points> read = points(*supports);
+  if (!read) return read.error();
+  if (read->size() > most_supports)
+    return error(*supports, ErrorCode::bad_setting, requirement(Setting::supports));
+  document.settings.supports = std::move(read).value();
+  if (!is(capacities, Kind::array)) return std::nullopt;
+  std::string text;
+  for (Index i = tree_.first(*capacities); i != tree_.end(*capacities); i = tree_.next(i))
+    text += (text.empty() ? "" : ",") +
+            (tree_.kind(i) == Kind::number ? shortest(tree_.number(i)) : std::string("none"));
+  return take_setting(Setting::support_capacities, *capacities, text, document);
 }
 
 // Reads the robots' size, an object whose members have the names of the settings without the

@@ -75,7 +75,8 @@ struct Content {
   QuantizedVertices quantized;              // the vertices, by the scale of the encoding
   std::optional<Vec2> centre_of_mass;
   LinkVersion version = LinkVersion::one;
-  Records records;  // of version 2
+  Records records;         // of version 2
+  CodedSupports supports;  // of a record
 };
 
 // An encoder writes the content, with the vertices in the given encoding. A decoder reads all of
@@ -97,7 +98,7 @@ Encoding code_content(Coder& coder, Content& content, Encoding encoding) {
   if (has_centre && !coder.failed()) {
     centre = code_centre(coder, centre.value_or(Vec2::Zero()), encoding.scale, content.quantized);
   }
-  if (content.version == LinkVersion::two) code_records(coder, content.records);
+  if (content.version == LinkVersion::two) code_records(coder, content.records, content.supports);
   return encoding;
 }
 
@@ -112,6 +113,8 @@ bool is_finite(const Document& document) {
   for (const Vec2& vertex : document.vertices)
     if (!vertex.allFinite()) return false;
   if (document.centre_of_mass && !document.centre_of_mass->allFinite()) return false;
+  for (const Vec2& support : document.settings.supports)
+    if (!support.allFinite()) return false;
   return std::isfinite(document.settings.weight) && std::isfinite(document.settings.min_ratio);
 }
 
@@ -122,6 +125,8 @@ Document document_of(const Content& content) {
   document.vertices.reserve(content.quantized.size());
   for (const auto& vertex : content.quantized)
     document.vertices.emplace_back(vertex[0].value, vertex[1].value);
+  for (const auto& support : content.supports.quantized)
+    document.settings.supports.emplace_back(support[0].value, support[1].value);
   return document;
 }
 
@@ -131,12 +136,43 @@ LinkVersion version_for(const Document& document) {
   return records_of(document).empty() ? LinkVersion::one : LinkVersion::two;
 }
 
+namespace {
+
+// The supports in the encodings that are worth trying: one without supports.
+std::vector<CodedSupports> encodings_of_supports(const Document& document) {
+  if (document.settings.method != Method::given || document.settings.supports.empty()) return {{}};
+  std::vector<CodedSupports> all;
+  for (QuantizedPolygon& likely : likely_encodings(document.settings.supports))
+    all.push_back({likely.encoding, std::move(likely.quantized)});
+  return all;
+}
+
+CodedSupports shortest_supports(const Encoding& encoding, Content& content,
+                                const Document& document) {
+  std::vector<CodedSupports> all = encodings_of_supports(document);
+  std::size_t shortest = 0, least = 0;
+  for (std::size_t i = 0; i < all.size() && all.size() > 1; ++i) {
+    content.supports = all[i];
+    const std::size_t size = encode_in(encoding, content).size();
+    if (i > 0 && size >= least) continue;
+    shortest = i;
+    least = size;
+  }
+  return std::move(all[shortest]);
+}
+
+}  // namespace
+
 Digits encode_payload(const Document& document) {
   Digits best;
   bool first = true;
+  std::optional<CodedSupports> supports;  // in the shortest encoding, which the first vertices find
   for (QuantizedPolygon& candidate : likely_encodings(document.vertices)) {
     Content content{settings_of_link_1(document), std::move(candidate.quantized),
-                    document.centre_of_mass, version_for(document), records_of(document)};
+                    document.centre_of_mass,      version_for(document),
+                    records_of(document),         {}};
+    if (!supports) supports = shortest_supports(candidate.encoding, content, document);
+    content.supports = *supports;
     Digits digits = encode_in(candidate.encoding, content);
     if (first || digits.size() < best.size()) best = std::move(digits);
     first = false;
@@ -159,6 +195,8 @@ Payload decode_payload(LinkVersion version, std::span<const std::uint8_t> digits
   // cannot hide data.
   content.quantized = quantize(encoding.scale, document.vertices);
   content.records = records_of(document);
+  content.supports.quantized =
+      quantize(content.supports.encoding.scale, document.settings.supports);
   if (version_for(document) != version) return NoPayload{};
   const Digits again = encode_in(encoding, content);
   if (!std::equal(again.begin(), again.end(), digits.begin(), digits.end())) return NoPayload{};

@@ -22,11 +22,11 @@ const SettingRow* row_of_record(Tag number) {
 }
 
 // Whether a link needs the setting. The record of the number of robots means that the robots are
-// balanced. The default goal of teams is `cover`.
+// balanced, that of supports that they are given. The default goal of teams is `cover`.
 bool is_needed(const SettingRow& row, const Document& document, const Document& defaults) {
   const Settings& settings = document.settings;
   if (!is_kept(row, settings)) return false;
-  if (row.setting == Setting::robots) return true;
+  if (row.setting == Setting::robots || row.setting == Setting::supports) return true;
   if (row.setting == Setting::goal && settings.method != Method::balanced)
     return settings.goal == Goal::hold;
   return text_of(row.setting, document) != text_of(row.setting, defaults);
@@ -91,6 +91,7 @@ std::size_t longest_value(Tag number) {
   if (number == tag::moved) return 64 * most_moved_teams;
   const SettingRow* row = row_of_record(number);
   if (row && row->setting == Setting::robot) return 5 * 32;
+  if (row && row->setting == Setting::support_capacities) return 32 * most_supports;
   return row && row->setting == Setting::no_go ? 64 * most_no_go : 32;
 }
 
@@ -99,7 +100,8 @@ Records records_of(const Document& document) {
   Records records;
   for (const SettingRow& row : all_settings())
     if (row.record != tag::end && is_needed(row, document, defaults))
-      records.push_back({row.record, text_of(row.setting, document)});
+      records.push_back({row.record, row.record == tag::supports ? std::string()
+                                                                 : text_of(row.setting, document)});
   const Shown& asked = document.shown;
   if (!(asked.units == Units{})) records.push_back({tag::units, units_text(asked.units)});
   if (asked.overlays.halo) records.push_back({tag::halo, shown});
@@ -118,6 +120,8 @@ bool take_records(const Records& records, Document& document) {
       if (!take_units(payload, document)) return false;
     } else if (number == tag::moved) {
       if (!take_moved(payload, document)) return false;
+    } else if (number == tag::supports) {
+      document.settings.method = Method::given;
     } else {
       const Setting setting = row_of_record(number)->setting;
       if (setting == Setting::robots) document.settings.method = Method::balanced;

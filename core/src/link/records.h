@@ -1,6 +1,7 @@
 // The records of share links of version 2: the settings added after version 1. Each record is a
 // tag, the number of bytes of its payload, and the payload. The payload of a setting is its text in
-// the syntax of read_setting(). Records are in the order of their tags, and tag 0 ends them.
+// the syntax of read_setting(). The record of supports holds their number and, like the vertices,
+// their coordinates instead. Records are in the order of their tags, and tag 0 ends them.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +10,9 @@
 #include <vector>
 
 #include "evenlift/document.h"
+#include "link/quantized.h"
 #include "link/range_coder.h"
+#include "link/vertices.h"
 
 namespace evenlift {
 
@@ -22,6 +25,7 @@ inline constexpr Tag end = 0;
 inline constexpr Tag units = 11;  // of lengths and of weights, with a comma before the latter
 inline constexpr Tag halo = 18;   // an overlay without a setting of its own
 inline constexpr Tag moved = 19;  // robots that were moved by hand
+inline constexpr Tag supports = 21;
 }  // namespace tag
 
 struct Record {
@@ -29,6 +33,12 @@ struct Record {
   std::string payload;
 };
 using Records = std::vector<Record>;
+
+// The supports, by the scale of their encoding.
+struct CodedSupports {
+  Encoding encoding;
+  QuantizedVertices quantized;
+};
 
 // The records that the document needs; none if version 1 can represent all of it. O(robots moved by
 // hand).
@@ -40,14 +50,23 @@ bool take_records(const Records& records, Document& document);
 
 // Codes the records. A decoder replaces them. It fails at a payload longer than any known setting,
 // and stops at an unknown tag, which remains as the last record. O(bytes).
-inline constexpr int widest_tag = 8, widest_length = 20;
+inline constexpr int widest_tag = 8, widest_length = 20, widest_supports = 10;
+static_assert(most_supports < 1u << widest_supports);
 bool is_known(Tag tag);
 
 // The longest payload that a writer produces, in bytes: a number has at most 24. O(1).
 std::size_t longest_value(Tag tag);
 
 template <class Coder>
-void code_records(Coder& coder, Records& records) {
+void code_supports(Coder& coder, CodedSupports& supports) {
+  const std::uint64_t count = code_integer(coder, supports.quantized.size(), widest_supports);
+  if (count == 0 || count > most_supports) return coder.fail();
+  supports.encoding =
+      code_vertices(coder, supports.encoding, supports.quantized, static_cast<std::size_t>(count));
+}
+
+template <class Coder>
+void code_records(Coder& coder, Records& records, CodedSupports& supports) {
   for (std::size_t i = 0; !coder.failed(); ++i) {
     const bool given = !Coder::decoding && i < records.size();
     const auto number = static_cast<Tag>(
@@ -55,6 +74,12 @@ void code_records(Coder& coder, Records& records) {
     if (number == tag::end || coder.failed()) return;
     if constexpr (Coder::decoding) records.push_back({number, {}});
     if (!is_known(number)) return;
+    if (number == tag::supports) {
+      // A repeated record would add to the supports.
+      if (Coder::decoding && !supports.quantized.empty()) return coder.fail();
+      code_supports(coder, supports);
+      continue;
+    }
     std::string& payload = records[i].payload;
     const std::uint64_t length = code_integer(coder, payload.size(), widest_length);
     if (length > longest_value(number)) return coder.fail();

@@ -23,7 +23,7 @@ inline Document settings_of_link_1(const Document& document) {
   Document first = defaults_of_links();
   const Settings& settings = document.settings;
   first.settings.teams = settings.teams;
-  if (settings.method != Method::balanced) first.settings.method = settings.method;
+  if (!is_one_team(settings.method)) first.settings.method = settings.method;
   first.settings.min_ratio = settings.min_ratio;
   first.settings.weight = settings.weight;
   first.settings.seed = settings.seed;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evenlift/placed_robots.h"
 #include "evenlift/selection.h"
 #include "evenlift/swaps.h"
 #include "selection/equal_angles.h"
@@ -136,15 +137,53 @@ CapacityPlan plan_balanced(const Settings& settings, double capacity) {
 
 }  // namespace
 
-std::vector<std::size_t> overloaded_robots(const Placement& placement, double capacity) {
-  return overloaded_robots(planned_loads(placement.teams), capacity);
+std::optional<double> capacity_of(const ShownPlacement& of, std::size_t robot) {
+  const auto& own = of.shown.support_capacities;
+  return has_own_capacities(of) && robot < own.size() && own[robot] ? own[robot]
+                                                                    : of.shown.capacity;
 }
 
-std::vector<std::size_t> overloaded_robots(const std::vector<double>& loads, double capacity) {
+bool has_capacities(const ShownPlacement& of) {
+  return of.shown.capacity || has_own_capacities(of);
+}
+
+bool has_own_capacities(const ShownPlacement& of) {
+  return of.placement.settings.method == Method::given && !of.shown.support_capacities.empty();
+}
+
+std::vector<std::size_t> overloaded_robots(const ShownPlacement& of) {
+  return overloaded_robots(of, planned_loads(of.placement.teams));
+}
+
+std::vector<std::size_t> overloaded_robots(const ShownPlacement& of,
+                                           const std::vector<double>& loads) {
   std::vector<std::size_t> robots;
   for (std::size_t robot = 0; robot < loads.size(); ++robot)
-    if (loads[robot] > capacity) robots.push_back(robot);
+    if (const auto capacity = capacity_of(of, robot); capacity && loads[robot] > *capacity)
+      robots.push_back(robot);
   return robots;
+}
+
+std::vector<std::optional<double>> capacities_of(const ShownPlacement& of) {
+  std::vector<std::optional<double>> capacities;
+  for (std::size_t robot = 0; robot < count_robots(of.placement.teams); ++robot)
+    capacities.push_back(capacity_of(of, robot));
+  return capacities;
+}
+
+std::vector<bool> overloads_after(const ShownPlacement& of,
+                                  const std::vector<std::optional<RestOfRobots>>& failures) {
+  std::vector<bool> overloads(failures.size(), false);
+  const std::optional<double>& common = of.shown.capacity;
+  for (std::size_t robot = 0; robot < failures.size(); ++robot) {
+    if (!failures[robot]) continue;
+    if (!has_own_capacities(of)) {
+      overloads[robot] = common && failures[robot]->greatest_by_springs > *common;
+    } else if (const auto springs = springs_without(of.placement, robot)) {
+      overloads[robot] = !overloaded_robots(of, springs->loads).empty();
+    }
+  }
+  return overloads;
 }
 
 bool same_plan(const Placement& a, const Placement& b) {
@@ -168,6 +207,8 @@ CapacityPlan plan_capacity(const Placement& placement, double capacity) {
       return plan_balanced(placement.settings, capacity);
     case Method::random:
       return plan_at_random(placement, capacity);
+    case Method::given:  // more robots would need more places
+      return {};
     case Method::area:
     case Method::circle:
     case Method::distance:

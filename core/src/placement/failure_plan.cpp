@@ -32,6 +32,8 @@ class Placer {
         break;
       case Method::balanced:
         return balanced(robots);
+      case Method::given:
+        return {};
       case Method::area:
       case Method::circle:
       case Method::distance:
@@ -97,6 +99,7 @@ std::uint32_t least_that_may_do(const Settings& settings, double capacity, std::
 }  // namespace
 
 FailurePlan plan_for_failures(const Placement& placement, double capacity) {
+  if (placement.settings.method == Method::given) return {};
   Placer method(placement);
   const bool balanced = method.is_balanced();
   const std::uint32_t most = balanced ? most_robots : 2 * most_teams_tried(placement.settings),

@@ -79,10 +79,12 @@ std::vector<PlacedRobot> placed_robots(const Placement& placement) {
   for (std::size_t t = 0; t < placement.teams.size(); ++t) {
     for (const Robot& robot : placement.teams[t].robots) {
       const LiftingPoint& point = robot.point;
-      const Vec2 inward = outline.inward_at(point, stands && stands->has_body());
+      const bool is_beneath = point.edge == beneath;
+      const Vec2 inward =
+          is_beneath ? Vec2(1, 0) : outline.inward_at(point, stands && stands->has_body());
       const double heading_deg = degrees_of(inward);
       robots.push_back({point.position, stands ? stands->contact(point) : point.position,
-                        stands ? stands->stand(point) : point.position,
+                        stands ? stands->stand(point) : point.position, is_beneath,
                         static_cast<std::uint32_t>(t), robot.load, heading_deg,
                         inward / length(inward)});
     }
@@ -111,6 +113,16 @@ std::vector<LoadRange> loads_by(LoadModel model, const Placement& placement,
   single.reserve(loads.size());
   for (const double load : loads) single.push_back({load, load});
   return single;
+}
+
+Equilibrium equilibrium(const Placement& placement) {
+  return analyse_equilibrium(positions_of_all(placement), placement.centre_of_mass,
+                             diameter(placement));
+}
+
+std::vector<Misfit> misfits(const Placement& placement) {
+  if (placement.settings.method != Method::given) return {};
+  return misfits(placement.polygon, placement.stands.get(), lifting_points(placement.teams));
 }
 
 Robustness robustness(const Placement& placement) {

@@ -8,6 +8,7 @@
 #include "evenlift/placed_robots.h"
 #include "evenlift/selection.h"
 #include "evenlift/settings.h"
+#include "evenlift/supports.h"
 #include "evenlift/swaps.h"
 #include "placement/describe.h"
 
@@ -73,13 +74,34 @@ void place_balanced(Placement& placement, Effort effort) {
   placement.search_ended = search->finished && !search->cut_short;
 }
 
+// Places the supports. They share the weight like springs, since nobody plans their loads.
+std::optional<InputError> place_given(Placement& placement) {
+  auto robots = place_supports(placement.polygon, placement.settings);
+  if (!robots) return robots.error();
+  if (placement.stands)
+    for (LiftingPoint& robot : *robots) robot = placement.stands->lifting_point(robot);
+  placement.teams = {team_of(placement, *robots)};
+  const auto springs = spring_loads(positions(*robots), placement.centre_of_mass,
+                                    placement.polygon.diameter(), placement.settings.weight);
+  take_loads(placement, springs ? springs->loads : std::vector<double>(robots->size(), 0));
+  return std::nullopt;
+}
+
+// Whether the robots carry the object. If not, none has a load.
+bool is_carried(const std::vector<Team>& teams) {
+  for (const Team& team : teams)
+    for (const Robot& robot : team.robots)
+      if (robot.load > 0) return true;
+  return false;
+}
+
 std::uint32_t requested_teams(const Placement& placement) {
-  if (placement.settings.method == Method::balanced) return 1;
+  if (is_one_team(placement.settings.method)) return 1;
   return placement.settings.teams.value_or(static_cast<std::uint32_t>(placement.candidates.size()));
 }
 
 // Chooses the teams, and stores the candidates that they use.
-void choose_teams(Placement& placement, Effort effort) {
+std::optional<InputError> choose_teams(Placement& placement, Effort effort) {
   const Polygon& polygon = placement.polygon;
   const Vec2& centre = placement.centre_of_mass;
   const Settings& settings = placement.settings;
@@ -100,9 +122,13 @@ void choose_teams(Placement& placement, Effort effort) {
       chords = random_teams(polygon, centre, teams, settings.seed);
       break;
     case Method::balanced:
-      return place_balanced(placement, effort);
+      place_balanced(placement, effort);
+      return std::nullopt;
+    case Method::given:
+      return place_given(placement);
   }
   placement.teams = distribute_weight(chords, settings.weight);
+  return std::nullopt;
 }
 
 Result<std::vector<Candidate>> candidates_of(const Polygon& polygon, const Vec2& centre,
@@ -126,10 +152,23 @@ std::optional<InputError> check_balanced(const Settings& settings) {
                                              " robots, not " + std::to_string(settings.robots));
 }
 
+std::optional<InputError> check_given(const Settings& settings, const Shown& shown) {
+  if (settings.supports.empty())
+    return setting_error(Setting::supports,
+                         "the method given needs the places of its robots, such as "
+                         "0,0 160,0 80,90");
+  const std::size_t capacities = shown.support_capacities.size();
+  if (capacities == 0 || capacities == settings.supports.size()) return std::nullopt;
+  return setting_error(Setting::support_capacities,
+                       std::to_string(capacities) + " capacities are given for " +
+                           std::to_string(settings.supports.size()) + " supports");
+}
+
 }  // namespace
 
 void describe_grasp(Placement& placement) {
-  placement.loads = summarize_loads(placement.teams);
+  placement.loads.reset();
+  if (is_carried(placement.teams)) placement.loads = summarize_loads(placement.teams);
   describe_grasp(placement, lifting_points(placement.teams));
 }
 
@@ -152,6 +191,7 @@ const Shown ShownPlacement::usual;
 std::optional<InputError> check_settings(const Settings& settings, const Shown& shown) {
   if (auto error = check_ranges(settings, shown)) return error;
   if (settings.method == Method::balanced) return check_balanced(settings);
+  if (settings.method == Method::given) return check_given(settings, shown);
   if (!stands_anywhere(settings) && !selects_candidates(settings.method))
     return setting_error(
         settings.no_go.empty() ? Setting::robot : Setting::no_go,
@@ -195,7 +235,8 @@ Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_ma
   placement.candidates = std::move(*candidates);
   placement.requested_teams = requested_teams(placement);
   // If all robots were moved by hand, no search is needed.
-  if (moved.robots.empty()) choose_teams(placement, effort);
+  if (moved.robots.empty())
+    if (auto error = choose_teams(placement, effort)) return *std::move(error);
   if (!moved.any()) {
     describe_grasp(placement);
   } else if (auto error = move_robots(placement, moved)) {
@@ -213,6 +254,29 @@ Result<std::vector<Candidate>> candidates_of(const Document& document) {
   const auto stands = make_stands(*polygon, document.settings);
   if (!stands) return stands.error();
   return candidates_of(*polygon, *centre, document.settings, stands->get());
+}
+
+Result<Document> with_even_supports(const Document& document) {
+  const std::string option = "even_out";
+  if (document.settings.method != Method::given)
+    return bad_setting(option, "only given supports can be evened out");
+  const auto placement = place(document);
+  if (!placement) return placement.error();
+  const std::vector<LiftingPoint> robots = lifting_points(placement->teams);
+  if (robots.size() > most_evened)
+    return bad_setting(option, "at most 64 supports can be evened out");
+  const auto even = even_out(
+      BalancedProblem(placement->polygon, placement->centre_of_mass, placement->settings), robots);
+  if (!even)
+    return bad_setting(
+        option,
+        "there are no places near the outline to which two or three robots could move so that all "
+        "carry the same load");
+  const std::vector<LiftingPoint> touched = contact_points(placement->stands.get(), *even);
+  Document moved = document;
+  for (std::size_t i = 0; i < robots.size(); ++i)
+    if ((*even)[i].position != robots[i].position) moved.settings.supports[i] = touched[i].position;
+  return moved;
 }
 
 Placement with_robots(Placement placement, const std::vector<LiftingPoint>& robots,

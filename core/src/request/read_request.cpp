@@ -25,7 +25,8 @@ struct CommandEntry {
   std::string_view members;  // with spaces around each
 };
 constexpr CommandEntry commands[] = {
-    {"place", Command::place, " polygon text centre_of_mass settings candidates failures "},
+    {"place", Command::place,
+     " polygon text centre_of_mass settings candidates failures even_out require "},
     {"candidates", Command::candidates, " polygon text centre_of_mass settings "},
     {"svg", Command::svg, " polygon text centre_of_mass settings candidates "},
     {"poses", Command::poses, " polygon text centre_of_mass settings format frame origin "},
@@ -63,6 +64,7 @@ class Reader {
   Problem take_flag(Index object, std::string_view name, bool& flag) const;
   Result<std::string> string(Index at, const char* what) const;
   std::string value_text(Index at) const;
+  std::string list_text(Index array) const;
 
   std::string_view text_;
   const JsonTree& tree_;
@@ -78,6 +80,22 @@ std::string Reader::value_text(Index at) const {
          std::string_view("0123456789+-.eE").find(text_[first - 1]) != std::string_view::npos)
     --first;
   return std::string(text_.substr(first, last + 1 - first));
+}
+
+// Supports and their capacities may be arrays: [[0, 0], [1, 0]] as "0,0 1,0" and [30, null] as
+// "30,none". An empty text, which is no value of a setting, for any other array.
+std::string Reader::list_text(Index array) const {
+  std::string text;
+  for (Index i = tree_.first(array); i != tree_.end(array); i = tree_.next(i)) {
+    const bool is_point = tree_.kind(i) == Kind::array && point(i).ok();
+    if (!is_point && tree_.kind(i) != Kind::number && tree_.kind(i) != Kind::null) return {};
+    text += text.empty() ? "" : is_point ? " " : ",";
+    if (is_point)
+      text += value_text(tree_.first(i)) + "," + value_text(tree_.next(tree_.first(i)));
+    else
+      text += tree_.kind(i) == Kind::null ? "none" : value_text(i);
+  }
+  return text;
 }
 
 Result<std::string> Reader::string(Index at, const char* what) const {
@@ -183,13 +201,18 @@ Problem Reader::take_settings(Index object, Document& document) const {
       if (setting_from_name(tree_.name(k)) == setting)
         return error(i, "the setting \"" + name + "\" is given twice", ErrorCode::bad_setting);
   }
-  // The order of members does not matter: the robot's whole size is read before its parts.
-  for (const bool whole_robot : {true, false})
+  // The order of members does not matter: the robot's whole size is read before its parts, and
+  // supports before their capacities and the method.
+  for (const bool first : {true, false})
     for (Index i = tree_.first(*settings); i != tree_.end(*settings); i = tree_.next(i)) {
       const Setting setting = *setting_from_name(tree_.name(i));
-      if ((setting == Setting::robot) != whole_robot) continue;
+      if ((setting == Setting::robot || setting == Setting::supports) != first) continue;
       if (tree_.kind(i) == Kind::null) continue;  // as if absent
-      if (auto wrong = read_setting(setting, value_text(i), document)) return wrong;
+      const bool may_be_list =
+          setting == Setting::supports || setting == Setting::support_capacities;
+      const bool is_list = may_be_list && tree_.kind(i) == Kind::array;
+      const std::string value = is_list ? list_text(i) : value_text(i);
+      if (auto wrong = read_setting(setting, value, document)) return wrong;
     }
   return std::nullopt;
 }
@@ -279,6 +302,14 @@ Problem Reader::take_members(Index object, Request& request) const {
   if (auto wrong = take_settings(object, request.document)) return wrong;
   if (auto wrong = take_flag(object, "candidates", request.candidates)) return wrong;
   if (auto wrong = take_flag(object, "failures", request.failures)) return wrong;
+  if (auto wrong = take_flag(object, "even_out", request.even_out)) return wrong;
+  if (const auto at = tree_.member(object, "require")) {
+    const Result<std::string> required = string(*at, "\"require\"");
+    if (!required) return required.error();
+    auto conditions = read_conditions(*required);
+    if (!conditions) return conditions.error();
+    request.conditions = std::move(conditions).value();
+  }
   return take_pose_options(object, request);
 }
 

@@ -10,6 +10,7 @@
 #include "evenlift/document.h"
 #include "evenlift/experiment/measure.h"
 #include "evenlift/output/poses.h"
+#include "evenlift/output/requirements.h"
 #include "evenlift/result.h"
 
 namespace evenlift {
@@ -26,7 +27,8 @@ struct NamedPolygon {
 struct Request {
   Command command = Command::place;
   Document document;
-  bool candidates = false, failures = false;
+  bool candidates = false, failures = false, even_out = false;
+  std::vector<Condition> conditions;
   PoseFormat pose_format = PoseFormat::json;
   PoseOptions poses;
   std::vector<NamedPolygon> polygons;

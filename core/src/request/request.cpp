@@ -91,12 +91,9 @@ std::string one_member(std::string_view name, std::string_view text) {
 }
 
 std::string placement_answer(const Request& request, const Placement& placement) {
-  std::optional<CapacityInJson> capacity;
-  const Shown& shown = request.document.shown;
-  if (shown.capacity)
-    capacity = CapacityInJson{*shown.capacity, plan_capacity(placement, *shown.capacity),
-                              plan_for_failures(placement, *shown.capacity)};
-  return placement_json({placement, shown}, request.candidates, capacity, request.failures);
+  const ShownPlacement of(placement, request.document.shown);
+  return placement_json(of, request.candidates, capacity_in_json(of), request.failures,
+                        check_conditions(placement, request.conditions));
 }
 
 std::string svg_answer(const Request& request, const Placement& placement) {
@@ -107,7 +104,12 @@ std::string svg_answer(const Request& request, const Placement& placement) {
 }
 
 // Answers all requests that need a placement.
-std::string placed_answer(const Request& request) {
+std::string placed_answer(Request request) {
+  if (request.even_out) {
+    auto even = with_even_supports(request.document);
+    if (!even) return error_json(even.error());
+    request.document = *std::move(even);
+  }
   const Result<Placement> placement = place(request.document);
   if (!placement) return error_json(placement.error());
   if (request.command == Command::svg) return svg_answer(request, *placement);

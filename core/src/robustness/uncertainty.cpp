@@ -44,10 +44,11 @@ double greatest_change(const SpringLoads& springs, double radius) {
 }
 
 std::optional<double> radius_within_capacity(const SpringLoads& springs, double tipping_distance,
-                                             double capacity) {
+                                             const std::vector<std::optional<double>>& capacities) {
   double radius = std::min(springs.same_within, tipping_distance);
   for (std::size_t i = 0; i < springs.loads.size(); ++i) {
-    const double room = capacity - springs.loads[i];
+    if (!capacities[i]) continue;
+    const double room = *capacities[i] - springs.loads[i];
     if (room < 0) return std::nullopt;
     if (springs.per_length[i] > 0) radius = std::min(radius, room / springs.per_length[i]);
   }

@@ -51,6 +51,7 @@ bool Stands::arms_collide(const LiftingPoint& a, const LiftingPoint& b) const {
 }
 
 bool Stands::hands_collide(const LiftingPoint& a, const LiftingPoint& b) const {
+  if (a.edge == beneath || b.edge == beneath) return false;
   return robot_.width > near_ &&
          distance_of_segments({contact(a), a.position}, {contact(b), b.position}) <
              robot_.width - near_;

@@ -41,7 +41,7 @@ Result<std::shared_ptr<const Stands>> make_stands(const Polygon& polygon,
                                                "; the polygon has " +
                                                std::to_string(polygon.size()));
   auto stands = std::make_shared<const Stands>(polygon, settings.robot, settings.no_go);
-  if (!stands->any()) return no_room(settings);
+  if (!stands->any() && settings.method != Method::given) return no_room(settings);
   return std::shared_ptr<const Stands>(std::move(stands));
 }
 

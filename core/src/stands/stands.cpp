@@ -83,18 +83,18 @@ std::optional<WhyUnusable> Stands::why_not(std::uint32_t edge, double t) const {
 }
 
 Vec2 Stands::contact(const LiftingPoint& point) const {
-  if (robot_.depth == 0) return point.position;
+  if (robot_.depth == 0 || point.edge == beneath) return point.position;
   return point.position + robot_.depth * frames_[point.edge].outward;
 }
 
 Vec2 Stands::stand(const LiftingPoint& point) const {
-  if (!has_body()) return point.position;
+  if (!has_body() || point.edge == beneath) return point.position;
   return point.position +
          (robot_.depth + robot_.radius + robot_.reach) * frames_[point.edge].outward;
 }
 
 LiftingPoint Stands::lifting_point(const LiftingPoint& contact) const {
-  if (robot_.depth == 0) return contact;
+  if (robot_.depth == 0 || contact.edge == beneath) return contact;
   return {contact.position - robot_.depth * frames_[contact.edge].outward, contact.edge};
 }
 

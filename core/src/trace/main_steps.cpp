@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::uint32_t teams_shown = 3;  // in addition to the last
 constexpr std::uint32_t swaps_shown = 3;
+constexpr std::uint32_t supports_shown = 4;
 
 // The edge pair that represents all of them.
 std::uint32_t telling_pair(const Trace& trace) {
@@ -75,14 +76,20 @@ std::vector<std::uint32_t> main_steps(const Trace& trace) {
   }
   for (const std::uint32_t swap : telling_swaps(trace)) add(StepKind::exchange, swap);
   add(StepKind::settled, 0);
+  for (std::uint32_t i = 0; i < std::min(trace.count(StepKind::support), supports_shown); ++i)
+    add(StepKind::support, i);
+  for (const StepKind kind : {StepKind::equations, StepKind::by_lever, StepKind::by_areas,
+                              StepKind::by_springs, StepKind::falls})
+    add(kind, 0);
   if (teams > teams_shown) add(StepKind::team, teams - 1);
   if (teams > 0) add(StepKind::base, teams - 1);
   for (std::uint32_t i = 0; i < std::min(trace.count(StepKind::swap), swaps_shown); ++i)
     add(StepKind::swap, i);
   add(StepKind::held, 0);
   for (const StepKind kind :
-       {StepKind::fewer, StepKind::loads, StepKind::failures, StepKind::pairs, StepKind::coverage,
-        StepKind::contacts, StepKind::closure, StepKind::second_order, StepKind::result})
+       {StepKind::fewer, StepKind::loads, StepKind::extremes, StepKind::failures, StepKind::pairs,
+        StepKind::coverage, StepKind::contacts, StepKind::closure, StepKind::second_order,
+        StepKind::result})
     if (kind != StepKind::contacts || !trace.balanced()) add(kind, 0);
   return steps;
 }

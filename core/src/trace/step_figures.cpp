@@ -171,6 +171,7 @@ void StepFigures::add_teams(const std::vector<Team>& teams) {
 void StepFigures::share() { add_team(item_, true); }
 
 void StepFigures::loads() {
+  if (trace_.given()) return add_supports(placement_.loads.has_value());
   if (trace_.balanced()) {
     if (!detail_.balanced) return;  // no robots were placed
     add_arms();

@@ -53,6 +53,13 @@ class StepFigures : LookedAtStep {
   void swap();
   void held();
   void stands();
+  void support();
+  void equations();
+  void by_lever();
+  void by_areas();
+  void by_springs();
+  void extremes();
+  void falls();
 
   // With C in front of all others.
   std::vector<Figure> take() &&;
@@ -72,6 +79,8 @@ class StepFigures : LookedAtStep {
   void add_even_chords();
   void add_completion();
   void add_teams(const std::vector<Team>& teams);
+  void add_supports(bool loaded);
+  void add_base_of(FigureKind kind, std::size_t supports);
   void add_body(const LiftingPoint& contact, std::optional<std::uint32_t> part);
 
   std::vector<Figure> figures_;

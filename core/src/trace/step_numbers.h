@@ -59,6 +59,12 @@ class StepNumbers : LookedAtStep {
   void swap();
   void held();
   void stands();
+  void support();
+  void equations();
+  void each_load();
+  void by_springs();
+  void extremes();
+  void falls();
 
   std::vector<Number> take() && { return std::move(numbers_); }
 

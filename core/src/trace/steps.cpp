@@ -10,8 +10,9 @@ namespace evenlift {
 namespace {
 
 constexpr std::string_view chapter_names[] = {
-    "object",        "law",   "vertex_chords", "slopes", "pairs", "candidates", "first_team",
-    "further_teams", "start", "exchange",      "swaps",  "loads", "failures",   "grasp"};
+    "object",   "law",        "robots",     "vertex_chords", "slopes",
+    "pairs",    "candidates", "first_team", "further_teams", "start",
+    "exchange", "swaps",      "loads",      "failures",      "grasp"};
 static_assert(std::size(chapter_names) == chapter_count);
 
 // The name of a kind of step, and its numbers and figures. Its words are in a row of
@@ -69,6 +70,13 @@ constexpr StepRow steps[] = {
     {StepKind::swap,         "swap",         &N::swap,         &F::swap},
     {StepKind::held,         "held",         &N::held,         &F::held},
     {StepKind::stands,       "stands",       &N::stands,       &F::stands},
+    {StepKind::support,      "support",      &N::support,      &F::support},
+    {StepKind::equations,    "equations",    &N::equations,    &F::equations},
+    {StepKind::by_lever,     "by_lever",     &N::each_load,    &F::by_lever},
+    {StepKind::by_areas,     "by_areas",     &N::each_load,    &F::by_areas},
+    {StepKind::by_springs,   "by_springs",   &N::by_springs,   &F::by_springs},
+    {StepKind::extremes,     "extremes",     &N::extremes,     &F::extremes},
+    {StepKind::falls,        "falls",        &N::falls,        &F::falls},
 };
 // clang-format on
 
@@ -88,7 +96,7 @@ constexpr std::string_view figure_names[] = {
     "sum",         "middle",        "stand",       "mirrored",
     "even_chord",  "left",          "way",         "range",
     "range_end",   "former",        "unusable",    "body",
-    "hand"};
+    "hand",        "share",         "level",       "sinks"};
 static_assert(std::size(figure_names) == figure_kind_count);
 
 }  // namespace

@@ -134,8 +134,26 @@ void write_failures(const Trace& trace, BlockWriter& blocks) {
   blocks.add(Chapter::failures, {StepKind::pairs}, trace.in_pairs.has_value());
 }
 
+// Whether equilibrium alone determines the loads of given supports.
+bool are_determined(const Placement& placement) {
+  const std::size_t robots = count_robots(placement.teams);
+  return robots <= 3 && placement.lifting_base.size() == robots;
+}
+
+void write_loads_of_supports(const Placement& placement, BlockWriter& blocks) {
+  const bool determined = are_determined(placement), carried = placement.loads.has_value();
+  const std::size_t robots = count_robots(placement.teams);
+  blocks.add(Chapter::loads, {StepKind::equations});
+  blocks.add(Chapter::loads, {StepKind::by_lever}, carried && determined && robots == 2);
+  blocks.add(Chapter::loads, {StepKind::by_areas}, carried && determined && robots == 3);
+  blocks.add(Chapter::loads, {StepKind::by_springs}, carried && !determined);
+  blocks.add(Chapter::loads, {StepKind::falls}, !carried);
+}
+
 void write_blocks_of_method(const Trace& trace, BlockWriter& blocks) {
   if (trace.balanced()) return write_balanced(trace, blocks);
+  if (trace.given())
+    return blocks.add(Chapter::robots, {StepKind::support}, count_robots(trace.placement.teams));
   if (!trace.by_candidates()) return write_teams(trace, blocks, {StepKind::team, StepKind::base});
   write_candidates(trace, blocks);
   write_teams(trace, blocks, {StepKind::scores, StepKind::team, StepKind::base});
@@ -152,8 +170,12 @@ std::uint64_t write_blocks(Trace& trace) {
   blocks.add(Chapter::object, {StepKind::stands}, placement.stands ? 1 : 0);
   write_blocks_of_method(trace, blocks);
   if (!placement.teams.empty()) {
-    blocks.add(Chapter::loads, {StepKind::share}, trace.balanced() ? 0 : placement.teams.size());
-    blocks.add(Chapter::loads, {StepKind::loads});
+    if (trace.given()) write_loads_of_supports(placement, blocks);
+    const bool in_teams = !is_one_team(placement.settings.method);
+    blocks.add(Chapter::loads, {StepKind::share}, in_teams ? placement.teams.size() : 0);
+    blocks.add(Chapter::loads, {StepKind::loads}, placement.loads.has_value());
+    const bool by_springs = trace.given() && placement.loads && !are_determined(placement);
+    blocks.add(Chapter::loads, {StepKind::extremes}, by_springs);
     if (trace.balanced()) write_failures(trace, blocks);
     blocks.add(Chapter::grasp, {StepKind::coverage});
     blocks.add(Chapter::grasp, {StepKind::contacts});
@@ -356,6 +378,12 @@ Progress progress_at(const Trace& trace, std::uint32_t k) {
   progress.base_teams = number(StepKind::base);
   progress.swaps = number(StepKind::swap);
   progress.shares = number(StepKind::share);
+  progress.robots = number(StepKind::support);
+  if (trace.given()) {  // one team, complete with its last robot
+    const bool all = progress.robots == count_robots(trace.placement.teams);
+    progress.teams = progress.base_teams = all ? 1 : 0;
+    progress.shares = number(StepKind::loads);
+  }
   progress.coverage = number(StepKind::coverage) > 0;
   progress.cuts = number(StepKind::cut);
   progress.closure = number(StepKind::closure) > 0;

@@ -50,14 +50,22 @@ def place(
     centre_of_mass: Optional[Point] = None,
     candidates: bool = False,
     failures: bool = False,
+    even_out: bool = False,
+    require: Optional[str] = None,
     **settings: Unpack[Settings],
 ) -> Placement:
-    """Places robots under the object. `candidates` also lists the candidate chords, and `failures` the effect of each failure."""
-    asked = _requests.request(polygon, centre_of_mass, settings, also=("candidates", "failures"))
+    """Places robots under the object, or judges `supports` that already stand. `candidates` also lists the candidate chords, and
+    `failures` the effect of each failure. `even_out` moves two or three supports so that all carry the same load. `require` contains
+    conditions such as "held, max<=20"; the result lists under `requirements` which are kept."""
+    asked = _requests.request(polygon, centre_of_mass, settings, also=("candidates", "failures", "even_out", "require"))
     if candidates:
         asked["candidates"] = True
     if failures:
         asked["failures"] = True
+    if even_out:
+        asked["even_out"] = True
+    if require is not None:
+        asked["require"] = _requests.text("require", require)
     return Placement(asked)
 
 

@@ -14,6 +14,7 @@ from .types import Place, Point, Polygon, PoseFormat, PoseOrigin, Settings
 
 _most_vertices = 1048576
 _most_polygons = 10000
+_lists = ("supports", "support_capacities")
 _frame = re.compile(r"[A-Za-z0-9_.-][A-Za-z0-9_./-]{0,254}")
 
 
@@ -41,7 +42,9 @@ def _polygon_text(text: str) -> str:
     raise EvenliftError(f"Line {place['line']}, column {place['column']}: this is half a character", "bad_syntax", place)
 
 
-def _text(name: str, value: str) -> str:
+def text(name: str, value: Any) -> str:
+    if not isinstance(value, str):
+        raise _bad_setting(name, f"{name}: expected a text, not {type(value).__name__}")
     if _broken_at(value) is not None:
         raise _bad_setting(name, f"{name}: the text contains half a character")
     return value
@@ -127,12 +130,32 @@ def _number(value: Any) -> Any:
     return value.item() if hasattr(value, "item") else float(value)
 
 
+def _support(support: Any) -> list[float]:
+    """The place of a support."""
+    try:
+        numbers = _numbers(support)
+    except _NotTwoNumbers:
+        raise _bad_setting("supports", "supports: a support must be two numbers (x, y)") from None
+    if not all(map(math.isfinite, numbers)):
+        raise _bad_setting("supports", "supports: a coordinate is not a finite number")
+    return numbers
+
+
+def _list(name: str, value: Any) -> list[Any]:
+    """The places of supports, or their capacities."""
+    try:
+        items = list(value)
+    except TypeError:
+        raise _bad_setting(name, f"{name}: expected a sequence, not {type(value).__name__}") from None
+    return [_support(item) if name == "supports" else _value(name, item) for item in items]
+
+
 def _value(name: str, value: Any) -> Any:
     """A setting's value. Values that the core refuses by the setting's name are passed on."""
     if value is None or isinstance(value, bool):
         return value
     if isinstance(value, str):
-        return _text(name, value)
+        return text(name, value)
     try:
         number = _number(value)
         finite = math.isfinite(number)
@@ -146,7 +169,8 @@ def _value(name: str, value: Any) -> Any:
 
 
 def values(settings: Mapping[str, Any]) -> dict[str, Any]:
-    return {name: _value(name, value) for name, value in settings.items()}
+    return {name: _list(name, value) if name in _lists and not isinstance(value, (str, type(None))) else _value(name, value)
+            for name, value in settings.items()}
 
 
 def _unknown(name: str, known: list[str]) -> EvenliftError:

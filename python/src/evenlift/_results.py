@@ -43,12 +43,13 @@ class Placement(PlacementMembers):
             return numpy.array(of, dtype=float).reshape(-1, 2)
 
         robots = self.get("robots") or []
+        nowhere = (float("nan"), float("nan"))  # a robot beneath the object touches nothing
         return {
             "polygon": points(self["polygon"]),
             "hull": points(self["hull"]),
             "at": points([robot["at"] for robot in robots]),
             "stand": points([robot["stand"] for robot in robots]),
-            "contact": points([robot["contact"] for robot in robots]),
+            "contact": points([robot["contact"] or nowhere for robot in robots]),
             "load": numpy.array([robot["load"] for robot in robots], dtype=float),
             "heading": numpy.array([robot["heading"] for robot in robots], dtype=float),
             "team": numpy.array([robot["team"] for robot in robots], dtype=int),

@@ -27,7 +27,7 @@ Point = Iterable[SupportsFloat]
 Polygon = Union[str, Iterable[Point]]
 """A text, or points: a list of pairs, or a NumPy array of two columns."""
 
-Metric = Literal["area", "circle", "distance", "distributed", "random", "balanced"]
+Metric = Literal["area", "circle", "distance", "distributed", "random", "balanced", "given"]
 Goal = Literal["cover", "hold"]
 Positions = Literal["best", "range"]
 LengthUnit = Literal["m", "cm", "mm", "in"]
@@ -60,6 +60,9 @@ class Settings(TypedDict, total=False):
     robot_width: Optional[float]
     robot_gap: Optional[float]
     no_go: Optional[str]
+    supports: Union[str, Iterable[Point], None]  # sets the method to given
+    snap: Optional[float]
+    support_capacities: Union[str, Iterable[Optional[float]], None]
     com_radius: Optional[float]
     capacity: Union[float, Literal["none"], None]
     overlays: Optional[str]
@@ -86,20 +89,24 @@ class Candidate(TypedDict):
 
 
 class Team(TypedDict):
+    """The loads are None if given supports do not carry the object."""
+
     ends: list[Position]
     ratio: float
-    loads: list[float]
+    loads: list[Optional[float]]
 
 
 class Robot(TypedDict):
-    """`at` is the lifting point, `team` counts from 0, and `heading` is in degrees."""
+    """`at` is the lifting point, `team` counts from 0, and `heading` is in degrees. `load` is None if the object falls; `contact` and
+    `heading` are None for a support beneath the object. Only given supports can be either."""
 
     at: Position
     team: int
-    load: float
-    contact: Position
+    load: Optional[float]
+    contact: Optional[Position]
     stand: Position
-    heading: float
+    heading: Optional[float]
+    place: Literal["edge", "beneath"]
 
 
 class LoadModels(TypedDict):
@@ -128,6 +135,26 @@ class Closure(TypedDict):
     free: list[Motion]
     clockwise: list[Position]
     counterclockwise: list[Position]
+
+
+class Verdict(TypedDict):
+    """The reasons are sentences, the most serious first; a good result has none."""
+
+    kind: Literal["good", "warning", "bad"]
+    reasons: list[str]
+
+
+class Misfit(TypedDict):
+    """A support, counted from 0, that does not fit. `why` is "outside", "arm", "hand", "no-go", or "too near robot 2", counted from 1."""
+
+    robot: int
+    why: str
+
+
+class Requirement(TypedDict):
+    condition: str
+    value: Union[float, bool, None]
+    kept: bool
 
 
 class _Robustness(TypedDict):
@@ -177,7 +204,9 @@ class FailurePlan(TypedDict):
 
 
 class Capacity(TypedDict):
-    limit: float
+    """`limit` is None if only single supports have a capacity."""
+
+    limit: Optional[float]
     overloaded: list[int]
     teams_needed: Optional[int]
     greatest_load: Optional[float]
@@ -220,6 +249,8 @@ class _PlacementDict(TypedDict):
     closure: Closure
     goal: Goal
     goal_reached: bool
+    stands: bool
+    verdict: Verdict
     clear: Optional[float]
 
 
@@ -230,12 +261,17 @@ class PlacementDict(_PlacementDict, total=False):
     weight_unit: WeightUnit
     candidates: list[Candidate]
     robots: list[Robot]
+    misfits: list[Misfit]
+    tips_over: list[int]
     search_ended: bool
     requested_robots: int
     min_margin: float
     apart: Optional[float]
     survive: int
     positions: Literal["range"]
+    supports: list[Position]
+    snap: float
+    support_capacities: list[Optional[float]]
     teams_asked: Union[int, Literal["max"]]
     overlays: Overlays
     moved: str
@@ -245,10 +281,12 @@ class PlacementDict(_PlacementDict, total=False):
     robustness: Robustness
     failures: list[Failure]
     capacity: Capacity
+    requirements: list[Requirement]
 
 
 class PlacementArrays(TypedDict):
-    """n × 2: `polygon` and `hull`; for m robots, m × 2: `at`, `stand` and `contact`, and m: `load`, `heading` and `team`."""
+    """n × 2: `polygon` and `hull`; for m robots, m × 2: `at`, `stand` and `contact`, and m: `load`, `heading` and `team`. NaN stands for
+    None."""
 
     polygon: FloatArray
     hull: FloatArray

@@ -42,7 +42,7 @@ def placement() -> None:
     assert_type(placed.svg(), str)
     for robot in placed["robots"]:
         assert_type(robot, types.Robot)
-        assert_type(robot["load"], float)
+        assert_type(robot["load"], Optional[float])
         assert_type(robot["at"], list[float])
         assert_type(robot["team"], int)
     assert_type(placed["closure"]["margin"], Optional[float])
@@ -66,7 +66,7 @@ def placement() -> None:
 
 
 def read_from_a_file(content: types.PlacementDict) -> float:
-    return content["teams"][0]["loads"][0] + content["weight"]
+    return (content["teams"][0]["loads"][0] or 0) + content["weight"]
 
 
 def candidates() -> None:

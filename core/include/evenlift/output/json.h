@@ -8,16 +8,20 @@
 
 #include "evenlift/capacity.h"
 #include "evenlift/document.h"
+#include "evenlift/output/requirements.h"
 #include "evenlift/placement.h"
 
 namespace evenlift {
 
-// The capacity of one robot, and what follows from it.
+// What follows from the capacities of the robots.
 struct CapacityInJson {
-  double limit = 0;
   CapacityPlan plan;
   std::optional<FailurePlan> if_one_fails;  // if requested
 };
+
+// The capacities of a placement with their plans; nothing if no robot has a capacity. Costs as much
+// as the plans (capacity.h).
+std::optional<CapacityInJson> capacity_in_json(const ShownPlacement& of);
 
 // One JSON object, indented by two spaces, short arrays on one line, ending in a newline. Numbers
 // have the fewest digits that read back to the same double. The bytes are the same on every
@@ -25,7 +29,8 @@ struct CapacityInJson {
 // the others if requested.
 std::string placement_json(const ShownPlacement& of, bool with_candidates,
                            const std::optional<CapacityInJson>& capacity = std::nullopt,
-                           bool with_failures = false);
+                           bool with_failures = false,
+                           const std::vector<Requirement>& requirements = {});
 
 // {"candidates": [{"ends", "ratio", "kind"}]}: only the candidates, in the layout of
 // placement_json. O(candidates).

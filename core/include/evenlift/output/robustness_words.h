@@ -25,15 +25,17 @@ std::string tipping_in_words(const Robustness& robustness, double com_radius, co
 std::string uncertainty_in_words(const ModelLoads& loads, const Robustness& robustness,
                                  double com_radius, const Units& units = {});
 
-// How far C may be off before a robot exceeds the capacity, with loads by springs.
+// How far C may be off before a robot exceeds its capacity, with loads by springs. Some robot must
+// have a capacity.
 std::string uncertainty_for_capacity_in_words(const ModelLoads& loads, const Robustness& robustness,
-                                              double capacity, const Units& units = {});
+                                              const ShownPlacement& of);
 
 // The indispensable robots, the greatest load of a robot if any other fails, the failures that let
-// the object tip and, with a capacity, the failures that overload a robot.
+// the object tip and the failures that overload a robot (overloads_after() of capacity.h), with the
+// `limit` in words: "20 kg" or "its capacity".
 std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& failures,
-                              const Units& units = {},
-                              const std::optional<double>& capacity = std::nullopt);
+                              const Units& units = {}, const std::vector<bool>& overloads = {},
+                              const std::string& limit = {});
 
 // "Robot 3 fails: the other five carry the object, at most 21.3 kg each." Loads are by springs. If
 // the load exceeds the capacity, the text adds the capacity.

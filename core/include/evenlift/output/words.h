@@ -74,7 +74,7 @@ std::string points_ahead(double share, double other);
 // "1 team", "3 teams".
 std::string count_of(std::size_t n, const char* one, const char* many);
 
-// The name of a method: "area", "equal angles".
+// The name of a method: "area", "equal angles", "by hand".
 std::string method_in_words(Method method);
 
 // A load ratio, with three decimals.
@@ -95,7 +95,10 @@ int coordinate_decimals(const Points& vertices);  // O(n)
 // loads of 16.7 kg (100 kg in all).", or "No team can be placed." The loads are as planned; if
 // another model is `shown`, the text begins with "As planned". If C is known only within a distance
 // and the `ranges` of the planned loads are given (loads_by), the text contains these: "6 robots
-// carry 14.9–18.4 kg each, with a C uncertainty of 3 cm (100 kg in all)." O(m).
+// carry 14.9–18.4 kg each, with a C uncertainty of 3 cm (100 kg in all)." For given supports the
+// text says that the loads are those of equally stiff robots, unless equilibrium alone determines
+// them; or "It falls: the centre of mass is 12 mm outside the lifting base, beyond robots 2 and 3."
+// O(m log m).
 std::string loads_in_words(const ShownPlacement& of, LoadModel shown = LoadModel::plan,
                            const std::vector<LoadRange>& ranges = {});
 
@@ -103,7 +106,8 @@ std::string loads_in_words(const ShownPlacement& of, LoadModel shown = LoadModel
 // empty.
 std::string shortage_in_words(const Placement& placement);
 
-// "81 % of the object can be pressed down on without tipping it." Empty without teams.
+// "81 % of the object can be pressed down on without tipping it." Empty without teams, or if the
+// object falls.
 std::string coverage_in_words(const Placement& placement);
 
 // "It can still turn clockwise.", or what holds it and how far robots may be off, or which robot
@@ -137,13 +141,13 @@ std::string no_go_in_words(const std::vector<EdgePart>& no_go);
 
 // The overloaded robots, the number of robots needed if the plan is known, and the number needed if
 // any one may fail. O(teams).
-std::string capacity_in_words(const ShownPlacement& of, double capacity, const CapacityPlan* plan,
+std::string capacity_in_words(const ShownPlacement& of, const CapacityPlan* plan,
                               const FailurePlan* if_one_fails = nullptr);
 
 // The text if the overloaded robots differ from the plan: those by this load model, or those among
 // the others while the robot `failed` (from 0) fails. The plan covers neither case, and the text
 // states this.
-std::string capacity_in_words(const ShownPlacement& of, double capacity, const CapacityPlan* plan,
+std::string capacity_in_words(const ShownPlacement& of, const CapacityPlan* plan,
                               const std::vector<std::size_t>& overloaded, LoadModel model,
                               const std::optional<std::size_t>& failed = std::nullopt,
                               const FailurePlan* if_one_fails = nullptr);

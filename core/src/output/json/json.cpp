@@ -1,8 +1,10 @@
 #include "evenlift/output/json.h"
 
 #include <cmath>
+
 #include "evenlift/candidates.h"
 #include "evenlift/output/json_text.h"
+#include "evenlift/output/verdict.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/settings.h"
 #include "evenlift/stands.h"
@@ -17,11 +19,11 @@ std::string ends(const Chord& chord) {
   return json::array({json::pair(chord.r1.position), json::pair(chord.r2.position)});
 }
 
-std::string team_json(const Team& team) {
+std::string team_json(const Team& team, bool carries) {
   std::vector<std::string> ends, loads;
   for (const Robot& robot : team.robots) {
     ends.push_back(json::pair(robot.point.position));
-    loads.push_back(json::number(robot.load));
+    loads.push_back(carries ? json::number(robot.load) : "null");
   }
   return json::object({{"ends", json::array(ends)},
                        {"ratio", json::number(team.ratio)},
@@ -37,9 +39,10 @@ std::string candidate_list(const std::vector<Candidate>& candidates) {
   return json::long_array(items, 1);
 }
 
-std::string teams_json(const std::vector<Team>& teams) {
+std::string teams_json(const Placement& placement) {
   std::vector<std::string> items;
-  for (const Team& team : teams) items.push_back(team_json(team));
+  for (const Team& team : placement.teams)
+    items.push_back(team_json(team, placement.loads.has_value()));
   return json::long_array(items, 1);
 }
 
@@ -76,10 +79,10 @@ std::string closure_json(const Closure& closure) {
 
 // The greatest distance that C may be off while no robot carries more than the limit.
 std::string com_radius_json(const Placement& placement, const std::optional<ModelLoads>& models,
-                            double limit) {
+                            const std::vector<std::optional<double>>& capacities) {
   if (!models) return "null";
   const auto radius =
-      radius_within_capacity(models->springs, robustness(placement).tipping_distance, limit);
+      radius_within_capacity(models->springs, robustness(placement).tipping_distance, capacities);
   return radius ? json::number(*radius) : "null";
 }
 
@@ -91,20 +94,20 @@ std::string failure_plan_json(const std::optional<FailurePlan>& plan) {
        {"robots_tried", std::to_string(plan->tried)}});
 }
 
-std::string capacity_json(const Placement& placement, const CapacityInJson& capacity,
+std::string capacity_json(const ShownPlacement& of, const CapacityInJson& capacity,
                           const std::optional<ModelLoads>& models) {
   std::vector<std::string> robots;
-  for (const std::size_t robot : overloaded_robots(placement, capacity.limit))
-    robots.push_back(std::to_string(robot));
+  for (const std::size_t robot : overloaded_robots(of)) robots.push_back(std::to_string(robot));
+  const std::optional<double>& limit = of.shown.capacity;
   const CapacityPlan& plan = capacity.plan;
   return json::object(
-      {{"limit", json::number(capacity.limit)},
+      {{"limit", limit ? json::number(*limit) : "null"},
        {"overloaded", json::array(robots)},
        {"teams_needed", plan.possible ? std::to_string(plan.teams) : "null"},
        {"greatest_load", plan.possible ? json::number(plan.greatest_load) : "null"},
        {"teams_tried", std::to_string(plan.tried)},
        {"robots_needed", plan.possible ? std::to_string(plan.teams * plan.team_size) : "null"},
-       {"com_radius", com_radius_json(placement, models, capacity.limit)},
+       {"com_radius", com_radius_json(of.placement, models, capacities_of(of))},
        {"if_one_fails", failure_plan_json(capacity.if_one_fails)}});
 }
 
@@ -132,6 +135,44 @@ void add_stands(std::vector<json::Member>& members, const Placement& placement) 
   members.push_back({"unusable", unusable_json(placement)});
 }
 
+std::string failures_json(const ShownPlacement& of) {
+  const auto failures = single_failures(of.placement);
+  return json::failures(
+      failures, has_capacities(of) ? overloads_after(of, failures) : std::vector<bool>(), 1);
+}
+
+std::string verdict_json(const Judgement& judgement) {
+  std::vector<std::string> reasons;
+  for (const std::string& reason : judgement.reasons) reasons.push_back(json::text(reason));
+  return json::object(
+      {{"kind", json::text(name(judgement.kind))}, {"reasons", json::array(reasons)}});
+}
+
+// Adds the supports that do not fit, and those over which the object tips if it falls.
+void add_misfits(std::vector<json::Member>& members, const Placement& placement) {
+  std::vector<std::string> items, tips_over;
+  for (const Misfit& misfit : misfits(placement))
+    items.push_back(json::object(
+        {{"robot", std::to_string(misfit.robot)}, {"why", json::text(misfit_in_words(misfit))}}));
+  members.push_back({"misfits", json::long_array(items, 1)});
+  for (const std::uint32_t robot : equilibrium(placement).tips_over)
+    tips_over.push_back(std::to_string(robot));
+  if (!placement.loads) members.push_back({"tips_over", json::array(tips_over)});
+}
+
+std::string requirements_json(const std::vector<Requirement>& requirements) {
+  std::vector<std::string> items;
+  for (const auto& [condition, value, kept] : requirements) {
+    const std::string known = !value                             ? "null"
+                              : is_yes_or_no(condition.quantity) ? json::boolean(*value == 1)
+                                                                 : json::number(*value);
+    items.push_back(json::object({{"condition", json::text(condition.text)},
+                                  {"value", known},
+                                  {"kept", json::boolean(kept)}}));
+  }
+  return json::long_array(items, 1);
+}
+
 // Adds the settings that the results do not show, so that a program can open the result with all of
 // them: the number of teams if it is "max" or the robots are balanced, and the overlays; each only
 // if it is not the default.
@@ -140,7 +181,7 @@ void add_asked(std::vector<json::Member>& members, const Settings& settings,
   const Settings usual;
   if (!settings.teams)
     members.push_back({"teams_asked", json::text("max")});
-  else if (settings.method == Method::balanced && settings.teams != usual.teams)
+  else if (is_one_team(settings.method) && settings.teams != usual.teams)
     members.push_back({"teams_asked", std::to_string(*settings.teams)});
   if (overlays != Overlays{}) members.push_back({"overlays", json::overlays(overlays)});
 }
@@ -151,13 +192,23 @@ std::string candidates_json(const std::vector<Candidate>& candidates) {
   return json::long_object({{"candidates", candidate_list(candidates)}}, 0) + "\n";
 }
 
+std::optional<CapacityInJson> capacity_in_json(const ShownPlacement& of) {
+  if (!has_capacities(of)) return std::nullopt;
+  CapacityInJson capacity{{}, FailurePlan{}};
+  if (const auto& limit = of.shown.capacity)
+    capacity = {plan_capacity(of.placement, *limit), plan_for_failures(of.placement, *limit)};
+  return capacity;
+}
+
 std::string placement_json(const ShownPlacement& of, bool with_candidates,
-                           const std::optional<CapacityInJson>& capacity, bool with_failures) {
+                           const std::optional<CapacityInJson>& capacity, bool with_failures,
+                           const std::vector<Requirement>& requirements) {
   const Placement& placement = of.placement;
   const Settings& settings = placement.settings;
   const Document asked{{}, {}, settings, of.shown, {}};
   const bool robots = !placement.teams.empty();
   const std::optional<ModelLoads> models = robots ? model_loads(placement) : std::nullopt;
+  const bool given = settings.method == Method::given;
   std::vector<json::Member> members = {
       {"polygon", json::points(placement.vertices(), 1)},
       {"centre_of_mass", json::pair(placement.centre_of_mass)},
@@ -165,7 +216,7 @@ std::string placement_json(const ShownPlacement& of, bool with_candidates,
   json::add_settings(members, asked, &SettingRow::in_result, Setting::teams, Setting::weight_unit);
   if (with_candidates) members.push_back({"candidates", candidate_list(placement.candidates)});
   members.push_back({"requested_teams", std::to_string(placement.requested_teams)});
-  members.push_back({"teams", teams_json(placement.teams)});
+  members.push_back({"teams", teams_json(placement)});
   if (robots) members.push_back({"robots", json::robots(placement, 1)});
   members.push_back({"hull", json::points(placement.lifting_base, 1)});
   members.push_back({"coverage", json::number(placement.coverage)});
@@ -173,6 +224,9 @@ std::string placement_json(const ShownPlacement& of, bool with_candidates,
   members.push_back({"closure", closure_json(placement.closure)});
   members.push_back({"goal", json::text(name(goal_of(settings)))});
   members.push_back({"goal_reached", json::boolean(placement.goal_reached)});
+  members.push_back({"stands", json::boolean(placement.loads.has_value())});
+  members.push_back({"verdict", verdict_json(judge(of))});
+  if (given) add_misfits(members, placement);
   if (settings.method == Method::balanced)
     members.push_back({"search_ended", json::boolean(placement.search_ended)});
   json::add_settings(members, asked, &SettingRow::in_result, Setting::goal, Setting::failed);
@@ -181,11 +235,9 @@ std::string placement_json(const ShownPlacement& of, bool with_candidates,
   add_stands(members, placement);
   if (robots)
     members.push_back({"robustness", json::robustness(placement, models, of.shown.com_radius, 1)});
-  if (robots && with_failures)
-    members.push_back(
-        {"failures", json::failures(single_failures(placement),
-                                    capacity ? std::optional(capacity->limit) : std::nullopt, 1)});
-  if (capacity) members.push_back({"capacity", capacity_json(placement, *capacity, models)});
+  if (robots && with_failures) members.push_back({"failures", failures_json(of)});
+  if (capacity) members.push_back({"capacity", capacity_json(of, *capacity, models)});
+  if (!requirements.empty()) members.push_back({"requirements", requirements_json(requirements)});
   return json::long_object(members, 0) + "\n";
 }
 

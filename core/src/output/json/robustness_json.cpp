@@ -19,7 +19,7 @@ std::string ranges(const std::vector<double>& loads, const SpringLoads& springs,
 }
 
 std::string failure(std::size_t robot, const std::optional<RestOfRobots>& rest,
-                    const std::optional<double>& capacity) {
+                    const std::optional<bool>& overloads) {
   const auto if_carried = [&](const std::string& value) { return rest ? value : "null"; };
   const RestOfRobots known = rest.value_or(RestOfRobots{});
   std::vector<Member> members = {{"robot", std::to_string(robot)},
@@ -33,9 +33,7 @@ std::string failure(std::size_t robot, const std::optional<RestOfRobots>& rest,
                                  {"plan_max", number_or_null(known.greatest_by_plan)},
                                  {"springs_max", if_carried(number(known.greatest_by_springs))},
                                  {"best_max", if_carried(number(known.least_greatest))}};
-  if (capacity)
-    members.push_back(
-        {"over_capacity", if_carried(boolean(known.greatest_by_springs > *capacity))});
+  if (overloads) members.push_back({"over_capacity", if_carried(boolean(*overloads))});
   return object(members);
 }
 
@@ -46,10 +44,11 @@ std::string robots(const Placement& placement, int depth) {
   for (const PlacedRobot& robot : placed_robots(placement))
     items.push_back(object({{"at", pair(robot.at)},
                             {"team", std::to_string(robot.team)},
-                            {"load", number(robot.load)},
-                            {"contact", pair(robot.contact)},
+                            {"load", placement.loads ? number(robot.load) : "null"},
+                            {"contact", robot.beneath ? "null" : pair(robot.contact)},
                             {"stand", pair(robot.stand)},
-                            {"heading", number(robot.heading_deg)}}));
+                            {"heading", robot.beneath ? "null" : number(robot.heading_deg)},
+                            {"place", text(robot.beneath ? "beneath" : "edge")}}));
   return long_array(items, depth);
 }
 
@@ -65,7 +64,7 @@ std::string robustness(const Placement& placement, const std::optional<ModelLoad
                        double com_radius, int depth) {
   const Robustness known = evenlift::robustness(placement);
   std::vector<Member> members = {
-      {"com_margin", number(known.tipping_distance)},
+      {"com_margin", number(equilibrium(placement).com_margin)},
       {"failures_carried", std::to_string(known.failures_carried)},
       {"failures_steady", std::to_string(known.failures_steady)},
       {"failures_clear", std::to_string(known.failures_clear)},
@@ -84,10 +83,12 @@ std::string robustness(const Placement& placement, const std::optional<ModelLoad
 }
 
 std::string failures(const std::vector<std::optional<RestOfRobots>>& failures,
-                     const std::optional<double>& capacity, int depth) {
+                     const std::vector<bool>& overloads, int depth) {
   std::vector<std::string> items;
   for (std::size_t robot = 0; robot < failures.size(); ++robot)
-    items.push_back(failure(robot, failures[robot], capacity));
+    items.push_back(
+        failure(robot, failures[robot],
+                overloads.empty() ? std::nullopt : std::optional<bool>(overloads[robot])));
   return long_array(items, depth);
 }
 

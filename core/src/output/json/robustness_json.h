@@ -19,6 +19,6 @@ std::string robustness(const Placement& placement, const std::optional<ModelLoad
                        double com_radius, int depth);
 
 std::string failures(const std::vector<std::optional<RestOfRobots>>& failures,
-                     const std::optional<double>& capacity, int depth);
+                     const std::vector<bool>& overloads, int depth);
 
 }  // namespace evenlift::json

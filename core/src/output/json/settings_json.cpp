@@ -10,6 +10,13 @@ bool is_of_use(const SettingRow& row, const Settings& settings) {
   return is_kept(row, settings);
 }
 
+std::string capacities(const std::vector<std::optional<double>>& given) {
+  std::vector<std::string> items;
+  for (const std::optional<double>& capacity : given)
+    items.push_back(capacity ? number(*capacity) : "null");
+  return array(items);
+}
+
 std::string value(const SettingRow& row, const Document& document) {
   switch (row.setting) {
     case Setting::overlays:
@@ -18,6 +25,10 @@ std::string value(const SettingRow& row, const Document& document) {
       return robot(document.settings.robot);
     case Setting::goal:
       return text(name(goal_of(document.settings)));
+    case Setting::supports:
+      return points(document.settings.supports, 1);
+    case Setting::support_capacities:
+      return capacities(document.shown.support_capacities);
     default:
       break;
   }

@@ -39,21 +39,22 @@ std::string unit_or_nothing(LengthUnit unit) {
   return unit == LengthUnit::none ? std::string() : std::string(name(unit));
 }
 
-std::string as_csv(const std::vector<PlacedRobot>& robots, const Units& units) {
+std::string as_csv(const std::vector<PlacedRobot>& robots, bool carried, const Units& units) {
   std::string text = "robot,team,x,y,heading_deg,load,unit,weight_unit\n";
   const std::string labels =
       "," + unit_or_nothing(units.length) + "," + std::string(name(units.weight)) + "\n";
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const PlacedRobot& robot = robots[i];
     text += std::to_string(i + 1) + "," + std::to_string(robot.team + 1);
-    for (const double value : {robot.at.x(), robot.at.y(), robot.heading_deg, robot.load})
+    for (const double value : {robot.at.x(), robot.at.y(), robot.heading_deg})
       text += "," + shortest(without_sign(value));
+    text += "," + (carried ? shortest(without_sign(robot.load)) : std::string());
     text += labels;
   }
   return text;
 }
 
-std::string as_json(const std::vector<PlacedRobot>& robots, const Units& units,
+std::string as_json(const std::vector<PlacedRobot>& robots, bool carried, const Units& units,
                     const PoseOptions& options) {
   std::vector<std::string> items;
   for (std::size_t i = 0; i < robots.size(); ++i) {
@@ -66,7 +67,7 @@ std::string as_json(const std::vector<PlacedRobot>& robots, const Units& units,
          {"y", number(robot.at.y())},
          {"heading_deg", number(robot.heading_deg)},
          {"direction", json::array({number(robot.direction.x()), number(robot.direction.y())})},
-         {"load", number(robot.load)}}));
+         {"load", carried ? number(robot.load) : "null"}}));
   }
   const bool has_unit = units.length != LengthUnit::none;
   return json::long_object({{"frame", json::text(options.frame)},
@@ -125,7 +126,7 @@ std::string vector_in_yaml(std::initializer_list<std::pair<const char*, double>>
   return text + "}";
 }
 
-std::string as_yaml(const std::vector<PlacedRobot>& robots, const Units& units,
+std::string as_yaml(const std::vector<PlacedRobot>& robots, bool carried, const Units& units,
                     const PoseOptions& options) {
   std::string text = "# geometry_msgs/msg/PoseArray, in metres; x of each pose faces the object\n";
   if (units.length == LengthUnit::none)
@@ -136,7 +137,10 @@ std::string as_yaml(const std::vector<PlacedRobot>& robots, const Units& units,
     const PlacedRobot& robot = robots[i];
     const auto [z, w] = half_turn(robot.direction);
     text += "  # Robot " + std::to_string(i + 1) + " of team " + std::to_string(robot.team + 1) +
-            " carries " + shortest(robot.load) + " " + std::string(name(units.weight)) + "\n";
+            " carries " +
+            (carried ? shortest(robot.load) + " " + std::string(name(units.weight))
+                     : "nothing: the object falls") +
+            "\n";
     text += "  - position: " +
             vector_in_yaml({{"x", in_metres(robot.at.x(), units.length)},
                             {"y", in_metres(robot.at.y(), units.length)},
@@ -169,13 +173,14 @@ bool is_frame_name(std::string_view text) {
 
 std::string poses_text(const ShownPlacement& of, PoseFormat format, const PoseOptions& options) {
   const std::vector<PlacedRobot> robots = robots_from(of.placement, options.origin);
+  const bool carried = of.placement.loads.has_value();
   switch (format) {
     case PoseFormat::csv:
-      return as_csv(robots, of.shown.units);
+      return as_csv(robots, carried, of.shown.units);
     case PoseFormat::json:
-      return as_json(robots, of.shown.units, options);
+      return as_json(robots, carried, of.shown.units, options);
     case PoseFormat::yaml:
-      return as_yaml(robots, of.shown.units, options);
+      return as_yaml(robots, carried, of.shown.units, options);
   }
   return {};
 }

@@ -46,8 +46,8 @@ std::vector<Shape> make_picture(const Placement& placement, const Overlays& over
   if (touches && overlays.counterclockwise)
     add_area(shapes, Role::counterclockwise, placement.closure.counterclockwise.clipped);
   if (overlays.lifting_base) add_area(shapes, Role::lifting_base, placement.lifting_base);
-  // Balanced robots are not chosen among candidates.
-  if (overlays.candidates && placement.settings.method != Method::balanced)
+  // Balanced robots and supports are not chosen among candidates.
+  if (overlays.candidates && !is_one_team(placement.settings.method))
     add_candidates(shapes, placement, most_lines);
   const auto teams = static_cast<std::uint32_t>(placement.teams.size());
   if (overlays.chords) {

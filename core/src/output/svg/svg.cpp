@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "evenlift/capacity.h"
 #include "evenlift/output/label_places.h"
 #include "evenlift/output/markup.h"
 #include "evenlift/output/picture.h"
@@ -35,7 +36,7 @@ class Drawing {
     label_size_ = robots <= 12 ? 14 : robots <= 40 ? 12 : 10;
     chord_width_ = robots <= 24 ? 2 : robots <= 200 ? 1.25 : 0.6;
     // Lines to C only show that the robots belong together.
-    if (placement.settings.method == Method::balanced) chord_width_ = 0.75;
+    if (is_one_team(placement.settings.method)) chord_width_ = 0.75;
     largest_load_ = placement.loads ? placement.loads->max : 0;
     stands_ = find_stands(placement, sized_, paper_, 0.8 * disc_);
   }
@@ -83,9 +84,11 @@ class Drawing {
 
   std::string title() const {
     const std::size_t teams = placement_.teams.size();
+    const std::size_t robots = count_robots(placement_.teams);
+    if (placement_.settings.method == Method::given)
+      return count_of(robots, "robot", "robots") + " that already stand, below a polygonal object";
     if (placement_.settings.method == Method::balanced)
-      return count_of(count_robots(placement_.teams), "balanced robot", "balanced robots") +
-             " lifting a polygonal object";
+      return count_of(robots, "balanced robot", "balanced robots") + " lifting a polygonal object";
     return std::to_string(teams) + (teams == 1 ? " team" : " teams") +
            " of two robots lifting a polygonal object";
   }
@@ -195,23 +198,32 @@ class Drawing {
     for (std::size_t i = stands_.size(); i-- > 0;) {  // the first teams on top
       const labels::Box box = disc(stands_[i]);
       const Vec2 size = box.high - box.low;
-      out += element("rect", attribute("class", "robot") + attribute("x", box.low.x()) +
-                                 attribute("y", box.low.y()) + attribute("width", size.x()) +
-                                 attribute("height", size.y()) + attribute("rx", disc_) +
-                                 attribute("fill", text_colour) + attribute("stroke", "#FFFFFF") +
-                                 attribute("stroke-width", 1.5));
-      out += centred(stands_[i].at, number_size_, stands_[i].numbers, attribute("fill", "#FFFFFF"));
+      constexpr const char* white = "#FFFFFF";
+      const bool beneath = stands_[i].beneath;  // a pale disc with a dashed rim
+      out += element("rect", attribute("class", beneath ? "robot beneath" : "robot") +
+                                 attribute("x", box.low.x()) + attribute("y", box.low.y()) +
+                                 attribute("width", size.x()) + attribute("height", size.y()) +
+                                 attribute("rx", disc_) +
+                                 attribute("fill", beneath ? white : text_colour) +
+                                 attribute("stroke", beneath ? text_colour : white) +
+                                 attribute("stroke-width", 1.5) +
+                                 (beneath ? " stroke-dasharray=\"3 2\"" : ""));
+      out += centred(stands_[i].at, number_size_, stands_[i].numbers,
+                     attribute("fill", beneath ? text_colour : white));
     }
     return out;
   }
 
   bool overloads(const Stand& stand) const {
-    const std::optional<double>& capacity = of_.shown.capacity;
-    return capacity && *std::max_element(stand.loads.begin(), stand.loads.end()) > *capacity;
+    for (std::size_t i = 0; i < stand.loads.size(); ++i)
+      if (const auto capacity = capacity_of(of_, stand.robots[i]);
+          capacity && stand.loads[i] > *capacity)
+        return true;
+    return false;
   }
 
   std::string loads() {
-    if (stands_.size() > most_labels) return "";
+    if (stands_.size() > most_labels || !placement_.loads) return "";
     const Vec2 centre = paper_(placement_.centre_of_mass);
     labels::Surroundings around = {
         {Vec2(6, 6), Vec2(paper_.width - 6, paper_.height - 6)},

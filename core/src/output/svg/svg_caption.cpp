@@ -19,7 +19,7 @@ std::string settings_line(const ShownPlacement& of) {
   const bool by_ratio = selects_candidates(settings.method);
   std::string line = "Method: " + method_in_words(settings.method);
   if (settings.method == Method::random) line += ", seed " + std::to_string(settings.seed);
-  line += " · " + (settings.method == Method::balanced
+  line += " · " + (is_one_team(settings.method)
                        ? count_of(count_robots(placement.teams), "robot", "robots")
                        : count_of(placement.teams.size(), "team", "teams"));
   if (by_ratio) line += " · minimum load ratio " + plain(settings.min_ratio);

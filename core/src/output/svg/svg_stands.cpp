@@ -13,25 +13,27 @@ std::vector<Stand> find_stands(const Placement& placement, const std::vector<Pla
   std::vector<Stand> stands;
   std::size_t added = 0;
   const auto add = [&](const LiftingPoint& point, const std::string& number, double load) {
+    const std::size_t robot = added;
     const Vec2 at = paper(point.position);
     std::optional<Box> body;
     if (!sized.empty()) body = body_box(sized[added], placement.stands->robot(), paper);
     ++added;
     const auto taken = std::find_if(stands.begin(), stands.end(), [&](const Stand& stand) {
-      return length(stand.at - at) < apart;
+      return length(stand.at - at) < apart && stand.beneath == (point.edge == beneath);
     });
     if (taken == stands.end()) {
-      stands.push_back({at, number, {load}, body});
+      stands.push_back({at, number, {load}, {robot}, body, point.edge == beneath});
     } else {
       taken->numbers += "·" + number;
       taken->loads.push_back(load);
+      taken->robots.push_back(robot);
     }
   };
   for (std::size_t i = 0; i < placement.teams.size(); ++i) {
     const std::vector<Robot>& robots = placement.teams[i].robots;
     for (std::size_t k = 0; k < robots.size(); ++k) {
-      // A single team of balanced robots has numbers for its robots.
-      const bool alone = placement.settings.method == Method::balanced;
+      // A single team has numbers for its robots.
+      const bool alone = is_one_team(placement.settings.method);
       add(robots[k].point, std::to_string((alone ? k : i) + 1), robots[k].load);
     }
   }

@@ -14,12 +14,14 @@ namespace evenlift::svg {
 
 struct Stand {
   Vec2 at = Vec2::Zero();     // in pixels
-  std::string numbers;        // of the teams, or of balanced robots: "3", "1·4", "×5" for five
+  std::string numbers;        // of the teams, or of one team's robots: "3", "1·4", "×5" for five
   std::vector<double> loads;  // of the robots
-  std::optional<Box> body;    // of the first of them, if robots have a size
+  std::vector<std::size_t> robots;  // their numbers (loads.h)
+  std::optional<Box> body;          // of the first of them, if robots have a size
+  bool beneath = false;             // they stand beneath the object (supports.h)
 };
 
-// Robots closer than `apart` pixels share a stand. The first teams come first.
+// Robots closer than `apart` pixels share a stand, but not one beneath with one at the edge. The first teams come first.
 // O(robots * stands); a picture has room for a few thousand stands.
 // `sized` contains the robots with a size: all or none.
 std::vector<Stand> find_stands(const Placement& placement, const std::vector<PlacedRobot>& sized,

@@ -71,7 +71,7 @@ class FigureWords {
   }
   std::string robot() const {
     std::string text;
-    if (trace_.balanced()) {
+    if (trace_.balanced() || trace_.given()) {
       text = fill("Robot #", {item()});
     } else {
       const auto [team, number] = find_robot(trace_.placement.teams, index_);
@@ -81,6 +81,7 @@ class FigureWords {
     const double largest = trace_.balanced() ? figure_.value : trace_.placement.loads->max;
     return text + fill(": #", {weight_text(trace_, figure_.value, largest)});
   }
+  std::string load() const { return written(weight_text(trace_, figure_.value)); }
   std::string body() const {
     return figure_.item ? fill("No robot: #", {why_unusable()}) : "A robot that fits";
   }
@@ -150,6 +151,9 @@ constexpr FigureRow rows[] = {
     {FigureKind::unusable,      "Edge #: #", {&W::edge_of_unusable, &W::why_unusable}},
     {FigureKind::body,          "#", {&W::body}},
     {FigureKind::hand,          "#", {&W::body}},
+    {FigureKind::share,         "The share of robot #: #", {&W::item, &W::signed_share}},
+    {FigureKind::level,         "Here springs would carry #", {&W::load}},
+    {FigureKind::sinks,         "The object sinks most in this direction"},
 };
 // clang-format on
 

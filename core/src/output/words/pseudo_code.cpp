@@ -71,6 +71,12 @@ constexpr Line by_centroid[] = {
 constexpr Line equal_loads[] = {
     {Statement::equal_loads, "loads := W/m for each robot"},
     {Statement::failures, "for each robot that fails: is C within the hull of the others?"}};
+constexpr Line by_hand[] = {
+    {Statement::each_support, "for each support: it stands at the edge if near it, else beneath"},
+    {Statement::wider_base, "H := the convex hull of the robots"}};
+constexpr Line loads_of_springs[] = {
+    {Statement::equations, "if C is outside H: the object falls"},
+    {Statement::springs, "loads := max(0, a + b · p) for a robot at p, in balance about C"}};
 constexpr Line loads_of_teams[] = {
     {Statement::loads, "for each team: a robot carries W/t × the other's arm / the chord"}};
 constexpr Line tail[] = {
@@ -100,8 +106,11 @@ std::vector<Line> program(const Settings& settings) {
   if (method == Method::distributed) selection = by_angle;
   if (method == Method::random) selection = by_chance;
   if (method == Method::balanced) selection = by_centroid;
+  if (method == Method::given) selection = by_hand;
   const std::span<const Line> loads =
-      method == Method::balanced ? std::span<const Line>(equal_loads) : loads_of_teams;
+      method == Method::balanced ? std::span<const Line>(equal_loads)
+      : method == Method::given  ? std::span<const Line>(loads_of_springs)
+                                 : loads_of_teams;
   std::vector<Line> lines(std::begin(head), std::end(head));
   if (!stands_anywhere(settings)) lines.push_back(with_a_size[0]);
   lines.insert(lines.end(), selection.begin(), selection.end());
@@ -142,6 +151,7 @@ Statement statement_of_team(const Trace& trace, const StepDetail& detail) {
     case Method::circle:
     case Method::distance:
     case Method::balanced:
+    case Method::given:
       break;
   }
   return detail.step.item == 0 ? Statement::first_team : Statement::next_team;
@@ -152,7 +162,9 @@ Statement statement_of_fewer(const Trace& trace, const StepDetail&) {
 }
 
 Statement statement_of_loads(const Trace& trace, const StepDetail&) {
-  return trace.balanced() ? Statement::equal_loads : Statement::loads;
+  return trace.balanced() ? Statement::equal_loads
+         : trace.given()  ? Statement::springs
+                          : Statement::loads;
 }
 
 Statement statement_of_base(const Trace& trace, const StepDetail& detail) {

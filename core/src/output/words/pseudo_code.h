@@ -47,6 +47,10 @@ enum class Statement : std::uint8_t {
   rounds,
   equal_loads,
   failures,
+  // given
+  each_support,
+  equations,
+  springs,
   // all
   loads,
   coverage,

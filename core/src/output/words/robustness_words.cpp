@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "evenlift/capacity.h"
 #include "evenlift/uncertainty.h"
 #include "output/words/listed.h"
 
@@ -88,21 +89,28 @@ std::string uncertainty_in_words(const ModelLoads& loads, const Robustness& robu
 }
 
 std::string uncertainty_for_capacity_in_words(const ModelLoads& loads, const Robustness& robustness,
-                                              double capacity, const Units& units) {
-  const std::string limit = given_weight(capacity, units);
-  const auto radius = radius_within_capacity(loads.springs, robustness.tipping_distance, capacity);
-  if (!radius) return "If all robots are equally stiff, some carry more than " + limit + ".";
+                                              const ShownPlacement& of) {
+  const Units& units = of.shown.units;
+  const bool has_own = has_own_capacities(of);
+  const std::string limit = has_own ? std::string() : given_weight(*of.shown.capacity, units);
+  const auto capacities = capacities_of(of);
+  const auto radius =
+      radius_within_capacity(loads.springs, robustness.tipping_distance, capacities);
+  if (!radius)
+    return "If all robots are equally stiff, some carry more than " +
+           (has_own ? "they can" : limit) + ".";
   // Loads farther out are unknown; this may end the range, rather than the capacity.
   const bool ends_known =
       *radius == radius_within_capacity(loads.springs, robustness.tipping_distance,
-                                        std::numeric_limits<double>::infinity());
-  return "Equally stiff robots stay within " + limit + " as long as C is off by at most " +
-         length_in_words(*radius, units) +
+                                        std::vector<std::optional<double>>(capacities.size()));
+  return "Equally stiff robots stay within " + (has_own ? "their capacities" : limit) +
+         " as long as C is off by at most " + length_in_words(*radius, units) +
          (ends_known ? "; beyond that, loads are not known in advance." : ".");
 }
 
 std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& failures,
-                              const Units& units, const std::optional<double>& capacity) {
+                              const Units& units, const std::vector<bool>& overloads,
+                              const std::string& limit) {
   Robots needed, for_steadiness, for_capacity;
   double greatest = 0;
   for (std::size_t i = 0; i < failures.size(); ++i) {
@@ -111,7 +119,7 @@ std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& fa
       continue;
     }
     if (!failures[i]->clear) for_steadiness.push_back(i + 1);
-    if (capacity && failures[i]->greatest_by_springs > *capacity) for_capacity.push_back(i + 1);
+    if (i < overloads.size() && overloads[i]) for_capacity.push_back(i + 1);
     greatest = std::max(greatest, failures[i]->greatest_by_springs);
   }
   if (needed.size() == failures.size()) return "The object falls whichever robot fails.";
@@ -122,8 +130,7 @@ std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& fa
                                           " fails. If another fails, the others carry it, " + most;
   if (!for_steadiness.empty()) text += " It can tip if " + robots_or(for_steadiness) + " fails.";
   if (!for_capacity.empty())
-    text += " Some robot carries more than " + given_weight(*capacity, units) + " if " +
-            robots_or(for_capacity) + " fails.";
+    text += " Some robot carries more than " + limit + " if " + robots_or(for_capacity) + " fails.";
   return text + " A sudden failure can briefly double the change of load.";
 }
 
@@ -151,7 +158,7 @@ std::string rest_in_words(const ShownPlacement& of) {
 
 std::vector<Fact> robustness_facts(const ShownPlacement& of, const Robustness& robustness,
                                    bool failing) {
-  if (of.placement.teams.empty()) return {};
+  if (of.placement.teams.empty() || (!of.placement.loads && !failing)) return {};
   // Barely steady does not count.
   const int carried = robustness.failures_carried, steady = robustness.failures_clear;
   std::string may_fail = carried < 1 ? "none" : "any " + std::to_string(carried);

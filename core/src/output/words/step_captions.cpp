@@ -57,6 +57,10 @@ std::string StepCaptions::centre() const {
     return what_c_is() +
            fill(" Where must # stand on the boundary so that all can carry the same load?",
                 {counted(placement_.settings.robots, "robot")});
+  if (trace_.given())
+    return what_c_is() +
+           fill(" # already stand: does the object stand on them, and what does each carry?",
+                {counted(count_robots(placement_.teams), "robot")});
   return what_c_is() +
          " Two robots carry the object without tipping it only if C is between them: a team stands at the two ends of a chord through C.";
 }
@@ -399,6 +403,7 @@ std::string StepCaptions::share() const {
 
 std::string StepCaptions::loads() const {
   const LoadSummary& loads = *placement_.loads;
+  if (trace_.given()) return loads_in_words(placement_);
   const std::string planned = "As planned, " + loads_in_words(placement_);
   if (trace_.balanced()) return planned;
   return planned +

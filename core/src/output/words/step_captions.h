@@ -58,6 +58,13 @@ class StepCaptions : LookedAtStep {
   std::string swap() const;
   std::string held() const;
   std::string stands() const;
+  std::string support() const;
+  std::string equations() const;
+  std::string by_lever() const;
+  std::string by_areas() const;
+  std::string by_springs() const;
+  std::string extremes() const;
+  std::string falls() const;
 
  private:
   Piece load(double value) const;

@@ -38,6 +38,11 @@ class StepFormulas : LookedAtStep {
   std::string rest() const;
   std::string exchange() const;
   std::string stands() const;
+  std::string equations() const;
+  std::string by_lever() const;
+  std::string by_areas() const;
+  std::string by_springs() const;
+  std::string extremes() const;
 
  private:
   Piece load(double value) const;

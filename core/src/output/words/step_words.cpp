@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::string_view titles[] = {"The object and its centre of mass",
                                        "From the lever to the centroid",
+                                       "Where the robots stand",
                                        "Chords from the vertices",
                                        "In order of slope",
                                        "Edges that face each other",
@@ -87,6 +88,13 @@ constexpr StepRow steps[] = {
     {StepKind::swap,         &C::swap,         &F::none,       always<S::swap>},
     {StepKind::held,         &C::held,         &F::none,       always<S::swap>},
     {StepKind::stands,       &C::stands,       &F::stands,     always<S::stands>},
+    {StepKind::support,      &C::support,      &F::none,       always<S::each_support>},
+    {StepKind::equations,    &C::equations,    &F::equations,  always<S::equations>},
+    {StepKind::by_lever,     &C::by_lever,     &F::by_lever,   always<S::springs>},
+    {StepKind::by_areas,     &C::by_areas,     &F::by_areas,   always<S::springs>},
+    {StepKind::by_springs,   &C::by_springs,   &F::by_springs, always<S::springs>},
+    {StepKind::extremes,     &C::extremes,     &F::extremes,   always<S::springs>},
+    {StepKind::falls,        &C::falls,        &F::none,       always<S::equations>},
 };
 // clang-format on
 
@@ -157,6 +165,14 @@ std::string_view formula_letters(const Trace& trace, const StepDetail& detail) {
       return "M is the middle between the last two robots of the swap.";
     case StepKind::stands:
       return letters_of_stands(trace.placement.stands->robot());
+    case StepKind::equations:
+      return "W with i is the load of robot i, and x and y with i are its place.";
+    case StepKind::by_springs:
+    case StepKind::extremes:
+      return "W with i is the load of robot i, and p with i its place.";
+    case StepKind::by_lever:
+    case StepKind::by_areas:
+      return "W with a number is the load of that robot, and p its place.";
     case StepKind::coverage:
       return "P is the object, and H the lifting base.";
     case StepKind::closure:

@@ -40,12 +40,15 @@ std::string robots_of(const std::vector<std::size_t>& robots) {
   return (robots.size() == 1 ? "robot " : "robots ") + numbers_from_1(robots);
 }
 
-std::string overload_in_words(const ShownPlacement& of, double capacity,
-                              const std::vector<std::size_t>& robots, LoadModel model,
-                              const std::optional<std::size_t>& failed) {
+std::string overload_in_words(const ShownPlacement& of, const std::vector<std::size_t>& robots,
+                              LoadModel model, const std::optional<std::size_t>& failed) {
   const Placement& placement = of.placement;
-  if (placement.teams.empty()) return {};
-  const std::string limit = given_weight(capacity, of.shown.units);
+  if (placement.teams.empty() || !placement.loads || !has_capacities(of)) return {};
+  const bool has_own = has_own_capacities(of);
+  // `best` says nothing about robots with different capacities.
+  if (has_own && model == LoadModel::best) return {};
+  const std::string limit =
+      has_own ? "its capacity" : given_weight(*of.shown.capacity, of.shown.units);
   if (robots.empty()) return "No robot carries more than " + limit + ".";
   // `best` gives only the greatest load, not its robot; by `worst`, not all robots have their
   // greatest loads at once.
@@ -62,10 +65,12 @@ std::string overload_in_words(const ShownPlacement& of, double capacity,
   // While a robot fails, the discs show numbers of robots, not of teams. For balanced robots the
   // number of the team means nothing.
   const std::string which = failed ? ": " + robots_of(robots)
-                            : placement.settings.method == Method::balanced
-                                ? std::string()
+                            : placement.settings.method == Method::balanced ? std::string()
+                            : placement.settings.method == Method::given
+                                ? ": " + robots_of(robots)
                                 : ": " + teams_of(placement, robots);
-  return who + " robots" + verb + " overloaded, with more than " + limit + which + ".";
+  return who + " robots" + verb + " overloaded" + (has_own ? "" : ", with more than " + limit) +
+         which + ".";
 }
 
 // The plan counts with all robots working and C as given. If other loads are shown, the text states
@@ -99,22 +104,47 @@ std::string need_if_one_fails(const FailurePlan& plan, const Units& units) {
     return "To allow for any one failure: " + count_of(plan.robots, "robot", "robots") +
            ", at most " + load_in_words(plan.greatest_load, plan.greatest_load, units) +
            " each at rest if equally stiff.";
+  if (plan.tried == 0) return {};
   return "No number up to " + count_of(plan.tried, "robot", "robots") +
          " was found to allow for any one failure.";
 }
 
 // "a robot of team 2"; balanced robots are numbered individually.
 std::string robot_in_words(const Placement& placement, std::size_t robot) {
-  if (placement.settings.method == Method::balanced) return "robot " + std::to_string(robot + 1);
+  if (is_one_team(placement.settings.method)) return "robot " + std::to_string(robot + 1);
   return "a robot of team " + std::to_string(find_robot(placement.teams, robot).team + 1);
 }
 
 // For a hold that relies on a contact near a corner.
 std::string near_corner_in_words(const ShownPlacement& of) {
   const Clearance& clearance = of.placement.closure.clearance;
-  return "It is held only while " + robot_in_words(of.placement, clearance.point.value_or(0)) +
-         " stands exactly in place: it is " + promised_length(clearance.distance, of.shown.units) +
-         " from a corner.";
+  return "The hold depends on the accuracy of " +
+         robot_in_words(of.placement, clearance.point.value_or(0)) + ", which stands only " +
+         promised_length(clearance.distance, of.shown.units) + " from a corner.";
+}
+
+// Whether some robot stands beneath the object.
+bool stands_beneath(const Placement& placement) {
+  for (const Team& team : placement.teams)
+    for (const Robot& robot : team.robots)
+      if (robot.point.edge == beneath) return true;
+  return false;
+}
+
+// Whether equilibrium alone determines the loads: at most three robots, all of them corners of H.
+bool are_determined(const Placement& placement) {
+  const std::size_t robots = count_robots(placement.teams);
+  return robots <= 3 && placement.lifting_base.size() == robots;
+}
+
+// "It falls: the centre of mass is 12 mm outside the lifting base, beyond robots 2 and 3."
+std::string fall_in_words(const ShownPlacement& of) {
+  const Equilibrium equilibrium = evenlift::equilibrium(of.placement);
+  const std::vector<std::size_t> over(equilibrium.tips_over.begin(), equilibrium.tips_over.end());
+  const double outside = -equilibrium.com_margin;
+  return "It falls: the centre of mass is " +
+         with_length_unit(amount(outside, outside), of.shown.units) +
+         " outside the lifting base, beyond " + robots_of(over) + ".";
 }
 
 // A margin below 0 measures how far form closure is missed, not the strength of a hold.
@@ -133,25 +163,34 @@ std::string loads_in_words(const ShownPlacement& of, LoadModel shown,
   if (placement.teams.empty())
     return placement.settings.method == Method::balanced ? "No robots can be placed."
                                                          : "No team can be placed.";
+  if (!placement.loads) return fall_in_words(of);
   const Units& units = of.shown.units;
   const std::string in_all = " (" + given_weight(placement.settings.weight, units) + " in all).";
   const double com_radius = of.shown.com_radius;
   const LoadSummary& loads = *placement.loads;
-  const std::string robots = (shown == LoadModel::plan ? "" : "As planned, ") +
-                             std::to_string(count_robots(placement.teams)) + " robots";
+  const bool given = placement.settings.method == Method::given;
+  const std::string stiff = given && !are_determined(placement) ? "equally stiff " : "";
+  const std::size_t number = count_robots(placement.teams);
+  const std::string robots = (shown == LoadModel::plan ? ""
+                              : given                  ? "If equally stiff, "
+                                                       : "As planned, ") +
+                             std::to_string(number) + " " +
+                             (shown == LoadModel::plan ? stiff : "") +
+                             (number == 1 ? "robot" : "robots"),
+                    carry = number == 1 ? " carries " : " carry ",
+                    each = number == 1 ? "" : " each";
   if (shown == LoadModel::plan && com_radius > 0 && !ranges.empty()) {
     double least = ranges.front().least, greatest = 0;
     for (const LoadRange& range : ranges) {
       least = std::min(least, range.least);
       greatest = std::max(greatest, range.greatest);
     }
-    return robots + " carry " + load_in_words(least, greatest, greatest, units) +
-           " each, with a C uncertainty of " + with_length_unit(plain(com_radius), units) + in_all;
+    return robots + carry + load_in_words(least, greatest, greatest, units) + each +
+           ", with a C uncertainty of " + with_length_unit(plain(com_radius), units) + in_all;
   }
   if (placement.settings.method == Method::balanced)
     return robots + " carry equal loads of " + load_in_words(loads.max, loads.max, units) + in_all;
-  return robots + " carry " + load_in_words(loads.min, loads.max, loads.max, units) + " each" +
-         in_all;
+  return robots + carry + load_in_words(loads.min, loads.max, loads.max, units) + each + in_all;
 }
 
 std::string no_go_in_words(const std::vector<EdgePart>& no_go) {
@@ -221,7 +260,8 @@ std::string shortage_in_words(const Placement& placement) {
 }
 
 std::string coverage_in_words(const Placement& placement) {
-  if (placement.teams.empty()) return {};
+  if (placement.teams.empty() || !placement.loads) return {};
+  if (placement.lifting_base.size() == 1) return "It stands on one point, so it can tip.";
   if (placement.lifting_base.size() < 3) return "They stand on one line, so the object can tip.";
   if (placement.coverage >= 1 - tau) return "Pressing down anywhere on the object does not tip it.";
   if (placement.coverage <= tau) return "Pressing down anywhere on the object can tip it.";
@@ -241,6 +281,8 @@ std::string closure_in_words(const ShownPlacement& of) {
            promised_length(closure.clearance.tolerance, of.shown.units) + " along their edges.";
   if (closure.second_order)
     return "It is held only to second order: any movement jams as soon as it begins.";
+  if (!closure.margin && stands_beneath(placement))
+    return "No robot that touches it from the side keeps it from sliding or turning.";
   if (!closure.margin)
     return "All robots stand on corners, where contacts are not counted: nothing else keeps it from "
            "sliding or turning.";
@@ -276,17 +318,17 @@ std::string verdict(const ShownPlacement& of, LoadModel shown,
   return joined({loads_in_words(of, shown, ranges), detail_in_words(of)});
 }
 
-std::string capacity_in_words(const ShownPlacement& of, double capacity, const CapacityPlan* plan,
+std::string capacity_in_words(const ShownPlacement& of, const CapacityPlan* plan,
                               const FailurePlan* if_one_fails) {
-  return capacity_in_words(of, capacity, plan, overloaded_robots(of.placement, capacity),
-                           LoadModel::plan, std::nullopt, if_one_fails);
+  return capacity_in_words(of, plan, overloaded_robots(of), LoadModel::plan, std::nullopt,
+                           if_one_fails);
 }
 
-std::string capacity_in_words(const ShownPlacement& of, double capacity, const CapacityPlan* plan,
+std::string capacity_in_words(const ShownPlacement& of, const CapacityPlan* plan,
                               const std::vector<std::size_t>& overloaded, LoadModel model,
                               const std::optional<std::size_t>& failed,
                               const FailurePlan* if_one_fails) {
-  return joined({overload_in_words(of, capacity, overloaded, model, failed),
+  return joined({overload_in_words(of, overloaded, model, failed),
                  plan ? need_in_words(*plan, of, model, failed) : std::string(),
                  if_one_fails ? need_if_one_fails(*if_one_fails, of.shown.units) : std::string()});
 }
@@ -294,23 +336,24 @@ std::string capacity_in_words(const ShownPlacement& of, double capacity, const C
 std::vector<Fact> facts_in_words(const ShownPlacement& of) {
   const Placement& placement = of.placement;
   const Units& units = of.shown.units;
-  const bool in_pairs = placement.settings.method != Method::balanced;
+  const bool in_pairs = !is_one_team(placement.settings.method);
   std::vector<Fact> facts;
   if (in_pairs)
     facts.push_back({"Candidate teams", std::to_string(placement.candidates.size()),
                      "One for each candidate chord at this minimum load ratio; two robots each"});
   if (placement.teams.empty()) return facts;
-  const LoadSummary loads = placement.loads.value_or(LoadSummary{});
   facts.push_back(
       {"Coverage", percentage(placement.coverage, 1),
        "Share of the object above the lifting base: pressing down there does not tip it, if robots "
        "push back and none is overloaded"});
-  facts.push_back({"Mean load", load_in_words(loads.mean, loads.max, units), "Of all robots"});
-  facts.push_back({"Spread of loads", load_in_words(loads.spread, loads.max, units),
-                   "Greatest load minus least load"});
-  if (in_pairs)
-    facts.push_back(
-        {"Greatest share in a team", percentage(loads.max_share, 1), "50 % in an even team"});
+  if (const auto& loads = placement.loads) {
+    facts.push_back({"Mean load", load_in_words(loads->mean, loads->max, units), "Of all robots"});
+    facts.push_back({"Spread of loads", load_in_words(loads->spread, loads->max, units),
+                     "Greatest load minus least load"});
+    if (in_pairs)
+      facts.push_back(
+          {"Greatest share in a team", percentage(loads->max_share, 1), "50 % in an even team"});
+  }
   const Closure& closure = placement.closure;
   facts.push_back(
       {"Form closure", form_closure_in_words(closure),
@@ -341,7 +384,9 @@ TeamInWords team_in_words(const Placement& placement, std::size_t team, int coor
 }
 
 std::string method_in_words(Method method) {
-  return method == Method::distributed ? "equal angles" : std::string(name(method));
+  return method == Method::distributed ? "equal angles"
+         : method == Method::given     ? "by hand"
+                                       : std::string(name(method));
 }
 
 std::string form_closure_in_words(const Closure& closure) {

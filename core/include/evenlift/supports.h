@@ -1,0 +1,102 @@
+// Robots that stand where the user puts them (method `given`): legs, jacks or suction cups at known
+// places. Everything that is computed for other robots is computed for them.
+//
+// A support within the snap distance of the outline stands *at the edge*: its contact is the
+// nearest point of the outline (of those as near within tau L the first along the vertex list), and
+// exactly the vertex if one is within tau L. A support that is on the outline up to the
+// rounding of its coordinates stays as given. A support farther inside stands *beneath* the object:
+// it lifts, and touches nothing sideways. If robots have a size, a support at the edge is the
+// contact of its robot (stands.h).
+//
+// All supports are one team. Their loads are not planned, so those of springs count as planned
+// (load_models.h). The object stands on them if C is in H (equilibrium.h); otherwise it falls, and no
+// robot has a load.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "evenlift/balanced.h"
+#include "evenlift/chords.h"
+#include "evenlift/document.h"
+#include "evenlift/polygon.h"
+#include "evenlift/result.h"
+#include "evenlift/stands.h"
+
+namespace evenlift {
+
+// The default snap distance, in units of L.
+inline constexpr double usual_snap = 1e-6;
+
+// The snap distance for these settings, in units of length. O(1).
+double snap_distance(const Polygon& polygon, const Settings& settings);
+
+// Finds the place of supports one by one.
+class SupportPlacer {
+ public:
+  // The polygon must outlive it. O(1).
+  SupportPlacer(const Polygon& polygon, const Settings& settings);
+
+  // The contact of a support at the edge, or its place with the edge `beneath` (chords.h). Nothing
+  // if it is outside the object by more than the snap distance; whether it is inside is decided
+  // exactly. O(n).
+  std::optional<LiftingPoint> place(const Vec2& support) const;
+
+  // The distance of a point from the outline. O(n).
+  double distance(const Vec2& point) const;
+
+ private:
+  const Polygon& polygon_;
+  double snap_;
+};
+
+// The places of all supports in the settings, in order. An error if a support is outside the object
+// or a coordinate is below min_coordinate in size and not 0; its place names the support, counted from 0,
+// as "supports[3]". O(n) for each.
+Result<std::vector<LiftingPoint>> place_supports(const Polygon& polygon, const Settings& settings);
+
+// The place on the outline where one more robot adds most to the area of the lifting base: a vertex,
+// the first of equal ones. If none adds anything, the middle of the edge that is farthest from all
+// robots. O(n m log m).
+Vec2 widest_addition(const Polygon& polygon, const Points& robots);
+
+// A support at which a robot of the given size does not fit, or that is too near to another.
+struct Misfit {
+  enum class Why : std::uint8_t {
+    outside,   // the body would meet the object
+    arm,       // the arm would cross the object
+    hand,      // the hand would stick out of the object
+    no_go,     // the robot would touch a no-go part
+    too_near,  // it collides with another robot, or both are at one place
+  };
+  std::uint32_t robot = 0;
+  Why why = Why::outside;
+  std::uint32_t other = 0;  // for too_near: the other robot, with a smaller number
+  bool operator==(const Misfit&) const = default;
+};
+
+// All misfits of the robots with these lifting points, in the order of their numbers: for each
+// first its place, then the robots before it that are too near. Without `stands`, robots are points
+// that fit anywhere; then only two at one place, within tau L, are too near. O(m log n + m^2).
+std::vector<Misfit> misfits(const Polygon& polygon, const Stands* stands,
+                            const std::vector<LiftingPoint>& robots);
+
+// "outside", "arm", "hand", "no-go", or "too near robot 2", counted from 1.
+std::string misfit_in_words(const Misfit& misfit);
+
+// The nearest robots with equal loads: two robots move to the ends of an even candidate, so that C
+// is the centroid of all. Of all pairs, candidates and ways round, the one with the least sum of
+// squared moves is chosen, and the first of equal ones. Robots whose centroid is C already, within
+// tau L, stay. If no pair will do, three robots move: the
+// third to a trial point (balanced.h); for more than most_evened_by_three robots this is not tried.
+// With robots of a size, the moved robots fit and collide with no other. Nothing if there are no
+// such places, or fewer than two robots. `robots` are lifting points, at most most_evened. O(m^2)
+// completions (balanced.h), or O(s m^3) for s trial points.
+inline constexpr std::size_t most_evened = 64, most_evened_by_three = 16;
+std::optional<std::vector<LiftingPoint>> even_out(const BalancedProblem& problem,
+                                                  const std::vector<LiftingPoint>& robots);
+
+}  // namespace evenlift

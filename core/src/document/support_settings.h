@@ -1,0 +1,31 @@
+// The places and capacities of supports, from text and to text (supports_text() of settings.h).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "evenlift/document.h"
+
+namespace evenlift {
+
+// Reads "0,0 160,0@30 80,90", or "none", with spaces, tabs and line ends between the points.
+// Returns whether the text is valid, and changes the document only then: its supports, their
+// capacities and, if there are supports, the method. O(bytes).
+bool read_supports(std::string_view text, Document& document);
+
+// The first part that is not a support. Empty if there is none, or if it is too long or strange to
+// quote. O(bytes).
+std::string_view refused_support(std::string_view text);
+
+// Reads "30,none,40", or an empty text for no capacities. Returns whether the text is valid, and
+// changes the capacities only then. O(bytes).
+using Capacities = std::vector<std::optional<double>>;
+bool read_capacities(std::string_view text, Capacities& capacities);
+std::string capacities_text(const Capacities& capacities);
+
+// Whether there are at most most_supports, each in its range and one of them given. O(capacities).
+bool are_capacities(const Capacities& capacities);
+
+}  // namespace evenlift

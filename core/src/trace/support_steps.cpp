@@ -1,0 +1,158 @@
+// The steps of given supports: where they stand, and what each carries.
+#include <Eigen/Dense>
+#include <algorithm>
+
+#include "evenlift/placed_robots.h"
+#include "evenlift/stability.h"
+#include "evenlift/tolerance.h"
+#include "trace/step_figures.h"
+#include "trace/step_numbers.h"
+
+namespace evenlift {
+namespace {
+
+Points first_places(const Placement& placement, std::size_t number) {
+  Points places = positions(lifting_points(placement.teams));
+  places.resize(number);
+  return places;
+}
+
+// The loads of springs as a function of the place, load(p) = level + slope . (p - C), where it is
+// above 0.
+struct Sinking {
+  double level = 0;
+  Vec2 slope = Vec2::Zero();
+};
+
+// Fitted to the robots that carry something.
+Sinking sinking_of(const Placement& placement) {
+  std::vector<const Robot*> loaded;
+  for (const Robot& robot : placement.teams[0].robots)
+    if (robot.load > 0) loaded.push_back(&robot);
+  const double size = placement.polygon.diameter();
+  Eigen::MatrixX3d places(static_cast<Eigen::Index>(loaded.size()), 3);
+  Eigen::VectorXd loads(static_cast<Eigen::Index>(loaded.size()));
+  for (std::size_t i = 0; i < loaded.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const Vec2 away = (loaded[i]->point.position - placement.centre_of_mass) / size;
+    places.row(row) << 1, away.x(), away.y();
+    loads(row) = loaded[i]->load;
+  }
+  const Eigen::Vector3d fit = Eigen::ColPivHouseholderQR<Eigen::MatrixX3d>(places).solve(loads);
+  return {fit(0), Vec2(fit(1), fit(2)) / size};
+}
+
+}  // namespace
+
+// --- Numbers
+
+void StepNumbers::support() {
+  const LiftingPoint& place = placement_.teams[0].robots[item_].point;
+  count("robot", item_ + 1);
+  point("x", "y", place.position);
+  count("beneath", place.edge == beneath);
+}
+
+void StepNumbers::equations() {
+  count("robots", count_robots(placement_.teams));
+  add("weight", placement_.settings.weight);
+}
+
+void StepNumbers::each_load() {
+  constexpr std::string_view names[] = {"load1", "load2", "load3"};
+  const std::vector<Robot>& robots = placement_.teams[0].robots;
+  for (std::size_t i = 0; i < robots.size() && i < std::size(names); ++i)
+    add(names[i], robots[i].load);
+}
+
+void StepNumbers::by_springs() {
+  add("min", placement_.loads->min);
+  add("max", placement_.loads->max);
+}
+
+void StepNumbers::extremes() {
+  const auto models = model_loads(placement_);
+  add("springs", placement_.loads->max);
+  add("best", models->best);
+  add("worst", *std::max_element(models->worst.begin(), models->worst.end()));
+}
+
+void StepNumbers::falls() { add("com_margin", equilibrium(placement_).com_margin); }
+
+// --- Figures
+
+void StepFigures::support() {
+  const LiftingPoint& place = placement_.teams[0].robots[item_].point;
+  add_base_of(FigureKind::base_before, item_);
+  add_base_of(FigureKind::base, item_ + std::size_t{1});
+  if (place.edge != beneath) add_edge(FigureKind::edge, place.edge);
+  add(FigureKind::robot, Points{place.position}, item_);
+}
+
+// The lifting base of the first supports.
+void StepFigures::add_base_of(FigureKind kind, std::size_t supports) {
+  std::vector<LiftingPoint> points = lifting_points(placement_.teams);
+  points.resize(supports);
+  if (!points.empty()) add(kind, lifting_base(trace_.polygon, points));
+}
+
+void StepFigures::equations() {
+  const std::vector<Robot>& robots = placement_.teams[0].robots;
+  for (std::uint32_t i = 0; i < robots.size(); ++i)
+    add(FigureKind::arm, Points{trace_.centre, robots[i].point.position}, i);
+  add_supports(false);
+}
+
+void StepFigures::by_lever() {
+  const std::vector<Robot>& robots = placement_.teams[0].robots;
+  add(FigureKind::lever, Points{robots[0].point.position, robots[1].point.position});
+  add_supports(true);
+}
+
+// The triangles of C and two robots; the area of each is the share of the third.
+void StepFigures::by_areas() {
+  const Points places = first_places(placement_, 3);
+  for (std::uint32_t i = 0; i < 3; ++i)
+    add(FigureKind::share, Points{trace_.centre, places[(i + 1) % 3], places[(i + 2) % 3]}, i,
+        placement_.teams[0].robots[i].load / placement_.settings.weight);
+  add_supports(true);
+}
+
+// Lines on which springs would carry the same, like contour lines of a tilted board, and the
+// direction in which it sinks.
+void StepFigures::by_springs() {
+  constexpr int lines = 7;
+  const Sinking sinking = sinking_of(placement_);
+  const double steep = length(sinking.slope), size = trace_.polygon.diameter();
+  if (steep * size > tau * placement_.settings.weight) {
+    const Vec2 down = sinking.slope / steep, across = left_normal(down) * (size / 2);
+    for (int i = 0; i < lines; ++i) {
+      const double ahead = (i - lines / 2) * size / lines;
+      const Vec2 middle = trace_.centre + ahead * down;
+      const double load = sinking.level + ahead * steep;
+      if (load >= 0) add(FigureKind::level, Points{middle - across, middle + across}, {}, load);
+    }
+    add(FigureKind::sinks, Points{trace_.centre, trace_.centre + size / 4 * down});
+  }
+  add_supports(true);
+}
+
+void StepFigures::extremes() { add_supports(true); }
+
+// The edge of H over which the object tips.
+void StepFigures::falls() {
+  add(FigureKind::base, placement_.lifting_base);
+  const std::vector<std::uint32_t> over = equilibrium(placement_).tips_over;
+  const std::vector<Robot>& robots = placement_.teams[0].robots;
+  if (over.size() == 2)
+    add(FigureKind::side, Points{robots[over[0]].point.position, robots[over[1]].point.position});
+  add_supports(false);
+}
+
+void StepFigures::add_supports(bool loaded) {
+  const std::vector<Robot>& robots = placement_.teams[0].robots;
+  for (std::uint32_t i = 0; i < robots.size(); ++i)
+    add(FigureKind::robot, Points{robots[i].point.position}, i, loaded ? robots[i].load : 0);
+}
+
+}  // namespace evenlift

@@ -1,0 +1,429 @@
+// Robots that stand where the user puts them.
+#include "evenlift/supports.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "evenlift/capacity.h"
+#include "evenlift/import.h"
+#include "evenlift/link.h"
+#include "evenlift/output/json.h"
+#include "evenlift/output/poses.h"
+#include "evenlift/output/svg.h"
+#include "evenlift/output/verdict.h"
+#include "evenlift/output/words.h"
+#include "evenlift/placed_robots.h"
+#include "evenlift/request.h"
+#include "evenlift/settings.h"
+#include "kit/catch.h"
+#include "kit/corpus.h"
+#include "kit/placed.h"
+#include "kit/polygons.h"
+#include "kit/random_documents.h"
+#include "kit/texts.h"
+
+using namespace evenlift;
+using evenlift::testing::placed;
+using evenlift::testing::plainly;
+using json = nlohmann::ordered_json;
+
+namespace {
+
+const Points unit_square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+
+Document standing_on(const Points& supports, const Points& vertices = unit_square) {
+  Document document;
+  document.vertices = vertices;
+  document.settings.method = Method::given;
+  document.settings.supports = supports;
+  return document;
+}
+
+std::vector<double> loads_on(const Points& supports) {
+  return planned_loads(placed(standing_on(supports)).teams);
+}
+
+json json_of(const Document& document) {
+  const Placement placement = placed(document);
+  return json::parse(placement_json({placement, document.shown}, false));
+}
+
+InputError refusal(const Document& document) {
+  const auto placement = place(document);
+  REQUIRE_FALSE(placement.ok());
+  return placement.error();
+}
+
+void check_loads(const std::vector<double>& loads, const std::vector<double>& expected) {
+  REQUIRE(loads.size() == expected.size());
+  for (std::size_t i = 0; i < loads.size(); ++i)
+    CHECK(loads[i] == Approx(expected[i]).margin(1e-6));
+}
+
+}  // namespace
+
+TEST_CASE("supports carry what equilibrium and equal springs demand", "[supports]") {
+  check_loads(loads_on(unit_square), {25, 25, 25, 25});
+  check_loads(loads_on({{0, 0}, {1, 0}, {0.5, 1}}), {25, 25, 50});
+  check_loads(loads_on({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5}}), {20, 20, 20, 20, 20});
+  check_loads(loads_on({{0.25, 0}, {0.75, 1}, {0.5, 0.5}}), {100.0 / 3, 100.0 / 3, 100.0 / 3});
+  check_loads(loads_on({{0, 0.5}, {0.75, 0.5}}), {100.0 / 3, 200.0 / 3});  // the lever
+  check_loads(loads_on({{0.5, 0.5}}), {100});
+}
+
+TEST_CASE("four robots at the corners cover all and hold nothing", "[supports]") {
+  const Placement corners = placed(standing_on(unit_square));
+  CHECK(corners.coverage == 1);
+  CHECK_FALSE(corners.closure.margin);
+  CHECK(model_loads(corners)->worst == std::vector<double>{50, 50, 50, 50});
+  CHECK(placed(standing_on({{0, 0}, {1, 0}, {0.5, 1}})).coverage == Approx(0.5));
+  const Placement middles = placed(standing_on({{0.5, 0}, {1, 0.5}, {0.5, 1}, {0, 0.5}}));
+  CHECK(middles.coverage == Approx(0.5));
+  CHECK_FALSE(middles.closure.form_closure);  // to first order it turns about its middle
+  CHECK(middles.closure.second_order);
+}
+
+TEST_CASE("an object falls if its centre of mass is outside the lifting base", "[supports]") {
+  const Document document = standing_on({{0, 0}, {0.4, 0}, {0, 0.4}});
+  const Placement placement = placed(document);
+  CHECK_FALSE(placement.loads);
+  CHECK(placement.coverage == Approx(0.08));
+  const Equilibrium balance = equilibrium(placement);
+  CHECK_FALSE(balance.stands);
+  CHECK(balance.com_margin == Approx(-0.6 / std::sqrt(2)));
+  CHECK(balance.tips_over == std::vector<std::uint32_t>{1, 2});
+  const json result = json_of(document);
+  CHECK(result["loads"].is_null());
+  CHECK(result["robots"][0]["load"].is_null());
+  CHECK(result["stands"] == false);
+  CHECK(result["tips_over"] == json({1, 2}));
+  CHECK(result["verdict"]["kind"] == "bad");
+  CHECK(plainly(loads_in_words(placement)) ==
+        "It falls: the centre of mass is 0.424 outside the lifting base, beyond robots 2 and 3.");
+  CHECK(poses_text(placement, PoseFormat::csv).find(",,,kg") != std::string::npos);
+  CHECK_FALSE(placement_svg(placement).empty());
+}
+
+TEST_CASE("what an object tips over is an edge of its base, or one robot", "[supports]") {
+  const auto over = [](const Points& supports) {
+    return equilibrium(placed(standing_on(supports))).tips_over;
+  };
+  CHECK(over({{0, 0}}) == std::vector<std::uint32_t>{0});
+  CHECK(over({{0, 0}, {1, 0}}) == std::vector<std::uint32_t>{0, 1});
+  CHECK(over({{0, 0}, {0.25, 0.25}}) == std::vector<std::uint32_t>{1});  // on their line
+  CHECK(over({{0.6, 0.1}, {0.6, 0.9}, {1, 0.9}, {1, 0.1}}) == std::vector<std::uint32_t>{0, 1});
+  CHECK(over(unit_square).empty());
+}
+
+TEST_CASE("a support near the outline stands at the edge, and farther inside beneath",
+          "[supports]") {
+  const auto one = [](const Vec2& at, std::optional<double> snap = std::nullopt) {
+    Document document = standing_on({at, {1, 1}}, {{0, 0}, {2, 0}, {2, 2}, {0, 2}});
+    document.settings.snap = snap;
+    return placed_robots(placed(document)).front();
+  };
+  CHECK_FALSE(one({1, 0}).beneath);
+  CHECK(one({1, 1e-7}).at == Vec2(1, 0));
+  CHECK(one({1, -1e-7}).at == Vec2(1, 0));
+  CHECK(one({1e-9, 1e-9}).at == Vec2(0, 0));
+  CHECK(one({1, 1e-3}).beneath);
+  CHECK(one({1, 1e-3}, 1e-2).at == Vec2(1, 0));
+  CHECK(one({1, 1e-12}, 0.0).beneath);
+  CHECK_FALSE(one({1, 0}, 0.0).beneath);
+}
+
+TEST_CASE("a support outside the object is refused by its number", "[supports][errors]") {
+  const auto refused = [](const Vec2& at) {
+    return refusal(standing_on({{0, 0}, {160, 0}, {80, 90}, at}, {{0, 0}, {160, 0}, {80, 90}}));
+  };
+  const InputError right = refused({170, 0});
+  CHECK(right.message == "(170, 0) is 10 outside the object");
+  CHECK(right.place.option == "supports[3]");
+  CHECK(refused({-1e-3, 0}).place.option == "supports[3]");
+  CHECK(refused({1e-200, 0}).place.option == "supports[3]");
+  CHECK(refusal(standing_on({})).place.option == "supports");
+  Document capacities = standing_on(unit_square);
+  capacities.shown.support_capacities = {30, std::nullopt};
+  CHECK(refusal(capacities).message == "2 capacities are given for 4 supports");
+  Document moved = standing_on(unit_square);
+  moved.moved.robots = {{0, 0.5}};
+  refusal(moved);
+}
+
+TEST_CASE("robots beneath touch nothing sideways", "[supports]") {
+  const Points inside{{0.2, 0.2}, {0.8, 0.2}, {0.5, 0.8}};
+  const Placement placement = placed(standing_on(inside));
+  CHECK_FALSE(placement.closure.margin);
+  const json result = json_of(standing_on(inside));
+  CHECK(result["robots"][1]["place"] == "beneath");
+  CHECK(result["robots"][1]["contact"].is_null());
+  CHECK(placement_svg(placement).find("robot beneath") != std::string::npos);
+}
+
+TEST_CASE("the robots of every method, given as supports, have the same results",
+          "[supports][slow]") {
+  int compared = 0;
+  const auto compare = [&](const Document& document) {
+    const Placement placement = placed(document);
+    if (placement.teams.empty()) return;
+    Document given = document;
+    given.settings.method = Method::given;
+    given.settings.supports = positions(lifting_points(placement.teams));
+    const Placement same = placed(given);
+    CHECK(same.lifting_base.size() == placement.lifting_base.size());
+    CHECK(same.coverage == Approx(placement.coverage));
+    CHECK(same.closure.form_closure == placement.closure.form_closure);
+    CHECK(same.closure.second_order == placement.closure.second_order);
+    CHECK(same.closure.margin.has_value() == placement.closure.margin.has_value());
+    if (same.closure.margin) CHECK(*same.closure.margin == Approx(*placement.closure.margin));
+    const auto a = model_loads(same), b = model_loads(placement);
+    check_loads(a->springs.loads, b->springs.loads);
+    CHECK(a->best == Approx(b->best));
+    check_loads(a->worst, b->worst);
+    const Robustness mine = robustness(same), theirs = robustness(placement);
+    CHECK(mine.failures_carried == theirs.failures_carried);
+    CHECK(mine.failures_steady == theirs.failures_steady);
+    CHECK(mine.tipping_distance == Approx(theirs.tipping_distance).margin(1e-6));
+    const auto lost = single_failures(same), lost_there = single_failures(placement);
+    for (std::size_t i = 0; i < lost.size(); ++i) {
+      CHECK(lost[i].has_value() == lost_there[i].has_value());
+      if (lost[i])
+        CHECK(lost[i]->greatest_by_springs == Approx(lost_there[i]->greatest_by_springs));
+    }
+    ++compared;
+  };
+  for (const std::string& name : corpus::polygon_names()) {
+    INFO(name);
+    Document document = corpus::polygon(name);
+    for (const Method method : pair_methods)
+      for (std::uint32_t teams = 1; teams <= 6; teams += 2) {
+        document.settings.method = method;
+        document.settings.teams = teams;
+        compare(document);
+      }
+    document.settings.method = Method::balanced;
+    for (std::uint32_t robots = 3; robots <= 5; ++robots) {
+      document.settings.robots = robots;
+      if (document.vertices.size() <= 100) compare(document);
+    }
+  }
+  CHECK(compared > 200);
+}
+
+TEST_CASE("robots with a size are told where they do not fit", "[supports]") {
+  Document document = standing_on({{1, 0}, {1.1, 0}, {0, 0}, {1, 2}, {1, 1}}, testing::square);
+  document.settings.robot.radius = 0.2;
+  document.settings.no_go = {{2, 0, 1}};
+  const Placement placement = placed(document);
+  std::vector<std::string> why;
+  for (const Misfit& misfit : misfits(placement))
+    why.push_back(std::to_string(misfit.robot + 1) + " " + misfit_in_words(misfit));
+  CHECK(why == std::vector<std::string>{"2 too near robot 1", "3 outside", "4 no-go"});
+  CHECK(judge(placement).kind == VerdictKind::warning);
+  CHECK(json_of(document)["misfits"][0] == json({{"robot", 1}, {"why", "too near robot 1"}}));
+
+  document.settings.supports = {{3, 0}, {3, 4}, {0, 3}};
+  document.vertices = testing::u_shape;
+  document.settings.no_go.clear();
+  document.settings.robot = {0.3, 3, 2.5, 0.2, 0};
+  document.settings.supports = {{3, 2}, {5, 0}, {0.5, 4}};
+  std::vector<Misfit::Why> causes;
+  for (const Misfit& misfit : misfits(placed(document))) causes.push_back(misfit.why);
+  CHECK(std::find(causes.begin(), causes.end(), Misfit::Why::hand) != causes.end());
+
+  document.settings.robot = {0, 0, 50, 1, 0};  // fits nowhere: told, not refused
+  document.vertices = testing::square;
+  document.settings.supports = {{1, 0}, {1, 2}};
+  CHECK(misfits(placed(document)).size() >= 2);
+
+  // Two points at one place.
+  const Placement twice = placed(standing_on({{0, 0}, {1, 0}, {0.5, 1}, {1, 0}}));
+  REQUIRE(misfits(twice).size() == 1);
+  CHECK(misfit_in_words(misfits(twice)[0]) == "too near robot 2");
+}
+
+TEST_CASE("supports are evened out by the least moves", "[supports]") {
+  const Document document = standing_on({{0, 0}, {0.9, 0}, {1, 0.9}, {0, 1}});
+  const auto even = with_even_supports(document);
+  REQUIRE(even.ok());
+  const Placement placement = placed(*even);
+  CHECK(placement.loads->spread <= 1e-9 * 100);
+  CHECK(even->settings.supports[2] == Vec2(1, 0.9));
+  const Document two = standing_on({{0, 0.4}, {1, 0.5}});
+  CHECK(placed(*with_even_supports(two)).loads->spread <= 1e-9 * 100);
+  CHECK(with_even_supports(standing_on({{0.4, 0.5}})).error().place.option == "even_out");
+  const Document already = standing_on(unit_square);
+  CHECK(with_even_supports(already)->settings.supports == unit_square);
+  Document area = document;
+  area.settings.method = Method::area;
+  CHECK(with_even_supports(area).error().place.option == "even_out");
+}
+
+TEST_CASE("each support may have a capacity of its own", "[supports][capacity]") {
+  Document document = standing_on({{0, 0}, {1, 0}, {0.5, 1}});
+  document.shown.support_capacities = {30, 20, std::nullopt};
+  const Placement placement = placed(document);
+  const ShownPlacement of(placement, document.shown);
+  CHECK(overloaded_robots(of) == std::vector<std::size_t>{1});
+  CHECK(plainly(capacity_in_words(of, nullptr)) == "1 of 3 robots is overloaded: robot 2.");
+  Shown both = document.shown;
+  both.capacity = 45;
+  CHECK(overloaded_robots({placement, both}) == std::vector<std::size_t>{1, 2});
+  const auto capacity = capacity_in_json({placement, both});
+  CHECK_FALSE(capacity->plan.possible);
+
+  // After a failure each of the others is compared with its own capacity.
+  Document four = standing_on(unit_square);
+  four.centre_of_mass = Vec2(0.5, 0.5);
+  four.shown.support_capacities = {60, 60, 40, 60};
+  const Placement corners = placed(four);
+  CHECK(overloads_after({corners, four.shown}, single_failures(corners)) ==
+        std::vector<bool>{false, true, false, true});
+}
+
+TEST_CASE("supports are read from text, and a wrong one is quoted", "[supports][settings]") {
+  Document document;
+  CHECK_FALSE(read_setting(Setting::supports, "0,0  160,0@30\n80,90", document));
+  CHECK(document.settings.method == Method::given);
+  CHECK(document.settings.supports == Points{{0, 0}, {160, 0}, {80, 90}});
+  CHECK(document.shown.support_capacities ==
+        std::vector<std::optional<double>>{std::nullopt, 30, std::nullopt});
+  CHECK(text_of(Setting::supports, document) == "0,0 160,0 80,90");
+  CHECK(text_of(Setting::support_capacities, document) == "none,30,none");
+  for (const char* bad : {"", " ", "1", "1,2,3", "1,2@", "1,2@0", "1,2@-1", "a,b", "1, 2"}) {
+    INFO(bad);
+    Document unchanged;
+    CHECK(read_setting(Setting::supports, bad, unchanged));
+    CHECK(unchanged.settings == Settings{});
+  }
+  const auto error = read_setting(Setting::supports, "0,0 1;2", document);
+  CHECK(error->message.ends_with(", not \"1;2\""));
+  CHECK_FALSE(read_setting(Setting::supports, "none", document));
+  CHECK(document.settings.supports.empty());
+}
+
+TEST_CASE("links carry supports with every bit", "[supports][link]") {
+  Rng rng(30);
+  for (int i = 0; i < 300; ++i) {
+    Document document = testing::random_document(rng, 20);
+    testing::take_random_supports(rng, document);
+    const auto link = encode_link(document);
+    REQUIRE(link.ok());
+    const auto back = decode_link(*link);
+    REQUIRE(back.ok());
+    CHECK(testing::same_document(*back, document));
+  }
+  // Coordinates cost as little as vertices.
+  Document document = standing_on({{10, 0}, {150, 0}, {80, 90}, {20, 40}},
+                                  {{0, 0}, {160, 0}, {160, 100}, {0, 100}});
+  CHECK(encode_link(document)->size() < 55);
+}
+
+TEST_CASE("results with supports reopen", "[supports][import]") {
+  Document document = standing_on({{0.25, 0}, {1, 0.5}, {0.5, 0.75}});
+  document.centre_of_mass = Vec2(0.5, 0.45);
+  document.settings.snap = 0.01;
+  document.shown.support_capacities = {50, std::nullopt, 60};
+  const Placement placement = placed(document);
+  const ShownPlacement of(placement, document.shown);
+  const auto read = read_shapes(placement_json(of, false, capacity_in_json(of)));
+  REQUIRE(read.ok());
+  CHECK(testing::same_document(read->shapes.at(0).document, document));
+  const auto decoded = read_shapes(document_json(document));
+  CHECK(testing::same_document(decoded->shapes.at(0).document, document));
+}
+
+TEST_CASE("a request may give supports as arrays, in any order", "[supports][request]") {
+  const std::string polygon = R"("polygon": [[0, 0], [1, 0], [1, 1], [0, 1]])";
+  const auto asked = [&](const std::string& settings, const std::string& more = "") {
+    return json::parse(answer("{" + polygon + more + R"(, "settings": {)" + settings + "}}"));
+  };
+  const std::string arrays = R"("support_capacities": [30, null, 20],
+                                "supports": [[0, 0], [1, 0], [0.5, 1]])";
+  const json result = asked(arrays);
+  CHECK(result["metric"] == "given");
+  CHECK(result["capacity"]["overloaded"] == json({2}));
+  CHECK(result == asked(R"("metric": "given", "supports": "0,0@30 1,0 0.5,1@20")"));
+  CHECK(asked(R"("supports": "0,0 1,0", "metric": "area")")["metric"] == "area");
+  CHECK(asked(R"("supports": [[0, 0], [1]])").contains("error"));
+  CHECK(asked(R"("supports": [[0, 5]])")["error"]["place"]["setting"] == "supports[0]");
+  const json required = asked(arrays, R"(, "require": "stands, max<=40")");
+  CHECK(required["requirements"] ==
+        json::parse(R"([{"condition": "stands", "value": true, "kept": true},
+                        {"condition": "max<=40", "value": 50, "kept": false}])"));
+  CHECK(asked(arrays, R"(, "require": "max")").contains("error"));
+  const json even =
+      asked(R"("supports": [[0, 0], [0.9, 0], [1, 0.9], [0, 1]])", R"(, "even_out": true)");
+  CHECK(even["loads"]["spread"].get<double>() <= 1e-7);
+}
+
+TEST_CASE("supports are read from tables, results and poses", "[supports][import]") {
+  const auto read = [](const std::string& text) { return *read_support_file(text); };
+  const Points three{{0, 0}, {160, 0}, {80, 90}};
+  CHECK(read("x,y\n0,0\n160,0\n80,90\n").places == three);
+  const SupportFile table =
+      read("name;y (mm);X (mm);capacity (kg)\na;0;0;30\nb;0;160;\nc;90,0;80;1,5");
+  CHECK(table.places == three);
+  CHECK(table.capacities == std::vector<std::optional<double>>{30, std::nullopt, 1.5});
+  CHECK(read("[[0, 0], [160, 0], [80, 90]]").places == three);
+  CHECK(read(R"([{"x": 0, "y": 0, "capacity": 7}])").capacities.at(0) == 7.0);
+  const Document document = standing_on({{0, 0}, {1, 0}, {0.5, 1}});
+  const Placement placement = placed(document);
+  for (const std::string& text :
+       {placement_json(placement, false), poses_text(placement, PoseFormat::json),
+        poses_text(placement, PoseFormat::csv), poses_text(placement, PoseFormat::yaml)}) {
+    INFO(text);
+    CHECK(read(text).places == document.settings.supports);
+  }
+  CHECK(read(poses_text(placement, PoseFormat::yaml)).in_metres);
+  for (const char* bad : {"", "a,b\n1,2", "x,y\n1", "x,y\n1,b", "{}", "[1]", "[[1,2,3]]", "[",
+                          "x,y", "x,y,capacity\n1,2,-3", R"({"origin": "com", "robots": []})",
+                          "poses:\n - position: {x: 1}"})
+    CHECK_FALSE(read_support_file(bad).ok());
+}
+
+TEST_CASE("turned and moved, an object stands on its supports as before", "[supports]") {
+  const Document document = corpus::polygon("grand-piano");
+  Document plain = document;
+  plain.settings.method = Method::given;
+  plain.settings.supports = positions(lifting_points(placed(document).teams));
+  const Placement before = placed(plain);
+  // A turn by the angle of the 3-4-5 triangle, and a move.
+  const auto turned = [](const Vec2& p) {
+    return Vec2(0.6 * p.x() - 0.8 * p.y() + 1000, 0.8 * p.x() + 0.6 * p.y() - 300);
+  };
+  Document other = plain;
+  for (Vec2& vertex : other.vertices) vertex = turned(vertex);
+  for (Vec2& support : other.settings.supports) support = turned(support);
+  if (other.centre_of_mass) other.centre_of_mass = turned(*other.centre_of_mass);
+  const Placement after = placed(other);
+  CHECK(after.coverage == Approx(before.coverage));
+  CHECK(after.closure.form_closure == before.closure.form_closure);
+  const std::vector<double> a = planned_loads(after.teams), b = planned_loads(before.teams);
+  for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i] == Approx(b[i]));
+}
+
+TEST_CASE("a requirement names a quantity, and is kept within tolerance", "[supports][require]") {
+  const Placement placement = placed(standing_on(unit_square));
+  const auto kept = [&](const char* text) {
+    std::string marks;
+    for (const Requirement& requirement : check_conditions(placement, *read_conditions(text)))
+      marks += requirement.kept ? '+' : '-';
+    return marks;
+  };
+  CHECK(kept("held, stands, steady") == "-+-");
+  CHECK(kept("coverage>=1, coverage >= 1.1, coverage<=0.5") == "+--");
+  CHECK(kept("max<=25,min>=25,spread<=0,robots<=4,robots>=5") == "++++-");
+  CHECK(kept("margin>=0") == "-");  // no contacts, so no margin
+  const Placement falls = placed(standing_on({{0, 0}}));
+  for (const Requirement& requirement : check_conditions(falls, *read_conditions("max<=1000")))
+    CHECK(requirement_in_words(requirement) == "max<=1000: no value, not kept");
+  for (const char* bad : {"", ",", "held,", "hold", "held>=1", "max", "max<20", "max=<20", "max<=x",
+                          "max<=20 held", "MAX<=20"}) {
+    INFO(bad);
+    const auto read = read_conditions(bad);
+    REQUIRE_FALSE(read.ok());
+    CHECK(read.error().message.find("coverage>=0.8") != std::string::npos);
+  }
+}

@@ -1,0 +1,192 @@
+// Robots placed by hand, in the view.
+#include <algorithm>
+#include <string>
+
+#include "edits/sight.h"
+#include "evenlift/link.h"
+#include "evenlift/supports.h"
+#include "kit/catch.h"
+#include "panels/summary.h"
+#include "tools/pick.h"
+#include "tools/support_spots.h"
+#include "view/view_page.h"
+
+using namespace evenlift;
+using namespace evenlift::view;
+using namespace view_page;
+
+namespace {
+
+AppState piano_state() {
+  AppState state;
+  begin(state, placed(document(asset(EVENLIFT_ASSETS_DIR "/polygons/grand-piano.txt"))));
+  frame_view(state);
+  return state;
+}
+
+const Placement& placement(const AppState& state) { return *state.derived().placement; }
+
+Points robots(const AppState& state) { return positions(lifting_points(placement(state).teams)); }
+
+const Points& supports(const AppState& state) { return settings(state).supports; }
+
+// Holds a robot, as a press on it does.
+void hold(AppState& state, std::size_t robot) {
+  const auto [team, end] = find_robot(placement(state).teams, robot);
+  give(state, SetHeld{{Pick::Kind::robot, team, static_cast<int>(end), Vec2(0, 0)}});
+}
+
+void let_go(AppState& state) {
+  give(state, SetHeld{});
+  give(state, EndEdit{});
+}
+
+}  // namespace
+
+TEST_CASE("a drag of any robot takes all over, with one step of undo", "[view][supports]") {
+  AppState state = piano_state();
+  const Points before = robots(state);
+  const std::size_t depth = state.work.history.depth();
+  const Vec2 centre = placement(state).centre_of_mass;
+  hold(state, 3);
+  for (const double part : {0.2, 0.5, 0.8})
+    give(state, MoveRobot{3, before[3] + part * (centre - before[3])});
+  REQUIRE(settings(state).method == Method::given);
+  CHECK(supports(state).size() == before.size());
+  CHECK(placement(state).settings.method == Method::given);
+  CHECK(placement(state).teams.at(0).robots.at(3).point.edge == beneath);
+  for (const std::size_t other : {0u, 1u, 2u, 4u, 5u})
+    CHECK(length(supports(state)[other] - before[other]) < 1e-6);
+  CHECK(state.session.notice.undo == "Back to Area");
+  let_go(state);
+  CHECK(state.work.history.depth() == depth + 1);
+  CHECK(state.work.history.undoes() == Edit::robots_moved);
+  give(state, Undo{});
+  CHECK(settings(state).method == Method::area);
+  CHECK(robots(state) == before);
+}
+
+TEST_CASE("a robot sticks to the outline, to vertices and to even places", "[view][supports]") {
+  AppState state = piano_state();
+  give(state, SetMethod{Method::given});
+  const Polygon& polygon = placement(state).polygon;
+  const double pixel = 1 / state.view.camera.scale;
+  const Vec2 vertex = polygon.vertex(0);
+  CHECK(support_spot(state, vertex + Vec2(5 * pixel, 4 * pixel), 0) == vertex);
+  const Vec2 middle = (polygon.edge_start(0) + polygon.edge_end(0)) / 2;
+  const auto edge = support_spot(state, middle + Vec2(0, 9 * pixel), 0);
+  REQUIRE(edge);
+  CHECK(length(*edge - middle) < pixel);
+  CHECK_FALSE(support_spot(state, middle - Vec2(0, 30 * pixel), 0));
+  const Vec2 opposite = 2 * placement(state).centre_of_mass - robots(state)[1];
+  CHECK(even_spot(state, opposite + Vec2(3 * pixel, 0), 0, even_reach) == opposite);
+  CHECK_FALSE(even_spot(state, opposite + Vec2(30 * pixel, 0), 0, even_reach));
+}
+
+TEST_CASE("outside the object a robot is taken away, and comes back until it is let go",
+          "[view][supports]") {
+  AppState state = piano_state();
+  give(state, SetMethod{Method::given});
+  const Points before = supports(state);
+  const Vec2 outside = placement(state).vertices()[0] - Vec2(1e4, 1e4), was = before[2];
+  Shown capacities = shown(state);
+  capacities.support_capacities = {10, 20, 30, 40, 50, 60};
+  give(state, SetShown{capacities});
+  hold(state, 2);
+  give(state, MoveRobot{2, was + Vec2(1, 1)});
+  give(state, MoveRobot{2, outside});
+  CHECK(supports(state).size() == before.size() - 1);
+  CHECK(state.view.away);
+  CHECK(shown(state).support_capacities.size() == before.size() - 1);
+  give(state, MoveRobot{2, was});
+  CHECK(supports(state).size() == before.size());
+  CHECK_FALSE(state.view.away);
+  CHECK(shown(state).support_capacities[2] == 30.0);
+  give(state, MoveRobot{2, outside});
+  let_go(state);
+  CHECK(supports(state).size() == before.size() - 1);
+  CHECK(supports(state)[2] == before[3]);
+  give(state, Undo{});
+  CHECK(supports(state) == before);
+  // The last robot stays.
+  while (supports(state).size() > 1) give(state, RemoveRobot{});
+  hold(state, 0);
+  give(state, MoveRobot{0, outside});
+  let_go(state);
+  CHECK(supports(state).size() == 1);
+}
+
+TEST_CASE("robots are added where they widen the base, and removed", "[view][supports]") {
+  AppState state = piano_state();
+  give(state, SetMethod{Method::given});
+  const double before = placement(state).coverage;
+  const std::size_t number = supports(state).size();
+  give(state, AddRobot{});
+  CHECK(supports(state).size() == number + 1);
+  CHECK(placement(state).coverage > before);
+  give(state, AddRobot{placement(state).centre_of_mass});
+  CHECK(supports(state).size() == number + 2);
+  give(state, AddRobot{Vec2(1e6, 1e6)});
+  CHECK(supports(state).size() == number + 2);
+  give(state, RemoveRobot{0});
+  give(state, RemoveRobot{});
+  CHECK(supports(state).size() == number);
+  CHECK(score(state).starts_with(std::to_string(number) + " robots"));
+}
+
+TEST_CASE("robots placed by hand are evened out, compared, and kept in the link",
+          "[view][supports]") {
+  AppState state = piano_state();
+  give(state, SetMethod{Method::given});
+  hold(state, 0);
+  const Vec2 was = robots(state)[0];
+  give(state, MoveRobot{0, was + 0.3 * (placement(state).centre_of_mass - was)});
+  let_go(state);
+  CHECK(placement(state).loads->spread > 1);
+  give(state, EvenOut{});
+  CHECK(placement(state).loads->spread < 1e-6);
+  give(state, Compare{Method::balanced});
+  REQUIRE(state.derived().second);
+  CHECK(count_robots(state.derived().second->teams) == supports(state).size());
+  const auto back = decode_link(*encode_link(state.work.document()));
+  REQUIRE(back.ok());
+  CHECK(back->settings.supports == supports(state));
+  CHECK(summary(state).find("placed by hand") != std::string::npos);
+}
+
+TEST_CASE("another method leaves the supports, and by hand takes its robots over",
+          "[view][supports]") {
+  AppState state = piano_state();
+  give(state, SetMethod{Method::given});
+  give(state, SetMethod{Method::circle});
+  CHECK(supports(state).empty());
+  const Points circle = robots(state);
+  give(state, SetMethod{Method::given});
+  for (std::size_t i = 0; i < circle.size(); ++i)
+    CHECK(length(supports(state)[i] - circle[i]) < 1e-6);
+}
+
+TEST_CASE("the steps of supports tell where they stand and what they carry",
+          "[view][supports][trace]") {
+  AppState state = piano_state();
+  give(state, SetMethod{Method::given});
+  give(state, OpenWalkthrough{});
+  REQUIRE(walkthrough_is_open(state));
+  const Trace& trace = *state.view.walkthrough.trace;
+  CHECK(trace.count(StepKind::support) == 6);
+  for (std::uint32_t k = 0; k < trace.size(); ++k) {
+    give(state, GoToStep{k});
+    INFO(name(trace.step(k).kind));
+    CHECK_FALSE(state.view.walkthrough.caption.empty());
+    frame_view(state);
+  }
+  give(state, CloseWalkthrough{});
+  while (supports(state).size() > 1) give(state, RemoveRobot{});
+  give(state, OpenWalkthrough{});  // one robot: the object falls
+  CHECK(state.view.walkthrough.trace->count(StepKind::falls) == 1);
+  CHECK(state.view.walkthrough.trace->count(StepKind::loads) == 0);
+  for (std::uint32_t k = 0; k < state.view.walkthrough.trace->size(); ++k) {
+    give(state, GoToStep{k});
+    frame_view(state);
+  }
+}
