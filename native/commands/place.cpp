@@ -186,6 +186,10 @@ void check_outputs(const PlaceOptions& options, const std::optional<PosesAsked>&
   const std::string& read = options.input.file;
   if (options.svg) check_output_file("--svg", *options.svg, read);
   if (poses) check_output_file("--poses", poses->file, read);
+  if (const auto supports = options.input.settings.supports_file()) {
+    if (options.svg) check_output_file("--svg", *options.svg, *supports);
+    if (poses) check_output_file("--poses", poses->file, *supports);
+  }
   if (options.svg && poses &&
       (*options.svg == poses->file || is_same_file(*options.svg, poses->file)))
     throw Failure{bad_input_status, "--poses",

@@ -72,7 +72,10 @@ void supports_option(const std::string& text, Document& document) {
   if (!read) throw bad_input(text, read.error());
   // A hand lifts beneath the object, away from the contact.
   const bool by_contact = document.settings.robot.depth > 0 && !read->contacts.empty();
-  const double scale = read->in_metres ? per_metre(document.shown.units.length) : 1;
+  // A file without a unit, or an object without one, keeps its numbers; poses in metres do not.
+  const LengthUnit own = document.shown.units.length;
+  const bool converts = read->unit != LengthUnit::none && own != LengthUnit::none;
+  const double scale = converts ? per_metre(own) / per_metre(read->unit) : 1;
   document.settings.supports.clear();
   for (const Vec2& place : by_contact ? read->contacts : read->places)
     document.settings.supports.push_back(place * scale);
@@ -124,6 +127,13 @@ void SettingOptions::apply(Document& document) const {
     if (typed(row.setting))
       if (const std::string why = why_unused(row, document.settings); !why.empty())
         throw Failure{bad_input_status, as_typed(row.name), why};
+}
+
+std::optional<std::string> SettingOptions::supports_file() const {
+  const Typed& given = typed(Setting::supports);
+  Document scratch;
+  if (!given || !read_setting(Setting::supports, *given, scratch)) return std::nullopt;
+  return given;
 }
 
 void InputOptions::declare(CommandLine& line, const std::string& help) {

@@ -36,6 +36,9 @@ class SettingOptions {
   // checked with the rest of the document.
   void apply(Document& document) const;
 
+  // The path of the file of supports, if --supports names one.
+  std::optional<std::string> supports_file() const;
+
   // Converts an error of the document to one about these typed options.
   Failure failure(const std::string& source, const InputError& error) const;
 

@@ -362,8 +362,7 @@ TEST_CASE("supports are read from tables, results and poses", "[supports][import
   const auto read = [](const std::string& text) { return *read_support_file(text); };
   const Points three{{0, 0}, {160, 0}, {80, 90}};
   CHECK(read("x,y\n0,0\n160,0\n80,90\n").places == three);
-  const SupportFile table =
-      read("name;y (mm);X (mm);capacity (kg)\na;0;0;30\nb;0;160;\nc;90,0;80;1,5");
+  const SupportFile table = read("name;y;X;capacity (kg)\na;0;0;30\nb;0;160;\nc;90,0;80;1,5");
   CHECK(table.places == three);
   CHECK(table.capacities == std::vector<std::optional<double>>{30, std::nullopt, 1.5});
   CHECK(read("[[0, 0], [160, 0], [80, 90]]").places == three);
@@ -376,10 +375,14 @@ TEST_CASE("supports are read from tables, results and poses", "[supports][import
     INFO(text);
     CHECK(read(text).places == document.settings.supports);
   }
-  CHECK(read(poses_text(placement, PoseFormat::yaml)).in_metres);
+  CHECK(read(poses_text(placement, PoseFormat::yaml)).unit == LengthUnit::m);
+  CHECK(table.unit == LengthUnit::none);
+  CHECK(read("x (cm),y (cm),SWL\n1,2,3").unit == LengthUnit::cm);
+  CHECK(read("x (cm),y (cm),SWL\n1,2,3").capacities.at(0) == 3.0);
+  CHECK(read("x,y,Rated capacity (kg)\n1,2,3").capacities.at(0) == 3.0);
   for (const char* bad : {"", "a,b\n1,2", "x,y\n1", "x,y\n1,b", "{}", "[1]", "[[1,2,3]]", "[",
-                          "x,y", "x,y,capacity\n1,2,-3", R"({"origin": "com", "robots": []})",
-                          "poses:\n - position: {x: 1}"})
+                          "x,y", "x,y,capacity\n1,2,-3", "x,y\n1,5,2", "x (m),y (mm)\n1,2",
+                          R"({"origin": "com", "robots": []})", "poses:\n - position: {x: 1}"})
     CHECK_FALSE(read_support_file(bad).ok());
 }
 

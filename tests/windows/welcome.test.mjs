@@ -152,7 +152,7 @@ test("closed without an edit, it does not come back either; its key brings it ba
   await page.locator("#canvas").focus();
   await page.keyboard.press("W");
   await card(page).waitFor();
-  assert.equal(await page.evaluate(() => document.activeElement.textContent), "Draw your own");
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), "Place robots yourself");
   await page.keyboard.press("Escape");
   await idle(page);
   assert.equal(await card(page).count(), 0);

@@ -77,10 +77,11 @@ struct SupportFile {
   Points places;
   Points contacts;  // where they touch the boundary, if a result says so; as many, or none
   std::vector<std::optional<double>> capacities;
-  bool in_metres = false;  // robot poses for ROS 2 are, whatever the unit of the object
+  LengthUnit unit = LengthUnit::none;  // as the headings say; robot poses for ROS 2 are in metres
 };
 
-// Reads the places from a table whose first line names the columns x and y, and perhaps capacity;
+// Reads the places from a table whose first line names the columns x and y, and perhaps capacity
+// (also "Cap.", "SWL", "WLL" or "max load");
 // from the JSON of a result (robots[].at) or of robot poses; from [[x, y], ...]; or from robot poses
 // as YAML. Bounded by max_text_bytes and most_supports. O(bytes).
 Result<SupportFile> read_support_file(std::string_view text);

@@ -90,4 +90,14 @@ bool has_field(const Fields& fields, std::string_view name) {
                      [&](std::string_view field) { return same_word(field, name); });
 }
 
+LengthUnit unit_of_column(std::string_view field) {
+  const auto is_mark = [](char c) { return !is_letter(c); };
+  field.remove_prefix(1);
+  while (!field.empty() && is_mark(field.front())) field.remove_prefix(1);
+  while (!field.empty() && is_mark(field.back())) field.remove_suffix(1);
+  for (const LengthUnit unit : all_length_units)
+    if (unit != LengthUnit::none && same_word(field, name(unit))) return unit;
+  return LengthUnit::none;
+}
+
 }  // namespace evenlift

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "evenlift/document.h"
+
 namespace evenlift {
 
 using Fields = std::vector<std::string_view>;
@@ -41,6 +43,9 @@ std::optional<double> cell_number(std::string_view cell, bool decimal_comma);
 // Whether the heading names the column of a coordinate: "x", "X", "x_mm", "x (m)", but not "xml" or
 // "share_of_x".
 bool names_column(std::string_view heading, char name);
+
+// The unit at the end of the heading of such a column: "x (mm)", "x_cm", "X [m]"; none without one.
+LengthUnit unit_of_column(std::string_view heading);
 
 // Whether a cell is this word, in any case.
 bool has_field(const Fields& fields, std::string_view name);

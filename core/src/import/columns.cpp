@@ -61,17 +61,6 @@ InputError ColumnReader::error(std::string_view at, ErrorCode code,
   return text_error(code, std::string(message), text_, offset);
 }
 
-// The unit at the end of a column's name, such as "x (mm)", "x_cm" or "X [m]"; none without one.
-LengthUnit unit_of_column(std::string_view field) {
-  const auto is_mark = [](char c) { return !is_letter(c); };
-  field.remove_prefix(1);
-  while (!field.empty() && is_mark(field.front())) field.remove_prefix(1);
-  while (!field.empty() && is_mark(field.back())) field.remove_suffix(1);
-  for (const LengthUnit unit : all_length_units)
-    if (unit != LengthUnit::none && same_word(field, name(unit))) return unit;
-  return LengthUnit::none;
-}
-
 std::optional<InputError> ColumnReader::heading(const Line& line, const Fields& fields) {
   if (has_field(fields, "robot") || has_field(fields, "robots"))
     return error(line, ErrorCode::unsupported, robots_are_no_polygon);

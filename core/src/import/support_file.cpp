@@ -37,12 +37,12 @@ class Gathered {
     return text_error(ErrorCode::bad_syntax, std::move(message), text_, offset);
   }
 
-  Result<SupportFile> finish(bool in_metres = false) {
+  Result<SupportFile> finish(LengthUnit unit = LengthUnit::none) {
     if (supports_.places.empty()) return error(0, "there are no robots here");
     const auto& all = supports_.capacities;
     if (std::none_of(all.begin(), all.end(), [](const auto& each) { return each.has_value(); }))
       supports_.capacities.clear();
-    supports_.in_metres = in_metres;
+    supports_.unit = unit;
     return supports_;
   }
 
@@ -133,7 +133,7 @@ Result<SupportFile> read_poses(std::string_view text) {
     if (!x || !y) return gathered.error(offset, "expected a position {x: 0.5, y: 1.0, z: 0.0}");
     if (auto wrong = gathered.add(Vec2(*x, *y), std::nullopt, offset)) return *wrong;
   }
-  return gathered.finish(true);
+  return gathered.finish(LengthUnit::m);
 }
 
 // --- A table with a heading
@@ -142,13 +142,21 @@ struct Columns {
   std::optional<std::size_t> x, y, capacity;
 };
 
+// "capacity", "Rated capacity (kg)", "Cap.", "SWL", "max. load".
+bool names_capacity(std::string_view heading) {
+  std::string letters;
+  for (const char c : heading.substr(0, heading.find_first_of("([")))
+    if (is_letter(c)) letters += lower_case(c);
+  return letters.find("capacity") != std::string::npos || letters == "cap" || letters == "swl" ||
+         letters == "wll" || letters == "maxload" || letters == "maximumload";
+}
+
 Columns columns_of(const Fields& heading) {
   Columns columns;
   for (std::size_t i = heading.size(); i-- > 0;) {
     if (names_column(heading[i], 'x')) columns.x = i;
     if (names_column(heading[i], 'y')) columns.y = i;
-    if (same_word(heading[i].substr(0, heading[i].find_first_of(" _([")), "capacity"))
-      columns.capacity = i;
+    if (names_capacity(heading[i])) columns.capacity = i;
   }
   return columns;
 }
@@ -159,12 +167,20 @@ Result<SupportFile> read_table(std::string_view text) {
   const auto heading = lines.next();
   const char separator = heading ? separator_of(heading->text) : ' ';
   const bool decimal_comma = separator != ',' && separator != ' ';
-  const Columns columns = columns_of(heading ? split_cells(heading->text, separator) : Fields{});
+  const Fields headings = heading ? split_cells(heading->text, separator) : Fields{};
+  const Columns columns = columns_of(headings);
   if (!columns.x || !columns.y)
     return gathered.error(0, "the first line must name the columns x and y, and perhaps capacity");
+  const LengthUnit unit = unit_of_column(headings[*columns.x]);
+  if (unit != unit_of_column(headings[*columns.y]))
+    return gathered.error(0, "x and y are in different units");
   for (auto line = lines.next(); line; line = lines.next()) {
     const Fields cells = split_cells(line->text, separator);
     const auto offset = static_cast<std::size_t>(line->text.data() - text.data());
+    if (cells.size() > headings.size())
+      return gathered.error(offset,
+                            "the line has more cells than the first line; decimals with a "
+                            "comma need a semicolon between the columns");
     const auto value = [&](const std::optional<std::size_t>& column) -> std::optional<double> {
       if (!column || *column >= cells.size()) return std::nullopt;
       return cell_number(cells[*column], decimal_comma);
@@ -176,7 +192,7 @@ Result<SupportFile> read_table(std::string_view text) {
     if (has_cell && !capacity) return gathered.error(offset, "the capacity is not a number");
     if (auto wrong = gathered.add(Vec2(*x, *y), capacity, offset)) return *wrong;
   }
-  return gathered.finish();
+  return gathered.finish(unit);
 }
 
 }  // namespace

@@ -143,11 +143,7 @@ def _support(support: Any) -> list[float]:
 
 def _list(name: str, value: Any) -> list[Any]:
     """The places of supports, or their capacities."""
-    try:
-        items = list(value)
-    except TypeError:
-        raise _bad_setting(name, f"{name}: expected a sequence, not {type(value).__name__}") from None
-    return [_support(item) if name == "supports" else _value(name, item) for item in items]
+    return [_support(item) if name == "supports" else _value(name, item) for item in value]
 
 
 def _value(name: str, value: Any) -> Any:
@@ -168,9 +164,12 @@ def _value(name: str, value: Any) -> Any:
     return number
 
 
+def _is_list(name: str, value: Any) -> bool:
+    return name in _lists and not isinstance(value, str) and hasattr(value, "__iter__")
+
+
 def values(settings: Mapping[str, Any]) -> dict[str, Any]:
-    return {name: _list(name, value) if name in _lists and not isinstance(value, (str, type(None))) else _value(name, value)
-            for name, value in settings.items()}
+    return {name: _list(name, value) if _is_list(name, value) else _value(name, value) for name, value in settings.items()}
 
 
 def _unknown(name: str, known: list[str]) -> EvenliftError:

@@ -11,11 +11,15 @@ namespace evenlift {
 
 std::string StepCaptions::support() const {
   const LiftingPoint& place = placement_.teams[0].robots[item_].point;
-  return fill(
+  const bool touches = std::any_of(trace_.contacts.begin(), trace_.contacts.end(),
+                                   [&](const Contact& contact) { return contact.point == item_; });
+  const char* pattern =
       place.edge == beneath
           ? "Robot # stands beneath the object, at #: it lifts, and touches nothing sideways."
-          : "Robot # stands at the edge, at #: it lifts there, and it can also push sideways.",
-      {counted_from_1(item_), point_text(trace_, place.position)});
+      : touches
+          ? "Robot # stands at the edge, at #: it lifts there, and it can also push sideways."
+          : "Robot # stands at a corner, at #: it lifts there; a push from the side is not counted.";
+  return fill(pattern, {counted_from_1(item_), point_text(trace_, place.position)});
 }
 
 std::string StepCaptions::equations() const {
