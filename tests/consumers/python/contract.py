@@ -95,6 +95,9 @@ def check_placements(samples):
         (texts["square"], {"teams": "max", "overlays": "hull,halo"}),
         (texts["star"], {"metric": "random", "seed": 2**64 - 1}),
         (l_shape, {"robot": "r=100"}),  # for which no robot finds a place
+        # l_shape on robots that already stand, and falling from others:
+        (l_shape, {"supports": [(0, 0), (4, 0), (0, 3), (1, 1)], "support_capacities": [30, None, 40, 50], "snap": 0.1, "require": "held"}),
+        (l_shape, {"supports": "0,0 0,3", "failures": True, "robot": "r=100", "even_out": False}),
     ]
     seen = set()
     for polygon, settings in asked:
