@@ -1,5 +1,4 @@
 // The steps of given supports: where they stand, and what each carries.
-#include <Eigen/Dense>
 #include <algorithm>
 
 #include "evenlift/placed_robots.h"
@@ -24,22 +23,35 @@ struct Sinking {
   Vec2 slope = Vec2::Zero();
 };
 
-// Fitted to the robots that carry something.
+// The line of least squares through the robots that carry something; level if they stand on one
+// line.
 Sinking sinking_of(const Placement& placement) {
-  std::vector<const Robot*> loaded;
-  for (const Robot& robot : placement.teams[0].robots)
-    if (robot.load > 0) loaded.push_back(&robot);
-  const double size = placement.polygon.diameter();
-  Eigen::MatrixX3d places(static_cast<Eigen::Index>(loaded.size()), 3);
-  Eigen::VectorXd loads(static_cast<Eigen::Index>(loaded.size()));
-  for (std::size_t i = 0; i < loaded.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    const Vec2 away = (loaded[i]->point.position - placement.centre_of_mass) / size;
-    places.row(row) << 1, away.x(), away.y();
-    loads(row) = loaded[i]->load;
-  }
-  const Eigen::Vector3d fit = Eigen::ColPivHouseholderQR<Eigen::MatrixX3d>(places).solve(loads);
-  return {fit(0), Vec2(fit(1), fit(2)) / size};
+  const Vec2& centre = placement.centre_of_mass;
+  Vec2 mean = Vec2::Zero();
+  double load = 0, number = 0;
+  const auto each = [&](auto take) {
+    for (const Robot& robot : placement.teams[0].robots)
+      if (robot.load > 0) take(robot);
+  };
+  each([&](const Robot& robot) {
+    mean += robot.point.position - centre;
+    load += robot.load;
+    ++number;
+  });
+  mean /= number;
+  double xx = 0, xy = 0, yy = 0;
+  Vec2 along = Vec2::Zero();
+  each([&](const Robot& robot) {
+    const Vec2 d = robot.point.position - centre - mean;
+    xx += d.x() * d.x();
+    xy += d.x() * d.y();
+    yy += d.y() * d.y();
+    along += (robot.load - load / number) * d;
+  });
+  const double area = xx * yy - xy * xy;
+  if (!(area > tau * xx * yy)) return {load / number, Vec2::Zero()};
+  const Vec2 slope = Vec2(yy * along.x() - xy * along.y(), xx * along.y() - xy * along.x()) / area;
+  return {load / number - dot(slope, mean), slope};
 }
 
 }  // namespace
