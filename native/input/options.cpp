@@ -42,22 +42,6 @@ Value value_or_refusal(Setting setting, const std::optional<Value>& value,
   return *value;
 }
 
-// The units of length in a metre. Coordinates without a unit count as metres (poses.h).
-double per_metre(LengthUnit unit) {
-  switch (unit) {
-    case LengthUnit::none:
-    case LengthUnit::m:
-      break;
-    case LengthUnit::cm:
-      return 100;
-    case LengthUnit::mm:
-      return 1000;
-    case LengthUnit::in:
-      return 10000 / 254.0;
-  }
-  return 1;
-}
-
 // Reads the supports themselves, or a file of them.
 void supports_option(const std::string& text, Document& document) {
   if (!read_setting(Setting::supports, text, document)) return;
@@ -75,7 +59,7 @@ void supports_option(const std::string& text, Document& document) {
   // A file without a unit, or an object without one, keeps its numbers; poses in metres do not.
   const LengthUnit own = document.shown.units.length;
   const bool converts = read->unit != LengthUnit::none && own != LengthUnit::none;
-  const double scale = converts ? per_metre(own) / per_metre(read->unit) : 1;
+  const double scale = converts ? in_metres(1, read->unit) / in_metres(1, own) : 1;
   document.settings.supports.clear();
   for (const Vec2& place : by_contact ? read->contacts : read->places)
     document.settings.supports.push_back(place * scale);

@@ -96,9 +96,7 @@ std::string robustness_lines(const ShownPlacement& of, const RobustnessKnown& kn
   }
   if (!known.failures.empty())
     text += failures_in_words(known.failures, units, overloads_after(of, known.failures),
-                              has_own_capacities(of) || !of.shown.capacity
-                                  ? "its capacity"
-                                  : given_weight(*of.shown.capacity, units)) +
+                              has_capacities(of) ? limit_in_words(of) : std::string()) +
             "\n";
   return text;
 }

@@ -154,6 +154,20 @@ TEST_CASE("robots placed by hand are evened out, compared, and kept in the link"
   CHECK(summary(state).find("placed by hand") != std::string::npos);
 }
 
+TEST_CASE("a support above its own capacity is told and marked", "[view][supports]") {
+  AppState state = piano_state();
+  give(state, SetMethod{Method::given});
+  Shown limited = shown(state);
+  limited.support_capacities = {1000, 1, 1000, 1000, 1000, 1000};
+  give(state, SetShown{limited});
+  CHECK(is_overloaded(state));
+  CHECK(is_overloaded(state, 1));
+  CHECK_FALSE(is_overloaded(state, 0));
+  CHECK(overload_in_brief(state) == "A robot carries more than its capacity. ");
+  CHECK(verdict(state).mood == Mood::not_quite);
+  CHECK(summary(state).find("1 of 6 robots is overloaded: robot 2.") != std::string::npos);
+}
+
 TEST_CASE("another method leaves the supports, and by hand takes its robots over",
           "[view][supports]") {
   AppState state = piano_state();

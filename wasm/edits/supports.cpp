@@ -52,7 +52,7 @@ void remove_capacity(Capacities& capacities, std::size_t robot) {
     capacities.clear();
 }
 
-// Places the document at once, since it may be drawn in this frame, and keeps the card of the robot.
+// Places the document here, and says which robot moved, so that its card stays open.
 void hand_over(AppState& state, std::size_t robot) {
   const Document& document = state.work.document();
   Result<Placement> placed =

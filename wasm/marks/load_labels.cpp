@@ -135,7 +135,7 @@ std::vector<LoadLabel> load_labels(const CanvasView& view, const RobotSize& size
       const Vec2 away = at - middle;
       texts.push_back(
           load_in_words(outlook.model, load, outlook.greatest, shown(view.state).units));
-      over.push_back(view.overloads(load.greatest));
+      over.push_back(view.overloads(number - 1, load.greatest));
       const ImVec2 text = text_size(Face::strong_label, texts.back());
       requests.push_back({at, away / std::max(away.norm(), 1e-9), Vec2(text.x + 12, text.y + 6),
                           body ? body_radius(view) + 4 : 0});

@@ -47,7 +47,7 @@ void draw_robots(const Painter& painter, const CanvasView& view) {
       const double load = outlook.loads[number].greatest;
       draw_robot(painter, view.theme, now, at,
                  {alone ? number + 1 : i + 1, outlook.greatest > 0 ? load / outlook.greatest : 0,
-                  view.overloads(load), view.failure() && view.failure()->robot == number,
+                  view.overloads(number, load), view.failure() && view.failure()->robot == number,
                   is_explained(number), robot.point.edge == beneath});
       ++number;
     }

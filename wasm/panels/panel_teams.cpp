@@ -66,7 +66,7 @@ void draw_bar(const Ui& ui, const Columns& c, float y, std::size_t number, int s
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Outlook& outlook = shown_outlook(ui.state);
   const LoadRange& load = outlook.loads[number];
-  const bool over = shown(ui.state).capacity && load.greatest > *shown(ui.state).capacity;
+  const bool over = is_overloaded(ui.state, number);
   const float way = static_cast<float>(side), full = full_bar(c);
   const auto bar = [&](double value, Colour colour) {
     const double share = outlook.greatest > 0 ? value / outlook.greatest : 0;
@@ -169,10 +169,9 @@ void draw_robot_row(const Ui& ui, const Columns& c, std::size_t index, const Tea
   draw_number(ui, c, y, number);
   const ImVec2 size = text_size(Face::label, words.at[index]);
   draw_text(list, Face::label, ImVec2(c.left + 32, y - size.y / 2), ui.theme.text, words.at[index]);
-  const std::optional<double>& capacity = shown(ui.state).capacity;
-  const bool over_capacity = capacity && shown_outlook(ui.state).loads[index].greatest > *capacity;
   right_aligned(list, Face::strong_label, c.ratio, y,
-                over_capacity ? ui.theme.amber : ui.theme.text, load_text(ui, index));
+                is_overloaded(ui.state, index) ? ui.theme.amber : ui.theme.text,
+                load_text(ui, index));
   if (hovered) ui.row = pick;
 }
 

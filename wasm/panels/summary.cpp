@@ -11,10 +11,25 @@
 
 namespace evenlift::view {
 
-bool is_overloaded(const AppState& state) {
+namespace {
+
+ShownPlacement of(const AppState& state) { return {*state.derived().placement, shown(state)}; }
+
+std::vector<std::size_t> overloaded(const AppState& state, const Outlook& outlook) {
   std::vector<double> greatest;
-  for (const LoadRange& range : state.derived().outlook.loads) greatest.push_back(range.greatest);
-  return !overloaded_robots({*state.derived().placement, shown(state)}, greatest).empty();
+  for (const LoadRange& range : outlook.loads) greatest.push_back(range.greatest);
+  return overloaded_robots(of(state), greatest);
+}
+
+}  // namespace
+
+bool is_overloaded(const AppState& state) {
+  return !overloaded(state, state.derived().outlook).empty();
+}
+
+bool is_overloaded(const AppState& state, std::size_t robot) {
+  const std::optional<double> capacity = capacity_of(of(state), robot);
+  return capacity && shown_outlook(state).loads[robot].greatest > *capacity;
 }
 
 namespace {
@@ -27,18 +42,18 @@ Mood mood_of(const Judgement& judgement, const Placement& placement) {
 
 Verdict of_placement(const AppState& state) {
   const Placement& placement = *state.derived().placement;
-  const ShownPlacement of(placement, shown(state));
+  const ShownPlacement now = of(state);
   const Outlook& outlook = state.derived().outlook;
   const std::string tips =
       placement.loads
           ? tipping_in_words(outlook.robustness, shown(state).com_radius, shown(state).units)
           : std::string();
-  std::string detail = (tips.empty() ? tips : tips + " ") + detail_in_words(of);
-  for (const std::string& misfit : misfits_in_words(of)) detail += " " + misfit;
+  std::string detail = (tips.empty() ? tips : tips + " ") + detail_in_words(now);
+  for (const std::string& misfit : misfits_in_words(now)) detail += " " + misfit;
   if (!placement.teams.empty() && !placement.goal_reached)
     detail += " So the goal to hold is not reached.";
-  return {mood_of(judge(of, outlook.robustness, outlook.loads), placement),
-          loads_in_words(of, outlook.model, outlook.loads), std::move(detail)};
+  return {mood_of(judge(now, outlook.robustness, outlook.loads), placement),
+          loads_in_words(now, outlook.model, outlook.loads), std::move(detail)};
 }
 
 Verdict of_failure(const AppState& state, const Failure& failure) {
@@ -141,16 +156,12 @@ std::string score(const AppState& state) {
 }
 
 std::string need_in_words(const AppState& state) {
-  if (!state.derived().placement) return {};
-  if (!has_capacities({*state.derived().placement, shown(state)})) return {};
+  if (!state.derived().placement || !has_capacities(of(state))) return {};
   const Outlook& outlook = shown_outlook(state);
-  std::vector<double> greatest;
-  for (const LoadRange& range : outlook.loads) greatest.push_back(range.greatest);
   const Failure* failure = failing(state);
-  return capacity_in_words({*state.derived().placement, shown(state)},
-                           state.derived().plan ? &*state.derived().plan : nullptr,
-                           overloaded_robots({*state.derived().placement, shown(state)}, greatest),
-                           outlook.model, failure ? std::optional(failure->robot) : std::nullopt,
+  return capacity_in_words(of(state), state.derived().plan ? &*state.derived().plan : nullptr,
+                           overloaded(state, outlook), outlook.model,
+                           failure ? std::optional(failure->robot) : std::nullopt,
                            state.derived().spare && !failure ? &*state.derived().spare : nullptr);
 }
 
@@ -158,8 +169,9 @@ std::string overload_in_brief(const AppState& state) {
   const bool wanted = state.derived().placement && !state.derived().refusal &&
                       state.view.tool != Tool::draw && !failing(state) && is_overloaded(state);
   if (!wanted) return {};
-  return "A capacity of " + given_weight(*shown(state).capacity, shown(state).units) +
-         " is too low. ";
+  return has_own_capacities(of(state))
+             ? "A robot carries more than its capacity. "
+             : "A capacity of " + limit_in_words(of(state)) + " is too low. ";
 }
 
 std::string model_words(const AppState& state) {
@@ -174,16 +186,14 @@ std::string uncertainty_words(const AppState& state) {
   if (!models || now.com_radius == 0) return {};
   const Robustness& robustness = state.derived().outlook.robustness;
   std::string text = uncertainty_in_words(*models, robustness, now.com_radius, now.units);
-  const ShownPlacement of(*state.derived().placement, now);
-  if (has_capacities(of)) text += " " + uncertainty_for_capacity_in_words(*models, robustness, of);
+  if (has_capacities(of(state)))
+    text += " " + uncertainty_for_capacity_in_words(*models, robustness, of(state));
   return text;
 }
 
 Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest) {
   if (!rest) return Mood::falls;
-  const std::optional<double>& capacity = shown(state).capacity;
-  const bool overloaded = capacity && rest->greatest_by_springs > *capacity;
-  return rest->clear && !overloaded ? Mood::good : Mood::not_quite;
+  return rest->clear && !overloads(of(state), rest) ? Mood::good : Mood::not_quite;
 }
 
 std::string failure_words(const AppState& state, std::size_t robot) {

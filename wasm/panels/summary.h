@@ -31,6 +31,7 @@ std::string failure_words(const AppState& state, std::size_t robot);
 
 // Whether a robot carries more than its capacity, by the shown loads.
 bool is_overloaded(const AppState& state);
+bool is_overloaded(const AppState& state, std::size_t robot);  // this robot, by the shown loads
 
 // A short message that a robot is overloaded; empty if none is.
 std::string overload_in_brief(const AppState& state);

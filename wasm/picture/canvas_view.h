@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "evenlift/capacity.h"
 #include "picture/painter.h"
 #include "picture/scene.h"
 #include "state/layout.h"
@@ -27,8 +28,8 @@ struct CanvasView {
   }
   const Outlook& outlook() const { return shown_outlook(state, second); }
   const Failure* failure() const { return second ? nullptr : failing(state); }
-  bool overloads(double load) const {
-    const std::optional<double>& capacity = shown(state).capacity;
+  bool overloads(std::size_t robot, double load) const {
+    const std::optional<double> capacity = capacity_of({*placement, shown(state)}, robot);
     return capacity && load > *capacity;
   }
   bool current() const { return placement && !state.derived().refusal; }

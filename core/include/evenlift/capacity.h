@@ -35,9 +35,9 @@ std::vector<std::size_t> overloaded_robots(const ShownPlacement& of,
 // The capacity of each robot, or nothing for a robot without one. O(robots).
 std::vector<std::optional<double>> capacities_of(const ShownPlacement& of);
 
-// For each robot, whether another one would carry more than its capacity after the failure, by
-// springs; false if the others do not carry the object. `failures` are those of single_failures()
-// (placed_robots.h). O(m), or O(m^2 log m) if supports have capacities of their own.
+// Whether a robot would carry more than its capacity after a failure, by springs; false if the others
+// do not carry the object. The second function does this for each failure. O(m), O(m^2).
+bool overloads(const ShownPlacement& of, const std::optional<RestOfRobots>& rest);
 std::vector<bool> overloads_after(const ShownPlacement& of,
                                   const std::vector<std::optional<RestOfRobots>>& failures);
 

@@ -114,6 +114,10 @@ struct Units {
 std::string_view name(LengthUnit unit);  // "mm", or "none"
 std::string_view name(WeightUnit unit);  // "kg"
 
+// The length in metres, rounded once if the unit is a metre's decimal part; without a unit, the same
+// number. O(1).
+double in_metres(double length, LengthUnit unit);
+
 // The items drawn in addition to the polygon and its robots.
 struct Overlays {
   bool candidates = false;       // candidate chords that are not selected

@@ -47,6 +47,7 @@ struct RestOfRobots {
                                            // also stop carrying, and every other team carries an
                                            // equal part; none without another team
   double greatest_by_springs = 0, least_greatest = 0;  // see load_models.h: springs and best
+  std::vector<double> springs;  // the load of each robot by springs; 0 for the failed one
 };
 
 // The effect of each robot's failure, in the order of the robots; nothing where the rest does not

@@ -36,6 +36,10 @@ std::vector<PlacedRobot> placed_robots(const Placement& placement);
 // Whether the object stands on its robots (equilibrium.h). O(m log m).
 Equilibrium equilibrium(const Placement& placement);
 
+// Whether equilibrium alone determines the loads: at most three robots, all of them corners of H.
+// O(teams).
+bool loads_are_determined(const Placement& placement);
+
 // The given supports that do not fit or are too near to each other (supports.h); the methods that
 // find places leave none. O(m log n + m^2).
 std::vector<Misfit> misfits(const Placement& placement);

@@ -67,6 +67,21 @@ std::string_view name(WeightUnit unit) {
   return {};
 }
 
+double in_metres(double length, LengthUnit unit) {
+  switch (unit) {
+    case LengthUnit::none:
+    case LengthUnit::m:
+      break;
+    case LengthUnit::cm:
+      return length / 100;
+    case LengthUnit::mm:
+      return length / 1000;
+    case LengthUnit::in:
+      return length * 254 / 10000;
+  }
+  return length;
+}
+
 std::string_view name(Positions positions) {
   return positions == Positions::best ? "best" : "range";
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "evenlift/placed_robots.h"
 #include "evenlift/selection.h"
 #include "evenlift/swaps.h"
 #include "selection/equal_angles.h"
@@ -171,19 +170,15 @@ std::vector<std::optional<double>> capacities_of(const ShownPlacement& of) {
   return capacities;
 }
 
+bool overloads(const ShownPlacement& of, const std::optional<RestOfRobots>& rest) {
+  return rest && !overloaded_robots(of, rest->springs).empty();
+}
+
 std::vector<bool> overloads_after(const ShownPlacement& of,
                                   const std::vector<std::optional<RestOfRobots>>& failures) {
-  std::vector<bool> overloads(failures.size(), false);
-  const std::optional<double>& common = of.shown.capacity;
-  for (std::size_t robot = 0; robot < failures.size(); ++robot) {
-    if (!failures[robot]) continue;
-    if (!has_own_capacities(of)) {
-      overloads[robot] = common && failures[robot]->greatest_by_springs > *common;
-    } else if (const auto springs = springs_without(of.placement, robot)) {
-      overloads[robot] = !overloaded_robots(of, springs->loads).empty();
-    }
-  }
-  return overloads;
+  std::vector<bool> after;
+  for (const auto& rest : failures) after.push_back(overloads(of, rest));
+  return after;
 }
 
 bool same_plan(const Placement& a, const Placement& b) {

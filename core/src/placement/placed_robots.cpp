@@ -120,6 +120,11 @@ Equilibrium equilibrium(const Placement& placement) {
                              diameter(placement));
 }
 
+bool loads_are_determined(const Placement& placement) {
+  const std::size_t robots = count_robots(placement.teams);
+  return robots <= 3 && placement.lifting_base.size() == robots;
+}
+
 std::vector<Misfit> misfits(const Placement& placement) {
   if (placement.settings.method != Method::given) return {};
   return misfits(placement.polygon, placement.stands.get(), lifting_points(placement.teams));

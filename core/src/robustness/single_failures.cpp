@@ -90,6 +90,8 @@ std::optional<RestOfRobots> Crew::without(std::size_t robot) const {
   rest.greatest_by_plan = greatest_by_plan(robot);
   rest.greatest_by_springs = *std::max_element(springs->loads.begin(), springs->loads.end());
   rest.least_greatest = *best;
+  rest.springs = springs->loads;
+  rest.springs.insert(rest.springs.begin() + static_cast<std::ptrdiff_t>(robot), 0.0);
   return rest;
 }
 

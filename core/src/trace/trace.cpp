@@ -1,5 +1,7 @@
 #include "evenlift/trace.h"
 
+#include "evenlift/placed_robots.h"
+
 #include <algorithm>
 #include <string>
 
@@ -134,14 +136,8 @@ void write_failures(const Trace& trace, BlockWriter& blocks) {
   blocks.add(Chapter::failures, {StepKind::pairs}, trace.in_pairs.has_value());
 }
 
-// Whether equilibrium alone determines the loads of given supports.
-bool are_determined(const Placement& placement) {
-  const std::size_t robots = count_robots(placement.teams);
-  return robots <= 3 && placement.lifting_base.size() == robots;
-}
-
 void write_loads_of_supports(const Placement& placement, BlockWriter& blocks) {
-  const bool determined = are_determined(placement), carried = placement.loads.has_value();
+  const bool determined = loads_are_determined(placement), carried = placement.loads.has_value();
   const std::size_t robots = count_robots(placement.teams);
   blocks.add(Chapter::loads, {StepKind::equations});
   blocks.add(Chapter::loads, {StepKind::by_lever}, carried && determined && robots == 2);
@@ -174,7 +170,7 @@ std::uint64_t write_blocks(Trace& trace) {
     const bool in_teams = !is_one_team(placement.settings.method);
     blocks.add(Chapter::loads, {StepKind::share}, in_teams ? placement.teams.size() : 0);
     blocks.add(Chapter::loads, {StepKind::loads}, placement.loads.has_value());
-    const bool by_springs = trace.given() && placement.loads && !are_determined(placement);
+    const bool by_springs = trace.given() && placement.loads && !loads_are_determined(placement);
     blocks.add(Chapter::loads, {StepKind::extremes}, by_springs);
     if (trace.balanced()) write_failures(trace, blocks);
     blocks.add(Chapter::grasp, {StepKind::coverage});

@@ -43,7 +43,7 @@ class Placement(PlacementMembers):
             return numpy.array(of, dtype=float).reshape(-1, 2)
 
         robots = self.get("robots") or []
-        nowhere = (float("nan"), float("nan"))  # a robot beneath the object touches nothing
+        nowhere: types.Position = [float("nan"), float("nan")]  # a robot beneath the object touches nothing
         return {
             "polygon": points(self["polygon"]),
             "hull": points(self["hull"]),

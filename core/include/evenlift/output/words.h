@@ -139,6 +139,10 @@ std::string unusable_in_words(WhyUnusable why, const RobotSize& robot, const Uni
 // boundary is allowed. If there are many parts, the text gives only their number. O(1).
 std::string no_go_in_words(const std::vector<EdgePart>& no_go);
 
+// The limit of a robot's load: "20 kg", or "its capacity" if robots have capacities of their own.
+// Some robot must have a capacity.
+std::string limit_in_words(const ShownPlacement& of);
+
 // The overloaded robots, the number of robots needed if the plan is known, and the number needed if
 // any one may fail. O(teams).
 std::string capacity_in_words(const ShownPlacement& of, const CapacityPlan* plan,

@@ -81,22 +81,6 @@ std::string as_json(const std::vector<PlacedRobot>& robots, bool carried, const 
 
 // --- The message of ROS 2
 
-// The length in metres, rounded once if the unit is a metre's decimal part.
-double in_metres(double length, LengthUnit unit) {
-  switch (unit) {
-    case LengthUnit::none:
-    case LengthUnit::m:
-      break;
-    case LengthUnit::cm:
-      return length / 100;
-    case LengthUnit::mm:
-      return length / 1000;
-    case LengthUnit::in:
-      return length * 254 / 10000;
-  }
-  return length;
-}
-
 // A number that every YAML reader treats as a floating-point number: some require the point, and a
 // sign in the exponent.
 std::string yaml_number(double value) {

@@ -1,7 +1,6 @@
 #include "evenlift/output/requirements.h"
 
-#include <algorithm>
-
+#include "document/stand_settings.h"
 #include "evenlift/numbers.h"
 #include "evenlift/output/words.h"
 #include "evenlift/tolerance.h"
@@ -48,10 +47,7 @@ std::string without_spaces(std::string_view text) {
 }
 
 InputError refused(const std::string& condition) {
-  constexpr std::size_t longest = 40;
-  const bool quotable =
-      !condition.empty() && condition.size() <= longest &&
-      std::all_of(condition.begin(), condition.end(), [](char c) { return c >= ' ' && c <= '~'; });
+  const bool quotable = !condition.empty() && is_quotable(condition);
   return bad_setting("require",
                      allowed + (quotable ? ", not \"" + condition + "\"" : std::string()));
 }

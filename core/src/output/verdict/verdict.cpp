@@ -80,8 +80,9 @@ Judgement judge(const ShownPlacement& of, const Robustness& robustness,
   if (!stands) add(loads_in_words(of));
   std::vector<double> greatest;
   for (const LoadRange& range : loads) greatest.push_back(range.greatest);
-  if (stands && !overloaded_robots(of, greatest).empty())
-    add(capacity_in_words(of, nullptr, overloaded_robots(of, greatest), LoadModel::plan));
+  const std::vector<std::size_t> overloaded = overloaded_robots(of, greatest);
+  if (stands && !overloaded.empty())
+    add(capacity_in_words(of, nullptr, overloaded, LoadModel::plan));
   if (stands) add(tipping_in_words(robustness, of.shown.com_radius, of.shown.units));
   for (std::string& misfit : misfits_in_words(of)) add(std::move(misfit));
   add(shortage_in_words(placement));

@@ -29,7 +29,7 @@ std::string StepCaptions::equations() const {
       "three equations. ";
   if (!placement_.loads)
     return laws + "Robots only push up, and then no loads satisfy all three here.";
-  if (robots <= 3 && placement_.lifting_base.size() == robots)
+  if (loads_are_determined(placement_))
     return laws + fill("They determine the loads of # without any further assumption.",
                        {counted(robots, "robot")});
   return laws +

@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "evenlift/placed_robots.h"
 #include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
 #include "output/words/listed.h"
@@ -47,8 +48,7 @@ std::string overload_in_words(const ShownPlacement& of, const std::vector<std::s
   const bool has_own = has_own_capacities(of);
   // `best` says nothing about robots with different capacities.
   if (has_own && model == LoadModel::best) return {};
-  const std::string limit =
-      has_own ? "its capacity" : given_weight(*of.shown.capacity, of.shown.units);
+  const std::string limit = limit_in_words(of);
   if (robots.empty()) return "No robot carries more than " + limit + ".";
   // `best` gives only the greatest load, not its robot; by `worst`, not all robots have their
   // greatest loads at once.
@@ -131,12 +131,6 @@ bool stands_beneath(const Placement& placement) {
   return false;
 }
 
-// Whether equilibrium alone determines the loads: at most three robots, all of them corners of H.
-bool are_determined(const Placement& placement) {
-  const std::size_t robots = count_robots(placement.teams);
-  return robots <= 3 && placement.lifting_base.size() == robots;
-}
-
 // "It falls: the centre of mass is 12 mm outside the lifting base, beyond robots 2 and 3."
 std::string fall_in_words(const ShownPlacement& of) {
   const Equilibrium equilibrium = evenlift::equilibrium(of.placement);
@@ -169,7 +163,7 @@ std::string loads_in_words(const ShownPlacement& of, LoadModel shown,
   const double com_radius = of.shown.com_radius;
   const LoadSummary& loads = *placement.loads;
   const bool given = placement.settings.method == Method::given;
-  const std::string stiff = given && !are_determined(placement) ? "equally stiff " : "";
+  const std::string stiff = given && !loads_are_determined(placement) ? "equally stiff " : "";
   const std::size_t number = count_robots(placement.teams);
   const std::string robots = (shown == LoadModel::plan ? ""
                               : given                  ? "If equally stiff, "
@@ -316,6 +310,10 @@ std::string detail_in_words(const ShownPlacement& of) {
 std::string verdict(const ShownPlacement& of, LoadModel shown,
                     const std::vector<LoadRange>& ranges) {
   return joined({loads_in_words(of, shown, ranges), detail_in_words(of)});
+}
+
+std::string limit_in_words(const ShownPlacement& of) {
+  return has_own_capacities(of) ? "its capacity" : given_weight(*of.shown.capacity, of.shown.units);
 }
 
 std::string capacity_in_words(const ShownPlacement& of, const CapacityPlan* plan,
