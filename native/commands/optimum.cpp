@@ -91,9 +91,10 @@ std::string for_people(const Compared& compared) {
   text += std::string("  ") + (widest.proved ? "The optimum" : "The best found") + "   covers " +
           percentage(widest.coverage, 2) + "   candidates " + candidates_in_words(widest.taken) +
           "\n";
-  text += widest.proved ? "  It is proved: no choice of this number of teams covers more.\n"
-                        : "  It is not proved: no choice covers more than " +
-                              percentage(widest.bound, 2) + ".\n";
+  text +=
+      widest.proved
+          ? "  It is proved: no choice of this number of teams among these candidates covers more.\n"
+          : "  It is not proved: no choice covers more than " + percentage(widest.bound, 2) + ".\n";
   text += "  The greedy choice is " +
           points_ahead(std::max(widest.coverage, greedy.coverage), greedy.coverage) +
           " behind it.\n";

@@ -224,7 +224,7 @@ Outputs make_outputs(const Input& input, const PlaceOptions& options,
   if (!placement) throw options.input.settings.failure(input.source, placement.error());
   const ShownPlacement shown(*placement, input.document.shown);
   const std::optional<CapacityInJson> capacity = capacity_in_json(shown);
-  const std::vector<Requirement> requirements = check_conditions(*placement, conditions);
+  const std::vector<Requirement> requirements = check_conditions(shown, conditions);
   Outputs outputs;
   if (options.svg) outputs.svg = picture(*placement, input.document, options.candidates);
   if (poses) outputs.poses = poses_text(shown, poses->format, poses->options);

@@ -1,5 +1,5 @@
-// node page.mjs: the sizes of the page's files, the time to its first frame, and the time of a frame while a polygon of
-// 1,000 vertices is dragged. The settings are those of tests/page/browser.mjs.
+// node page.mjs: the sizes of the page's files, the time to its first frame, and the time of a frame while C or a robot of
+// a polygon of 1,000 vertices is dragged. The settings are those of tests/page/browser.mjs.
 import { load, idle, startBrowser, state, toScreen } from "../page/browser.mjs";
 import { sizes } from "../page/sizes.mjs";
 
@@ -49,11 +49,8 @@ const circle = (n) =>
     return `(${(r * Math.cos(a)).toFixed(2)},${(r * Math.sin(a)).toFixed(2)})`;
   }).join("\n");
 
-for (const n of [100, 1000]) {
-  const page = await browser.open({ script: timeFrames });
-  await load(page, circle(n));
-  await idle(page);
-  const [x, y] = await toScreen(page, (await state(page)).centre_of_mass);
+// Drags from a place by 60 pixels, and tells how long the frames took.
+async function dragFrames(page, [x, y], name) {
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.evaluate(() => {
@@ -64,7 +61,34 @@ for (const n of [100, 1000]) {
   await page.mouse.up();
   await page.done();
   const at = (share) => times[Math.floor(share * (times.length - 1))].toFixed(1);
-  line(`a frame of dragging, ${n} vertices: median, 95 % (${times.length} frames)`, `${at(0.5)}, ${at(0.95)} ms`);
+  line(`${name}: median, 95 % (${times.length} frames)`, `${at(0.5)}, ${at(0.95)} ms`);
+}
+
+for (const n of [100, 1000]) {
+  const page = await browser.open({ script: timeFrames });
+  await load(page, circle(n));
+  await idle(page);
+  await dragFrames(page, await toScreen(page, (await state(page)).centre_of_mass), `dragging C, ${n} vertices`);
+}
+
+// Robots placed by hand, half of them at vertices and half beneath the object.
+for (const [n, robots] of [
+  [100, 6],
+  [1000, 64],
+]) {
+  const page = await browser.open({ script: timeFrames });
+  await load(page, circle(n));
+  await page.evaluate((count) => {
+    const { polygon } = evenlift.state();
+    const places = Array.from({ length: count }, (_, i) => {
+      const vertex = polygon[Math.floor((i * polygon.length) / count)];
+      return i % 2 ? vertex : vertex.map((value) => value / 2);
+    });
+    evenlift.set({ supports: places });
+  }, robots);
+  await idle(page);
+  const { robots: placed } = await state(page);
+  await dragFrames(page, await toScreen(page, placed[2].at), `dragging one of ${robots} robots by hand, ${n} vertices`);
 }
 
 // A coast of n vertices: each side of a pentagon is bent in its middle, and so on; then some are left out.

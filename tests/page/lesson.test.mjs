@@ -632,11 +632,14 @@ test("a teacher's file beside the page opens by its name; other addresses do not
 test("a challenge link hides the answer and asks", async () => {
   const page = await browser.open({ permissions: ["clipboard-read", "clipboard-write"] });
   await load(page, asset("stone-slab"));
+  const object = await link(page);
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("b");
   const window = await openWindow(page, "save");
   await window.getByRole("button", { name: "Challenge link" }).click();
   await window.getByText("The challenge link is copied.").waitFor();
   const copied = await page.evaluate(() => navigator.clipboard.readText());
-  assert.equal(copied, `${browser.server.url}?challenge=1#${await link(page)}`);
+  assert.equal(copied, `${browser.server.url}?challenge=1#${object}`);
   await page.done();
   const other = await browser.open({ address: copied.slice(browser.server.url.length) });
   assert.equal(await step(other), 0);

@@ -310,7 +310,7 @@ test("the focus is seen, on the canvas and on each control", async () => {
 
 test("a control that is scrolled out of the panel is brought into it by the focus", async () => {
   const page = await browser.open({ viewport: { width: 1000, height: 420 } });
-  const element = page.locator('#mirror [aria-label^="Team 1:"]');
+  const element = page.locator('#mirror [aria-label^="Team 1,"]');
   await element.focus();
   await idle(page);
   const { y, height } = await element.boundingBox();
@@ -440,7 +440,7 @@ test("where no chord is even enough, one press lowers the ratio to the best that
   }, lShape);
   await idle(page);
   assert.equal((await state(page)).teams.length, 0);
-  await press(page, "lower ratio");
+  await press(page, "offer");
   await idle(page);
   const { teams, min_ratio: ratio } = await state(page);
   assert.ok(teams.length > 0 && teams[0].ratio >= ratio && teams[0].ratio < ratio + 0.02);
@@ -813,10 +813,10 @@ test("the numbers of the result are there for screen readers", async () => {
         .some((text) => text.replace(/\s/g, " ") === wanted.replace(/\s/g, " ")),
       `${wanted} in ${texts}`,
     );
-  const row = page.locator("#mirror").getByRole("button", { name: /^Team 2:/ });
+  const row = page.locator("#mirror").getByRole("button", { name: /^Team 2,/ });
   assert.match(
     await row.getAttribute("aria-label"),
-    /^Team 2: loads 16\.9 and 16\.4 kg, length \d+, ratio 0\.972\. Why here\?$/,
+    /^Team 2, robots 3 and 4: loads 16\.9 and 16\.4 kg, length \d+, ratio 0\.972\. Why here\?$/,
   );
   assert.equal(await field(page, "Capacity of a robot, in kg").inputValue(), "no limit");
   await page.done();

@@ -409,9 +409,11 @@ TEST_CASE("turned and moved, an object stands on its supports as before", "[supp
 
 TEST_CASE("a requirement names a quantity, and is kept within tolerance", "[supports][require]") {
   const Placement placement = placed(standing_on(unit_square));
+  Shown shown;
   const auto kept = [&](const char* text) {
     std::string marks;
-    for (const Requirement& requirement : check_conditions(placement, *read_conditions(text)))
+    for (const Requirement& requirement :
+         check_conditions({placement, shown}, *read_conditions(text)))
       marks += requirement.kept ? '+' : '-';
     return marks;
   };
@@ -419,8 +421,22 @@ TEST_CASE("a requirement names a quantity, and is kept within tolerance", "[supp
   CHECK(kept("coverage>=1, coverage >= 1.1, coverage<=0.5") == "+--");
   CHECK(kept("max<=25,min>=25,spread<=0,robots<=4,robots>=5") == "++++-");
   CHECK(kept("margin>=0") == "-");  // no contacts, so no margin
+  CHECK(kept("tipping_distance>=0.5, tipping_distance>=0.51") == "+-");
+  // C lies on the line between the two neighbours of a failed corner.
+  CHECK(kept("max_after_failure<=50, max_after_failure<=49") == "+-");
+  CHECK(kept("capacity") == "+");
+  shown.support_capacities = {25, 30, 30, 24};
+  CHECK(kept("capacity") == "-");
+  shown.support_capacities = {25, 30, 30, 30};
+  CHECK(kept("capacity, max<=25") == "++");
+  // Loads change by 25 % of the weight for each half side that C moves.
+  shown.com_radius = 0.1;
+  CHECK(kept("capacity, max<=25, max<=33, min>=17, min>=25") == "--++-");
+  shown.com_radius = 0.6;  // beyond the lifting base
+  CHECK(kept("capacity, max<=100, min>=0, spread<=0") == "---+");
   const Placement falls = placed(standing_on({{0, 0}}));
-  for (const Requirement& requirement : check_conditions(falls, *read_conditions("max<=1000")))
+  for (const Requirement& requirement :
+       check_conditions({falls, {}}, *read_conditions("max<=1000")))
     CHECK(requirement_in_words(requirement) == "max<=1000: no value, not kept");
   for (const char* bad : {"", ",", "held,", "hold", "held>=1", "max", "max<20", "max=<20", "max<=x",
                           "max<=20 held", "MAX<=20"}) {

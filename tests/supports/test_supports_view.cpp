@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <string>
 
+#include "actions/pointer.h"
 #include "edits/sight.h"
+#include "edits/supports.h"
 #include "evenlift/link.h"
 #include "evenlift/supports.h"
 #include "kit/catch.h"
@@ -132,6 +134,52 @@ TEST_CASE("robots are added where they widen the base, and removed", "[view][sup
   give(state, RemoveRobot{});
   CHECK(supports(state).size() == number);
   CHECK(score(state).starts_with(std::to_string(number) + " robots"));
+}
+
+TEST_CASE("with the tool Robot a click adds a robot there, and a press on a robot grabs it",
+          "[view][supports]") {
+  AppState state = piano_state();
+  const Points before = robots(state);
+  const auto frame = [&](Pointer pointer) {
+    pointer.present = true;
+    Commands commands;
+    interact(state, pointer, commands);
+    for (Command& command : commands) give(state, std::move(command));
+  };
+  const auto click = [&](const Vec2& at) {
+    frame({.at = at, .pressed = true, .down = true});
+    frame({.at = at, .released = true});
+  };
+  give(state, SetTool{Tool::robot});
+  const Polygon& polygon = placement(state).polygon;
+  const Vec2 middle = (polygon.edge_start(0) + polygon.edge_end(0)) / 2;
+  click(state.view.camera.to_screen(middle) + Vec2(3, -4));
+  REQUIRE(supports(state).size() == before.size() + 1);
+  CHECK(settings(state).method == Method::given);
+  CHECK(placement(state).teams[0].robots.back().point.edge == 0);
+  CHECK(state.view.tool == Tool::robot);
+  click(state.view.camera.to_screen(robots(state)[2]));  // only grabs it
+  CHECK(supports(state).size() == before.size() + 1);
+  click({5, 5});  // far outside
+  CHECK(supports(state).size() == before.size() + 1);
+  give(state, Undo{});
+  CHECK(robots(state) == before);
+}
+
+TEST_CASE("a typed place is taken exactly, and none outside the object", "[view][supports]") {
+  AppState state = piano_state();
+  const Points before = supports_now(state);
+  CHECK(before.size() == 6);
+  const Vec2 to = placement(state).centre_of_mass + Vec2(0.123456789, 1e-7);
+  give(state, PutRobot{4, to});
+  REQUIRE(settings(state).method == Method::given);
+  CHECK(supports(state)[4] == to);
+  for (const std::size_t other : {0u, 1u, 2u, 3u, 5u})
+    CHECK(supports(state)[other] == before[other]);
+  give(state, PutRobot{4, Vec2(1e6, 1e6)});
+  CHECK(supports(state)[4] == to);
+  give(state, PutRobot{6, to});
+  CHECK(supports(state).size() == 6);
 }
 
 TEST_CASE("robots placed by hand are evened out, compared, and kept in the link",

@@ -2,8 +2,10 @@
 #include <cmath>
 
 #include "evenlift/output/label_places.h"
+#include "evenlift/output/picture.h"
 #include "evenlift/output/svg.h"
 #include "evenlift/placement.h"
+#include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/placed.h"
 #include "kit/texts.h"
@@ -75,6 +77,34 @@ TEST_CASE("with three teams each robot of every sample has its load beside it", 
       const std::string svg = placement_svg(placed(corpus::polygon(name), method, 3));
       CHECK(occurrences(svg, "class=\"load\"") == occurrences(svg, "class=\"robot\""));
     }
+}
+
+TEST_CASE("robots are numbered from 1 by every method, and partners share a tally", "[svg]") {
+  const Document piano = corpus::polygon("grand-piano");
+  for (const Method method : {Method::area, Method::circle, Method::balanced}) {
+    CAPTURE(name(method));
+    const Placement placement = placed(piano, method, 3);
+    const std::string svg = placement_svg(placement);
+    for (int robot = 1; robot <= 6; ++robot)
+      CHECK(occurrences(svg, ">" + std::to_string(robot) + "</text>") == 1);
+    CHECK(occurrences(svg, ">7</text>") == 0);
+    CHECK(occurrences(svg, "class=\"small-body\"") == 6);
+    // One stroke at both robots of the first team, two at the second's, three at the third's.
+    CHECK(occurrences(svg, "class=\"tally\"") == (is_one_team(method) ? 0 : 12));
+  }
+}
+
+TEST_CASE("a tally counts a team in fives and ones, side by side and away from C", "[svg]") {
+  const auto strokes = tally(12, {100, 50}, {3, 4}, 10);
+  REQUIRE(strokes.size() == 4);
+  CHECK((strokes[0].five && strokes[1].five && !strokes[2].five && !strokes[3].five));
+  const Vec2 out(0.6, 0.8);
+  for (const auto& [line, five] : strokes) {
+    CHECK((line.from - Vec2(100, 50)).dot(out) == Approx(10));
+    CHECK((line.to - line.from).dot(out) == Approx((line.to - line.from).norm()));
+  }
+  CHECK(tally(0, {0, 0}, {1, 0}, 10).empty());
+  CHECK(tally(1, {0, 0}, {0, 0}, 10).size() == 1);
 }
 
 TEST_CASE("a sketch has all the robots and loads, and neither caption nor link", "[svg][slow]") {

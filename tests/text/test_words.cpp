@@ -54,7 +54,7 @@ TEST_CASE("the verdict is a few plain sentences", "[words]") {
   placement.coverage = 0.4;
   CHECK(
       plainly(detail_in_words(placement)) ==
-      "40 % of the object can be pressed down on without tipping it. It can still turn clockwise.");
+      "Only 40 % of the object, less than half, can be pressed down on without tipping it. It can still turn clockwise.");
   placement.requested_teams = 5;
   placement.loads = LoadSummary{16.66, 16.66, 16.66, 0, 0.5};
   CHECK(plainly(loads_in_words(placement)) == "6 robots carry 16.7 kg each (100 kg in all).");
@@ -141,9 +141,8 @@ TEST_CASE("what can still move is named, and what holds the object", "[words]") 
   // A hold by a hair cannot be relied on.
   placement.settings.clear = 0.1;
   placement.closure.clearance = {0.0912, 4, 0.05};
-  CHECK(
-      plainly(closure_in_words(placement)) ==
-      "The hold depends on the accuracy of a robot of team 3, which stands only 0.091 from a corner.");
+  CHECK(plainly(closure_in_words(placement)) ==
+        "The hold depends on the accuracy of robot 5, which stands only 0.091 from a corner.");
   CHECK_FALSE(is_held(placement));
   placement.settings.clear = 0.09;
   CHECK(is_held(placement));
@@ -154,7 +153,7 @@ TEST_CASE("what can still move is named, and what holds the object", "[words]") 
         "sliding or turning.");
 }
 
-TEST_CASE("a capacity names the teams that are overloaded and the robots that are needed",
+TEST_CASE("a capacity names the robots that are overloaded and the robots that are needed",
           "[words][capacity]") {
   Placement placement = three_teams();
   const auto words = [&](double capacity, const CapacityPlan* plan = nullptr) {
@@ -163,10 +162,10 @@ TEST_CASE("a capacity names the teams that are overloaded and the robots that ar
     return plainly(capacity_in_words({placement, shown}, plan));
   };
   CHECK(words(18.06) == "No robot carries more than 18.06 kg.");
-  CHECK(words(16) == "3 of 6 robots are overloaded, with more than 16 kg: teams 1, 2 and 3.");
-  CHECK(words(15) == "All 6 robots are overloaded, with more than 15 kg: teams 1, 2 and 3.");
+  CHECK(words(16) == "3 of 6 robots are overloaded, with more than 16 kg: robots 2, 4 and 6.");
+  CHECK(words(15) == "All 6 robots are overloaded, with more than 15 kg.");
   placement.teams[0] = placement.teams[2] = bearing(16, 16);
-  CHECK(words(17) == "1 of 6 robots is overloaded, with more than 17 kg: team 2.");
+  CHECK(words(17) == "1 of 6 robots is overloaded, with more than 17 kg: robot 4.");
   CapacityPlan plan{true, 4, 12.48, 4};
   CHECK(
       words(20, &plan) ==
@@ -183,8 +182,8 @@ TEST_CASE("a capacity names the teams that are overloaded and the robots that ar
   CHECK(words(20, &plan) == "No robot carries more than 20 kg. Even 1024 robots are too few.");
   placement.teams.resize(12, bearing(30, 30));
   CHECK(words(17) ==
-        "19 of 24 robots are overloaded, with more than 17 kg: teams 2, 4, 5, 6, 7, 8, 9 and 3 "
-        "more.");
+        "19 of 24 robots are overloaded, with more than 17 kg: robots 4, 7, 8, 9, 10, 11, 12 and "
+        "12 more.");
 }
 
 TEST_CASE("a capacity says of which loads and of which robots it speaks", "[words][capacity]") {
@@ -198,20 +197,18 @@ TEST_CASE("a capacity says of which loads and of which robots it speaks", "[word
   };
   CHECK(
       words(LoadModel::springs, {0, 3}, plan) ==
-      "2 of 6 robots are overloaded, with more than 17 kg: teams 1 and 2. As planned, this method "
+      "2 of 6 robots are overloaded, with more than 17 kg: robots 1 and 4. As planned, this method "
       "needs 8 robots, with at most 12.5 kg each.");
   CHECK(
       words(LoadModel::worst, {}, none) ==
       "No robot carries more than 17 kg. As planned, even all 18 robots that can be placed are too "
       "few.");
-  // While one fails, discs have the robots' numbers, and the failed robot carries nothing.
+  // The failed robot carries nothing.
   CHECK(words(LoadModel::springs, {2, 3, 5}, plan, 1) ==
         "3 of the other 5 robots are overloaded, with more than 17 kg: robots 3, 4 and 6. With no "
         "failures, this method needs 8 robots, with at most 12.5 kg each.");
   CHECK(words(LoadModel::springs, {0, 2, 3, 4, 5}, plan, 1)
-            .starts_with(
-                "All the other 5 robots are overloaded, with more than 17 kg: robots 1, 3, 4, "
-                "5 and 6. "));
+            .starts_with("All the other 5 robots are overloaded, with more than 17 kg. "));
 }
 
 TEST_CASE("loads that a model only bounds are not shown as if they were known", "[words]") {

@@ -55,7 +55,10 @@ test("the optimum stands beside the greedy choice, with its picture and its team
       shown.map(([first]) => first),
       ["Greedy, by area", "The optimum"],
     );
-    assert.match(await text(page), /It is proved: no choice of this number of teams covers more\./);
+    assert.match(
+      await text(page),
+      /It is proved: no choice of this number of teams among these candidates covers more\./,
+    );
     assert.match(
       await text(page),
       optimum.coverage - greedy.coverage > 1e-9

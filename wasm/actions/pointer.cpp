@@ -41,8 +41,19 @@ void press_parts(const AppState& state, const Pointer& pointer, Commands& comman
   if (under.kind == Pick::Kind::vertex) commands.push_back(SelectVertex{under.index});
 }
 
+// A press on a robot grabs it; elsewhere a click adds one.
+void press_robot(const AppState& state, const Pointer& pointer, Commands& commands) {
+  Pick under = pick_explained(state, pointer.at, pointer.second);
+  if (under.kind != Pick::Kind::robot || !can_take_robot(state, under))
+    under = {Pick::Kind::ground, 0, 0, pointer.at};
+  else
+    under.at = state.view.camera.to_screen(under.at) - pointer.at;
+  commands.push_back(SetHeld{under});
+}
+
 void press(const AppState& state, const Pointer& pointer, Commands& commands) {
   if (state.view.tool == Tool::parts) return press_parts(state, pointer, commands);
+  if (state.view.tool == Tool::robot) return press_robot(state, pointer, commands);
   Pick held{Pick::Kind::ground, 0, 0, pointer.at};
   if (state.view.tool == Tool::draw) {
     if (const auto placed = placed_at(state, pointer.at)) {
@@ -78,8 +89,9 @@ void drag_brush(const AppState& state, const Pointer& pointer, Commands& command
 
 void drag_ground(const AppState& state, const Pointer& pointer, Commands& commands) {
   const Pick& held = state.view.held;
-  // A slightly shaky click still places a vertex while a polygon is drawn.
-  if (state.view.tool == Tool::draw && pointer.moved < still) return;
+  // A slightly shaky click still places a vertex or a robot.
+  if ((state.view.tool == Tool::draw || state.view.tool == Tool::robot) && pointer.moved < still)
+    return;
   if (!(length(pointer.at - held.at) > 0)) return;
   commands.push_back(SetCamera{pan(state.view.camera, pointer.at - held.at)});
   Pick moved = held;
@@ -169,6 +181,8 @@ void release(const AppState& state, const Pointer& pointer, Commands& commands) 
     const bool on_placed = still_there && state.view.held.kind == Pick::Kind::vertex;
     if (clicked || (on_placed && closes(state, pointer.at)))
       click_drawing(state, pointer, commands);
+  } else if (state.view.tool == Tool::robot) {
+    if (clicked) commands.push_back(AddRobot{state.view.camera.to_world(pointer.at)});
   } else if (state.view.tool == Tool::mark && state.view.held.kind == Pick::Kind::edge &&
              still_there)
     commands.push_back(

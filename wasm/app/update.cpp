@@ -97,8 +97,10 @@ struct Applier {
     else
       move_robot(state, c.robot, c.to);
   }
-  void operator()(const PlaceYourself&) const { place_yourself(state); }
+  void operator()(const PlaceYourself& c) const { place_yourself(state, c.robots); }
+  void operator()(const SetChallenge& c) const { state.view.challenge = c.on; }
   void operator()(const AddRobot& c) const { add_support(state, c.at); }
+  void operator()(const PutRobot& c) const { put_support(state, c.robot, c.at); }
   void operator()(const RemoveRobot& c) const { remove_support(state, c.robot); }
   void operator()(const EvenOut&) const { even_out_supports(state); }
   void operator()(const ResetRobots&) const { put_robots_back(state); }

@@ -89,9 +89,11 @@ std::string hint_of_robot(const AppState& state, const Pick& at) {
       team_in_words(*placement, 0, coordinate_decimals(placement->vertices()));
   if (robot >= words.at.size()) return {};
   return "Robot " + std::to_string(robot + 1) + " " + words.at[robot] + " · " +
-         with_weight_unit(words.loads[robot], units) + ", like all the others · " +
-         (can_take_robot(state, at) ? "drag it along the edge: its neighbours follow"
-                                    : "press it to see why");
+         with_weight_unit(words.loads[robot], units) +
+         (placement->settings.method == Method::given ? " · drag it anywhere"
+          : can_take_robot(state, at)
+              ? ", like all the others · drag it along the edge: its neighbours follow"
+              : ", like all the others · press it to see why");
 }
 
 std::string hint_of_candidate(const Placement* placement, std::size_t i) {
@@ -148,6 +150,8 @@ std::string hint(const AppState& state) {
     return "Drag inside to move, a corner to scale, the knob to turn · arrow keys, [ ] and { } do the same";
   if (state.view.tool == Tool::mark)
     return "Drag along the boundary to mark no-go parts, over a mark to erase it · click an edge to mark all of it";
+  if (state.view.tool == Tool::robot)
+    return "Click the outline or the object to add a robot · drag a robot to move it · Esc ends it";
   const bool holds =
       state.view.held.kind != Pick::Kind::none && state.view.held.kind != Pick::Kind::ground;
   const Pick& at = holds ? state.view.held : state.view.hover;

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "derive/offer.h"
 #include "derive/outlook.h"
 #include "derive/placing.h"
 #include "derive/search.h"
@@ -27,6 +28,7 @@ class Derivation {
             state.work.second_method,
             state.view.load_model,
             shown(state),
+            state.view.challenge,
             state.view.fails.number,
             state.view.card.number};
   }
@@ -41,6 +43,7 @@ class Derivation {
     plan();
     tell_loads();
     search();
+    offer();
     let_fail();
     explain();
     if (placed_ || now_.shown != before_.shown) effects_.push_back(DocumentChanged{});
@@ -61,6 +64,7 @@ class Derivation {
   void plan();
   void tell_loads();
   void search();
+  void offer();
   void let_fail();
   void explain();
   void explain_again();
@@ -188,6 +192,21 @@ void Derivation::search() {
   if (!at_rest()) return;
   begin_search(facts_, effects_);
   begin_count(facts_, now_.shown.capacity, effects_);
+}
+
+// Balanced robots and teams that wait for swaps are still being improved. A walkthrough and an
+// article show what there is.
+void Derivation::offer() {
+  facts_.offer_due |= robots_ || now_.challenge != before_.challenge ||
+                      now_.shown.capacity != before_.shown.capacity ||
+                      now_.shown.com_radius != before_.shown.com_radius;
+  const bool shown = at_rest() && facts_.placement && facts_.placement->search_ended &&
+                     !now_.shown.step && !state_.session.screen.embed && !now_.challenge;
+  if (!facts_.offer_due) return;
+  facts_.offer.reset();
+  if (!shown) return;
+  facts_.offer_due = false;
+  renew_offer(facts_, now_.shown);
 }
 
 void Derivation::let_fail() {

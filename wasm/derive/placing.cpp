@@ -27,20 +27,25 @@ std::uint32_t robots_beside(const Derived& facts, std::uint32_t teams) {
              : 2 * teams;
 }
 
-// The document by the second method, with the same number of robots.
-Document by_second_method(const Derived& facts, Method second) {
+}  // namespace
+
+Document with_settings(Document document, Settings settings) {
+  document.moved = {};
+  document.settings = std::move(settings);
+  return document;
+}
+
+Document by_other_method(const Derived& facts, Method method) {
   Document document = facts.placed;
   document.moved = {};
   const std::uint32_t teams = placed_teams(facts.placement);
   Settings& settings = document.settings;
   if (!settings.teams || is_one_team(settings.method)) settings.teams = teams;
-  if (second == Method::balanced)
+  if (method == Method::balanced)
     settings.robots = std::clamp(robots_beside(facts, teams), fewest_robots(settings), most_robots);
-  settings = with_method(settings, second, teams);
+  settings = with_method(settings, method, teams);
   return document;
 }
-
-}  // namespace
 
 std::optional<double> best_ratio_if_none(const Placement& placement) {
   if (!placement.teams.empty() || !selects_candidates(placement.settings.method))
@@ -56,7 +61,7 @@ std::optional<double> best_ratio_if_none(const Placement& placement) {
 void renew_second(Derived& facts, const Work& work, Haste haste) {
   facts.second.reset();
   if (!work.second_method) return;
-  const Document document = by_second_method(facts, *work.second_method);
+  const Document document = by_other_method(facts, *work.second_method);
   if (Result<Placement> placement = compute_placement(document, facts.placement, haste))
     facts.second = std::move(placement).value();
 }

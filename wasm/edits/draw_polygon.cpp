@@ -55,6 +55,8 @@ void take_tool(AppState& state, Tool tool) {
   state.view.hover = state.view.held = {};
   if (tool == Tool::draw) state.work.second_method.reset();
   show(state, {});
+  if (tool == Tool::robot)
+    announce(state, "Click the outline or the object to add a robot there; Esc ends it.");
   if (tool == Tool::mark)
     announce(
         state,

@@ -1,6 +1,7 @@
 #include "edits/supports.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -116,31 +117,60 @@ void move_support(AppState& state, std::size_t robot, const Vec2& to) {
   if (spot) hand_over(state, robot);
 }
 
-void place_yourself(AppState& state) {
-  if (!has_robots(state)) return;
-  const Placement& placement = *state.derived().placement;
-  const Polygon& polygon = placement.polygon;
-  const Vec2& centre = placement.centre_of_mass;
+Settings with_small_table(Settings settings, const Polygon& polygon, const Vec2& centre,
+                          std::size_t robots) {
   Vec2 corner = centre;
   for (const Vec2& vertex : polygon.vertices())
     if (length(vertex - centre) > length(corner - centre)) corner = vertex;
-  const SupportPlacer placer(polygon, placement.settings);
-  Points supports;
-  // The legs of a small table, off C towards the corner; smaller until all are inside the object.
+  settings = with_method(std::move(settings), Method::given, 1);
+  const SupportPlacer placer(polygon, settings);
+  // Short numbers, for a short link.
+  const double digits = 3 - std::floor(std::log10(polygon.diameter()));
+  const double scale = std::pow(10, std::abs(digits));
+  const auto rounded = [&](double value) {
+    return digits > 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
+  };
+  // Smaller until all are inside the object.
   for (double size = 0.15 * polygon.diameter(); size > 1e-3 * polygon.diameter(); size /= 2) {
     const Vec2 middle = centre + 0.8 * size / length(corner - centre) * (corner - centre);
-    supports.clear();
-    for (const Vec2& leg : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)}) {
-      const Vec2 at = rounded_to_pixels(state.view.camera, middle + size * leg);
-      if (placer.place(at)) supports.push_back(at);
+    settings.supports.clear();
+    for (std::size_t i = 0; i < robots; ++i) {
+      // Along the sides of a square, from its corner at the lower left.
+      const double way = 4.0 * static_cast<double>(i) / static_cast<double>(robots);
+      const double part = 2 * (way - std::floor(way)) - 1;
+      const Vec2 leg = way < 1   ? Vec2(part, -1)
+                       : way < 2 ? Vec2(1, part)
+                       : way < 3 ? Vec2(-part, 1)
+                                 : Vec2(-1, -part);
+      const Vec2 at = middle + size * leg;
+      const Vec2 short_at(rounded(at.x()), rounded(at.y()));
+      if (placer.place(short_at)) settings.supports.push_back(short_at);
     }
-    if (supports.size() == 4) break;
+    if (settings.supports.size() == robots) return settings;
   }
-  if (supports.empty()) supports = {polygon.vertex(0)};
-  Document& document = edit(state, false, Edit::robots_moved);
-  document.settings = with_method(document.settings, Method::given, 1);
-  document.settings.supports = std::move(supports);
+  settings.supports.assign(robots, polygon.vertex(0));
+  return settings;
+}
+
+void place_yourself(AppState& state, std::size_t robots) {
+  if (!has_robots(state)) return;
+  const Placement& placement = *state.derived().placement;
+  Settings own =
+      with_small_table(settings(state), placement.polygon, placement.centre_of_mass, robots);
+  edit(state, false, Edit::robots_moved).settings = std::move(own);
   state.work.show().support_capacities.clear();
+}
+
+Points supports_now(const AppState& state) {
+  if (!has_robots(state) || state.derived().placement->teams.empty()) return {};
+  return taken_over(settings(state), *state.derived().placement).supports;
+}
+
+void put_support(AppState& state, std::size_t robot, const Vec2& at) {
+  if (robot >= supports_now(state).size()) return;
+  const Placement& placement = *state.derived().placement;
+  if (!SupportPlacer(placement.polygon, placement.settings).place(at)) return;
+  edit_supports(state, false).settings.supports[robot] = at;
 }
 
 void add_support(AppState& state, std::optional<Vec2> at) {

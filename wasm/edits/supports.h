@@ -21,9 +21,19 @@ bool stands_freely(const Placement& placement);
 // object the robot is taken away, until it returns; the last robot stays. O(m + n), plus a placement.
 void move_support(AppState& state, std::size_t robot, const Vec2& to);
 
-// Puts four robots beneath the object, like the legs of a small table off its middle, for the user
-// to move. One step of undo.
-void place_yourself(AppState& state);
+// Puts robots beneath the object, like the legs of a small table between its middle and its farthest
+// corner, for the user to move: in a document, or with one step of undo.
+inline constexpr std::size_t usual_robots_to_place = 4;
+Settings with_small_table(Settings settings, const Polygon& polygon, const Vec2& centre,
+                          std::size_t robots = usual_robots_to_place);
+void place_yourself(AppState& state, std::size_t robots = usual_robots_to_place);
+
+// The places of the robots as supports (for robots with a size, their contacts); empty without a
+// placement. O(robots).
+Points supports_now(const AppState& state);
+
+// Puts a robot exactly at a place; nothing happens outside the object. One step of undo.
+void put_support(AppState& state, std::size_t robot, const Vec2& at);
 
 // Adds a robot at a place, or where it adds most to the lifting base; removes one, or the last; and
 // moves two or three robots so that all carry the same load. Each is one step of undo.

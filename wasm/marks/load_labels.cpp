@@ -142,8 +142,7 @@ std::vector<LoadLabel> load_labels(const CanvasView& view, const RobotSize& size
     }
   }
   // Among few lines, a label may cross one; among many, only labels that fit are shown.
-  const auto places =
-      place_labels(requests, occupied, static_cast<double>(size.ring) + 4, few ? 60 : 8);
+  const auto places = place_labels(requests, occupied, mark_reach(size) + 2, few ? 60 : 8);
   std::vector<LoadLabel> labels;
   for (std::size_t i = 0; i < places.size(); ++i)
     if (places[i]) labels.push_back({*places[i], std::move(texts[i]), over[i]});
@@ -155,7 +154,7 @@ std::vector<LoadLabel> planned_load_labels(const CanvasView& view, const RobotSi
   Outlook outlook;
   outlook.loads = loads_by(LoadModel::plan, placement, std::nullopt, 0);
   outlook.greatest = placement.loads->max;
-  Occupied occupied = occupied_by_marks(view, static_cast<double>(size.ring) + 2);
+  Occupied occupied = occupied_by_marks(view, mark_reach(size));
   return load_labels(view, size, outlook, occupied);
 }
 

@@ -90,8 +90,15 @@ void draw_closed_stretch(const Painter& painter, const CanvasView& view) {
 // the object the robot that letting go takes away.
 void draw_support_help(const Painter& painter, const CanvasView& view) {
   const AppState& state = view.state;
-  if (view.second || !holds_support(state)) return;
   const Theme& theme = view.theme;
+  const Pick& over = state.view.hover;
+  const bool adds = state.view.tool == Tool::robot && state.view.held.kind == Pick::Kind::none &&
+                    (over.kind == Pick::Kind::edge || over.kind == Pick::Kind::object ||
+                     over.kind == Pick::Kind::vertex);
+  if (adds && !view.second && view.current())
+    if (const auto spot = support_spot(state, over.at, std::nullopt))
+      painter.list().AddCircle(painter.at(*spot), 10, theme.accent_on_object.packed(), 32, 2);
+  if (view.second || !holds_support(state)) return;
   if (const auto& away = state.view.away) {
     const ImVec2 at = painter.at(away->at);
     painter.list().AddCircleFilled(at, 12, theme.robot.at(0.25f).packed(), 32);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "evenlift/output/picture.h"
 #include "ui/vec.h"
 
 namespace evenlift::view {
@@ -18,6 +19,25 @@ RobotSize robot_size(std::size_t teams) {
 
 float mark_radius(const std::vector<Team>& teams) {
   return robot_size(pairs_of(teams)).ring + 1.5f;
+}
+
+namespace {
+
+constexpr float body_beyond_ring = 5;
+constexpr double tally_from_ring = 2.5, tally_length = 7;
+
+}  // namespace
+
+double mark_reach(const RobotSize& size) {
+  return static_cast<double>(size.ring) + (size.numbered ? tally_from_ring + tally_length : 2);
+}
+
+void draw_small_body(const Painter& painter, const Theme& theme, const RobotSize& size,
+                     const Vec2& world) {
+  const ImVec2 at = painter.at(world);
+  const float radius = size.ring + (size.numbered ? body_beyond_ring : 3);
+  painter.list().AddCircleFilled(at, radius, theme.robot.at(0.22f).packed(), 48);
+  painter.list().AddCircle(at, radius, theme.robot_ring.at(0.7f).packed(), 48, 1);
 }
 
 std::size_t robots_of(const std::vector<Team>& all, std::size_t teams) {
@@ -61,8 +81,16 @@ void draw_robot(const Painter& painter, const Theme& theme, const RobotSize& siz
                          32);
     if (look.beneath) list.AddCircle(at, size.disc - 2, theme.robot.packed(), 32, 1.5f);
   }
-  if (look.explained) list.AddCircle(at, size.ring + 4, theme.accent_on_object.packed(), 40, 3);
+  if (look.marked) list.AddCircle(at, size.ring + 4, theme.accent_on_object.packed(), 40, 3);
   if (!size.numbered) return;
+  const Vec2 on_screen(look.outward.x(), -look.outward.y());
+  const Vec2 middle(static_cast<double>(at.x), static_cast<double>(at.y));
+  const double rim = static_cast<double>(size.ring) + tally_from_ring;
+  for (const auto& [line, five] : tally(look.team, middle, on_screen, rim)) {
+    const ImVec2 from = vec(line.from.x(), line.from.y()), to = vec(line.to.x(), line.to.y());
+    list.AddLine(from, to, theme.robot_ring.packed(), five ? 5.5f : 4.0f);
+    list.AddLine(from, to, theme.robot.packed(), five ? 3.5f : 2.0f);
+  }
   const std::string number = std::to_string(look.number);
   const ImVec2 text = text_size(Face::tiny, number);
   draw_text(list, Face::tiny, ImVec2(at.x - text.x / 2, at.y - text.y / 2),

@@ -19,6 +19,14 @@ RobotSize robot_size(std::size_t teams);
 // The radius of a robot's mark, in pixels.
 float mark_radius(const std::vector<Team>& teams);
 
+// The distance from a robot to the end of all that is drawn around it: its body and the mark of its
+// team.
+double mark_reach(const RobotSize& size);
+
+// The pale body of a robot without a size: not to scale. It lies beneath the discs of all robots.
+void draw_small_body(const Painter& painter, const Theme& theme, const RobotSize& size,
+                     const Vec2& world);
+
 // The number of teams of two, or the number of such teams that the balanced robots would make.
 std::size_t pairs_of(const std::vector<Team>& teams);
 
@@ -30,13 +38,16 @@ std::size_t robots_of(const std::vector<Team>& all, std::size_t teams);
 std::vector<RobotSize> robot_sizes(const CanvasView& view, const std::vector<Team>& all,
                                    std::size_t teams);
 
-// The look of a robot apart from its size; a failed robot is hollow.
+// The look of a robot apart from its size; a failed robot is hollow. The robots of a team of two
+// have a common mark (evenlift::tally) on the side away from C.
 struct RobotLook {
   std::size_t number = 1;
-  double share = 1;  // of the greatest load
+  std::size_t team = 0;         // from 1; 0 without a mark
+  Vec2 outward = Vec2::Zero();  // away from C, in polygon coordinates
+  double share = 1;             // of the greatest load
   bool over = false, failed = false;
-  bool explained = false;  // its card is open
-  bool beneath = false;    // it stands beneath the object, and touches nothing sideways
+  bool marked = false;   // its card is open, or somebody points at it
+  bool beneath = false;  // it stands beneath the object, and touches nothing sideways
 };
 void draw_robot(const Painter& painter, const Theme& theme, const RobotSize& size,
                 const Vec2& world, const RobotLook& look);

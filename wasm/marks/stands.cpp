@@ -22,7 +22,7 @@ namespace {
 
 bool has_few_bodies(const Placement& placement) {
   constexpr std::size_t most = 400;
-  return placement.stands && placement.stands->has_body() && count_robots(placement.teams) <= most;
+  return draws_sizes(placement) && count_robots(placement.teams) <= most;
 }
 
 // A body smaller than the robot's mark would be hidden behind it.
@@ -62,6 +62,10 @@ void draw_body(const Painter& painter, const CanvasView& view, const PlacedRobot
 }
 
 }  // namespace
+
+bool draws_sizes(const Placement& placement) {
+  return placement.stands && placement.stands->has_body();
+}
 
 std::vector<PlacedRobot> drawn_bodies(const CanvasView& view) {
   if (!has_few_bodies(*view.placement) || !is_drawn(view)) return {};

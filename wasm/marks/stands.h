@@ -17,6 +17,9 @@ void draw_unusable(const Painter& painter, const Placement& placement, const The
 // robots. O(robots).
 std::vector<PlacedRobot> drawn_bodies(const CanvasView& view);
 
+// Whether the robots have a size, which is drawn to scale.
+bool draws_sizes(const Placement& placement);
+
 // The unusable parts, then the bodies, arms and hands of the robots to scale, beneath their marks.
 // Without a size, no bodies. O(parts + robots).
 void draw_stands(const Painter& painter, const CanvasView& view);

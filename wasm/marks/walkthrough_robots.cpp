@@ -98,8 +98,11 @@ void draw_robots_of_walkthrough(const Painter& painter, const CanvasView& view) 
   for (std::size_t i = known.teams; i-- > 0;) {
     std::size_t number = robots_of(teams, i);
     for (const Robot& robot : teams[i].robots) {
+      const Vec2& at = robot.point.position;
       const double share = i < known.shares ? robot.load / placement.loads->max : 1;
-      draw_robot(painter, view.theme, sizes[number++], robot.point.position, {i + 1, share});
+      draw_robot(painter, view.theme, sizes[number], at,
+                 {number + 1, i + 1, at - placement.centre_of_mass, share});
+      ++number;
     }
   }
 }

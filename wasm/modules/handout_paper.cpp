@@ -180,7 +180,7 @@ std::vector<PaperRobot> robots_on_paper(const Paper& paper, const Trace& trace,
   const Progress known = progress_at(trace, detail.number);
   for (std::uint32_t t = 0; t < known.teams; ++t)
     for (const Robot& robot : teams_at(trace, known)[t].robots)
-      robots.push_back({paper(robot.point.position), t + 1,
+      robots.push_back({paper(robot.point.position), static_cast<std::uint32_t>(robots.size()) + 1,
                         t < known.shares ? std::optional(robot.load) : std::nullopt});
   return robots;
 }

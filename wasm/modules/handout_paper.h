@@ -32,7 +32,7 @@ class Paper {
 // A robot in the picture of a step.
 struct PaperRobot {
   Vec2 middle;                 // on the paper
-  std::uint32_t number;        // on its disc, from 1: of its team, or its own for balanced robots
+  std::uint32_t number;        // on its disc, from 1
   std::optional<double> load;  // once known at the step
 };
 std::vector<PaperRobot> robots_on_paper(const Paper& paper, const Trace& trace,

@@ -78,7 +78,8 @@ std::string how_sure(const Compared& compared) {
   const std::string bound = fixed(100 * optimum.bound, 2) + "\u00A0%";
   const std::size_t candidates = compared.greedy.candidates.size();
   const std::string many = "With " + count_of(candidates, "candidate", "candidates");
-  if (optimum.proved) return "It is proved: no choice of this number of teams covers more.";
+  if (optimum.proved)
+    return "It is proved: no choice of this number of teams among these candidates covers more.";
   if (compared.stopped)
     return "A proof would take longer than " + plain(compared.seconds) +
            " seconds here. This is the best choice found in that time; no choice covers more than " +
@@ -99,12 +100,27 @@ std::string gap(const Compared& compared) {
          points_ahead(compared.optimum.coverage, compared.greedy.coverage) + " behind it.";
 }
 
-std::string as_json(const Compared& compared, Method asked) {
+// Robots that need not stand in pairs may cover more than the best pairs.
+std::string balanced_beside(const Document& document, const Compared& compared) {
+  Document other = document;
+  other.settings.method = Method::balanced;
+  other.settings.robots = 2 * compared.greedy.requested_teams;
+  if (other.settings.robots < least_robots || other.settings.robots > most_robots) return {};
+  const Result<Placement> balanced = place(other, Effort::start);
+  if (!balanced || balanced->teams.empty() || balanced->coverage <= compared.best.coverage)
+    return {};
+  return "As many balanced robots, which need not stand in pairs, cover " +
+         std::string(balanced->search_ended ? "" : "at least ") + percentage(balanced->coverage) +
+         ".";
+}
+
+std::string as_json(const Compared& compared, Method asked, const std::string& beside) {
   const Placement& greedy = compared.greedy;
   const bool proved = compared.optimum.proved;
   const Shown& shown = compared.shown;
   const std::string method(name(greedy.settings.method));
   std::vector<std::string> said = {json::text(gap(compared)), json::text(how_sure(compared))};
+  if (!beside.empty()) said.push_back(json::text(beside));
   if (asked != greedy.settings.method)
     said.push_back(
         json::text("The method " + method_in_words(asked) +
@@ -130,12 +146,13 @@ EMSCRIPTEN_KEEPALIVE const char* optimum_compare(const char* link, double second
   last().reset();
   const Result<Document> document = decode_link(link);
   if (!document) return hand_over(problem(document.error().message));
-  const Result<Placement> greedy = place(with_teams(*document));
+  const Document in_teams = with_teams(*document);
+  const Result<Placement> greedy = place(in_teams);
   if (!greedy) return hand_over(problem(sentence(greedy.error())));
   if (greedy->teams.empty())
     return hand_over(problem("no chord through the centre of mass meets the minimum load ratio"));
   last() = compare(*greedy, document->shown, seconds);
-  return hand_over(as_json(*last(), document->settings.method));
+  return hand_over(as_json(*last(), document->settings.method, balanced_beside(in_teams, *last())));
 }
 
 // The picture of the greedy choice, or of the best one, as SVG. Precondition: optimum_compare()

@@ -15,6 +15,7 @@
 
 #include "actions/key_list.h"
 #include "app/app.h"
+#include "edits/supports.h"
 #include "evenlift/formats.h"
 #include "evenlift/link.h"
 #include "evenlift/numbers.h"
@@ -22,6 +23,7 @@
 #include "evenlift/output/words.h"
 #include "evenlift/polygon.h"
 #include "evenlift/stands.h"
+#include "evenlift/supports.h"
 #include "page/browser.h"
 #include "page/hand_over.h"
 #include "page/page_api.h"
@@ -229,6 +231,75 @@ EMSCRIPTEN_KEEPALIVE int page_hovered_vertex() {
   const AppState& state = app().state;
   const Pick& pick = state.view.held.kind != Pick::Kind::none ? state.view.held : state.view.hover;
   return pick.kind == Pick::Kind::vertex ? static_cast<int>(pick.index) : -1;
+}
+
+// --- The robots, as supports (edits/supports.h), with their planned loads
+
+EMSCRIPTEN_KEEPALIVE int page_robot_count() {
+  return static_cast<int>(supports_now(app().state).size());
+}
+
+// The robots from `first` on: [[x, y, "16.7 kg"], …].
+EMSCRIPTEN_KEEPALIVE const char* page_robots(int first, int count) {
+  const AppState& state = app().state;
+  const evenlift::Points robots = supports_now(state);
+  const std::size_t from = std::min(static_cast<std::size_t>(std::max(first, 0)), robots.size());
+  const std::size_t to =
+      std::min(from + static_cast<std::size_t>(std::max(count, 0)), robots.size());
+  std::vector<std::string> rows;
+  for (std::size_t i = from; i < to; ++i) {
+    const auto& placement = *state.derived().placement;
+    const std::string load = placement.loads
+                                 ? load_in_words(planned_loads(placement.teams)[i],
+                                                 placement.loads->max, shown(state).units)
+                                 : "–";
+    rows.push_back(
+        json::array({json::number(robots[i].x()), json::number(robots[i].y()), json::text(load)}));
+  }
+  return hand_over(json::array(rows));
+}
+
+// Puts a robot at a place with one other coordinate. Robots of other methods are taken over.
+EMSCRIPTEN_KEEPALIVE const char* page_set_robot(int robot, int axis, const char* text) {
+  const AppState& state = app().state;
+  const evenlift::Points robots = supports_now(state);
+  std::string problem;
+  const std::optional<double> value = coordinate(text, problem);
+  if (!value) return hand_over(std::move(problem));
+  if (robot < 0 || robot >= static_cast<int>(robots.size()))
+    return hand_over("This robot no longer exists");
+  Vec2 to = robots[static_cast<std::size_t>(robot)];
+  to[axis] = *value;
+  evenlift::Settings moved = taken_over(settings(state), *state.derived().placement);
+  moved.supports[static_cast<std::size_t>(robot)] = to;
+  const auto placed = place_supports(state.derived().placement->polygon, moved);
+  if (!placed) return hand_over(placed.error().message);
+  carry_out({EndEdit{}, PutRobot{static_cast<std::size_t>(robot), to}, EndEdit{}});
+  return hand_over({});
+}
+
+EMSCRIPTEN_KEEPALIVE void page_add_robot() { carry_out({AddRobot{}}); }
+
+EMSCRIPTEN_KEEPALIVE void page_remove_robot(int robot) {
+  if (robot >= 0) carry_out({RemoveRobot{static_cast<std::size_t>(robot)}});
+}
+
+// Rings a robot as if the pointer were over it; and the robot under the pointer, or -1.
+EMSCRIPTEN_KEEPALIVE void page_point_at_robot(int robot) {
+  const AppState& state = app().state;
+  if (robot < 0 || robot >= static_cast<int>(supports_now(state).size())) return;
+  const auto& teams = state.derived().placement->teams;
+  const auto [team, end] = find_robot(teams, static_cast<std::size_t>(robot));
+  carry_out({SetHover{
+      {Pick::Kind::robot, team, static_cast<int>(end), teams[team].robots[end].point.position}}});
+}
+EMSCRIPTEN_KEEPALIVE int page_hovered_robot() {
+  const AppState& state = app().state;
+  const Pick& pick = state.view.held.kind != Pick::Kind::none ? state.view.held : state.view.hover;
+  if (pick.kind != Pick::Kind::robot || pick.second || !state.derived().placement) return -1;
+  const auto& teams = state.derived().placement->teams;
+  if (teams.empty()) return -1;
+  return static_cast<int>(pick.index * teams.front().robots.size()) + pick.end;
 }
 
 // --- Sharing and saving: the last document that was not refused

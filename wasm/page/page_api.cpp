@@ -17,6 +17,7 @@
 #include "app/set_settings.h"
 #include "edits/backdrop.h"
 #include "edits/sight.h"
+#include "edits/supports.h"
 #include "edits/try_edit.h"
 #include "evenlift/formats.h"
 #include "evenlift/link.h"
@@ -179,6 +180,72 @@ EMSCRIPTEN_KEEPALIVE const char* page_without_step(const char* text) {
   document->shown.step.reset();
   return hand_over(link_or_nothing(*document));
 }
+
+// --- Challenges: the object of a link with robots that the visitor places
+
+// The link (or, without one, that of a sample) with this number of robots to place, unless it already
+// has robots that somebody placed; any other text unchanged.
+EMSCRIPTEN_KEEPALIVE const char* page_as_challenge(const char* text, int robots) {
+  Result<Document> document =
+      *text ? evenlift::decode_link(text) : evenlift::read_polygon(opening_sample());
+  if (!document || document->settings.method == Method::given || robots < 1) return hand_over(text);
+  document->shown.step.reset();
+  Result<Opened> object = opened(*document);
+  if (!object) return hand_over(text);
+  const evenlift::Placement& placement = object->placement;
+  document->settings = with_small_table(document->settings, placement.polygon,
+                                        placement.centre_of_mass, static_cast<std::size_t>(robots));
+  return hand_over(link_or_nothing(*document));
+}
+
+// The link of the object alone: nothing in it tells where robots should stand.
+EMSCRIPTEN_KEEPALIVE const char* page_challenge_link() {
+  Document document = last_good(app().state);
+  evenlift::Settings settings;
+  settings.weight = document.settings.weight;
+  settings.teams = evenlift::view::usual_robots_to_place / 2;
+  document.settings = settings;
+  document.moved = {};
+  document.shown.step.reset();
+  document.shown.support_capacities.clear();
+  return hand_over(link_or_nothing(document));
+}
+
+EMSCRIPTEN_KEEPALIVE void page_set_challenge(int on) { carry_out({SetChallenge{on != 0}}); }
+
+// Begins again: the robots beneath the object, and the page's own answer hidden.
+EMSCRIPTEN_KEEPALIVE void page_try_again(int robots) {
+  if (robots < 1) return;
+  carry_out({EndEdit{}, SetChallenge{true}, Compare{},
+             PlaceYourself{static_cast<std::size_t>(robots)}, EndEdit{}});
+}
+EMSCRIPTEN_KEEPALIVE void page_show_answer() {
+  carry_out({SetChallenge{false}, Compare{Method::balanced}});
+}
+
+// The scores of the robots and of the second method's: an array of one or two
+// {"robots", "most", "spread", "covered", "held", "numbers": [most, spread, covered, held]}.
+EMSCRIPTEN_KEEPALIVE const char* page_scores() {
+  const AppState& state = app().state;
+  std::vector<std::string> scores;
+  for (const std::optional<evenlift::Placement>* placement :
+       {&state.derived().placement, &state.derived().second}) {
+    if (!*placement) continue;
+    const evenlift::Placement& of = **placement;
+    const Score score = score_of(of, shown(state).units);
+    const auto& loads = of.loads;
+    scores.push_back(
+        json::object({{"robots", json::text(score.robots)},
+                      {"most", json::text(score.most)},
+                      {"spread", json::text(score.spread)},
+                      {"covered", json::text(score.covered)},
+                      {"held", json::text(score.held)},
+                      {"numbers", json::numbers({loads ? loads->max : 0, loads ? loads->spread : 0,
+                                                 of.coverage, is_held(of) ? 1.0 : 0.0})}}));
+  }
+  return hand_over(json::array(scores));
+}
+
 EMSCRIPTEN_KEEPALIVE const char* page_svg() {
   const AppState& state = app().state;
   return hand_over(evenlift::placement_svg({*state.derived().placement, shown(state)},

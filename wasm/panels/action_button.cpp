@@ -15,6 +15,7 @@ namespace {
 std::optional<bool> is_on(ActionId id, const AppState& state) {
   if (id == ActionId::draw) return state.view.tool == Tool::draw;
   if (id == ActionId::transform) return state.view.tool == Tool::transform;
+  if (id == ActionId::add_robots) return state.view.tool == Tool::robot;
   if (id == ActionId::mark) return state.view.tool == Tool::mark;
   return std::nullopt;
 }

@@ -130,6 +130,13 @@ void draw_whole_bar(const Ui& ui) {
   button("Smaller", names.smaller, ActionId::smaller);
 }
 
+void draw_robot_bar(const Ui& ui) {
+  if (word_button(ui, "Done", true, true)) ui.push(SetTool{Tool::parts});
+  if (settings(ui.state).method != Method::given) return;
+  ImGui::SameLine(0, gap);
+  if (word_button(ui, "Even out", true)) ui.push(EvenOut{});
+}
+
 void draw_marking_bar(const Ui& ui) {
   if (word_button(ui, "Done", true, true)) ui.push(SetTool{Tool::parts});
   ImGui::SameLine(0, gap);
@@ -214,7 +221,7 @@ bool has_tool_bar(const AppState& state) {
 
 bool snaps_in_menu(const Ui& ui) {
   const bool little_room = ui.layout.low || (!ui.layout.wide && ui.state.view.tool != Tool::draw);
-  return little_room && ui.state.view.tool != Tool::mark &&
+  return little_room && ui.state.view.tool != Tool::mark && ui.state.view.tool != Tool::robot &&
          (has_tool_bar(ui.state) || vertex_is_on_sheet(ui.state));
 }
 
@@ -241,6 +248,8 @@ void draw_tool_bar(const Ui& ui) {
     draw_whole_bar(ui);
   else if (state.view.tool == Tool::mark)
     return draw_marking_bar(ui), end_card(ui);
+  else if (state.view.tool == Tool::robot)
+    return draw_robot_bar(ui), end_card(ui);
   else
     draw_vertex_buttons(ui);
   const double end = static_cast<double>(ImGui::GetItemRectMax().x + snap_chips_width()) + 12 + 8;

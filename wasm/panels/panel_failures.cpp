@@ -13,6 +13,7 @@ namespace evenlift::view {
 namespace {
 
 constexpr float caption_height = 16, least_height = 42, widest_place = 48;
+constexpr float least_for_number = 34;  // the width of a place with room for the robot's number
 
 // A disc if the others carry the object, a triangle if they do so less well, a cross if it falls.
 // With room for a line only, a longer line means a worse result.
@@ -52,18 +53,24 @@ void draw_signs(const Ui& ui, const RowOfPlaces& row, std::size_t count) {
               reach = std::clamp(each / 2 - 1.5f, 0.8f, 7.0f),
               y = (row.low.y + caption_height + row.high.y) / 2;
   for (std::size_t i = 0; i < count; ++i) {
-    const ImVec2 at(row.low.x + each * (static_cast<float>(i) + 0.5f), y);
+    const float aside = each < least_for_number ? 0.0f : 5.0f;  // sign and number in the middle
+    const ImVec2 at(row.low.x + each * (static_cast<float>(i) + 0.5f) - aside, y);
     const bool failed = failing(ui.state) && failing(ui.state)->robot == i;
     if (failed || row.hovered == i) {
       const Colour colour = failed ? ui.theme.accent : ui.theme.quiet;
-      const float half = std::max(reach + 4, 5.0f);
-      list.AddRect(ImVec2(at.x - half, y - 12), ImVec2(at.x + half, y + 12), colour.packed(), 5, 0,
-                   failed ? 2.0f : 1.0f);
+      const float half = std::max(reach + 4, 5.0f) + aside, middle = at.x + aside;
+      list.AddRect(ImVec2(middle - half, y - 12), ImVec2(middle + half, y + 12), colour.packed(), 5,
+                   0, failed ? 2.0f : 1.0f);
     }
     if (i < ui.state.derived().failures.size())
       draw_sign(ui.theme, list, at, reach, mood_of(ui.state, ui.state.derived().failures[i]));
     else
       draw_unknown(ui.theme, list, at, reach);
+    if (each < least_for_number) continue;
+    const std::string number = std::to_string(i + 1);
+    const ImVec2 size = text_size(Face::tiny, number);
+    draw_text(list, Face::tiny, ImVec2(at.x + reach + 3, y - size.y / 2), ui.theme.second_text,
+              number);
   }
 }
 
@@ -118,7 +125,12 @@ void draw_failures(const Ui& ui) {
   if (count == 0) return;
   draw_signs(ui, row, count);
   if (row.taken != now) ui.push(Fail{row.taken});
-  if (row.hovered) tip(ui, failure_words(ui.state, *row.hovered).c_str());
+  if (!row.hovered) return;
+  tip(ui, failure_words(ui.state, *row.hovered).c_str());
+  const std::vector<Team>& teams = ui.state.derived().placement->teams;
+  const auto [team, robot] = find_robot(teams, *row.hovered);
+  ui.row = {Pick::Kind::robot, team, static_cast<int>(robot),
+            teams[team].robots[robot].point.position};
 }
 
 }  // namespace evenlift::view

@@ -111,6 +111,7 @@ void draw_score(const Ui& ui) {
   if (!ui.state.derived().placement) return;
   text_block_of(Face::label, ui.theme.second_text, score(ui.state),
                 ImGui::GetContentRegionAvail().x, 2);
+  if (ui.state.view.challenge) return;  // its card offers the comparison
   const bool compared = ui.state.work.second_method == Method::balanced;
   const float width = ImGui::GetContentRegionAvail().x;
   if (flat_button(ui, "evenlift's", compared ? "Hide evenlift's" : "Show evenlift's", width))
@@ -153,7 +154,7 @@ void draw_supports_stepper(const Ui& ui) {
                           .can_raise = robots < most_supports,
                           .label = "Robots placed by hand"});
   ImGui::SameLine(0, 8);
-  if (flat_button(ui, "even out", "Even out", button)) ui.push(EvenOut{});
+  if (flat_button(ui, "even out", "Even out", button, !ui.state.view.challenge)) ui.push(EvenOut{});
   if (ImGui::IsItemHovered()) tip(ui, "Move two or three robots so that all carry the same load");
   if (by > 0) ui.push(AddRobot{});
   if (by < 0) ui.push(RemoveRobot{});

@@ -15,7 +15,8 @@ constexpr std::size_t most_rows = 60;  // the JSON has more
 // A row: a disc at the left, bars to both sides of the middle, two numbers at the right.
 struct Columns {
   float left, middle, half, span, ratio;
-  float text;  // room for a load beside its bar
+  float text;     // room for a load beside its bar
+  float numbers;  // the width of the robots' numbers
 };
 
 // The shown load of a robot, without its unit.
@@ -27,16 +28,25 @@ std::string load_text(const Ui& ui, std::size_t number) {
   return amounts(outlook.model, outlook.loads[number], outlook.greatest);
 }
 
+// "5 6", the robots of the third team.
+std::string numbers_of_team(std::size_t team) {
+  return std::to_string(2 * team - 1) + " " + std::to_string(2 * team);
+}
+
 Columns columns(const Ui& ui, float left, float width) {
-  const float ratio_width = 46, span_width = 50, disc = 28;
+  const float ratio_width = 46, span_width = 50;
+  const std::size_t robots = count_robots(ui.state.derived().placement->teams);
+  const float numbers = std::max(
+      34.0f, text_size(Face::tiny, numbers_of_team(std::min(robots / 2, most_rows))).x + 14);
+  const float disc = numbers + 6;
   const float bars = width - disc - ratio_width - span_width;
   float text = 32;
-  const std::size_t rows =
-      std::min(count_robots(ui.state.derived().placement->teams), 2 * most_rows);
+  const std::size_t rows = std::min(robots, 2 * most_rows);
   for (std::size_t i = 0; i < rows; ++i)
     text = std::max(text, text_size(Face::label, load_text(ui, i)).x);
-  return {left,    left + disc + bars / 2, bars / 2, left + width - ratio_width, left + width,
-          text + 8};
+  return {
+      left,   left + disc + bars / 2, bars / 2, left + width - ratio_width, left + width, text + 8,
+      numbers};
 }
 
 // The length of the bar of the greatest load.
@@ -53,7 +63,7 @@ void draw_heading(const Ui& ui, const Columns& c) {
   const float y = ImGui::GetCursorScreenPos().y + 8;
   const std::string loads = "Loads in " + weight_unit(ui.state);
   const ImVec2 size = text_size(Face::label, loads);
-  draw_text(list, Face::label, ImVec2(c.left, y - size.y / 2), ui.theme.second_text, "Team");
+  draw_text(list, Face::label, ImVec2(c.left, y - size.y / 2), ui.theme.second_text, "Robots");
   draw_text(list, Face::label, ImVec2(c.middle - size.x / 2, y - size.y / 2), ui.theme.second_text,
             loads);
   right_aligned(list, Face::label, c.span, y, ui.theme.second_text, "Length");
@@ -85,22 +95,24 @@ void draw_bar(const Ui& ui, const Columns& c, float y, std::size_t number, int s
             text);
 }
 
-// The disc at the beginning of a row.
-void draw_number(const Ui& ui, const Columns& c, float y, const std::string& number) {
+// The disc at the beginning of a row, as wide as its numbers need.
+void draw_numbers(const Ui& ui, float left, float y, float width, const std::string& numbers) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddCircleFilled(ImVec2(c.left + 11, y), 10, ui.theme.robot.packed(), 24);
-  list.AddCircle(ImVec2(c.left + 11, y), 10, ui.theme.robot_ring.packed(), 24, 1);
-  const ImVec2 size = text_size(Face::tiny, number);
-  draw_text(list, Face::tiny, ImVec2(c.left + 11 - size.x / 2, y - size.y / 2), ui.theme.robot_text,
-            number);
+  const ImVec2 low(left + 1, y - 10), high(left + 1 + width, y + 10);
+  list.AddRectFilled(low, high, ui.theme.robot.packed(), 10);
+  list.AddRect(low, high, ui.theme.robot_ring.packed(), 10);
+  const ImVec2 size = text_size(Face::tiny, numbers);
+  draw_text(list, Face::tiny, ImVec2((low.x + high.x) / 2 - size.x / 2, y - size.y / 2),
+            ui.theme.robot_text, numbers);
 }
 
-// The text of a row for users who cannot see it: "Team 2: loads 15.2 and 18.1 kg, length 320, ratio
-// 0.84".
+// The text of a row for users who cannot see it: "Team 2, robots 3 and 4: loads 15.2 and 18.1 kg,
+// length 320, ratio 0.84".
 std::string team_row_in_words(const Ui& ui, std::size_t index) {
   const Team& team = ui.state.derived().placement->teams[index];
   const double span = team.robots[0].arm + team.robots[1].arm;
-  return "Team " + std::to_string(index + 1) + ": loads " + load_text(ui, 2 * index) + " and " +
+  return "Team " + std::to_string(index + 1) + ", robots " + std::to_string(2 * index + 1) +
+         " and " + std::to_string(2 * index + 2) + ": loads " + load_text(ui, 2 * index) + " and " +
          load_text(ui, 2 * index + 1) + " " + weight_unit(ui.state) + ", length " +
          amount(span, span) + ", ratio " + ratio_in_words(team.ratio);
 }
@@ -122,7 +134,7 @@ bool draw_row(const Ui& ui, const Columns& c, std::size_t index) {
                        7);
   }
   const float y = (low.y + high.y) / 2;
-  draw_number(ui, c, y, std::to_string(index + 1));
+  draw_numbers(ui, c.left, y, c.numbers, numbers_of_team(index + 1));
   for (int end = 0; end < 2; ++end)
     draw_bar(ui, c, y, 2 * index + static_cast<std::size_t>(end), end == 0 ? -1 : 1);
   const double span = team.robots[0].arm + team.robots[1].arm;
@@ -166,7 +178,7 @@ void draw_robot_row(const Ui& ui, const Columns& c, std::size_t index, const Tea
     list.AddRectFilled(ImVec2(low.x - 6, low.y), ImVec2(high.x + 6, high.y), ui.theme.well.packed(),
                        7);
   const float y = (low.y + high.y) / 2;
-  draw_number(ui, c, y, number);
+  draw_numbers(ui, c.left, y, 20, number);
   const ImVec2 size = text_size(Face::label, words.at[index]);
   draw_text(list, Face::label, ImVec2(c.left + 32, y - size.y / 2), ui.theme.text, words.at[index]);
   right_aligned(list, Face::strong_label, c.ratio, y,

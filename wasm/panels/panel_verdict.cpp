@@ -60,17 +60,13 @@ void draw_sign(const Ui& ui, Mood mood, ImVec2 middle) {
     draw_icon(list, sign.icon, middle, 15, ui.theme.panel);
 }
 
-// If no chord meets the minimum ratio: a button for the best ratio there is, in the space that the
-// verdict leaves.
-void draw_lower_ratio(const Ui& ui, double best) {
+// A button for what would mend the placement, at the foot of the words.
+void draw_offer(const Ui& ui) {
+  const std::optional<Offer>& offer = ui.state.derived().offer;
   const ImVec2 below = ImGui::GetCursorScreenPos();
-  const std::string label = "Lower the ratio to " + fixed(best, 2);
   ImGui::SetCursorScreenPos(ImVec2(below.x, below.y - ui.control()));
-  if (flat_button(ui, "lower ratio", label.c_str(), ImGui::GetContentRegionAvail().x)) {
-    Settings changed = settings(ui.state);
-    changed.min_ratio = best;
-    ui.push(SetSettings{changed});
-  }
+  if (flat_button(ui, "offer", offer->label.c_str(), ImGui::GetContentRegionAvail().x))
+    ui.push(SetSettings{offer->settings});
   ImGui::SetCursorScreenPos(below);
 }
 
@@ -131,9 +127,10 @@ void draw_failures_below(const Ui& ui) {
   draw_failures(ui);
 }
 
-void draw_way_to_best_ratio(const Ui& ui, const Verdict& v) {
-  if (ui.state.derived().best_ratio && v.mood != Mood::drawing)
-    draw_lower_ratio(ui, *ui.state.derived().best_ratio);
+// While something else than the placement is told, there is no offer for it.
+bool has_offer(const Ui& ui, const Verdict& v) {
+  return ui.state.derived().offer && !failing(ui.state) &&
+         (v.mood == Mood::not_quite || v.mood == Mood::falls);
 }
 
 }  // namespace
@@ -142,8 +139,13 @@ void draw_headline(const Ui& ui) { draw_in(ui, headline_alone, verdict(ui.state)
 
 void draw_verdict_words(const Ui& ui) {
   const Verdict v = verdict(ui.state);
-  draw_in(ui, ui.layout.wide ? beside_drawing : in_sheet, v, rest_of(ui, v));
-  draw_way_to_best_ratio(ui, v);
+  const float height = ui.layout.wide ? beside_drawing : in_sheet;
+  const bool offers = has_offer(ui, v);
+  const float words = height - (offers ? ui.control() + 4 : 0);
+  draw_in(ui, words, v, rest_of(ui, v));
+  if (!offers) return;
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + height - words);
+  draw_offer(ui);
 }
 
 void draw_verdict_details(const Ui& ui) {
@@ -153,7 +155,10 @@ void draw_verdict_details(const Ui& ui) {
   const float width = ImGui::GetContentRegionAvail().x;
   const std::size_t lines = broken_lines(Face::text, rest, width).size();
   text_block_of(Face::text, ui.theme.second_text, rest, width, std::max(lines, usual));
-  draw_way_to_best_ratio(ui, v);
+  if (has_offer(ui, v)) {
+    ImGui::Dummy(ImVec2(1, ui.control()));
+    draw_offer(ui);
+  }
   draw_failures_below(ui);
 }
 

@@ -57,10 +57,8 @@ Verdict of_placement(const AppState& state) {
 }
 
 Verdict of_failure(const AppState& state, const Failure& failure) {
-  const bool teams = !is_one_team(failure.placement.settings.method);
   return {mood_of(state, failure.rest), failure_words(state, failure.robot),
-          rest_in_words({failure.placement, shown(state)}) +
-              (teams ? " While one fails, the discs show robot numbers, not team numbers." : "")};
+          rest_in_words({failure.placement, shown(state)})};
 }
 
 const char* press_word(const AppState& state) {
@@ -142,17 +140,20 @@ std::string news_of_drawing(const AppState& state) {
 
 }  // namespace
 
+Score score_of(const Placement& placement, const Units& units) {
+  const auto load = [&](double value) { return load_in_words(value, placement.loads->max, units); };
+  return {std::to_string(count_robots(placement.teams)),
+          placement.loads ? load(placement.loads->max) : std::string(),
+          placement.loads ? load(placement.loads->spread) : std::string(),
+          percentage(placement.coverage), is_held(placement) ? "held" : "not held"};
+}
+
 std::string score(const AppState& state) {
   const Placement& placement = *state.derived().placement;
-  const Units& units = shown(state).units;
-  std::string text = count_of(count_robots(placement.teams), "robot", "robots");
-  if (const auto& loads = placement.loads)
-    text += " · at most " + load_in_words(loads->max, loads->max, units) + " · spread " +
-            load_in_words(loads->spread, loads->max, units);
-  else
-    text += " · it falls";
-  return text + " · " + percentage(placement.coverage) + " covered · " +
-         (is_held(placement) ? "held" : "not held");
+  const Score of = score_of(placement, shown(state).units);
+  return count_of(count_robots(placement.teams), "robot", "robots") +
+         (of.most.empty() ? " · it falls" : " · at most " + of.most + " · spread " + of.spread) +
+         " · " + of.covered + " covered · " + of.held;
 }
 
 std::string need_in_words(const AppState& state) {

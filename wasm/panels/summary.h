@@ -29,6 +29,12 @@ Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest);
 // The effect of a failure of the robot with this number, from 0; empty if unknown.
 std::string failure_words(const AppState& state, std::size_t robot);
 
+// The parts of a score: "4", "29.1 kg", "8.2 kg", "61 %", "held". The loads are empty if it falls.
+struct Score {
+  std::string robots, most, spread, covered, held;
+};
+Score score_of(const Placement& placement, const Units& units);
+
 // Whether a robot carries more than its capacity, by the shown loads.
 bool is_overloaded(const AppState& state);
 bool is_overloaded(const AppState& state, std::size_t robot);  // this robot, by the shown loads

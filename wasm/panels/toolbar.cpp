@@ -92,6 +92,7 @@ void draw_menu(const Ui& ui, const Look& look) {
   if (!has_tools(ui))
     for (const ActionId id : {ActionId::fit, ActionId::transform, ActionId::table})
       action_row(ui, id);
+  if (!has_tools(ui) || !ui.layout.wide) action_row(ui, ActionId::add_robots);
   if (!has_tools(ui) || !ui.layout.wide)
     for (const ActionId id : {ActionId::zoom_in, ActionId::zoom_out}) action_row(ui, id);
   if (snaps_in_menu(ui)) draw_snap_choices(ui);
@@ -157,6 +158,10 @@ void draw_view_tools(const Ui& ui) {
   }
   action_button(ui, ActionId::fit, ui.control());
   if (ui.layout.wide) divider(ui, ui.control(), true);
+  if (ui.layout.wide) {
+    action_button(ui, ActionId::add_robots, ui.control());
+    ImGui::SameLine(0, 2);
+  }
   action_button(ui, ActionId::transform, ui.control());
   if (ui.layout.wide) ImGui::SameLine(0, 2);
   action_button(ui, ActionId::table, ui.control());

@@ -57,9 +57,18 @@ struct MoveRobot {
   std::size_t robot;  // counted team after team
   Vec2 to;
 };
-struct PlaceYourself {};  // four robots beneath the object, to play with
-struct AddRobot {         // at a place, or where it adds most to the lifting base
+struct PlaceYourself {  // robots beneath the object, to play with
+  std::size_t robots = 4;
+};
+struct SetChallenge {  // whether the page keeps its own answers to itself
+  bool on;
+};
+struct AddRobot {  // at a place, or where it adds most to the lifting base
   std::optional<Vec2> at;
+};
+struct PutRobot {  // exactly at a place, as typed
+  std::size_t robot;
+  Vec2 at;
 };
 struct RemoveRobot {  // by its number from 0, or the last
   std::optional<std::size_t> robot;
@@ -284,17 +293,17 @@ struct AddStep {
 
 using Command = std::variant<
     SetSettings, SetMethod, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex,
-    OpenDocument, SetPolygon, EndEdit, MoveRobot, PlaceYourself, AddRobot, RemoveRobot, EvenOut,
-    ResetRobots, Undo, Redo, SetShown, SetTool, GripPolygon, AddPoint, MovePoint, TakePointBack,
-    PutPointBack, FinishDrawing, SetDrawCursor, TypeEdge, WithdrawEdge, SetSnap, Compare, Fail,
-    SetLoadModel, SetMotion, OpenWalkthrough, CloseWalkthrough, GoToStep, MoveSteps, MoveChapters,
-    SetPlaying, SetSpeed, SetPredict, Guess, PointAtChoice, AskWhy, Measure, HoverFigure, Explain,
-    ShowInLesson, LeaveScript, ShowAllSteps, SetPresenting, SelectVertex, SetHover, SetHeld,
-    SetCamera, FitView, ZoomView, SetPanelOpen, SetMoreOpen, SetRobotOpen, SetErases, ListIsOpen,
-    CloseList, SetSheet, MeasureSheet, MeasureNotice, CopyLink, TypeValue, OpenDialog, OpenPage,
-    LayOutAgain, TakeRobots, ShowNotice, EndNotice, SetCanvas, SetPreferences, SetTouch,
-    CoverScreen, MakeRoom, LayPicture, TakePictureAway, SetMeasuring, KeepMotion, KeepComparison,
-    ForgetSteps, AddStep>;
+    OpenDocument, SetPolygon, EndEdit, MoveRobot, PlaceYourself, SetChallenge, AddRobot, PutRobot,
+    RemoveRobot, EvenOut, ResetRobots, Undo, Redo, SetShown, SetTool, GripPolygon, AddPoint,
+    MovePoint, TakePointBack, PutPointBack, FinishDrawing, SetDrawCursor, TypeEdge, WithdrawEdge,
+    SetSnap, Compare, Fail, SetLoadModel, SetMotion, OpenWalkthrough, CloseWalkthrough, GoToStep,
+    MoveSteps, MoveChapters, SetPlaying, SetSpeed, SetPredict, Guess, PointAtChoice, AskWhy,
+    Measure, HoverFigure, Explain, ShowInLesson, LeaveScript, ShowAllSteps, SetPresenting,
+    SelectVertex, SetHover, SetHeld, SetCamera, FitView, ZoomView, SetPanelOpen, SetMoreOpen,
+    SetRobotOpen, SetErases, ListIsOpen, CloseList, SetSheet, MeasureSheet, MeasureNotice, CopyLink,
+    TypeValue, OpenDialog, OpenPage, LayOutAgain, TakeRobots, ShowNotice, EndNotice, SetCanvas,
+    SetPreferences, SetTouch, CoverScreen, MakeRoom, LayPicture, TakePictureAway, SetMeasuring,
+    KeepMotion, KeepComparison, ForgetSteps, AddStep>;
 using Commands = std::vector<Command>;
 
 }  // namespace evenlift::view

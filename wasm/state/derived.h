@@ -46,6 +46,12 @@ struct Search {
   bool counting = false;
 };
 
+// Other settings that would mend what is amiss, and the words of the button that takes them.
+struct Offer {
+  Settings settings;
+  std::string label;
+};
+
 // The inputs of the last derive(), by which it sees what is out of date.
 struct Basis {
   std::uint64_t edits = 0;  // Work::edits()
@@ -53,6 +59,7 @@ struct Basis {
   std::optional<Method> second_method;
   LoadModel load_model = LoadModel::plan;
   Shown shown;
+  bool challenge = false;
   std::uint64_t fails = 0, card = 0;  // the last ones requested (view_state.h)
 };
 
@@ -67,6 +74,8 @@ struct Derived {
 
   // Summaries of the above.
   std::optional<double> best_ratio;  // the best load ratio, if no chord has the minimum
+  std::optional<Offer> offer;        // if the placement is not good; none during a drag
+  bool offer_due = true;             // the offer may have changed
   std::optional<CapacityPlan> plan;  // for the capacity; not updated during a drag
   std::optional<FailurePlan> spare;  // for the capacity if any robot may fail; for balanced robots
                                      // it comes later, since each number of robots needs a search

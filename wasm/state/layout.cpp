@@ -143,7 +143,7 @@ Layout wide(const AppState& state) {
   l.panel = {screen.width - l.margin - width, l.margin, screen.width - l.margin,
              screen.height - l.margin};
   l.toolbar = {l.margin, l.margin, l.panel.left - l.margin, l.margin + bar_height(l)};
-  const double tools_width = 5 * l.control + zoom_width + 2 + 8 + 13 + 16;
+  const double tools_width = 6 * l.control + zoom_width + 2 + 10 + 13 + 16;
   const double foot = screen.height - l.margin;
   l.tools = {l.margin, foot - bar_height(l), l.margin + tools_width, foot};
   if (l.low) l.tools = {l.margin, foot, l.margin, foot};
@@ -151,7 +151,8 @@ Layout wide(const AppState& state) {
   if (walkthrough_is_open(state))
     seat_player(l, l.panel.left - l.margin, (l.low ? 1 : 2) * l.control + 24);
   if (state.view.tool == Tool::transform) l.free.top += tool_bar_height(l) + knob;
-  if (state.view.tool == Tool::mark && (l.low || state.work.second_method))
+  if ((state.view.tool == Tool::mark || state.view.tool == Tool::robot) &&
+      (l.low || state.work.second_method))
     l.free.top += tool_bar_height(l);  // the boundary must be visible, and so must captions
   // The corners of a frame are farther out than robots, and clear of the view tools.
   const double below = state.view.tool == Tool::transform ? 108 : 84;
@@ -170,7 +171,7 @@ double closed_sheet_height(const AppState& state) {
 }
 
 bool has_bar(const AppState& state) {
-  return state.view.tool == Tool::transform || state.view.tool == Tool::mark;
+  return state.view.tool != Tool::parts && state.view.tool != Tool::draw;
 }
 
 // A card at the drawing's foot, a bar above it, or a second picture takes part of the space.

@@ -40,13 +40,9 @@ Placement not_swapped(Placement selected, const Settings& settings) {
   return selected;
 }
 
-}  // namespace
-
-Result<Placement> compute_placement(const Document& document,
-                                    const std::optional<Placement>& before, Haste haste) {
-  ++so_far.placements;
+// Without swaps that would take longer than the haste allows.
+Result<Placement> placed_in(Haste haste, const Document& document, const Polygon* known) {
   const Settings& settings = document.settings;
-  const Polygon* known = before ? &before->polygon : nullptr;
   if (!swaps_teams(settings)) return placed(document, known);
   Document as_selected = document;
   as_selected.settings.goal = Goal::cover;
@@ -59,6 +55,19 @@ Result<Placement> compute_placement(const Document& document,
                                selected->stands.get()))
     return *error;
   return not_swapped(std::move(selected).value(), settings);
+}
+
+}  // namespace
+
+Result<Placement> compute_placement(const Document& document,
+                                    const std::optional<Placement>& before, Haste haste) {
+  ++so_far.placements;
+  return placed_in(haste, document, before ? &before->polygon : nullptr);
+}
+
+Result<Placement> try_placement(const Document& document, const Placement& before) {
+  ++so_far.tries;
+  return placed_in(Haste::drag, document, &before.polygon);
 }
 
 bool waits_for_swap(const Placement& placement) {

@@ -39,13 +39,16 @@ Result<Document> parse_document(std::string_view text);
 // is about a twentieth of a second during a drag, and some seconds at rest.
 enum class Haste : std::uint8_t { at_rest, drag };
 
-// The view computes placements and traces only through these two functions. They count, so that a
+// The view computes placements and traces only through these functions. They count, so that a
 // test can check that an action computes one placement, and none if it changes only the picture. A
 // known placement of the same vertices saves checking them. Balanced robots are the start of a
 // search, which continues from there (search.h), unless the whole search is traced.
 Result<Placement> compute_placement(const Document& document,
                                     const std::optional<Placement>& before = std::nullopt,
                                     Haste haste = Haste::at_rest);
+
+// The same in the haste of a drag, for a placement that is only offered; counted separately.
+Result<Placement> try_placement(const Document& document, const Placement& before);
 
 // Whether its teams should be swapped until they hold, but are as the metric selects them. O(1).
 bool waits_for_swap(const Placement& placement);
@@ -56,7 +59,7 @@ Result<Trace> compute_trace(const Placement& placement, const Units& units,
 CapacityPlan compute_plan(const Placement& placement, double capacity);
 
 struct Computed {
-  std::uint64_t placements = 0, traces = 0, plans = 0;
+  std::uint64_t placements = 0, tries = 0, traces = 0, plans = 0;
 };
 Computed computed();  // since the start
 

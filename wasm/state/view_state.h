@@ -18,8 +18,8 @@ namespace evenlift::view {
 enum class Sheet : std::uint8_t { closed, half, full };
 
 // The effect of a press on the drawing: grabs a vertex or the centre of mass, places a vertex,
-// grabs the whole polygon, or marks a no-go part.
-enum class Tool : std::uint8_t { parts, draw, transform, mark };
+// grabs the whole polygon, marks a no-go part, or adds a robot.
+enum class Tool : std::uint8_t { parts, draw, transform, mark, robot };
 
 // The polygon being drawn, vertex by vertex.
 struct Drawing {
@@ -77,6 +77,8 @@ struct View {
   std::optional<Away> away;
   bool erases = false;     // what the brush does while it is held
   bool measuring = false;  // the user chooses two points of the backdrop, to set its scale
+
+  bool challenge = false;  // a challenge is open: the page keeps its own answers to itself
 
   LoadModel load_model = LoadModel::plan;  // the model of the shown loads
   Wanted<std::size_t> fails;               // the robot that should fail, by its number from 0

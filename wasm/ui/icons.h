@@ -35,6 +35,7 @@ enum class Icon : std::uint8_t {
   save,
   table,
   draw,
+  robot,
   transform,
   compare,
   board,
@@ -51,7 +52,7 @@ enum class Icon : std::uint8_t {
   last,
   first
 };
-inline constexpr std::size_t icon_count = 37;  // without `none`
+inline constexpr std::size_t icon_count = 38;  // without `none`
 
 // Within a square of `size` pixels about `middle`.
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float size, Colour colour);

@@ -34,6 +34,7 @@ export const ofCanvas = {
   shapes: "M2 9L7.5 2L13 9ZM12.22 9.57A4.5 4.5 0 1 1 8.57 14.78",
   open_out: "M4 16L16 4M9 3.5H16.2V11",
   folder: "M2 16V4H8L10.5 7H18V16Z",
+  robot: "M4 10A6 6 0 1 1 16 10A6 6 0 1 1 4 10ZM10 7V13M7 10H13",
   table: "M2.5 4H17.5V16H2.5ZM2.5 8.5H17.5M10 4V16",
   draw: "M2.5 17.5L4 12L13.5 2.5L17.5 6.5L8 16Z",
   transform:

@@ -1,5 +1,5 @@
 // The browser functions that the program calls (wasm/page/browser.cpp), and the page functions that its windows call.
-import { readAddress, withLesson } from "./address.js";
+import { readAddress, withLesson, withPlaces } from "./address.js";
 import { copy } from "./clipboard.js";
 import { connectDropAndPaste } from "./drop_and_paste.js";
 import { createSearch } from "./search.js";
@@ -71,6 +71,8 @@ export class Bindings {
       program,
       copy,
       address: (link, challenge) => this.#address(link, challenge),
+      placesAddress: (link, challenge) => this.#placesAddress(link, challenge),
+      leavePlaces: () => history.replaceState(history.state, "", withPlaces(new URL(location.href))),
       aboutLink: (url) => this.#aboutLink(url),
       windows: () => this.#windows(),
       notice: (text, problem) => this.#publisher.notice(text, problem),
@@ -86,7 +88,13 @@ export class Bindings {
 
   // Opens the lesson and the challenge of the address; with `join`, for the open document.
   async beginLesson(join) {
-    const { lesson, challenge } = readAddress();
+    const { lesson, challenge, place, beat } = readAddress();
+    if (place && !lesson) {
+      this.#program.call("page_set_challenge", 1);
+      const all = await underWay(this.#windows()).catch(() => undefined);
+      if (all) await underWay(all.challenge(this.#page, { place, beat }));
+      return;
+    }
     if (!lesson && !challenge) return;
     this.#publisher.holdLesson(true);
     const all = await underWay(this.#windows()).catch(() => undefined);
@@ -232,6 +240,14 @@ export class Bindings {
     url.search = "";
     url.hash = link;
     return withLesson(url, { lesson: this.#publisher.lesson(), challenge }).href;
+  }
+
+  // Of a challenge to place robots.
+  #placesAddress(link, challenge) {
+    const url = new URL(location.href);
+    url.search = "";
+    url.hash = link;
+    return withPlaces(url, challenge).href;
   }
 
   // First the contents and the omissions of the link, then its length.

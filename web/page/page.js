@@ -11,7 +11,7 @@ import { lasting, read } from "./storage.js";
 import { underWay } from "./under_way.js";
 
 const cover = document.getElementById("cover");
-const { embed, challenge } = readAddress();
+const { embed, challenge, place } = readAddress();
 const api = createApi();
 window.evenlift = api.evenlift;
 if (embed) document.documentElement.classList.add("figure", "guest"); // input.js
@@ -39,8 +39,12 @@ function showProblem(reason, [heading, advice] = cannotRun) {
 }
 
 // The text that the page opens. A challenge starts at its first step: the step of a link would show the answer and list
-// it among the answers that were looked at.
-const toOpen = (program, text) => (readAddress().challenge && text ? program.text("page_without_step", text) : text);
+// it among the answers that were looked at. Where somebody is to place robots, the link opens with robots to place.
+function toOpen(program, text) {
+  const asked = readAddress();
+  if (asked.place) return program.text("page_as_challenge", text, asked.place);
+  return asked.challenge && text ? program.text("page_without_step", text) : text;
+}
 
 // Calls `say` with a message about a refused link, and `opened` after any other link.
 function followAddress(program, say, opened) {
@@ -100,7 +104,7 @@ function loadTheRest(program, bindings, { begins }) {
 // unchanged. Returns the function to call after each change.
 async function startStill(program, publisher, bindings) {
   // The picture would give away the answer of a challenge.
-  const still = !challenge && (await import("./still.js").catch(() => undefined));
+  const still = !challenge && !place && (await import("./still.js").catch(() => undefined));
   if (!still) throw new Error(noWebGl);
   program.onStop = (error) => {
     console.error(error);
@@ -160,11 +164,12 @@ async function start() {
   const before = started.work === started.fragment ? "" : started.work;
   const problem = program.text(
     "page_start",
-    toOpen(program, started.fragment),
-    toOpen(program, before),
+    started.fragment || !before ? toOpen(program, started.fragment) : "",
+    before && toOpen(program, before),
     started.draft,
     embed ? 1 : 0,
   );
+  if (place && !problem) program.call("page_set_challenge", 1);
   publisher.connect(program);
   publisher.restorePreferences();
   if (kept.own || started.problem) publisher.nameInAddress();

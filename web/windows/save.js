@@ -72,7 +72,6 @@ const files = [
 export async function show(page) {
   const link = page.program.text("page_link");
   const address = link && page.address(link);
-  const challenge = link && page.address(page.program.text("page_without_step", link), true);
   const problem = problemLine();
   const root = await openWindow({
     name: "save",
@@ -82,7 +81,7 @@ export async function show(page) {
         "div",
         { class: "scroll" },
         ...share(page, address, problem),
-        ...challengeLink(page, challenge, problem),
+        ...challengeLink(page, problem),
         problem,
         ...files.map((group) => choices(page, group, problem)),
         ...aside(),
@@ -160,22 +159,28 @@ function share(page, address, problem) {
   return [el("h3", {}, "Link"), el("div", { class: "row" }, field, copy, qr), said];
 }
 
-function challengeLink(page, address, problem) {
-  if (!address) return [];
+// In a walkthrough: the same steps with guesses. Otherwise: the object alone, on which somebody places robots.
+function challengeLink(page, problem) {
+  const { program } = page;
+  const guesses = program.number("page_walkthrough_is_open") === 1;
+  const link = guesses
+    ? program.text("page_without_step", program.text("page_link"))
+    : program.text("page_challenge_link");
+  if (!link) return [];
+  const address = guesses ? page.address(link, true) : page.placesAddress(link, { place: 4 });
   const said = el(
     "p",
     { class: "second", role: "status" },
-    "Opens the walkthrough of this polygon, which asks for a guess before each choice.",
+    guesses
+      ? "Opens the walkthrough of this polygon, which asks for a guess before each choice."
+      : "Opens the object alone and asks: where would you put four robots? Only then does it show evenlift's.",
   );
   const copy = button(
     "Challenge link",
     {
       onclick: async () => {
         if (await page.copy(address)) said.textContent = "The challenge link is copied.";
-        else
-          problem.say(
-            "The browser did not allow copying. The challenge link is the link with ?challenge=1 before its #",
-          );
+        else problem.say(`The browser did not allow copying. This is the challenge link: ${address}`);
       },
     },
     "copy",

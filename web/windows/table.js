@@ -1,5 +1,5 @@
-// The coordinates as a table beside the canvas. Typing in the table changes the drawing, and dragging changes the
-// table.
+// The coordinates of the vertices, or of the robots, as a table beside the canvas. Typing in the table changes the
+// drawing, and dragging changes the table.
 import { makeRoom, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el } from "../kit/elements.js";
 import { settingValue, typedProblem } from "../mirror/typed.js";
@@ -8,6 +8,35 @@ import { underWay } from "../page/under_way.js";
 
 const name = "table";
 const most = 500; // rows on a page
+
+// What the table lists, and the page's functions for it. Robots have a load in a column of its own; typing a place
+// makes them robots placed by hand.
+const lists = {
+  vertices: {
+    one: "Vertex",
+    count: "page_vertex_count",
+    read: "page_vertices",
+    write: "page_set_coordinate",
+    remove: "page_remove_vertex",
+    pointed: "page_hovered_vertex",
+    select: "page_select_vertex",
+    columns: ["x", "y"],
+    digits: 9,
+    least: 3,
+  },
+  robots: {
+    one: "Robot",
+    count: "page_robot_count",
+    read: "page_robots",
+    write: "page_set_robot",
+    remove: "page_remove_robot",
+    pointed: "page_hovered_robot",
+    select: "page_point_at_robot",
+    columns: ["x", "y", "Load"],
+    digits: 6,
+    least: 1,
+  },
+};
 
 export async function show(page) {
   const open = document.getElementById(name);
@@ -18,7 +47,13 @@ export async function show(page) {
     title: "Coordinates",
     modal: false,
     tools: [table.whole],
-    body: [table.refusal, table.problem, table.scroll, el("footer", {}, table.pager, table.centre.row)],
+    body: [
+      table.choice,
+      table.refusal,
+      table.problem,
+      table.scroll,
+      el("footer", {}, table.pager, table.centre.row, table.more),
+    ],
     closed: () => table.disconnect(),
   });
   if (root) table.connect(root);
@@ -26,8 +61,9 @@ export async function show(page) {
 
 class Table {
   #page;
+  #list = lists.vertices;
   #rows = []; // the rows of the current page
-  #from = 0; // the first vertex of that page
+  #from = 0; // the first vertex or robot of that page
   #selected = -1;
   #leave = new AbortController();
   #due; // the timer of the next update
@@ -36,21 +72,26 @@ class Table {
     this.#page = page;
     this.refusal = problemLine({ class: "refusal", role: "status" });
     this.problem = problemLine();
+    this.head = el("thead");
     this.body = el("tbody");
-    this.scroll = el(
+    this.scroll = el("div", { class: "scroll" }, el("table", {}, this.head, this.body));
+    this.choice = el(
       "div",
-      { class: "scroll" },
-      el(
-        "table",
-        {},
-        el(
-          "thead",
-          {},
-          el("tr", {}, ...["Vertex", "x", "y"].map((head) => el("th", { scope: "col" }, head)), el("td", {})),
-        ),
-        this.body,
+      { class: "row lists", role: "group", "aria-label": "What the table lists" },
+      ...Object.entries(lists).map(([key, list]) =>
+        button(key === "vertices" ? "Vertices" : "Robots", {
+          class: "button bare",
+          "aria-pressed": "false",
+          onclick: () => this.#take(list),
+        }),
       ),
     );
+    this.more = button("Add a robot", {
+      onclick: () => {
+        this.#program.call("page_add_robot");
+        this.#go(this.#program.number("page_robot_count") - 1);
+      },
+    });
     this.whole = button("Edit as text", {
       class: "button bare",
       onclick: () => openText(page, { edited: this.#text() }),
@@ -78,7 +119,7 @@ class Table {
       }
       if (vertex < 0 || vertex === this.#selected) return;
       this.#selected = vertex;
-      this.#program.call("page_select_vertex", vertex);
+      this.#program.call(this.#list.select, vertex);
       soon();
     });
     root.addEventListener("focusout", ({ target }) => {
@@ -86,7 +127,7 @@ class Table {
     });
     this.#selected = this.#program.number("page_selected_vertex");
     if (this.#selected >= 0) this.#from = this.#pageOf(this.#selected);
-    this.#refresh();
+    this.#take(lists.vertices);
     // On a phone, a keyboard that opens by itself would hide half of the table.
     if (matchMedia("(pointer: fine)").matches) this.#focus(Math.max(this.#selected, 0) - this.#from, 0);
   }
@@ -97,6 +138,24 @@ class Table {
 
   get #program() {
     return this.#page.program;
+  }
+
+  // Lists the vertices or the robots.
+  #take(list) {
+    this.#list = list;
+    this.#rows = [];
+    this.#from = list === lists.vertices ? this.#from : 0;
+    const heads = [list.one, ...list.columns];
+    this.head.replaceChildren(el("tr", {}, ...heads.map((head) => el("th", { scope: "col" }, head)), el("td", {})));
+    Object.values(lists).forEach((each, i) => {
+      this.choice.children[i].setAttribute("aria-pressed", String(each === list));
+    });
+    const vertices = list === lists.vertices;
+    this.whole.hidden = !vertices;
+    this.centre.row.hidden = !vertices;
+    this.more.hidden = vertices;
+    this.problem.say("");
+    this.#refresh();
   }
 
   #text() {
@@ -121,7 +180,8 @@ class Table {
   }
 
   #row(vertex) {
-    const inputs = this.#inputs(`Vertex ${vertex + 1}`);
+    const { one, remove: removes, count, columns } = this.#list;
+    const inputs = this.#inputs(`${one} ${vertex + 1}`);
     const act = (label, picture, run) =>
       button("", { class: "button bare", "aria-label": `${label} ${vertex + 1}`, title: label, onclick: run }, picture);
     const insert = act("Insert a vertex after", "plus", () => {
@@ -129,19 +189,22 @@ class Table {
       this.#refresh();
       this.#go(vertex + 1);
     });
-    const remove = act("Delete vertex", "close", () => {
-      this.#program.call("page_remove_vertex", vertex);
+    const remove = act(`Delete ${one.toLowerCase()}`, "close", () => {
+      this.#program.call(removes, vertex);
       this.#refresh();
-      this.#go(Math.min(vertex, this.#program.number("page_vertex_count") - 1), 3);
+      const acts = this.#list === lists.vertices ? 3 : 2;
+      this.#go(Math.min(vertex, this.#program.number(count) - 1), acts);
     });
+    const load = columns.length > 2 ? [el("td", { class: "load" })] : [];
     const row = el(
       "tr",
       {},
       el("th", { scope: "row" }, String(vertex + 1)),
       ...inputs.map((input) => el("td", {}, input)),
-      el("td", { class: "acts" }, insert, remove),
+      ...load,
+      el("td", { class: "acts" }, ...(load.length ? [] : [insert]), remove),
     );
-    return { row, inputs, remove, vertex };
+    return { row, inputs, remove, load: load[0], vertex };
   }
 
   #centreRow() {
@@ -194,12 +257,14 @@ class Table {
   // Updates everything that differs.
   #refresh() {
     const program = this.#program;
-    const count = program.number("page_vertex_count");
-    const selected = program.number("page_selected_vertex");
-    const moved = selected !== this.#selected;
-    this.#selected = selected;
+    const list = this.#list;
+    const count = program.number(list.count);
+    // Only vertices stay selected; a robot that somebody points at is marked.
+    const selected = list === lists.vertices ? program.number("page_selected_vertex") : -1;
+    const moved = selected !== this.#selected && list === lists.vertices;
+    if (list === lists.vertices) this.#selected = selected;
     if (moved && selected >= 0) this.#from = this.#pageOf(selected);
-    this.#from = Math.min(this.#from, this.#pageOf(count - 1));
+    this.#from = Math.max(Math.min(this.#from, this.#pageOf(count - 1)), 0);
     const shown = Math.min(most, count - this.#from);
     if (this.#rows.length !== shown || this.#rows[0]?.vertex !== this.#from) {
       const kept = this.#rows.filter(({ vertex }) => vertex >= this.#from && vertex < this.#from + shown);
@@ -209,14 +274,15 @@ class Table {
       );
       this.body.replaceChildren(...this.#rows.map(({ row }) => row));
     }
-    const hovered = program.number("page_hovered_vertex");
-    program.json("page_vertices", this.#from, shown).forEach((point, i) => {
-      const { row, inputs, remove, vertex } = this.#rows[i];
-      write(inputs, point);
-      row.className = vertex === selected ? "selected" : vertex === hovered ? "hovered" : "";
-      remove.disabled = count <= 3;
+    const pointed = program.number(list.pointed);
+    program.json(list.read, this.#from, shown).forEach(([x, y, weight], i) => {
+      const { row, inputs, remove, load, vertex } = this.#rows[i];
+      write(inputs, [x, y], list.digits);
+      if (load) load.textContent = weight;
+      row.className = vertex === selected ? "selected" : vertex === pointed ? "hovered" : "";
+      remove.disabled = count <= list.least;
     });
-    write(this.centre.inputs, program.json("page_centre"));
+    write(this.centre.inputs, program.json("page_centre"), lists.vertices.digits);
     this.centre.release.disabled = !program.number("page_centre_is_given");
     this.refusal.say(program.text("page_refusal"));
     this.pager.hidden = count <= most;
@@ -229,7 +295,7 @@ class Table {
 
   // --- Keys and edits ----------------------------------------------------------------------------
 
-  // The vertex of the element's row; -1 for the centre of mass, -2 for neither.
+  // The vertex or robot of the element's row; -1 for the centre of mass, -2 for neither.
   #vertexOf(element) {
     if (this.centre.inputs.includes(element)) return -1;
     return this.#rows.find(({ row }) => row.contains(element))?.vertex ?? -2;
@@ -245,7 +311,12 @@ class Table {
       own = unit === "none" ? "" : unit;
     const problem =
       typedProblem(input.value, "", own, true) ||
-      this.#program.text("page_set_coordinate", vertex, axis, settingValue(input.value, "", own));
+      this.#program.text(
+        vertex < 0 ? "page_set_coordinate" : this.#list.write,
+        vertex,
+        axis,
+        settingValue(input.value, "", own),
+      );
     if (problem) {
       input.setAttribute("aria-invalid", "true");
       const name = input.getAttribute("aria-label");
@@ -307,16 +378,16 @@ class Table {
 }
 
 // A field shows at most this number of digits until it gets the focus; its value stays exact.
-const digits = 9;
-const rounded = (value) => (value.length > digits + 2 ? String(Number(Number(value).toPrecision(digits - 1))) : value);
+const rounded = (value, digits) =>
+  value.length > digits + 2 ? String(Number(Number(value).toPrecision(digits - 1))) : value;
 
 // Writes a point into two fields, but not into one that is being typed in.
-function write(inputs, point) {
+function write(inputs, point, digits) {
   point.map(String).forEach((value, axis) => {
     const input = inputs[axis];
     if (input.dataset.is === value) return;
     const untouched = !input.dataset.is || input.value === input.dataset.is || input.value === input.dataset.shown;
-    input.dataset.shown = rounded(value);
+    input.dataset.shown = rounded(value, digits);
     if (untouched) {
       input.value = document.activeElement === input ? value : input.dataset.shown;
       input.removeAttribute("aria-invalid");

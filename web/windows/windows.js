@@ -2,6 +2,7 @@
 // first needed.
 export { ensureStyles } from "../kit/dialogs.js";
 export { curves, show as experiment } from "../experiment/experiment.js";
+export { show as challenge } from "./challenge.js";
 export { show as about } from "./about.js";
 export { show as samples } from "./gallery.js";
 export { show as glossary } from "./glossary.js";

@@ -93,7 +93,7 @@ std::string one_member(std::string_view name, std::string_view text) {
 std::string placement_answer(const Request& request, const Placement& placement) {
   const ShownPlacement of(placement, request.document.shown);
   return placement_json(of, request.candidates, capacity_in_json(of), request.failures,
-                        check_conditions(placement, request.conditions));
+                        check_conditions(of, request.conditions));
 }
 
 std::string svg_answer(const Request& request, const Placement& placement) {

@@ -37,6 +37,16 @@ struct Segment {
 };
 std::vector<Segment> joining_lines(const Team& team, const Vec2& centre);
 
+// The mark by which one sees which robots form a team: as many strokes as the number of the team
+// (from 1) tells, side by side, where a broad one counts five. `at` is the robot's place on the
+// picture, `outward` any direction away from C; the strokes begin at the distance `radius`. O(team).
+struct TallyStroke {
+  Segment line;
+  bool five = false;
+};
+std::vector<TallyStroke> tally(std::size_t team, const Vec2& at, const Vec2& outward,
+                               double radius);
+
 // The shapes that the overlays select, back to front. If there are more than `most_lines`
 // candidates or teams, only every second, third and so on is shown, since more would be
 // indistinguishable. O(output).

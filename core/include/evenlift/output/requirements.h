@@ -12,24 +12,27 @@
 
 namespace evenlift {
 
-// The quantity that a condition is about. The first three are true or false.
-enum class Quantity : std::uint8_t {
-  held,      // the robots hold the object (is_held() of words.h)
-  stands,    // C is in the lifting base (equilibrium.h)
-  steady,    // any one robot may fail, and the object does not tip (failures_clear)
-  coverage,  // 0 to 1
-  max,       // the greatest planned load
-  min,       // the least planned load
-  spread,    // the greatest planned load minus the least
-  margin,    // of form closure
-  robots,    // their number
-};
-
+// A condition on a quantity:
+//
+//   held               the robots hold the object (is_held() of words.h)
+//   stands             C is in the lifting base (equilibrium.h)
+//   steady             any one robot may fail, and the object does not tip (failures_clear)
+//   capacity           no robot carries more than its capacity
+//   coverage           0 to 1
+//   max, min           the greatest and the least planned load
+//   spread             the greatest planned load minus the least, with C at its assumed place
+//   max_after_failure  the greatest load by springs after any one robot has failed
+//   margin             of form closure
+//   tipping_distance   the distance that C may be off before the object tips
+//   robots             their number
+//
+// The first four are true or false. `capacity`, `max` and `min` are kept wherever C lies within its
+// uncertainty; if that is so large that the loads are not known (uncertainty.h), they are not kept.
 struct Condition {
-  Quantity quantity = Quantity::held;
-  bool at_least = true;  // for numbers: >= or <=
-  double limit = 0;      // for numbers
-  std::string text;      // as given, without spaces
+  std::string_view quantity;  // one of these names
+  bool at_least = true;       // for numbers: >= or <=
+  double limit = 0;           // for numbers
+  std::string text;           // as given, without spaces
 };
 
 inline constexpr std::size_t most_conditions = 100;
@@ -41,19 +44,19 @@ Result<std::vector<Condition>> read_conditions(std::string_view text);
 
 // A condition with the value that it is about: a number, or 0 or 1. No value if the placement has
 // none, such as a load of an object that falls; then the condition is not kept. Numbers are compared
-// within tolerance: tau of the weight for loads, tau for coverage and margin.
+// within tolerance: tau of the weight for loads, tau L for distances, tau for coverage and margin.
 struct Requirement {
   Condition condition;
   std::optional<double> value;
   bool kept = false;
 };
 
-// O(m log m) in all.
-std::vector<Requirement> check_conditions(const Placement& placement,
+// O(m log m) for each; max_after_failure costs the same as single_failures() (placed_robots.h).
+std::vector<Requirement> check_conditions(const ShownPlacement& of,
                                           const std::vector<Condition>& conditions);
 
-// Whether a quantity is true or false. O(1).
-bool is_yes_or_no(Quantity quantity);
+// Whether its quantity is true or false. O(1).
+bool is_yes_or_no(const Condition& condition);
 
 // "coverage>=0.8: 0.834, kept", "held: no, not kept". O(1).
 std::string requirement_in_words(const Requirement& requirement);

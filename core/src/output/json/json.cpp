@@ -163,9 +163,9 @@ void add_misfits(std::vector<json::Member>& members, const Placement& placement)
 std::string requirements_json(const std::vector<Requirement>& requirements) {
   std::vector<std::string> items;
   for (const auto& [condition, value, kept] : requirements) {
-    const std::string known = !value                             ? "null"
-                              : is_yes_or_no(condition.quantity) ? json::boolean(*value == 1)
-                                                                 : json::number(*value);
+    const std::string known = !value                    ? "null"
+                              : is_yes_or_no(condition) ? json::boolean(*value == 1)
+                                                        : json::number(*value);
     items.push_back(json::object({{"condition", json::text(condition.text)},
                                   {"value", known},
                                   {"kept", json::boolean(kept)}}));

@@ -120,8 +120,8 @@ std::string as_yaml(const std::vector<PlacedRobot>& robots, bool carried, const 
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const PlacedRobot& robot = robots[i];
     const auto [z, w] = half_turn(robot.direction);
-    text += "  # Robot " + std::to_string(i + 1) + " of team " + std::to_string(robot.team + 1) +
-            " carries " +
+    text += "  # Robot " + std::to_string(i + 1) + " (team " + std::to_string(robot.team + 1) +
+            ") carries " +
             (carried ? shortest(robot.load) + " " + std::string(name(units.weight))
                      : "nothing: the object falls") +
             "\n";

@@ -193,8 +193,33 @@ class Drawing {
     return "<g class=\"slide\">\n" + arrow(tail, head, slide_colour) + "</g>\n";
   }
 
-  std::string robots() const {
+  // A pale body beneath each disc, not to scale, and the mark of its team. Among very many robots
+  // they would hide each other.
+  std::string around_robots() const {
     std::string out;
+    if (stands_.size() > most_labels) return out;
+    for (const Stand& stand : stands_) {
+      labels::Box box = disc(stand);
+      const Vec2 beyond(0.4 * disc_, 0.4 * disc_);
+      box = {box.low - beyond, box.high + beyond};
+      const Vec2 size = box.high - box.low;
+      if (sized_.empty())
+        out +=
+            element("rect", attribute("class", "small-body") + attribute("x", box.low.x()) +
+                                attribute("y", box.low.y()) + attribute("width", size.x()) +
+                                attribute("height", size.y()) + attribute("rx", size.y() / 2) +
+                                attribute("fill", body_colour) + attribute("fill-opacity", 0.15));
+      const Vec2 outward = stand.at - paper_(placement_.centre_of_mass);
+      for (const auto& [line, five] : tally(stand.team, stand.at, outward, disc_ + 1.5))
+        out += element("path", attribute("class", "tally") + path({line.from, line.to}, false) +
+                                   attribute("stroke", text_colour) +
+                                   attribute("stroke-width", five ? 3.5 : 1.75));
+    }
+    return out;
+  }
+
+  std::string robots() const {
+    std::string out = around_robots();
     for (std::size_t i = stands_.size(); i-- > 0;) {  // the first teams on top
       const labels::Box box = disc(stands_[i]);
       const Vec2 size = box.high - box.low;

@@ -12,8 +12,9 @@ std::vector<Stand> find_stands(const Placement& placement, const std::vector<Pla
                                const Paper& paper, double apart) {
   std::vector<Stand> stands;
   std::size_t added = 0;
-  const auto add = [&](const LiftingPoint& point, const std::string& number, double load) {
+  const auto add = [&](const LiftingPoint& point, std::size_t team, double load) {
     const std::size_t robot = added;
+    const std::string number = std::to_string(robot + 1);
     const Vec2 at = paper(point.position);
     std::optional<Box> body;
     if (!sized.empty()) body = body_box(sized[added], placement.stands->robot(), paper);
@@ -22,21 +23,18 @@ std::vector<Stand> find_stands(const Placement& placement, const std::vector<Pla
       return length(stand.at - at) < apart && stand.beneath == (point.edge == beneath);
     });
     if (taken == stands.end()) {
-      stands.push_back({at, number, {load}, {robot}, body, point.edge == beneath});
+      stands.push_back({at, number, team, {load}, {robot}, body, point.edge == beneath});
     } else {
       taken->numbers += "·" + number;
+      taken->team = 0;
       taken->loads.push_back(load);
       taken->robots.push_back(robot);
     }
   };
-  for (std::size_t i = 0; i < placement.teams.size(); ++i) {
-    const std::vector<Robot>& robots = placement.teams[i].robots;
-    for (std::size_t k = 0; k < robots.size(); ++k) {
-      // A single team has numbers for its robots.
-      const bool alone = is_one_team(placement.settings.method);
-      add(robots[k].point, std::to_string((alone ? k : i) + 1), robots[k].load);
-    }
-  }
+  const bool paired = !is_one_team(placement.settings.method);
+  for (std::size_t i = 0; i < placement.teams.size(); ++i)
+    for (const Robot& robot : placement.teams[i].robots)
+      add(robot.point, paired ? i + 1 : 0, robot.load);
   for (Stand& stand : stands)
     if (stand.loads.size() > 3) stand.numbers = "×" + std::to_string(stand.loads.size());
   return stands;

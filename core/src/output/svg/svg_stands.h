@@ -14,7 +14,8 @@ namespace evenlift::svg {
 
 struct Stand {
   Vec2 at = Vec2::Zero();     // in pixels
-  std::string numbers;        // of the teams, or of one team's robots: "3", "1·4", "×5" for five
+  std::string numbers;        // of the robots: "3", "1·4", "×5" for five
+  std::size_t team = 0;       // of a robot that stands alone, from 1; 0 if it has no team of two
   std::vector<double> loads;  // of the robots
   std::vector<std::size_t> robots;  // their numbers (loads.h)
   std::optional<Box> body;          // of the first of them, if robots have a size

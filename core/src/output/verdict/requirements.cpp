@@ -1,6 +1,10 @@
 #include "evenlift/output/requirements.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "document/stand_settings.h"
+#include "evenlift/capacity.h"
 #include "evenlift/numbers.h"
 #include "evenlift/output/words.h"
 #include "evenlift/tolerance.h"
@@ -8,35 +12,114 @@
 namespace evenlift {
 namespace {
 
-struct Named {
+using Value = std::optional<double>;
+
+bool has_robots(const ShownPlacement& of) { return !of.placement.teams.empty(); }
+
+// The planned loads, wherever C lies within its uncertainty. Nothing if the object falls, or if the
+// uncertainty is so large that the ranges are not known (uncertainty.h).
+std::optional<std::vector<LoadRange>> loads_of(const ShownPlacement& of) {
+  if (!of.placement.loads) return std::nullopt;
+  const double radius = of.shown.com_radius;
+  const auto models = radius > 0 ? model_loads(of.placement) : std::nullopt;
+  if (radius > 0 && (!models || radius > models->springs.same_within)) return std::nullopt;
+  return loads_by(LoadModel::plan, of.placement, models, radius);
+}
+
+Value greatest_load(const ShownPlacement& of) {
+  const auto loads = loads_of(of);
+  if (!loads) return std::nullopt;
+  double greatest = 0;
+  for (const LoadRange& load : *loads) greatest = std::max(greatest, load.greatest);
+  return greatest;
+}
+
+Value least_load(const ShownPlacement& of) {
+  const auto loads = loads_of(of);
+  if (!loads) return std::nullopt;
+  double least = loads->front().least;
+  for (const LoadRange& load : *loads) least = std::min(least, load.least);
+  return least;
+}
+
+Value within_capacity(const ShownPlacement& of) {
+  const auto loads = loads_of(of);
+  if (!loads) return 0;
+  std::vector<double> greatest;
+  for (const LoadRange& load : *loads) greatest.push_back(load.greatest);
+  return overloaded_robots(of, greatest).empty() ? 1 : 0;
+}
+
+Value greatest_after_failure(const ShownPlacement& of) {
+  if (!of.placement.loads) return std::nullopt;
+  double greatest = 0;
+  for (const auto& rest : single_failures(of.placement)) {
+    if (!rest) return std::nullopt;
+    greatest = std::max(greatest, rest->greatest_by_springs);
+  }
+  return greatest;
+}
+
+// What rounding may change in a value, as a part of this unit.
+enum class Unit : std::uint8_t { none, share, weight, length };
+
+struct Row {
   std::string_view name;
-  Quantity quantity;
+  bool yes_or_no;
+  Unit unit;
+  Value (*value)(const ShownPlacement&);
 };
-constexpr Named yes_or_no[] = {
-    {"held", Quantity::held}, {"stands", Quantity::stands}, {"steady", Quantity::steady}};
-constexpr Named numbers[] = {{"coverage", Quantity::coverage}, {"max", Quantity::max},
-                             {"min", Quantity::min},           {"spread", Quantity::spread},
-                             {"margin", Quantity::margin},     {"robots", Quantity::robots}};
 
-constexpr const char* allowed =
-    "a condition must be held, stands or steady, or one of coverage, max, min, spread, margin and "
-    "robots with >= or <= and a number, such as coverage>=0.8";
+// clang-format off
+const Row rows[] = {
+    {"held", true, Unit::none, [](const ShownPlacement& of) -> Value { return has_robots(of) && is_held(of.placement); }},
+    {"stands", true, Unit::none, [](const ShownPlacement& of) -> Value { return of.placement.loads.has_value(); }},
+    {"steady", true, Unit::none, [](const ShownPlacement& of) -> Value { return has_robots(of) && robustness(of.placement).failures_clear >= 1; }},
+    {"capacity", true, Unit::none, within_capacity},
+    {"coverage", false, Unit::share, [](const ShownPlacement& of) -> Value { return of.placement.coverage; }},
+    {"max", false, Unit::weight, greatest_load},
+    {"min", false, Unit::weight, least_load},
+    {"spread", false, Unit::weight,
+     [](const ShownPlacement& of) { return of.placement.loads ? Value(of.placement.loads->spread) : std::nullopt; }},
+    {"max_after_failure", false, Unit::weight, greatest_after_failure},
+    {"margin", false, Unit::share, [](const ShownPlacement& of) { return of.placement.closure.margin; }},
+    {"tipping_distance", false, Unit::length,
+     [](const ShownPlacement& of) -> Value { return has_robots(of) ? robustness(of.placement).tipping_distance : 0; }},
+    {"robots", false, Unit::none,
+     [](const ShownPlacement& of) -> Value { return static_cast<double>(count_robots(of.placement.teams)); }},
+};
+// clang-format on
 
-template <std::size_t count>
-std::optional<Quantity> find(const Named (&all)[count], std::string_view name) {
-  for (const Named& each : all)
-    if (each.name == name) return each.quantity;
-  return std::nullopt;
+const Row* find(std::string_view name) {
+  const auto* row = std::find_if(std::begin(rows), std::end(rows),
+                                 [&](const Row& each) { return each.name == name; });
+  return row == std::end(rows) ? nullptr : row;
+}
+
+const Row& row_of(const Condition& condition) { return *find(condition.quantity); }
+
+std::string names(bool yes_or_no) {
+  std::vector<std::string_view> found;
+  for (const Row& row : rows)
+    if (row.yes_or_no == yes_or_no) found.push_back(row.name);
+  std::string text;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const char* before = i == 0 ? "" : i + 1 < found.size() ? ", " : yes_or_no ? " or " : " and ";
+    text += before + std::string(found[i]);
+  }
+  return text;
 }
 
 std::optional<Condition> read_condition(const std::string& text) {
-  if (const auto quantity = find(yes_or_no, text)) return Condition{*quantity, true, 0, text};
   const std::size_t sign = text.find_first_of("<>");
-  if (sign == std::string::npos || text.substr(sign + 1, 1) != "=") return std::nullopt;
-  const auto quantity = find(numbers, std::string_view(text).substr(0, sign));
+  const std::string_view name = std::string_view(text).substr(0, sign);
+  const Row* row = find(name);
+  if (!row || row->yes_or_no != (sign == std::string::npos)) return std::nullopt;
+  if (row->yes_or_no) return Condition{row->name, true, 0, text};
+  if (text.substr(sign + 1, 1) != "=") return std::nullopt;
   const auto limit = read_number(std::string_view(text).substr(sign + 2));
-  if (!quantity || !limit) return std::nullopt;
-  return Condition{*quantity, text[sign] == '>', *limit, text};
+  if (!limit) return std::nullopt;
+  return Condition{row->name, text[sign] == '>', *limit, text};
 }
 
 std::string without_spaces(std::string_view text) {
@@ -48,52 +131,24 @@ std::string without_spaces(std::string_view text) {
 
 InputError refused(const std::string& condition) {
   const bool quotable = !condition.empty() && is_quotable(condition);
-  return bad_setting("require",
-                     allowed + (quotable ? ", not \"" + condition + "\"" : std::string()));
+  return bad_setting("require", "a condition must be " + names(true) + ", or one of " +
+                                    names(false) +
+                                    " with >= or <= and a number, such as coverage>=0.8" +
+                                    (quotable ? ", not \"" + condition + "\"" : std::string()));
 }
 
-// What rounding may change in a value.
-double slack(Quantity quantity, double weight) {
-  switch (quantity) {
-    case Quantity::max:
-    case Quantity::min:
-    case Quantity::spread:
-      return tau * weight;
-    case Quantity::coverage:
-    case Quantity::margin:
+double slack(Unit unit, const Placement& placement) {
+  switch (unit) {
+    case Unit::share:
       return tau;
-    case Quantity::held:
-    case Quantity::stands:
-    case Quantity::steady:
-    case Quantity::robots:
+    case Unit::weight:
+      return tau * placement.settings.weight;
+    case Unit::length:
+      return tau * placement.polygon.diameter();
+    case Unit::none:
       break;
   }
   return 0;
-}
-
-std::optional<double> value_of(Quantity quantity, const Placement& placement) {
-  const auto& loads = placement.loads;
-  switch (quantity) {
-    case Quantity::held:
-      return !placement.teams.empty() && is_held(placement) ? 1 : 0;
-    case Quantity::stands:
-      return loads ? 1 : 0;
-    case Quantity::steady:
-      return !placement.teams.empty() && robustness(placement).failures_clear >= 1 ? 1 : 0;
-    case Quantity::coverage:
-      return placement.coverage;
-    case Quantity::max:
-      return loads ? std::optional(loads->max) : std::nullopt;
-    case Quantity::min:
-      return loads ? std::optional(loads->min) : std::nullopt;
-    case Quantity::spread:
-      return loads ? std::optional(loads->spread) : std::nullopt;
-    case Quantity::margin:
-      return placement.closure.margin;
-    case Quantity::robots:
-      return static_cast<double>(count_robots(placement.teams));
-  }
-  return std::nullopt;
 }
 
 }  // namespace
@@ -111,23 +166,20 @@ Result<std::vector<Condition>> read_conditions(std::string_view text) {
   }
 }
 
-bool is_yes_or_no(Quantity quantity) {
-  for (const Named& each : yes_or_no)
-    if (each.quantity == quantity) return true;
-  return false;
-}
+bool is_yes_or_no(const Condition& condition) { return row_of(condition).yes_or_no; }
 
-std::vector<Requirement> check_conditions(const Placement& placement,
+std::vector<Requirement> check_conditions(const ShownPlacement& of,
                                           const std::vector<Condition>& conditions) {
   std::vector<Requirement> requirements;
   for (const Condition& condition : conditions) {
-    Requirement requirement{condition, value_of(condition.quantity, placement), false};
-    if (is_yes_or_no(condition.quantity))
+    const Row& row = row_of(condition);
+    Requirement requirement{condition, row.value(of), false};
+    if (row.yes_or_no)
       requirement.kept = requirement.value == 1;
     else if (requirement.value)
       requirement.kept = (condition.at_least ? *requirement.value - condition.limit
                                              : condition.limit - *requirement.value) >=
-                         -slack(condition.quantity, placement.settings.weight);
+                         -slack(row.unit, of.placement);
     requirements.push_back(std::move(requirement));
   }
   return requirements;
@@ -135,7 +187,7 @@ std::vector<Requirement> check_conditions(const Placement& placement,
 
 std::string requirement_in_words(const Requirement& requirement) {
   const std::string value = !requirement.value ? "no value"
-                            : is_yes_or_no(requirement.condition.quantity)
+                            : is_yes_or_no(requirement.condition)
                                 ? (*requirement.value == 1 ? "yes" : "no")
                                 : significant(*requirement.value, 6);
   return requirement.condition.text + ": " + value + (requirement.kept ? ", kept" : ", not kept");

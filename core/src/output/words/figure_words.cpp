@@ -28,7 +28,7 @@ class FigureWords {
     return written(counted_from_1(trace_.rays.chords[index_].vertex));
   }
   std::string robot_of_contact() const {
-    return evenlift::robot_of_contact(trace_, trace_.contacts[index_]);
+    return evenlift::robot_of_contact(trace_.contacts[index_]);
   }
   std::string edge_of_contact() const {
     return written(counted_from_1(trace_.contacts[index_].edge));

@@ -431,7 +431,7 @@ std::string StepCaptions::cut() const {
   const Contact& contact = trace_.contacts[item_];
   std::string text = fill(
       "Contact #, # on edge #. It pushes along its normal line: the object can turn clockwise only about points to the right of the line, counter-clockwise only about points to the left. ",
-      {counted_from_1(item_), robot_of_contact(trace_, contact), counted_from_1(contact.edge)});
+      {counted_from_1(item_), robot_of_contact(contact), counted_from_1(contact.edge)});
   if (detail_.clockwise.has_area && detail_.counterclockwise.has_area)
     return text +
            "It can still turn clockwise about some points, and counter-clockwise about others.";

@@ -139,10 +139,8 @@ Piece weight_text(const Trace& trace, double value, double largest) {
 
 Piece margin_text(double value) { return with_decimals(value, margin_decimals(value)); }
 
-std::string robot_of_contact(const Trace& trace, const Contact& contact) {
-  if (trace.balanced() || trace.given()) return fill("robot #", {counted_from_1(contact.point)});
-  const auto [team, robot] = find_robot(trace.placement.teams, contact.point);
-  return fill("robot # of team #", {counted_from_1(robot), counted_from_1(team)});
+std::string robot_of_contact(const Contact& contact) {
+  return fill("robot #", {counted_from_1(contact.point)});
 }
 
 MetricWords words_of(Metric metric) {

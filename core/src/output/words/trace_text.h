@@ -75,8 +75,8 @@ Piece weight_text(const Trace& trace, double value);
 Piece weight_text(const Trace& trace, double value, double largest);
 Piece margin_text(double value);
 
-// The robot of a contact: "robot 1 of team 2", or "robot 3" of balanced robots.
-std::string robot_of_contact(const Trace& trace, const Contact& contact);
+// The robot of a contact: "robot 3".
+std::string robot_of_contact(const Contact& contact);
 
 // The walkthrough's words for a metric: the quantity that it measures, the merit of the candidate
 // that wins, the place of the winning chord, and its lead over the next best.

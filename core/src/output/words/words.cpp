@@ -26,16 +26,6 @@ std::string capital(std::string text) {
   return text;
 }
 
-// "teams 1, 2 and 5".
-std::string teams_of(const Placement& placement, const std::vector<std::size_t>& robots) {
-  std::vector<std::size_t> teams;
-  for (const std::size_t robot : robots) {
-    const std::size_t team = find_robot(placement.teams, robot).team + 1;
-    if (teams.empty() || teams.back() != team) teams.push_back(team);
-  }
-  return (teams.size() == 1 ? "team " : "teams ") + listed(teams);
-}
-
 // "robots 3 and 4", numbered from 1.
 std::string robots_of(const std::vector<std::size_t>& robots) {
   return (robots.size() == 1 ? "robot " : "robots ") + numbers_from_1(robots);
@@ -62,13 +52,7 @@ std::string overload_in_words(const ShownPlacement& of, const std::vector<std::s
   const std::string verb = model == LoadModel::worst ? " can be"
                            : robots.size() == 1      ? " is"
                                                      : " are";
-  // While a robot fails, the discs show numbers of robots, not of teams. For balanced robots the
-  // number of the team means nothing.
-  const std::string which = failed ? ": " + robots_of(robots)
-                            : placement.settings.method == Method::balanced ? std::string()
-                            : placement.settings.method == Method::given
-                                ? ": " + robots_of(robots)
-                                : ": " + teams_of(placement, robots);
+  const std::string which = robots.size() == all ? std::string() : ": " + robots_of(robots);
   return who + " robots" + verb + " overloaded" + (has_own ? "" : ", with more than " + limit) +
          which + ".";
 }
@@ -109,17 +93,11 @@ std::string need_if_one_fails(const FailurePlan& plan, const Units& units) {
          " was found to allow for any one failure.";
 }
 
-// "a robot of team 2"; balanced robots are numbered individually.
-std::string robot_in_words(const Placement& placement, std::size_t robot) {
-  if (is_one_team(placement.settings.method)) return "robot " + std::to_string(robot + 1);
-  return "a robot of team " + std::to_string(find_robot(placement.teams, robot).team + 1);
-}
-
 // For a hold that relies on a contact near a corner.
 std::string near_corner_in_words(const ShownPlacement& of) {
   const Clearance& clearance = of.placement.closure.clearance;
-  return "The hold depends on the accuracy of " +
-         robot_in_words(of.placement, clearance.point.value_or(0)) + ", which stands only " +
+  return "The hold depends on the accuracy of robot " +
+         std::to_string(clearance.point.value_or(0) + 1) + ", which stands only " +
          promised_length(clearance.distance, of.shown.units) + " from a corner.";
 }
 
@@ -262,7 +240,11 @@ std::string coverage_in_words(const Placement& placement) {
   std::string share = percentage(placement.coverage);
   for (const auto& [sign, words] : {std::pair("<", "less than"), {">", "more than"}})
     if (share.starts_with(sign)) share.replace(0, 1, words);
-  return capital(share + " of the object can be pressed down on without tipping it.");
+  if (placement.coverage < good_coverage && !share.starts_with("less"))
+    share = "only " + share + " of the object, less than half,";
+  else
+    share += " of the object";
+  return capital(share + " can be pressed down on without tipping it.");
 }
 
 std::string closure_in_words(const ShownPlacement& of) {

@@ -1,0 +1,96 @@
+// The offer of other settings that would mend a placement.
+#include <string>
+
+#include "edits/sight.h"
+#include "evenlift/output/verdict.h"
+#include "evenlift/output/words.h"
+#include "kit/catch.h"
+#include "kit/corpus.h"
+#include "view/view_page.h"
+
+using namespace evenlift;
+using namespace evenlift::view;
+using namespace view_page;
+
+namespace {
+
+AppState state_of(const std::string& sample, Method method, std::uint32_t teams) {
+  Document document = corpus::polygon(sample);
+  document.settings.method = method;
+  document.settings.teams = teams;
+  AppState state;
+  begin(state, placed(document));
+  frame_view(state);
+  return state;
+}
+
+Judgement judged(const AppState& state) {
+  return judge({*state.derived().placement, shown(state)});
+}
+
+}  // namespace
+
+TEST_CASE("an offer has fewer faults, gives what it says, and is one step of undo",
+          "[view][offer][slow]") {
+  std::size_t offers = 0;
+  for (const std::string& sample : corpus::polygon_names()) {
+    for (const Method method : {Method::area, Method::distance, Method::random}) {
+      for (const std::uint32_t teams : {1u, 2u, 3u}) {
+        AppState state = state_of(sample, method, teams);
+        const Judgement before = judged(state);
+        const auto offer = state.derived().offer;
+        if (before.kind == VerdictKind::good) CHECK_FALSE(offer);
+        if (!offer) continue;
+        ++offers;
+        CAPTURE(sample, name(method), teams, offer->label);
+        const Settings own = settings(state);
+        const double covered = state.derived().placement->coverage;
+        const std::size_t depth = state.work.history.depth();
+        give(state, SetSettings{offer->settings});
+        const Judgement after = judged(state);
+        const bool lowers = offer->label.starts_with("Lower the ratio");
+        if (!lowers) CHECK(after.reasons.size() < before.reasons.size());
+        if (lowers) CHECK_FALSE(state.derived().placement->teams.empty());
+        if (offer->label.find("held") != std::string::npos)
+          CHECK(is_held(*state.derived().placement));
+        if (offer->label.find("covered") != std::string::npos)
+          CHECK(state.derived().placement->coverage > covered);
+        CHECK(state.work.history.depth() == depth + 1);
+        give(state, Undo{});
+        CHECK(settings(state) == own);
+        CHECK(state.derived().offer);
+      }
+    }
+  }
+  CHECK(offers > 20);
+}
+
+TEST_CASE("an offer waits for the end of a drag, and a challenge gives none", "[view][offer]") {
+  AppState state = state_of("grand-piano", Method::random, 2);
+  REQUIRE(state.derived().offer);
+  const std::uint64_t placements = computed().placements;
+  Settings changed = settings(state);
+  changed.weight = 60;
+  give(state, SetSettings{changed, true});
+  CHECK_FALSE(state.derived().offer);
+  CHECK(computed().placements == placements + 1);
+  give(state, EndEdit{});
+  CHECK(state.derived().offer);
+  give(state, SetChallenge{true});
+  CHECK_FALSE(state.derived().offer);
+  give(state, SetChallenge{false});
+  CHECK(state.derived().offer);
+}
+
+TEST_CASE("where no chord is even enough, a lower ratio is offered", "[view][offer]") {
+  Document document;
+  document.vertices = {{0, 0}, {400, 0}, {400, 150}, {150, 150}, {150, 300}, {0, 300}};
+  document.centre_of_mass = Vec2(330, 190);  // outside the object
+  document.settings.min_ratio = 1;
+  AppState state;
+  begin(state, placed(document));
+  REQUIRE(state.derived().offer);
+  CHECK(state.derived().offer->label.starts_with("Lower the ratio to 0."));
+  give(state, SetSettings{state.derived().offer->settings});
+  CHECK_FALSE(state.derived().placement->teams.empty());
+}

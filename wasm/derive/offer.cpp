@@ -1,0 +1,111 @@
+#include "derive/offer.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "derive/placing.h"
+#include "evenlift/output/verdict.h"
+#include "evenlift/output/words.h"
+#include "state/method.h"
+#include "state/opened.h"
+
+namespace evenlift::view {
+namespace {
+
+// Other settings for the same object. They are tried in this order.
+struct Alternative {
+  const char* verb;  // the beginning of the button's words
+  bool (*suits)(const Placement&);
+  void (*take)(Settings&);
+};
+
+bool chooses(const Placement& of) { return selects_candidates(of.settings.method); }
+
+const Alternative alternatives[] = {
+    {"Use ranges",
+     [](const Placement& of) {
+       return chooses(of) && of.stands && of.settings.positions == Positions::best;
+     },
+     [](Settings& settings) { settings.positions = Positions::range; }},
+    {"Make it hold",
+     [](const Placement& of) { return chooses(of) && goal_of(of.settings) != Goal::hold; },
+     [](Settings& settings) { settings.goal = Goal::hold; }},
+    {"Use area",
+     [](const Placement& of) {
+       return of.settings.method != Method::area && count_robots(of.teams) % 2 == 0;
+     },
+     [](Settings& settings) { settings.method = Method::area; }},
+    {"Use balanced",
+     [](const Placement& of) {
+       return of.settings.method != Method::balanced && count_robots(of.teams) >= least_robots;
+     },
+     [](Settings& settings) { settings.method = Method::balanced; }},
+};
+
+bool is_short(const Placement& placement) {
+  return !is_one_team(placement.settings.method) &&
+         placement.teams.size() < placement.requested_teams;
+}
+
+// What the alternative gives that the placement lacks: ": held, at least 93 % covered".
+std::string gains(const Placement& before, const Placement& after) {
+  std::string text;
+  const auto add = [&](const std::string& gain) { text += (text.empty() ? ": " : ", ") + gain; };
+  if (is_short(before) && after.teams.size() > before.teams.size())
+    add("room for " + count_of(after.teams.size(), "team", "teams"));
+  if (!before.loads && after.loads) add("it stands");
+  if (!is_held(before) && is_held(after)) add("held");
+  if (after.coverage > before.coverage + 0.01)
+    add((after.search_ended ? "" : "at least ") + percentage(after.coverage) + " covered");
+  return text;
+}
+
+std::optional<Offer> lower_ratio(const Derived& facts) {
+  if (!facts.best_ratio) return std::nullopt;
+  Offer offer{facts.placed.settings, "Lower the ratio to " + fixed(*facts.best_ratio, 2)};
+  offer.settings.min_ratio = *facts.best_ratio;
+  return offer;
+}
+
+std::optional<Offer> best_alternative(const Derived& facts, const Shown& shown) {
+  const Placement& now = *facts.placement;
+  const Judgement judgement = judge({now, shown});
+  if (judgement.kind == VerdictKind::good) return std::nullopt;
+  std::optional<Offer> found;
+  std::size_t fewest = judgement.reasons.size();
+  for (const Alternative& alternative : alternatives) {
+    if (!alternative.suits(now)) continue;
+    Settings wanted = facts.placed.settings;
+    alternative.take(wanted);
+    const Document document = wanted.method == facts.placed.settings.method
+                                  ? with_settings(facts.placed, wanted)
+                                  : by_other_method(facts, wanted.method);
+    const Result<Placement> other = try_placement(document, now);
+    if (!other || other->teams.empty()) continue;
+    const std::string gained = gains(now, *other);
+    const Judgement judged = judge({*other, shown});
+    if (gained.empty() || judged.reasons.size() >= fewest) continue;
+    fewest = judged.reasons.size();
+    found = Offer{document.settings, alternative.verb + gained};
+    if (judged.kind == VerdictKind::good) break;
+  }
+  return found;
+}
+
+}  // namespace
+
+void renew_offer(Derived& facts, const Shown& shown) {
+  constexpr std::size_t most_vertices = 2000, most_tried = 16;
+  facts.offer.reset();
+  if (facts.refusal || !facts.placement) return;
+  facts.offer = lower_ratio(facts);
+  const std::size_t robots = count_robots(facts.placement->teams);
+  if (facts.offer || robots == 0 || robots > most_tried ||
+      facts.placement->vertices().size() > most_vertices)
+    return;
+  facts.offer = best_alternative(facts, shown);
+}
+
+}  // namespace evenlift::view

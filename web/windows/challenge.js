@@ -1,0 +1,125 @@
+// A challenge: somebody places robots on an object, and only then sees where evenlift would put them. Its card stays
+// over the canvas, where the robots are dragged; the loads and the score follow.
+import { openCard } from "../kit/card.js";
+import { button, el } from "../kit/elements.js";
+import { number } from "../kit/elements.js";
+
+const asks = { 2: "two", 3: "three", 4: "four", 5: "five", 6: "six", 7: "seven", 8: "eight" };
+const heads = ["", "Robots", "At most", "Spread", "Covered", "Held"];
+
+// `beat` is the score of the sender, if there is one (page/address.js).
+export async function show(page, { place, beat }) {
+  const { program } = page;
+  let revealed = program.json("page_scores").length > 1;
+  const question = el("h2", {}, `Where would you put ${asks[place] ?? place} robots?`);
+  const advice = el("p", { class: "second", role: "status" });
+  const body = el("tbody");
+  const table = el(
+    "table",
+    { class: "scores" },
+    el("thead", {}, el("tr", {}, ...heads.map((head) => el("th", { scope: "col" }, head)))),
+    body,
+  );
+  const reveal = button("Show evenlift's", {
+    class: "button primary",
+    onclick: () => {
+      revealed = true;
+      program.call("page_show_answer");
+      refresh();
+    },
+  });
+  const again = button("Try again", {
+    onclick: () => {
+      revealed = false;
+      program.call("page_try_again", place);
+      refresh();
+    },
+  });
+  const copy = button("Copy challenge with my score", { onclick: () => copyChallenge() }, "copy");
+  const leave = new AbortController();
+  const card = await openCard(page, {
+    name: "challenge",
+    title: question.textContent,
+    body: [el("div", { class: "said" }, question, advice, table), el("div", { class: "ways" }, reveal, again, copy)],
+    closed: () => {
+      leave.abort();
+      program.call("page_set_challenge", 0);
+      page.leavePlaces();
+    },
+  });
+
+  async function copyChallenge() {
+    const [mine] = program.json("page_scores");
+    const address = page.placesAddress(program.text("page_challenge_link"), { place, beat: mine.numbers });
+    const done = await page.copy(address);
+    advice.textContent = done
+      ? "The challenge is copied: the object alone and your score, but not where your robots stand."
+      : "The browser did not allow copying. The address bar holds a link to the same object.";
+  }
+
+  let shown = "";
+  function refresh() {
+    const scores = program.text("page_scores");
+    const state = `${revealed}${scores}`;
+    if (state === shown) return;
+    shown = state;
+    const [mine, evenlifts] = JSON.parse(scores);
+    const rows = [["You", mine]];
+    if (beat) rows.push(["To beat", toBeat(program, place, beat)]);
+    if (revealed && evenlifts) rows.push(["evenlift", evenlifts]);
+    const best = bests(rows.map(([, score]) => score.numbers));
+    body.replaceChildren(...rows.map(([who, score], i) => row(who, score, best[i])));
+    question.textContent =
+      revealed || beat ? "Can you beat this?" : `Where would you put ${asks[place] ?? place} robots?`;
+    advice.textContent = revealed
+      ? "Beside your robots stand as many by evenlift. Drag yours to come closer."
+      : "Drag them so that all carry nearly the same, and so that the object does not tip.";
+    reveal.hidden = revealed;
+    again.hidden = !revealed;
+    copy.hidden = !revealed && !beat;
+    card.seat();
+  }
+  page.pictures.addEventListener("drawn", refresh, { signal: leave.signal });
+  refresh();
+}
+
+function row(who, score, best) {
+  const falls = !score.most;
+  const cells = [score.robots, falls ? "it falls" : score.most, falls ? "–" : score.spread, score.covered, score.held];
+  return el(
+    "tr",
+    {},
+    el("th", { scope: "row" }, who),
+    ...cells.map((text, i) => el("td", best[i - 1] ? { class: "best" } : {}, text)),
+  );
+}
+
+// For each score, which of its four numbers no other score betters: a smaller load and spread, more covered, held.
+function bests(scores) {
+  const fallen = ([most]) => most === 0;
+  const better = [
+    (a, b) => (fallen(b) && !fallen(a)) || (!fallen(a) && a[0] < b[0]),
+    (a, b) => (fallen(b) && !fallen(a)) || (!fallen(a) && a[1] < b[1]),
+    (a, b) => a[2] > b[2],
+    (a, b) => a[3] > b[3],
+  ];
+  return scores.map((own) =>
+    better.map(
+      (beats, i) => scores.length > 1 && !(i < 2 && fallen(own)) && !scores.some((other) => beats(other, own)),
+    ),
+  );
+}
+
+// The score of the sender in words. It comes from an address, so it is only claimed.
+function toBeat(program, place, [most, spread, covered, held]) {
+  const unit = program.text("page_weight_unit");
+  const weight = (value) => `${number(Number(value.toPrecision(3)))} ${unit}`;
+  return {
+    robots: String(place),
+    most: most > 0 ? weight(most) : "",
+    spread: weight(spread),
+    covered: `${Math.round(covered * 100)} %`,
+    held: held ? "held" : "not held",
+    numbers: [most, spread, covered, held],
+  };
+}
