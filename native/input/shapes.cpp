@@ -12,11 +12,17 @@ constexpr std::size_t most_listed = 20;
 
 ImportOptions import_options(const ShapeOptions& options) {
   ImportOptions import;
-  if (!options.flatten) return import;
-  import.tolerance = read_number(*options.flatten);
-  if (!import.tolerance || !(*import.tolerance > 0))
-    throw bad_value("--flatten", "the distance between curves and edges must be a number above 0",
-                    *options.flatten);
+  const auto read = [](const std::optional<std::string>& typed, const char* option,
+                       const char* rule) -> std::optional<double> {
+    if (!typed) return std::nullopt;
+    const std::optional<double> value = read_number(*typed);
+    if (!value || !(*value > 0)) throw bad_value(option, rule, *typed);
+    return value;
+  };
+  import.tolerance = read(options.flatten, "--flatten",
+                          "the distance between curves and edges must be a number above 0");
+  import.join = read(options.join, "--join",
+                     "the distance of ends that are joined must be a number above 0");
   return import;
 }
 
@@ -32,8 +38,11 @@ std::vector<std::string> listed(const std::vector<ImportedShape>& shapes) {
 
 std::size_t only_shape(const Import& import, const std::string& source,
                        const ShapeOptions& options) {
-  if (import.shapes.size() == 1) return 0;
-  const std::string count = "it has " + std::to_string(import.shapes.size()) + " shapes";
+  if (import.shapes.size() == 1 && !import.doubtful) return 0;
+  const std::string count =
+      import.doubtful ? "what does not close is larger than the largest shape" +
+                            std::string(import.notes.empty() ? "" : " (" + import.notes[0] + ")")
+                      : "it has " + std::to_string(import.shapes.size()) + " shapes";
   if (!options.offered)
     throw Failure{bad_input_status, source, count + ", but only one is allowed here"};
   throw Failure{bad_input_status, source, count + "; --shape N selects one", listed(import.shapes)};
@@ -67,6 +76,8 @@ void ShapeOptions::declare(CommandLine& line) {
   line.value(shape, "--shape", "N", "number or name of a shape, if the file has several");
   line.value(flatten, "--flatten", "T",
              "greatest distance of edges from curves (default about 1/1000 of the shape)");
+  line.value(join, "--join", "D",
+             "greatest distance of ends that are joined (default up to 1/1000 of the drawing)");
 }
 
 Document choose_shape(const std::string& text, const std::string& source,

@@ -11,7 +11,7 @@ namespace evenlift::native {
 
 // The typed options; empty if not given.
 struct ShapeOptions {
-  std::optional<std::string> shape, flatten;
+  std::optional<std::string> shape, flatten, join;
   bool offered = false;  // the command has these options
 
   void declare(CommandLine& line);

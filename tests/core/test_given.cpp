@@ -57,9 +57,9 @@ TEST_CASE("the order of settings in a request means nothing", "[request]") {
 
 TEST_CASE("the notice of a hole says whose the centre of mass is", "[import][geojson]") {
   const std::string open = notes(ring("", true));
-  CHECK(open ==
-        "1 hole was left out, since holes are not supported: only the outer ring defines the shape "
-        "and, unless one is given, its centre of mass\n");
+  CHECK(open.starts_with(
+      "1 hole was left out, since holes are not supported: only the outer ring defines the shape "
+      "and, unless one is given, its centre of mass\n"));
   const std::string given = notes(ring(R"("centre_of_mass": [2, 3])", true));
   CHECK(
       given ==

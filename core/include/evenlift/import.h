@@ -21,10 +21,14 @@ struct ImportOptions {
   // 1, 2 or 5 that is at most a thousandth of the larger side of the box around the shape and its
   // control points.
   std::optional<double> tolerance;
+  // The greatest distance of two ends of lines and curves that are joined, in the text's unit: above
+  // 0 and finite. By default up to a thousandth of the drawing's larger side.
+  std::optional<double> join;
 };
 
 struct ImportedShape {
   Document document;
+  std::vector<Points> holes;  // of a drawing: the outlines directly inside
   std::string name;  // of the object or its layer, UTF-8 without control characters; may be empty
   std::string kind;  // in words, such as "rectangle"
   std::optional<double> tolerance;  // if it had curves: greatest distance of edges from them
@@ -32,43 +36,81 @@ struct ImportedShape {
 
 struct Import {
   std::string format;                 // in words, such as "DXF"
-  std::vector<ImportedShape> shapes;  // in the order of the text; one or more
+  std::vector<ImportedShape> shapes;  // one or more; of a drawing by area, the largest first
   std::vector<std::string> notes;     // omissions and decisions, as sentences without full stops
   std::string unit;           // in words, such as "millimetres"; empty if the text names none
+  bool doubtful = false;      // what was left out is larger than any shape, so a person should choose
   bool has_settings = false;  // the shape has the text's settings: evenlift wrote it
 };
 
 // Reads a text. The content determines the format:
-//   formats.h  all that read_polygon() reads. If a text begins like the thesis's format or WKT, its
-//              errors are those of read_polygon()
-//   SVG        polygon, polyline, path, rect, circle and ellipse with their transforms, in user
-//              units and with y turned upwards. Each outline of a path is a shape. Hidden elements
-//              and the content of defs, symbol, clipPath, mask, marker and pattern are not drawn.
-//              A picture that evenlift saved has its share link in <metadata>; the link is opened.
-//              width, height and viewBox give the unit of the user units, as in width="210mm"
-//              viewBox="0 0 210 297"
+//   formats.h  all that read_polygon() reads. If a text begins like the thesis's format, its errors
+//              are those of read_polygon()
+//   SVG        polygon, polyline, path, line, rect, circle and ellipse with their transforms, of
+//              the attribute or CSS, and copies of them (use, symbol), also of an svg in an svg,
+//              with y turned upwards. Each outline of a path is a shape. Of a switch the first
+//              child that all programs can read is drawn. The content of defs, clipPath, mask,
+//              marker and pattern is not. Shapes that are not seen are left out: by display,
+//              visibility, opacity, or without fill and stroke, in an attribute, a style, a style
+//              sheet (selectors of a tag, a class, an id) or by inheritance. If no shape has fill
+//              or stroke, all are read. A picture that evenlift saved has its share link in
+//              <metadata>; the link is opened. A size on paper, as in width="210mm" height="297mm",
+//              gives the unit: mm, cm, in, and mm for pt, pc and Q. Coordinates are scaled to it,
+//              by viewBox and preserveAspectRatio, or without viewBox by 96 user units for an inch;
+//              about the origin of user units. They stay as they are if a user unit already is 1
+//              mm, cm, m or in, which is then the unit. Without a size on paper they are user
+//              units. A curve that ends where it began and whose control points are within the
+//              tolerance or 1/200 of its outline's larger side is dropped. Bounded by 64 MiB for
+//              all copies together
 //   DXF        with text codes, the model space: closed LWPOLYLINE and POLYLINE with bulges,
-//              CIRCLE, and closed ELLIPSE and SPLINE. LINE, ARC and open ones of these in one
-//              layer are chained where their ends are no farther apart than 1/100000 of the
-//              drawing's larger side, and count if the chain closes. $INSUNITS gives the unit, as
-//              a label if evenlift has it
+//              CIRCLE, and closed ELLIPSE and SPLINE; LINE, ARC and open ones of these are
+//              pieces. A SPLINE is any B-spline or
+//              NURBS curve of degree 1 to 10 with control points. INSERT draws its block: scaled,
+//              mirrored, turned, in columns and rows, and within other blocks up to 32 deep; the
+//              text of all copies together has at most 128 MiB. A block's objects on layer 0 are on
+//              the layer of the INSERT. Objects that are invisible, on a layer that is off or
+//              frozen, or on Defpoints are left out. $INSUNITS gives the unit, as a label if
+//              evenlift has it
 //   columns    x and y in lines, separated by tabs, semicolons, bars, commas or spaces: by the
-//              first of these, in this order, that the first line with a number contains.
-//              Decimals may have a comma unless commas or spaces separate the columns. A heading
-//              may name the columns x and y, and their unit: x (mm), y (mm); otherwise the first
-//              two columns with numbers count. Lines that begin with # are comments, and blank
-//              lines separate shapes
-//   JSON       [[x, y], ...], or [{"x": x, "y": y}, ...], or an array of these
+//              first of these, in this order, that the first line with two numbers contains.
+//              Decimals may have a comma unless commas or spaces separate the columns; between
+//              commas they may if they are in quotes and cannot be thousands. A heading may name
+//              the columns in any case, with a unit: x (mm), X-Coordinate, POINT_X, Position X,
+//              Easting, E, lon, and the same for y. x and y go before easting and northing, and
+//              these before longitude and latitude. Otherwise the first two columns with numbers
+//              count, except those that number the lines, stay the same, or have a heading such
+//              as "Point No." or "Elevation", while two others are there; a note says which. Lines
+//              that begin with # are comments, or a heading before the first row. Up to 100 lines
+//              before the first row are headings; blank lines separate shapes, and a line of words
+//              before a shape is its name. Rows that change their columns, or the word that the
+//              first two begin with, are refused. The two surfaces of an airfoil are joined
+//   WKT        POLYGON, MULTIPOLYGON and those in a GEOMETRYCOLLECTION, one geometry or several,
+//              also with SRID=...; before it, or as a column of a table, whose shapes have the
+//              names or numbers of another column
+//   JSON       [[x, y], ...], or [{"x": x, "y": y}, ...], or an array or an object of these; the
+//              names of a point's members are those of columns. As Python writes them, tuples and
+//              numbers such as "1." are also read
+//   Esri JSON  the outer rings of a geometry, a feature or a set of features
 //   GeoJSON    the outer rings of the polygons in a FeatureCollection, MultiPolygon or
 //              GeometryCollection, named by `name`, `title` or `id`
 //   links      a share link alone
 //   results    the JSON of `evenlift place --json`, of the page and of `link decode`, with all
 //              settings. A centre of mass that equals the centroid in every bit is the centroid
-// A vertex that equals the preceding vertex is dropped from drawings. A last vertex that repeats
-// the first is also dropped: if it is equal, or in drawings within 1/100000 of the shape's larger
-// side. Nothing else is checked; Polygon::create does that. The result depends only on the text and
-// numbers, on every platform. Bounded by max_text_bytes, max_shapes, and max_vertices for all
-// shapes together. O(bytes + points), and O(n log n) for chains.
+// Pieces of a drawing (in SVG lines and open paths) are joined into outlines: within their layer,
+// then across layers. Ends are joined if they are near, within 1e-6 of the drawing's larger side, then
+// within coarser steps up to 1e-3 where something stays open; a note gives the gap. Pieces that lie
+// on others count once, and what leads nowhere is left out. The faces that remain are the shapes, in
+// whatever order the pieces are. An open path of an SVG that meets no other is closed by a straight
+// edge. An outline directly inside another is a hole of it (`holes`), and a note says so.
+// A vertex that equals the preceding vertex is dropped, outside drawings with a note; not from the
+// thesis's format, links and results. A last vertex that repeats the first is also dropped: if it is
+// equal, or in drawings within 1/100000 of the shape's larger side. Coordinates that are degrees by
+// the text's own words (GeoJSON without another reference system, columns of longitude and latitude,
+// the reference systems of EWKT and Esri JSON) stay as they are, with a note. Files of other kinds
+// that are known (meshes, STEP, IGES, G-code) are refused by name. Nothing else is checked;
+// Polygon::create does that. The result depends only on the text and numbers, on every platform.
+// Bounded by max_text_bytes, max_shapes, and max_vertices for all shapes together. O(bytes +
+// points), and O(n log n) for chains.
 Result<Import> read_shapes(std::string_view text, const ImportOptions& options = {});
 
 // The places of robots that already stand, with their capacities if any robot has one: as many, each

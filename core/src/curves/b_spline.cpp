@@ -2,24 +2,30 @@
 #include <cmath>
 
 #include "curves/outline.h"
+#include "curves/rational_bezier.h"
 
 namespace evenlift {
 namespace {
 
-constexpr std::size_t max_degree = 3;
+// As fractions of the larger side of the box around the control points: the deviation of the pieces
+// from the curve, and the gap between parts of the curve that counts as none.
+constexpr double precision = 1e-7;
+constexpr double same_end = 1e-6;
 
 // The span between the knots k and k + 1, as its polar form: symmetric in its arguments, linear in
 // each, and equal to the curve's point at t where all arguments are t. The control points of the
 // Bézier curve are its values where some arguments are the start of the span and the others its
 // end.
+template <class Point>
 class Span {
  public:
-  Span(const Points& control, const std::vector<double>& knots, std::size_t degree, std::size_t k)
+  Span(const std::vector<Point>& control, const std::vector<double>& knots, std::size_t degree,
+       std::size_t k)
       : control_(control), knots_(knots), degree_(degree), k_(k) {}
 
   // The value with `ends` of the arguments at the end of the span. De Boor's algorithm.
-  Vec2 corner(std::size_t ends) const {
-    Vec2 d[max_degree + 1];
+  Point corner(std::size_t ends) const {
+    Point d[max_spline_degree + 1];
     for (std::size_t j = 0; j <= degree_; ++j) d[j] = control_[k_ - degree_ + j];
     for (std::size_t r = 1; r <= degree_; ++r) {
       const double at = knots_[r <= ends ? k_ + 1 : k_];
@@ -32,33 +38,107 @@ class Span {
   }
 
  private:
-  const Points& control_;
+  const std::vector<Point>& control_;
   const std::vector<double>& knots_;
   std::size_t degree_, k_;
 };
 
+// Spans without weights of degree 1 to 3, which are pieces of an outline.
+class PlainSpans {
+ public:
+  PlainSpans(const Points& control, const std::vector<double>& knots, std::size_t degree)
+      : control_(control), knots_(knots), degree_(degree) {}
+
+  Vec2 start(std::size_t k) const { return Span(control_, knots_, degree_, k).corner(0); }
+  void add(Outline& outline, std::size_t k, std::size_t) const {
+    const Span span(control_, knots_, degree_, k);
+    if (degree_ == 1)
+      outline.line_to(span.corner(1));
+    else if (degree_ == 2)
+      outline.quadratic_to(span.corner(1), span.corner(2));
+    else
+      outline.cubic_to(span.corner(1), span.corner(2), span.corner(3));
+  }
+
+ private:
+  const Points& control_;
+  const std::vector<double>& knots_;
+  std::size_t degree_;
+};
+
+// All others. Weights are divided by the greatest, so that they cannot overflow.
+class WeightedSpans {
+ public:
+  WeightedSpans(const Points& control, const std::vector<double>& knots, std::size_t degree,
+                const std::vector<double>& weights, double side)
+      : knots_(knots), degree_(degree), origin_(control.front()), tolerance_(precision * side) {
+    const double greatest = weights.empty() ? 1 : *std::max_element(weights.begin(), weights.end());
+    control_.reserve(control.size());
+    for (std::size_t i = 0; i < control.size(); ++i) {
+      const double weight = weights.empty() ? 1 : weights[i] / greatest;
+      const Vec2 point = (control[i] - origin_) * weight;
+      control_.push_back({point.x(), point.y(), weight});
+    }
+  }
+
+  Vec2 start(std::size_t k) const {
+    const WeightedPoint p = Span(control_, knots_, degree_, k).corner(0);
+    return origin_ + p.head<2>() / p.z();
+  }
+  void add(Outline& outline, std::size_t k, std::size_t most) const {
+    const Span span(control_, knots_, degree_, k);
+    RationalBezier curve;
+    curve.degree = degree_;
+    for (std::size_t i = 0; i <= degree_; ++i) curve.points[i] = span.corner(i);
+    add_rational(outline, curve, origin_, tolerance_, most);
+  }
+
+ private:
+  const std::vector<double>& knots_;
+  std::size_t degree_;
+  std::vector<WeightedPoint> control_;
+  Vec2 origin_;
+  double tolerance_;
+};
+
+// The pieces of all spans with a length. `gap` is the greatest one between parts that counts as
+// none.
+template <class Spans>
+std::optional<Outline> outline_of(const Spans& spans, const std::vector<double>& knots,
+                                  std::size_t degree, double gap, std::size_t most) {
+  std::optional<Outline> outline;
+  for (std::size_t k = degree; k + degree + 1 < knots.size(); ++k) {
+    if (!(knots[k] < knots[k + 1])) continue;
+    if (!outline) outline = Outline{spans.start(k), {}};
+    // degree + 1 equal knots separate the curve into two, which may still meet.
+    if (knots[k - degree] == knots[k] && length(spans.start(k) - outline->end()) > gap)
+      return std::nullopt;
+    spans.add(*outline, k, most);
+    if (outline->pieces.size() > most) break;
+  }
+  return outline;
+}
+
 }  // namespace
 
 std::optional<Outline> Outline::b_spline(const Points& control, const std::vector<double>& knots,
-                                         std::size_t degree) {
-  const bool fits = degree >= 1 && degree <= max_degree && control.size() > degree &&
-                    knots.size() == control.size() + degree + 1;
+                                         std::size_t degree, const std::vector<double>& weights,
+                                         std::size_t most) {
+  const bool fits = degree >= 1 && degree <= max_spline_degree && control.size() > degree &&
+                    knots.size() == control.size() + degree + 1 &&
+                    (weights.empty() || weights.size() == control.size());
   if (!fits || !std::is_sorted(knots.begin(), knots.end())) return std::nullopt;
-  std::optional<Outline> outline;
-  for (std::size_t k = degree; k < control.size(); ++k) {
-    if (!(knots[k] < knots[k + 1])) continue;
-    // degree + 1 equal knots separate the curve into two.
-    if (outline && knots[k - degree] == knots[k]) return std::nullopt;
-    const Span span(control, knots, degree, k);
-    if (!outline) outline = Outline{span.corner(0), {}};
-    if (degree == 1)
-      outline->line_to(span.corner(1));
-    else if (degree == 2)
-      outline->quadratic_to(span.corner(1), span.corner(2));
-    else
-      outline->cubic_to(span.corner(1), span.corner(2), span.corner(3));
-  }
-  return outline;
+  const auto positive = [](double weight) { return weight > 0; };
+  if (!std::all_of(weights.begin(), weights.end(), positive)) return std::nullopt;
+  const Vec2 size = bounding_box(control).size();
+  const double side = std::max(size.x(), size.y()), gap = same_end * side;
+  const auto differs = [&](double weight) { return weight != weights.front(); };
+  const bool weighted = std::any_of(weights.begin(), weights.end(), differs);
+  if (degree <= 3 && !weighted)
+    return outline_of(PlainSpans(control, knots, degree), knots, degree, gap, most);
+  const std::vector<double> none;
+  return outline_of(WeightedSpans(control, knots, degree, weighted ? weights : none, side), knots,
+                    degree, gap, most);
 }
 
 }  // namespace evenlift

@@ -33,6 +33,9 @@ struct CurvePiece {
   double weight = 1;                                 // of a conic's control point, in (0, 1]
 };
 
+inline constexpr std::size_t max_spline_degree = 10;
+inline constexpr std::size_t max_spline_pieces = std::size_t{1} << 20;
+
 // An outline, or a part of an outline.
 struct Outline {
   Vec2 start = Vec2::Zero();
@@ -55,11 +58,18 @@ struct Outline {
               bool large, const Vec2& last);
   // The image of the whole unit circle, counter-clockwise before the map. Sets the start.
   static Outline ellipse(const Affine& frame);
-  // The B-spline curve of degree 1, 2 or 3 without weights. Its knots must be finite, in order, and
-  // control points + degree + 1 in number. Nothing if they are not, or if the curve has two parts
-  // or no length. O(points).
+  // The B-spline curve of degree 1 to max_spline_degree, and with weights the NURBS curve. Its
+  // knots must be finite, in order, and control points + degree + 1 in number, its weights finite,
+  // above 0, and as many as control points. Nothing if they are not, or if the curve has no length,
+  // or parts with a gap of more than 1e-6 of the larger side of the box around the control points.
+  // Lines, parabolas and cubics without weights are exact, and so are conics with weights of at
+  // most 1. Other curves deviate from the outline by at most 1e-7 of that side, unless weights
+  // differ by so many orders of magnitude that 10 halvings of a span do not suffice. The outline
+  // ends as soon as it has more than `most` pieces. O(points degree^3 + pieces degree^2).
   static std::optional<Outline> b_spline(const Points& control, const std::vector<double>& knots,
-                                         std::size_t degree);
+                                         std::size_t degree,
+                                         const std::vector<double>& weights = {},
+                                         std::size_t most = max_spline_pieces);
 };
 
 // The outline in the opposite direction, and its image. O(pieces).

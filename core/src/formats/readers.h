@@ -2,10 +2,13 @@
 // byte-order mark. read_polygon() in formats.cpp chooses the reader.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string_view>
 
 #include "evenlift/document.h"
 #include "evenlift/result.h"
+#include "numbers/text_cursor.h"
 
 namespace evenlift {
 
@@ -22,6 +25,14 @@ static_assert(max_vertices == 1048576, "no_more_vertices names the number");
 
 // Whether the word is WKT's name for a geometry other than a polygon, in upper or lower case. O(1).
 bool names_other_geometry(std::string_view word);
+
+// Reads the positions of a ring of WKT and the parenthesis after them, without a last vertex that
+// equals the first. Counts positions with coordinates beyond x and y in `beyond`, or refuses them if
+// it is null. O(bytes).
+std::optional<InputError> take_wkt_ring(TextCursor& cursor, Points& ring, std::size_t* beyond);
+
+// Whether the word stands for further coordinates in WKT: Z, M or ZM. O(1).
+bool names_wkt_dimensions(std::string_view word);
 
 // Drops the last vertex of a ring if it equals the first. O(1).
 void drop_closing_vertex(Points& ring);

@@ -8,10 +8,6 @@
 namespace evenlift {
 namespace {
 
-bool names_dimensions(std::string_view word) {
-  return same_word(word, "z") || same_word(word, "m") || same_word(word, "zm");
-}
-
 // Reads everything before the first parenthesis.
 std::optional<InputError> take_keywords(TextCursor& cursor) {
   const std::size_t start = cursor.offset();
@@ -25,7 +21,7 @@ std::optional<InputError> take_keywords(TextCursor& cursor) {
                            "only a POLYGON is supported, no other geometry");
   }
   const bool polygon = same_word(word.substr(0, 7), "polygon");
-  if (!polygon || (word.size() > 7 && !names_dimensions(word.substr(7)))) {
+  if (!polygon || (word.size() > 7 && !names_wkt_dimensions(word.substr(7)))) {
     return cursor.error_at(start, ErrorCode::bad_syntax,
                            "expected '(', 'CoM:', 'POLYGON' or '{' but found a word");
   }
@@ -34,7 +30,7 @@ std::optional<InputError> take_keywords(TextCursor& cursor) {
   cursor.skip_white_space();
   const std::size_t second = cursor.offset();
   const std::string_view what = cursor.take_word();
-  if (names_dimensions(what)) {
+  if (names_wkt_dimensions(what)) {
     return cursor.error_at(second, ErrorCode::unsupported, no_third_coordinate);
   }
   if (same_word(what, "empty")) {
@@ -47,29 +43,45 @@ std::optional<InputError> take_keywords(TextCursor& cursor) {
   return std::nullopt;
 }
 
-// Reads `x y`. The caller checks the rest.
-std::optional<InputError> take_position(TextCursor& cursor, Vec2& point) {
+// Reads `x y` and counts further coordinates, or refuses them. The caller checks the rest.
+std::optional<InputError> take_position(TextCursor& cursor, Vec2& point, std::size_t* beyond) {
+  constexpr std::size_t most_coordinates = 4;
   cursor.skip_white_space();
   if (auto error = cursor.take_number(point.x(), "a number")) return error;
   const std::size_t end_of_first = cursor.offset();
   cursor.skip_white_space();
   if (cursor.offset() == end_of_first) return cursor.expected("a space between the coordinates");
   if (auto error = cursor.take_number(point.y(), "a number")) return error;
-  const std::size_t end_of_second = cursor.offset();
-  cursor.skip_white_space();
-  if (cursor.offset() > end_of_second && cursor.sees_number()) {
-    return cursor.error(ErrorCode::unsupported, no_third_coordinate);
+  for (std::size_t count = 2;; ++count) {
+    const std::size_t end_of_last = cursor.offset();
+    cursor.skip_white_space();
+    // Programs write a height that they do not know as NaN.
+    const bool unknown = beyond && same_word(cursor.word(), "nan");
+    if (cursor.offset() == end_of_last || (!unknown && !cursor.sees_number())) return std::nullopt;
+    if (!beyond || count == most_coordinates)
+      return cursor.error(ErrorCode::unsupported, no_third_coordinate);
+    if (count == 2) ++*beyond;
+    double ignored = 0;
+    if (unknown)
+      cursor.take_word();
+    else if (auto error = cursor.take_number(ignored, "a number"))
+      return error;
   }
-  return std::nullopt;
 }
 
-std::optional<InputError> take_ring(TextCursor& cursor, Points& ring) {
+}  // namespace
+
+bool names_wkt_dimensions(std::string_view word) {
+  return same_word(word, "z") || same_word(word, "m") || same_word(word, "zm");
+}
+
+std::optional<InputError> take_wkt_ring(TextCursor& cursor, Points& ring, std::size_t* beyond) {
   do {
     if (ring.size() > max_vertices) {
       return cursor.error(ErrorCode::too_many_vertices, no_more_vertices);
     }
     Vec2 point;
-    if (auto error = take_position(cursor, point)) return error;
+    if (auto error = take_position(cursor, point, beyond)) return error;
     ring.push_back(point);
   } while (cursor.take(','));
   if (!cursor.take(')')) return cursor.expected("',' or ')' after the coordinates");
@@ -79,8 +91,6 @@ std::optional<InputError> take_ring(TextCursor& cursor, Points& ring) {
   }
   return std::nullopt;
 }
-
-}  // namespace
 
 bool names_other_geometry(std::string_view word) {
   static constexpr std::string_view names[] = {
@@ -100,7 +110,7 @@ Result<Document> read_wkt(std::string_view text) {
   if (!cursor.take('(')) return cursor.expected("'((' after 'POLYGON'");
   cursor.skip_white_space();
   if (!cursor.take('(')) return cursor.expected("'((' after 'POLYGON'");
-  if (auto error = take_ring(cursor, document.vertices)) return *std::move(error);
+  if (auto error = take_wkt_ring(cursor, document.vertices, nullptr)) return *std::move(error);
 
   cursor.skip_white_space();
   if (cursor.sees(',')) return cursor.error(ErrorCode::unsupported, no_holes);

@@ -25,27 +25,42 @@ std::string_view trimmed_of_commas(std::string_view line) {
   return nothing ? std::string_view() : line;
 }
 
+// The place of the quotation mark that ends the quoted cell at `at`; "" inside it is a mark of its
+// text.
+std::size_t end_of_quotes(std::string_view line, std::size_t at) {
+  std::size_t end = line.find('"', at + 1);
+  while (end != std::string_view::npos && end + 1 < line.size() && line[end + 1] == '"')
+    end = line.find('"', end + 2);
+  return end;
+}
+
 }  // namespace
 
 std::optional<Line> Lines::next() {
   bool blank = false;
   while (at_ < text_.size()) {
+    ++number_;
     const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
     const std::string_view line = trimmed_of_commas(text_.substr(at_, end - at_));
     at_ = end + 1;
     if (end + 1 < text_.size() && text_[end] == '\r' && text_[end + 1] == '\n') ++at_;
     if (line.empty())
       blank = true;
-    else if (line.front() != '#')
-      return Line{line, blank};
+    else if (line.front() != '#' || comments_ == Comments::returned)
+      return Line{line, blank, number_};
   }
   return std::nullopt;
 }
 
 char separator_of(std::string_view line) {
-  for (const char c : {'\t', ';', '|', ','})
-    if (line.find(c) != std::string_view::npos) return c;
-  return ' ';
+  constexpr std::string_view separators = "\t;|,";
+  std::size_t best = separators.size();
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '"') quoted = !quoted;
+    if (!quoted) best = std::min(best, separators.find(c));
+  }
+  return best < separators.size() ? separators[best] : ' ';
 }
 
 Fields split_cells(std::string_view line, char separator) {
@@ -57,7 +72,7 @@ Fields split_cells(std::string_view line, char separator) {
     }
     // A quoted field may contain the separator.
     const bool quoted = at < line.size() && line[at] == '"';
-    const std::size_t quote = quoted ? line.find('"', at + 1) : std::string_view::npos;
+    const std::size_t quote = quoted ? end_of_quotes(line, at) : std::string_view::npos;
     const std::size_t from = quote == std::string_view::npos ? at : quote;
     const std::string_view separators =
         separator == ' ' ? std::string_view(" \t") : std::string_view(&separator, 1);

@@ -2,6 +2,7 @@
 // y".
 #include <algorithm>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 #include "evenlift/numbers.h"
@@ -9,17 +10,50 @@
 #include "import/cells.h"
 #include "import/gathering.h"
 #include "import/readers.h"
+#include "import/ring_notes.h"
+#include "import/table_columns.h"
+#include "import/table_headings.h"
 #include "import/unit_words.h"
+#include "import/wkt_shapes.h"
 #include "numbers/text_cursor.h"
 
 namespace evenlift {
 namespace {
 
-// Whether the line begins with a number, perhaps in quotes. No heading does.
-bool has_number_first(std::string_view line) {
-  line.remove_prefix(std::min(line.find_first_not_of(" \t\"+-.,;|"), line.size()));
-  return !line.empty() && line[0] >= '0' && line[0] <= '9';
+// Lines before the first row. A table that begins later is none.
+constexpr std::size_t most_heading_lines = 100;
+
+// The cells of a line that are parted by two spaces or more, as in "X coord    Y coord".
+Fields split_at_wide_spaces(std::string_view line) {
+  Fields cells;
+  while (!line.empty()) {
+    const std::size_t end = std::min(line.find("  "), line.size());
+    if (const std::string_view cell = trimmed(line.substr(0, end)); !cell.empty())
+      cells.push_back(cell);
+    line.remove_prefix(std::min(line.size(), end + 2));
+  }
+  return cells;
 }
+
+// "x [mm] y [mm]" in cells that spaces part: each bracket belongs to the name before it.
+Fields with_brackets(const Fields& cells) {
+  Fields whole;
+  for (const std::string_view cell : cells) {
+    const bool bracket = !cell.empty() && (cell[0] == '(' || cell[0] == '[');
+    if (bracket && !whole.empty()) {
+      const char* begin = whole.back().data();
+      whole.back() = {begin, static_cast<std::size_t>(cell.data() + cell.size() - begin)};
+    } else {
+      whole.push_back(cell);
+    }
+  }
+  return whole;
+}
+
+struct Block {  // the lines between two blank lines
+  std::string name;
+  Points points;
+};
 
 class ColumnReader {
  public:
@@ -28,73 +62,69 @@ class ColumnReader {
   Result<Import> read();
 
  private:
-  InputError error(std::string_view at, ErrorCode code, std::string_view message) const;
-  InputError error(const Line& line, ErrorCode code, std::string_view message) const {
-    return error(line.text, code, message);
-  }
-  void find_separator();
-  std::optional<InputError> read_lines();
-  bool is_heading(const Line& line, const Fields& fields) const;
-  std::optional<InputError> heading(const Line& line, const Fields& fields);
-  std::optional<InputError> row(const Line& line);
-  std::optional<InputError> choose_columns(const Line& line, const Fields& fields);
+  using Problem = std::optional<InputError>;
+
+  InputError error(std::string_view at, ErrorCode code, std::string message) const;
+  Problem read_lines();
+  bool is_row(const Line& line, const Fields& cells, const Lines& following);
+  bool is_count(const Line& line, const Fields& cells, const Lines& following) const;
+  Problem check_heading(const Line& line, const Fields& cells) const;
+  bool take_heading(const Line& line);
+  void leave_out_headings();
+  Problem begin_rows(const Line& row, const Fields& cells);
+  std::string_view rows_from(const Line& row) const;
+  bool take_names(const Line& heading, const Line& row, const Fields& cells);
+  void take_units(const Line& heading);
+  void take_words(const std::vector<Line>& words);
+  Problem choose(const Line& row, const Fields& cells, const Fields& headings);
+  Problem check_row(const Line& line, const Fields& cells);
+  Problem check_word(const Fields& cells);
+  void follow_shapes(const Fields& cells);
+  Problem row(const Line& line, const Fields& cells);
   InputError not_a_number(std::string_view field) const;
-  void end_shape();
+  void end_block();
+  void join_surfaces();
+  Problem check_count() const;
+  void add_notes();
 
   std::string_view text_;
   Gathering gathering_;
-  char separator_ = ' ';
-  bool decimal_comma_ = false;  // allowed
-  std::optional<std::size_t> x_, y_;
-  bool named_ = false;  // the heading chose the columns
-  bool more_columns_ = false;
-  bool has_rows_ = false;               // of numbers
-  LengthUnit unit_ = LengthUnit::none;  // the heading gives it for both columns
-  std::string name_;
-  Points points_;
+  CellStyle style_;
+  std::vector<Line> headings_;  // of this block, until its first row
+  std::optional<NamedColumns> named_;
+  std::size_t x_ = 0, y_ = 0;
+  bool chosen_ = false;  // x and y
+  // Of the first row, if headings name nothing:
+  std::size_t first_row_size_ = 0;
+  std::vector<std::size_t> number_columns_;
+  std::size_t heading_size_ = 0;         // of the heading that names x and y
+  std::string_view first_word_;          // of all rows, if the first two begin with the same
+  std::vector<std::size_t> shapes_;      // the columns that number or name the shapes
+  std::vector<std::string_view> shape_;  // their cells in the last row
+  std::size_t rows_ = 0;
+  std::optional<Line> count_line_;  // says how many rows follow
+  LengthUnit unit_ = LengthUnit::none;
+  RingNotes notes_;
+  Block block_;
+  std::vector<Block> blocks_;
 };
 
 // `at` is a part of the text.
-InputError ColumnReader::error(std::string_view at, ErrorCode code,
-                               std::string_view message) const {
+InputError ColumnReader::error(std::string_view at, ErrorCode code, std::string message) const {
   const auto offset = static_cast<std::size_t>(at.data() - text_.data());
-  return text_error(code, std::string(message), text_, offset);
-}
-
-std::optional<InputError> ColumnReader::heading(const Line& line, const Fields& fields) {
-  if (has_field(fields, "robot") || has_field(fields, "robots"))
-    return error(line, ErrorCode::unsupported, robots_are_no_polygon);
-  if (has_field(fields, "polygon") && has_field(fields, "method"))
-    return error(line, ErrorCode::unsupported,
-                 "this is a table of an experiment, not a polygon: open the polygons themselves");
-  x_.reset();
-  y_.reset();
-  for (std::size_t i = fields.size(); i-- > 0;) {
-    if (names_column(fields[i], 'x')) x_ = i;
-    if (names_column(fields[i], 'y')) y_ = i;
-  }
-  named_ = x_ && y_;
-  if (named_) {
-    const LengthUnit unit = unit_of_column(fields[*x_]);
-    unit_ = unit == unit_of_column(fields[*y_]) ? unit : LengthUnit::none;
-    return std::nullopt;
-  }
-  x_.reset();
-  y_.reset();
-  // A line of words before a shape is its name.
-  if (fields.size() == 1 || separator_ == ' ') name_ = std::string(trimmed(line.text));
-  return std::nullopt;
+  return text_error(code, std::move(message), text_, offset);
 }
 
 InputError ColumnReader::not_a_number(std::string_view field) const {
   const std::string quoted = "\"" + clean_name(field.substr(0, 60)) + "\"";
-  if (separator_ == ',' && field.find(' ') != std::string_view::npos)
+  if (style_.separator == ',' && field.find(' ') != std::string_view::npos &&
+      has_only_digits({field}))
     return error(
         field, ErrorCode::bad_syntax,
         quoted +
             " is not a number: write decimals with a point (1.5, 2.3), or with a comma and a "
             "semicolon between x and y (1,5; 2,3)");
-  if (field.find(',') != std::string_view::npos || field.find('.') != std::string_view::npos)
+  if (has_only_digits({field}) && field.find_first_of(",.") != std::string_view::npos)
     return error(
         field, ErrorCode::bad_syntax,
         quoted +
@@ -103,124 +133,369 @@ InputError ColumnReader::not_a_number(std::string_view field) const {
   return error(field, ErrorCode::bad_syntax, quoted + " is not a number");
 }
 
-// Chooses the first two columns with numbers.
-std::optional<InputError> ColumnReader::choose_columns(const Line& line, const Fields& fields) {
-  // "1,5 2,3" may mean 1.5 and 2.3, or three numbers.
-  for (const std::string_view field : fields)
-    if (!cell_number(field, decimal_comma_) &&
-        field.find_first_not_of("0123456789+-.,eE \t") == std::string_view::npos && !field.empty())
-      return not_a_number(field);
-  std::size_t numbers = 0;
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (!cell_number(fields[i], decimal_comma_)) continue;
-    ++numbers;
-    if (!x_)
-      x_ = i;
-    else if (!y_)
-      y_ = i;
+// --- Headings
+
+// Whether a lone whole number says how many rows follow.
+bool ColumnReader::is_count(const Line& line, const Fields& cells, const Lines& following) const {
+  Lines ahead = following;
+  const std::optional<Line> next = ahead.next();
+  if (rows_ > 0 || count_line_ || cells.size() != 1 || !read_whole(trimmed(line.text)) || !next)
+    return false;
+  return number_columns(split_cells(next->text, style_.separator), style_).size() > 1;
+}
+
+// Whether the line has two numbers and is no heading with numbers in it: then the next line has
+// numbers in other columns.
+bool ColumnReader::is_row(const Line& line, const Fields& cells, const Lines& following) {
+  if (is_count(line, cells, following)) {
+    count_line_ = line;
+    return false;
   }
-  if (numbers < 2) {
-    const auto wrong = std::find_if(fields.begin(), fields.end(), [&](std::string_view field) {
-      return !field.empty() && !cell_number(field, decimal_comma_);
-    });
-    if (wrong != fields.end()) return not_a_number(*wrong);
-    return error(line, ErrorCode::bad_syntax, "a line has two numbers, x and y");
-  }
-  more_columns_ = numbers > 2;
+  Lines ahead = following;
+  const std::optional<Line> next = ahead.next();
+  const auto below = next ? number_columns(split_cells(next->text, style_.separator), style_)
+                          : std::vector<std::size_t>();
+  // Digits alone are a wrong row, unless they are one word before the rows, such as a date.
+  if (has_only_digits(cells)) return rows_ > 0 || cells.size() > 1 || below.size() < 2;
+  const auto numbers = number_columns(cells, style_);
+  if (numbers.size() < 2) return false;
+  if (!next || numbers[0] == 0) return true;
+  return below.size() >= 2 && below[0] == numbers[0] && below[1] == numbers[1];
+}
+
+std::optional<InputError> ColumnReader::check_heading(const Line& line, const Fields& cells) const {
+  if (has_field(cells, "robot") || has_field(cells, "robots"))
+    return error(line.text, ErrorCode::unsupported, robots_are_no_polygon);
+  if (has_field(cells, "polygon") && has_field(cells, "method"))
+    return error(line.text, ErrorCode::unsupported,
+                 "this is a table of an experiment, not a polygon: open the polygons themselves");
+  if (line.text == "poses:" && rows_ == 0)
+    return error(line.text, ErrorCode::unsupported, robots_are_no_polygon);
   return std::nullopt;
 }
 
-std::optional<InputError> ColumnReader::row(const Line& line) {
-  const Fields fields = split_cells(line.text, separator_);
-  if (!x_)
-    if (auto wrong = choose_columns(line, fields)) return wrong;
+// The text from a row on.
+std::string_view ColumnReader::rows_from(const Line& row) const {
+  return text_.substr(static_cast<std::size_t>(row.text.data() - text_.data()));
+}
+
+// Takes the columns that the heading names. Its cells may be parted in another way than those of
+// the rows, and a comment may be a heading.
+bool ColumnReader::take_names(const Line& heading, const Line& row, const Fields& cells) {
+  std::string_view text = heading.text;
+  const bool comment = text.front() == '#';
+  if (comment) text = trimmed(text.substr(1));
+  const Fields ways[] = {
+      split_cells(heading.text, style_.separator), split_cells(text, style_.separator),
+      split_cells(text, separator_of(text)),       split_at_wide_spaces(text),
+      with_brackets(split_cells(text, ' ')),       names_among(split_cells(text, ' '))};
+  const Fields* best = nullptr;
+  for (const Fields& names_in_line : ways) {
+    const auto names = named_columns(names_in_line);
+    if (!names || names->x >= cells.size() || names->y >= cells.size()) continue;
+    if (comment && names_in_line.size() != cells.size()) continue;  // comments are mostly prose
+    if (!best || (best->size() != cells.size() && names_in_line.size() == cells.size()))
+      best = &names_in_line;
+  }
+  if (!best) return false;
+  named_ = named_columns(*best);
+  x_ = named_->x;
+  y_ = named_->y;
+  chosen_ = true;
+  unit_ = named_->unit;
+  heading_size_ = best->size();
+  if (rows_ > 0) return true;
+  std::vector<std::size_t> others;
+  for (std::size_t i = 0; i < best->size(); ++i)
+    if (i != x_ && i != y_ && may_tell_shapes((*best)[i])) others.push_back(i);
+  shapes_ = columns_of_shapes(rows_from(row), style_, others);
+  for (const std::size_t column : shapes_)
+    gathering_.note("the column \"" + clean_name((*best)[column]) + "\" separates the shapes");
+  for (const std::size_t column : named_->heights)
+    gathering_.note("the column \"" + clean_name((*best)[column]) + "\" was left out");
+  return true;
+}
+
+// A line of units below the names.
+void ColumnReader::take_units(const Line& heading) {
+  const Fields cells = split_cells(heading.text, style_.separator);
+  if (x_ < cells.size() && y_ < cells.size() && unit_in(cells[x_]) == unit_in(cells[y_]))
+    unit_ = unit_in(cells[x_]);
+}
+
+// The lines that are neither names of columns nor their units. The first line of words is the
+// shape's name.
+void ColumnReader::take_words(const std::vector<Line>& words) {
+  bool plain = true;
+  std::size_t skipped = 0;
+  for (const Line& line : words) {
+    const Fields cells = split_cells(line.text, style_.separator);
+    plain = plain && number_columns(cells, style_).empty();
+    if (block_.name.empty() && (cells.size() == 1 || style_.separator == ' '))
+      block_.name = std::string(trimmed(line.text));
+    ++skipped;
+  }
+  if (rows_ > 0 || (plain && skipped <= 1)) return;
+  gathering_.note(skipped == 1
+                      ? "the line \"" + clean_name(words[0].text) + "\" was taken as a heading"
+                      : "the first " + std::to_string(skipped) + " lines were taken as headings");
+}
+
+// A line for spreadsheet programs, such as "sep=;".
+bool names_separator(std::string_view line) { return same_word(line.substr(0, 4), "sep="); }
+
+// Settles what the lines before the first row of a block mean.
+std::optional<InputError> ColumnReader::begin_rows(const Line& row, const Fields& cells) {
+  std::size_t names = headings_.size();
+  while (names > 0 && !take_names(headings_[names - 1], row, cells)) --names;
+  std::vector<Line> words;
+  Fields headings;
+  for (std::size_t i = 0; i < headings_.size(); ++i) {
+    const Fields own = split_cells(headings_[i].text, style_.separator);
+    if (names > 0 && i + 1 == names) continue;
+    if (names > 0 && i + 1 > names) {
+      if (unit_ == LengthUnit::none) take_units(headings_[i]);
+      continue;
+    }
+    if (headings_[i].text.front() == '#' || names_separator(headings_[i].text)) continue;
+    if (own.size() >= cells.size() && own.size() > 1) headings = own;
+    words.push_back(headings_[i]);
+  }
+  take_words(words);
+  headings_.clear();
+  return chosen_ ? std::nullopt : choose(row, cells, headings);
+}
+
+// Chooses columns that no heading names.
+std::optional<InputError> ColumnReader::choose(const Line& row, const Fields& cells,
+                                               const Fields& headings) {
+  // "1,5 2,3" may mean 1.5 and 2.3, or three numbers.
+  for (const std::string_view cell : cells)
+    if (!cell.empty() && !cell_number(cell, style_.decimal_comma) && has_only_digits({cell}))
+      return not_a_number(cell);
+  if (number_columns(cells, style_).size() < 2) {
+    const auto wrong = std::find_if(cells.begin(), cells.end(), [&](std::string_view cell) {
+      return !cell.empty() && !cell_number(cell, style_.decimal_comma);
+    });
+    if (wrong != cells.end()) return not_a_number(*wrong);
+    return error(row.text, ErrorCode::bad_syntax, "a line has two numbers, x and y");
+  }
+  ChosenColumns columns = choose_columns(rows_from(row), style_, cells, headings);
+  shapes_ = std::move(columns.shapes);
+  x_ = columns.x;
+  y_ = columns.y;
+  chosen_ = true;
+  first_row_size_ = cells.size();
+  number_columns_ = number_columns(cells, style_);
+  if (!columns.note.empty()) gathering_.note(std::move(columns.note));
+  return std::nullopt;
+}
+
+// --- Rows
+
+// Rows whose first two begin with the same word go on so: meshes mark vertices and faces by words.
+std::optional<InputError> ColumnReader::check_word(const Fields& cells) {
+  if (cells.empty() || cells[0].empty() || x_ == 0 || y_ == 0 || !shapes_.empty())
+    return std::nullopt;
+  if (rows_ == 0) first_word_ = cell_number(cells[0], style_.decimal_comma) ? "" : cells[0];
+  if (rows_ == 1 && cells[0] != first_word_) first_word_ = "";
+  if (rows_ < 2 || first_word_.empty() || cells[0] == first_word_) return std::nullopt;
+  return error(cells[0], ErrorCode::bad_syntax,
+               "the line begins with \"" + clean_name(cells[0]) +
+                   "\", but the lines before it with \"" + clean_name(first_word_) +
+                   "\": blank lines separate shapes");
+}
+
+// A row has numbers where the first one has them.
+std::optional<InputError> ColumnReader::check_row(const Line& line, const Fields& cells) {
+  const auto is_number = [&](std::size_t column) {
+    return cell_number(cells[column], style_.decimal_comma).has_value();
+  };
+  if (named_) {
+    if (style_.separator == ' ' || cells.size() <= heading_size_ ||
+        number_columns(cells, style_).size() < cells.size())
+      return std::nullopt;
+    return error(line.text, ErrorCode::bad_syntax,
+                 "the line has " + std::to_string(cells.size()) + " numbers, but the heading has " +
+                     std::to_string(heading_size_) +
+                     " names; decimals with a comma need a semicolon between the columns");
+  }
+  bool same = std::all_of(number_columns_.begin(), number_columns_.end(), [&](std::size_t column) {
+    return column < cells.size() && (cells[column].empty() || is_number(column));
+  });
+  for (std::size_t column = first_row_size_; column < cells.size(); ++column)
+    same = same && !is_number(column);
+  if (same) return std::nullopt;
+  return error(line.text, ErrorCode::bad_syntax,
+               "the line has " +
+                   counted(number_columns(cells, style_).size(), "number", "numbers") +
+                   ", but the first row has " + std::to_string(number_columns_.size()) +
+                   ": all rows need the same columns");
+}
+
+// Ends a shape where the cells that number or name it change.
+void ColumnReader::follow_shapes(const Fields& cells) {
+  std::vector<std::string_view> shape;
+  for (const std::size_t column : shapes_)
+    shape.push_back(column < cells.size() ? cells[column] : std::string_view());
+  if (shape == shape_) return;
+  end_block();
+  block_.name = std::string(shape[0]);
+  shape_ = std::move(shape);
+}
+
+std::optional<InputError> ColumnReader::row(const Line& line, const Fields& cells) {
+  if (!shapes_.empty()) follow_shapes(cells);
   double values[2];
-  const std::size_t columns[2] = {*x_, *y_};
+  const std::size_t columns[2] = {x_, y_};
+  if (auto wrong = check_word(cells)) return wrong;
   for (int i = 0; i < 2; ++i) {
-    if (columns[i] >= fields.size() || fields[columns[i]].empty())
-      return error(line, ErrorCode::bad_syntax, i == 0 ? "the line has no x" : "the line has no y");
-    const std::optional<double> value = cell_number(fields[columns[i]], decimal_comma_);
-    if (!value) return not_a_number(fields[columns[i]]);
+    if (columns[i] >= cells.size() || cells[columns[i]].empty())
+      return error(line.text, ErrorCode::bad_syntax,
+                   i == 0 ? "the line has no x" : "the line has no y");
+    const std::optional<double> value = cell_number(cells[columns[i]], style_.decimal_comma);
+    if (!value) return not_a_number(cells[columns[i]]);
     values[i] = *value;
   }
-  if (points_.size() > max_vertices)  // one more may close it
-    return error(line, ErrorCode::too_many_vertices, no_more_vertices);
-  points_.push_back({values[0], values[1]});
+  if (auto wrong = check_row(line, cells)) return wrong;
+  if (block_.points.size() > max_vertices)  // one more may close it
+    return error(line.text, ErrorCode::too_many_vertices, no_more_vertices);
+  block_.points.push_back({values[0], values[1]});
+  ++rows_;
   return std::nullopt;
 }
 
-void ColumnReader::end_shape() {
-  if (points_.empty()) return;
-  Document document;
-  document.vertices = std::exchange(points_, {});
-  document.shown.units.length = unit_;
-  gathering_.add(std::move(document), std::exchange(name_, ""), "points");
+void ColumnReader::end_block() {
+  if (block_.points.empty()) return;
+  blocks_.push_back(std::exchange(block_, {}));
 }
 
-// Takes the separator of the first line that begins with a number, even for a heading before it. If
-// names fill the first column, it takes the separator of the first line that contains a digit.
-void ColumnReader::find_separator() {
-  bool decided = false;
-  Lines scout(text_);
-  for (std::optional<Line> line = scout.next(); line; line = scout.next()) {
-    const bool number_first = has_number_first(line->text);
-    if (!number_first &&
-        (decided || line->text.find_first_of("0123456789") == std::string_view::npos))
-      continue;
-    separator_ = separator_of(line->text);
-    decided = true;
-    if (number_first) break;
-  }
-  decimal_comma_ = separator_ != ',' && separator_ != ' ';
+// Keeps a line before the first row of a block. Returns false if a table begins no later.
+bool ColumnReader::take_heading(const Line& line) {
+  const bool comment = line.text.front() == '#';
+  if (headings_.size() < most_heading_lines)
+    headings_.push_back(line);
+  else if (rows_ > 0)
+    leave_out_headings();
+  return comment || rows_ > 0 || headings_.size() < most_heading_lines;
 }
 
-// Whether no field of the line is a number, and the line does not begin with one.
-bool ColumnReader::is_heading(const Line& line, const Fields& fields) const {
-  return !has_number_first(line.text) &&
-         std::none_of(fields.begin(), fields.end(), [&](std::string_view field) {
-           return cell_number(field, decimal_comma_).has_value();
-         });
+// Lines after a blank line with no rows below them.
+void ColumnReader::leave_out_headings() {
+  for (const Line& line : headings_)
+    if (line.text.front() != '#')
+      gathering_.left_out.add("line without numbers", "lines without numbers");
+  headings_.clear();
 }
-
-// Whether the line is the heading of poses for ROS 2.
-bool is_pose_array(std::string_view line) { return line == "poses:"; }
 
 std::optional<InputError> ColumnReader::read_lines() {
-  Lines lines(text_);
-  bool first = true;
-  for (std::optional<Line> line = lines.next(); line && !gathering_.full(); line = lines.next()) {
-    if (is_pose_array(line->text) && !has_rows_)
-      return error(*line, ErrorCode::unsupported, robots_are_no_polygon);
-    if (line->after_blank) end_shape();
-    const bool begins = first || (line->after_blank && points_.empty());
-    const Fields fields = split_cells(line->text, separator_);
-    first = begins && is_heading(*line, fields);  // a name may precede a heading
-    if (auto wrong = first ? heading(*line, fields) : row(*line)) return wrong;
-    has_rows_ = has_rows_ || !first;
+  Lines lines(text_, Comments::returned);
+  bool in_rows = false;
+  for (std::optional<Line> line = lines.next(); line && blocks_.size() <= max_shapes;
+       line = lines.next()) {
+    if (line->after_blank && in_rows) {
+      end_block();
+      in_rows = false;
+    }
+    const bool comment = line->text.front() == '#';
+    if (comment && in_rows) continue;
+    const Fields cells = split_cells(line->text, style_.separator);
+    if (!in_rows && (comment || !is_row(*line, cells, lines))) {
+      if (!comment)
+        if (auto wrong = check_heading(*line, cells)) return wrong;
+      const bool is_heading = !count_line_ || count_line_->number != line->number;
+      if (is_heading && !take_heading(*line)) return std::nullopt;
+      continue;
+    }
+    if (!in_rows)
+      if (auto wrong = begin_rows(*line, cells)) return wrong;
+    in_rows = true;
+    if (auto wrong = row(*line, cells)) return wrong;
   }
-  end_shape();
+  end_block();
+  leave_out_headings();
   return std::nullopt;
+}
+
+// --- The whole
+
+// Whether x runs from one end of a chord of length 1 to the other: a surface of an airfoil.
+bool runs_along_chord(const Points& points, bool forwards) {
+  constexpr std::size_t fewest = 5;  // two triangles may also share an edge of length 1
+  const auto along = [&](const Vec2& a, const Vec2& b) {
+    return forwards ? a.x() <= b.x() : a.x() >= b.x();
+  };
+  const Vec2 &nose = forwards ? points.front() : points.back(),
+             &tail = forwards ? points.back() : points.front();
+  return points.size() >= fewest && nose.x() == 0 && tail.x() == 1 &&
+         std::is_sorted(points.begin(), points.end(),
+                        [&](const Vec2& a, const Vec2& b) { return !along(b, a); });
+}
+
+// Airfoils in two blocks, the upper and the lower surface: in Lednicer's format after a row with
+// their numbers of points, both from the leading edge.
+void ColumnReader::join_surfaces() {
+  const bool counted = blocks_.size() == 3 && blocks_[0].points.size() == 1 &&
+                       blocks_[0].points[0] == Vec2(static_cast<double>(blocks_[1].points.size()),
+                                                    static_cast<double>(blocks_[2].points.size()));
+  if (!counted && blocks_.size() != 2) return;
+  Points &upper = blocks_[blocks_.size() - 2].points, &lower = blocks_.back().points;
+  const bool forwards = counted || runs_along_chord(upper, true);
+  if (!counted && !(runs_along_chord(lower, true) && (forwards || runs_along_chord(upper, false))))
+    return;
+  if (!blocks_.back().name.empty()) return;
+  if (forwards) std::reverse(upper.begin(), upper.end());
+  const std::ptrdiff_t shared = upper.back() == lower.front() ? 1 : 0;
+  upper.insert(upper.end(), lower.begin() + shared, lower.end());
+  Block whole{blocks_[0].name, std::move(upper)};
+  blocks_.clear();
+  blocks_.push_back(std::move(whole));
+  gathering_.note("the upper and the lower surface were joined at the leading edge");
+}
+
+std::optional<InputError> ColumnReader::check_count() const {
+  if (!count_line_ || read_whole(trimmed(count_line_->text)) == rows_) return std::nullopt;
+  return error(count_line_->text, ErrorCode::bad_syntax,
+               "a line has two numbers, x and y, and this number is not that of the rows below");
+}
+
+void ColumnReader::add_notes() {
+  if (unit_ != LengthUnit::none) gathering_.import.unit = in_full(unit_);
+  if (count_line_) gathering_.note("the number before the rows is how many there are");
+  notes_.are_degrees = named_ && named_->meaning == Column::longitude;
+  notes_.who_says_so = "the coordinates";
+  if (notes_.are_degrees && named_->y < named_->x)
+    gathering_.note("the latitude comes first here: x is the longitude, and y the latitude");
+  notes_.add_to(gathering_);
+  if (gathering_.import.shapes.size() > 1 && shapes_.empty())
+    gathering_.note("blank lines separate the shapes");
 }
 
 Result<Import> ColumnReader::read() {
   gathering_.import.format = "columns";
-  find_separator();
+  style_ = style_of_table(text_);
   if (auto wrong = read_lines()) return *std::move(wrong);
-  if (!has_rows_) {
+  if (rows_ == 0) {
     return InputError{
         ErrorCode::bad_syntax, joined({"this text is in an unknown format: ", known_formats}), {}};
   }
-  if (unit_ != LengthUnit::none) gathering_.import.unit = in_full(unit_);
-  if (more_columns_ && !named_)
-    gathering_.note("the first two columns with numbers were taken as x and y");
-  if (gathering_.import.shapes.size() > 1) gathering_.note("blank lines separate the shapes");
+  if (auto wrong = check_count()) return *std::move(wrong);
+  join_surfaces();
+  for (Block& block : blocks_) {
+    Document document;
+    document.vertices = std::move(block.points);
+    document.shown.units.length = unit_;
+    notes_.drop_repeated(document.vertices);
+    gathering_.add(std::move(document), block.name, "points");
+  }
+  add_notes();
   return gathering_.finish(text_error(ErrorCode::too_few_vertices, no_vertices, text_, 0));
 }
 
 }  // namespace
 
 Result<Import> read_columns(std::string_view text, const ImportOptions& options) {
-  return ColumnReader(text, options).read();
+  return has_wkt_cells(text) ? read_wkt_table(text, options) : ColumnReader(text, options).read();
 }
 
 }  // namespace evenlift

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "evenlift/numbers.h"
 #include "formats/readers.h"
+#include "import/joining/nesting.h"
 #include "numbers/number_text.h"
 
 namespace evenlift {
@@ -173,6 +175,7 @@ void Gathering::add(const Outline& outline, std::string_view name, std::string_v
     return;
   }
   if (!has_room(points->size())) return;
+  drawn_ = true;
   vertices_ += points->size();
   shape.document.vertices = *std::move(points);
   shape.name = clean_name(name);
@@ -180,11 +183,90 @@ void Gathering::add(const Outline& outline, std::string_view name, std::string_v
   import.shapes.push_back(std::move(shape));
 }
 
+namespace {
+
+double area(const Box& box) { return box.size().x() * box.size().y(); }
+
+std::string point_in_words(const Vec2& p) {
+  return "(" + short_number(p.x()) + ", " + short_number(p.y()) + ")";
+}
+
+}  // namespace
+
+void Gathering::add_joined(const std::vector<DrawnPiece>& pieces, bool closes_alone) {
+  if (pieces.empty() || full_) return;
+  Joining joining = join(pieces, options_.join);
+  for (const JoinedOutline& joined : joining.outlines)
+    add(joined.outline, joined.layer,
+        joined.parts == 1 ? "closed line"
+                          : std::to_string(joined.parts) + " lines and arcs, joined");
+  if (closes_alone) {
+    for (const std::size_t piece : joining.alone)
+      if (pieces[piece].outline.pieces.size() > 1 || pieces[piece].outline.curved())
+        add(pieces[piece].outline, pieces[piece].layer, "open path, closed by a straight edge");
+    std::vector<std::size_t> open;
+    std::set_difference(joining.open.begin(), joining.open.end(), joining.alone.begin(),
+                        joining.alone.end(), std::back_inserter(open));
+    joining.open = std::move(open);
+  }
+  Points corners;
+  for (const std::size_t piece : joining.open) {
+    const Box box = control_box(pieces[piece].outline);
+    corners.push_back(box.low);
+    corners.push_back(box.high);
+  }
+  left_open_ = area(bounding_box(corners));
+  note_joining(joining);
+}
+
+void Gathering::note_joining(const Joining& joining) {
+  if (joining.gap_is_seen)
+    note("ends up to " + short_number(joining.gap) + " apart were joined");
+  if (std::any_of(joining.outlines.begin(), joining.outlines.end(),
+                  [](const JoinedOutline& joined) { return joined.across_layers; }))
+    note("lines on different layers were joined, since they do not close within their layers");
+  if (joining.repeated > 0)
+    note(counted(joining.repeated, "line that lies", "lines that lie") +
+         " on another " + (joining.repeated == 1 ? "was" : "were") + " left out");
+  const std::size_t open = joining.open.size();
+  if (open == 0) return;
+  if (joining.apart)
+    gap_ = "the nearest open ends, " + point_in_words(joining.apart->first) + " and " +
+           point_in_words(joining.apart->second) + ", are " +
+           short_number(length(joining.apart->second - joining.apart->first)) + " apart";
+  note(counted(open, "line or arc does", "lines and arcs do") + " not close and " +
+       (open == 1 ? "was" : "were") + " left out" + (gap_.empty() ? "" : ": " + gap_));
+}
+
+void Gathering::note_nesting() {
+  std::vector<const Points*> outlines;
+  for (const ImportedShape& shape : import.shapes) outlines.push_back(&shape.document.vertices);
+  const Nesting nesting = nest(outlines);
+  std::vector<ImportedShape> shapes;
+  for (const OutlineWithHoles& nested : nesting.shapes) {
+    std::vector<Points> holes;
+    for (const std::size_t hole : nested.holes)
+      holes.push_back(std::move(import.shapes[hole].document.vertices));
+    shapes.push_back(std::move(import.shapes[nested.outline]));
+    shapes.back().holes = std::move(holes);
+  }
+  import.shapes = std::move(shapes);
+  if (nesting.repeated > 0)
+    note(counted(nesting.repeated, "outline that repeats", "outlines that repeat") +
+         " another " + (nesting.repeated == 1 ? "was" : "were") + " left out");
+  if (nesting.holes > 0)
+    note(counted(nesting.holes, "hole was", "holes were") +
+         " left out, since holes are not supported: only the outer outline defines the shape and, "
+         "unless one is given, its centre of mass");
+  import.doubtful =
+      left_open_ > 1.01 * area(bounding_box(import.shapes.front().document.vertices));
+}
+
 void Gathering::add(Document document, std::string_view name, std::string_view kind) {
   drop_closing_vertex(document.vertices);
   if (!has_room(document.vertices.size())) return;
   vertices_ += document.vertices.size();
-  import.shapes.push_back({std::move(document), clean_name(name), std::string(kind), {}});
+  import.shapes.push_back({std::move(document), {}, clean_name(name), std::string(kind), {}});
 }
 
 void Gathering::add_problem(InputError error) {
@@ -202,6 +284,7 @@ Result<Import> Gathering::finish(InputError nothing) {
     if (first_problem_) return *std::move(first_problem_);
     return nothing;
   }
+  if (drawn_) note_nesting();
   if (!left_out.empty())
     note(left_out.list() + (left_out.total() == 1 ? " was left out" : " were left out"));
   if (without_area_ > 0)

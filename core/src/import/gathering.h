@@ -10,6 +10,7 @@
 
 #include "curves/outline.h"
 #include "evenlift/import.h"
+#include "import/joining/joining.h"
 
 namespace evenlift {
 
@@ -58,6 +59,11 @@ class Gathering {
   // Adds an outline of a drawing as a closed shape. A problem of this shape leaves out only this
   // shape.
   void add(const Outline& outline, std::string_view name, std::string_view kind);
+  // Joins open pieces of a drawing and adds their outlines. A piece that meets no other is closed by
+  // a straight edge if `closes_alone`. Notes what was joined, dropped and left open.
+  void add_joined(const std::vector<DrawnPiece>& pieces, bool closes_alone);
+  // Where two ends stayed open, as part of a sentence; empty if none did.
+  const std::string& gap() const { return gap_; }
   // Adds vertices unchanged.
   void add(Document document, std::string_view name, std::string_view kind);
   // Leaves out a shape because of an error in it.
@@ -71,9 +77,14 @@ class Gathering {
 
  private:
   bool has_room(std::size_t vertices);
+  void note_joining(const Joining& joining);
+  void note_nesting();
 
   ImportOptions options_;
   std::size_t vertices_ = 0;
+  std::string gap_;
+  double left_open_ = 0;  // the area of the box around all that stayed open
+  bool drawn_ = false;    // the shapes are outlines of a drawing
   std::size_t without_area_ = 0, problems_ = 0;
   std::optional<InputError> first_problem_, full_;
 };

@@ -1,5 +1,7 @@
-// Shapes in JSON: GeoJSON of any kind (RFC 7946), arrays of points, and evenlift's own results.
+// Shapes in JSON: GeoJSON of any kind (RFC 7946), Esri's JSON, arrays of points, and evenlift's own
+// results.
 #include <cmath>
+#include <vector>
 
 #include "evenlift/formats.h"
 #include "evenlift/numbers.h"
@@ -8,6 +10,8 @@
 #include "formats/readers.h"
 #include "import/gathering.h"
 #include "import/readers.h"
+#include "import/ring_notes.h"
+#include "import/table_headings.h"
 #include "numbers/json_tree.h"
 #include "numbers/text_cursor.h"
 
@@ -43,7 +47,14 @@ class JsonShapes {
   std::optional<InputError> take_settings(Document& document);
   std::optional<InputError> take_overlays(Index overlays, Overlays& shown) const;
 
-  void arrays(Index array);
+  void arrays(Index array, std::string_view name);
+  // A point such as {"x": 1, "y": 2} or {"lon": 1, "lat": 2}.
+  struct Members {
+    Index x, y;
+    bool are_degrees;
+  };
+  std::optional<Members> members_of_point(Index object) const;
+  void say_degrees(std::string_view who);
   bool is_point(Index at) const;
   Result<Points> points(Index array);
   Result<Vec2> point(Index at);
@@ -52,15 +63,25 @@ class JsonShapes {
   void feature(Index object);
   void geometry(Index object, std::string_view name, const Document& of);
   void polygon(Index rings, std::string_view name, const Document& of);
-  std::string name_of(Index feature) const;
-  const char* what_is_left() const;
+  std::optional<std::string> name_in(Index object, std::string_view member) const;
+  std::string name_of(Index feature, std::string_view table) const;
+  bool is_geojson_in_degrees() const;
+  bool is_esri(Index object) const;
+  bool is_esri_geometry(Index object) const;
+  void esri_rings(Index rings, std::string_view name);
+  void take_esri_system(Index object);
+  void esri(Index object);
+  bool read_esri();
   bool lists_robots(Index array) const;
+  Result<Import> read_array();
+  void read_members();
+  Result<Import> finish(const char* format);
 
   std::string_view text_;
   const JsonTree& tree_;
   Gathering gathering_;
-  std::size_t heights_ = 0, holes_ = 0;
-  bool centre_of_holed_is_open_ = false;  // a polygon with holes comes without a centre of mass
+  RingNotes notes_;
+  bool of_evenlift_ = false;  // a feature has a centre of mass, which only evenlift writes
 };
 
 // --- evenlift's own results
@@ -243,8 +264,28 @@ Result<Import> JsonShapes::result_of_evenlift() {
 
 // --- Points
 
+// The members of a point that is an object. A name in capitals is the same.
+std::optional<JsonShapes::Members> JsonShapes::members_of_point(Index object) const {
+  std::optional<Index> x, y, longitude, latitude;
+  for (Index i = tree_.first(object); i != tree_.end(object); i = tree_.next(i)) {
+    const Column column = column_of(tree_.name(i));
+    if (column == Column::x || column == Column::easting) x = i;
+    if (column == Column::y || column == Column::northing) y = i;
+    if (column == Column::longitude) longitude = i;
+    if (column == Column::latitude) latitude = i;
+  }
+  if (x && y) return Members{*x, *y, false};
+  if (longitude && latitude) return Members{*longitude, *latitude, true};
+  return std::nullopt;
+}
+
+void JsonShapes::say_degrees(std::string_view who) {
+  notes_.are_degrees = true;
+  notes_.who_says_so = who;
+}
+
 bool JsonShapes::is_point(Index at) const {
-  if (tree_.kind(at) == Kind::object) return tree_.member(at, "x") && tree_.member(at, "y");
+  if (tree_.kind(at) == Kind::object) return members_of_point(at).has_value();
   return tree_.kind(at) == Kind::array && tree_.first(at) != tree_.end(at) &&
          tree_.kind(tree_.first(at)) == Kind::number;
 }
@@ -254,9 +295,11 @@ Result<Vec2> JsonShapes::point(Index at) {
     return error(at, ErrorCode::bad_syntax, "expected a point [x, y] of two numbers");
   };
   if (tree_.kind(at) == Kind::object) {
-    const auto x = tree_.member(at, "x"), y = tree_.member(at, "y");
-    if (!is(x, Kind::number) || !is(y, Kind::number)) return refused();
-    return Vec2(tree_.number(*x), tree_.number(*y));
+    const auto members = members_of_point(at);
+    if (!members || !is(members->x, Kind::number) || !is(members->y, Kind::number))
+      return refused();
+    if (members->are_degrees) say_degrees("the coordinates");
+    return Vec2(tree_.number(members->x), tree_.number(members->y));
   }
   if (tree_.kind(at) != Kind::array) return refused();
   double values[2] = {0, 0};
@@ -267,7 +310,7 @@ Result<Vec2> JsonShapes::point(Index at) {
     ++count;
   }
   if (count < 2) return refused();
-  if (count > 2) ++heights_;
+  if (count > 2) ++notes_.heights;
   return Vec2(values[0], values[1]);
 }
 
@@ -286,7 +329,7 @@ Result<Points> JsonShapes::points(Index array) {
 }
 
 // An array of points is a shape; an array of anything else may contain some.
-void JsonShapes::arrays(Index array) {
+void JsonShapes::arrays(Index array, std::string_view name) {
   if (gathering_.full()) return;
   const Index first = tree_.first(array);
   if (first != tree_.end(array) && is_point(first)) {
@@ -294,13 +337,16 @@ void JsonShapes::arrays(Index array) {
     if (!ring) return gathering_.add_problem(ring.error());
     Document document;
     document.vertices = std::move(ring).value();
-    return gathering_.add(std::move(document), "", "points");
+    notes_.drop_repeated(document.vertices);
+    return gathering_.add(std::move(document), name, "points");
   }
   for (Index i = first; i != tree_.end(array); i = tree_.next(i)) {
     if (tree_.kind(i) == Kind::array)
-      arrays(i);
+      arrays(i, name);
     else if (tree_.kind(i) == Kind::object && tree_.member(i, "type"))
-      geojson(i, "", {});
+      geojson(i, name, {});
+    else if (tree_.kind(i) == Kind::object && is_esri(i))
+      esri(i);
     else
       gathering_.left_out.add("other value", "other values");
   }
@@ -308,13 +354,23 @@ void JsonShapes::arrays(Index array) {
 
 // --- GeoJSON
 
-std::string JsonShapes::name_of(Index feature) const {
-  const auto properties = tree_.member(feature, "properties");
-  for (const char* name : {"name", "title", "id"}) {
-    auto at = is(properties, Kind::object) ? tree_.member(*properties, name) : std::nullopt;
-    if (!at && std::string_view(name) == "id") at = tree_.member(feature, name);
-    if (is(at, Kind::string)) return std::string(tree_.text(*at));
-    if (is(at, Kind::number)) return shortest(tree_.number(*at));
+// The text of a member that names a shape; names in capitals are the same.
+std::optional<std::string> JsonShapes::name_in(Index object, std::string_view member) const {
+  for (Index i = tree_.first(object); i != tree_.end(object); i = tree_.next(i)) {
+    if (!same_word(tree_.name(i), member)) continue;
+    if (tree_.kind(i) == Kind::string) return std::string(tree_.text(i));
+    if (tree_.kind(i) == Kind::number) return shortest(tree_.number(i));
+  }
+  return std::nullopt;
+}
+
+std::string JsonShapes::name_of(Index feature, std::string_view table) const {
+  const auto properties = tree_.member(feature, table);
+  for (const char* name : {"name", "title", "id", "objectid", "fid"}) {
+    std::optional<std::string> found;
+    if (is(properties, Kind::object)) found = name_in(*properties, name);
+    if (!found && std::string_view(name) == "id") found = name_in(feature, name);
+    if (found) return *std::move(found);
   }
   return "";
 }
@@ -328,10 +384,11 @@ void JsonShapes::polygon(Index rings, std::string_view name, const Document& of)
     return gathering_.add_problem(error(rings, ErrorCode::too_few_vertices, no_vertices));
   Result<Points> ring = points(first);
   if (!ring) return gathering_.add_problem(ring.error());
-  for (Index i = tree_.next(first); i != tree_.end(rings); i = tree_.next(i)) ++holes_;
-  if (tree_.next(first) != tree_.end(rings) && !of.centre_of_mass) centre_of_holed_is_open_ = true;
+  for (Index i = tree_.next(first); i != tree_.end(rings); i = tree_.next(i)) ++notes_.holes;
+  if (tree_.next(first) != tree_.end(rings) && !of.centre_of_mass) notes_.centre_is_open = true;
   Document document = of;
   document.vertices = std::move(ring).value();
+  notes_.drop_repeated(document.vertices);
   gathering_.add(std::move(document), name, "polygon");
 }
 
@@ -373,11 +430,12 @@ void JsonShapes::feature(Index object) {
       return gathering_.add_problem(
           error(*centre, ErrorCode::bad_syntax, "\"centre_of_mass\" is not [x, y]"));
     with_centre.centre_of_mass = *at;
+    of_evenlift_ = true;
   }
   const auto shape = tree_.member(object, "geometry");
   if (!is(shape, Kind::object))
     return gathering_.left_out.add("feature without a geometry", "features without a geometry");
-  geometry(*shape, name_of(object), with_centre);
+  geometry(*shape, name_of(object, "properties"), with_centre);
 }
 
 void JsonShapes::geojson(Index object, std::string_view name, const Document& of) {
@@ -397,12 +455,118 @@ void JsonShapes::geojson(Index object, std::string_view name, const Document& of
   }
 }
 
-// Describes a polygon without its holes. An option may still set a centre of mass later.
-const char* JsonShapes::what_is_left() const {
-  return centre_of_holed_is_open_
-             ? "only the outer ring defines the shape and, unless one is given, its centre of mass"
-             : "only the outer ring defines the shape; the centre of mass is the given one";
+// Whether the coordinates are degrees: by the standard if no other reference system is named, as
+// older GeoJSON does.
+bool JsonShapes::is_geojson_in_degrees() const {
+  const auto system = tree_.member(0, "crs");
+  if (of_evenlift_) return false;
+  if (!is(system, Kind::object)) return true;
+  const auto properties = tree_.member(*system, "properties");
+  const auto name = is(properties, Kind::object) ? tree_.member(*properties, "name") : std::nullopt;
+  if (!is(name, Kind::string)) return false;
+  const std::string_view text = tree_.text(*name);
+  const std::size_t colon = text.rfind(':');
+  const std::string_view code = colon == std::string_view::npos ? text : text.substr(colon + 1);
+  return code == "CRS84" || is_in_degrees(read_number(code).value_or(0));
 }
+
+// --- Esri's JSON
+
+bool JsonShapes::is_esri(Index object) const {
+  const auto shape = tree_.member(object, "geometry");
+  if (is(shape, Kind::object)) return is_esri_geometry(*shape);
+  return is_esri_geometry(object);
+}
+
+bool JsonShapes::is_esri_geometry(Index object) const {
+  return tree_.member(object, "rings") || tree_.member(object, "curveRings") ||
+         tree_.member(object, "paths");
+}
+
+double twice_area(const Points& ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 a = ring[i] - ring[0], b = ring[(i + 1) % ring.size()] - ring[0];
+    sum += a.x() * b.y() - a.y() * b.x();
+  }
+  return sum;
+}
+
+// Esri's outer rings run clockwise and holes the other way; if none runs clockwise, the first ring
+// tells the direction.
+void JsonShapes::esri_rings(Index rings, std::string_view name) {
+  if (tree_.kind(rings) != Kind::array)
+    return gathering_.add_problem(
+        error(rings, ErrorCode::bad_syntax, "expected an array of rings of positions [x, y]"));
+  std::vector<Points> all;
+  bool clockwise = false;
+  for (Index i = tree_.first(rings); i != tree_.end(rings); i = tree_.next(i)) {
+    Result<Points> ring = points(i);
+    if (!ring) return gathering_.add_problem(ring.error());
+    all.push_back(std::move(ring).value());
+    clockwise = clockwise || twice_area(all.back()) < 0;
+  }
+  for (Points& ring : all) {
+    if (clockwise && twice_area(ring) > 0) {
+      ++notes_.holes;
+      notes_.centre_is_open = true;
+      continue;
+    }
+    Document document;
+    document.vertices = std::move(ring);
+    notes_.drop_repeated(document.vertices);
+    gathering_.add(std::move(document), name, "polygon");
+  }
+}
+
+void JsonShapes::take_esri_system(Index object) {
+  const auto system = tree_.member(object, "spatialReference");
+  if (!is(system, Kind::object)) return;
+  for (const char* name : {"wkid", "latestWkid"})
+    if (const auto code = tree_.member(*system, name);
+        is(code, Kind::number) && is_in_degrees(tree_.number(*code)))
+      say_degrees("the coordinates");
+}
+
+void JsonShapes::esri(Index object) {
+  if (gathering_.full()) return;
+  take_esri_system(object);
+  const auto inner = tree_.member(object, "geometry");
+  const Index shape = is(inner, Kind::object) ? *inner : object;
+  if (shape != object) take_esri_system(shape);
+  if (const auto rings = tree_.member(shape, "rings"))
+    return esri_rings(*rings, name_of(object, "attributes"));
+  if (tree_.member(shape, "curveRings"))
+    return gathering_.left_out.add("polygon with curves", "polygons with curves");
+  if (tree_.member(shape, "paths")) return gathering_.left_out.add("line", "lines");
+  gathering_.left_out.add("feature without a polygon", "features without a polygon");
+}
+
+// Reads a geometry, a feature or a set of features. Returns whether it is one of Esri's.
+bool JsonShapes::read_esri() {
+  const auto features = tree_.member(0, "features");
+  const bool is_set =
+      is(features, Kind::array) &&
+      (tree_.member(0, "geometryType") || tree_.member(0, "spatialReference") ||
+       (tree_.first(*features) != tree_.end(*features) &&
+        tree_.kind(tree_.first(*features)) == Kind::object && is_esri(tree_.first(*features))));
+  if (!is_set && !is_esri(0)) return false;
+  gathering_.import.format = "Esri JSON";
+  if (!is_set) {
+    esri(0);
+    return true;
+  }
+  take_esri_system(0);
+  for (Index i = tree_.first(*features); i != tree_.end(*features); i = tree_.next(i)) {
+    if (tree_.kind(i) == Kind::object)
+      esri(i);
+    else
+      gathering_.left_out.add("other value", "other values");
+  }
+  return true;
+}
+
+// --- The whole
 
 // Whether an array lists robots, like a table of robots converted to JSON.
 bool JsonShapes::lists_robots(Index array) const {
@@ -410,34 +574,60 @@ bool JsonShapes::lists_robots(Index array) const {
   return first != tree_.end(array) && tree_.member(first, "robot") && is_point(first);
 }
 
-Result<Import> JsonShapes::read() {
-  if (is(tree_.root(), Kind::array)) {
-    if (lists_robots(tree_.root()))
-      return InputError{ErrorCode::unsupported, robots_are_no_polygon, {}};
-    gathering_.import.format = "points in JSON";
-    arrays(tree_.root());
-    return gathering_.finish({ErrorCode::bad_syntax, "this JSON has no list of points [x, y]", {}});
-  }
-  if (tree_.member(0, "polygon")) return result_of_evenlift();
-  if (is(tree_.member(0, "robots"), Kind::array) && tree_.member(0, "frame"))
-    return InputError{ErrorCode::unsupported, robots_are_no_polygon, {}};
-  if (!tree_.member(0, "type"))
-    return InputError{
-        ErrorCode::bad_syntax,
-        "this JSON is neither GeoJSON (it has no \"type\") nor a result that evenlift "
-        "saved (it has no \"polygon\")",
-        {}};
-  gathering_.import.format = "GeoJSON";
-  geojson(0, "", {});
-  if (holes_ > 0)
-    gathering_.note(counted(holes_, "hole was", "holes were") +
-                    " left out, since holes are not supported: " + what_is_left());
-  if (heights_ > 0) gathering_.note("coordinates beyond x and y were left out");
+Result<Import> JsonShapes::finish(const char* format) {
+  notes_.add_to(gathering_);
   const std::string found = gathering_.left_out.list();
   return gathering_.finish(
       {ErrorCode::unsupported,
-       joined({"this GeoJSON has no polygon", found.empty() ? "" : ", only ", found}),
+       joined({"this ", format, " has no polygon", found.empty() ? "" : ", only ", found}),
        {}});
+}
+
+Result<Import> JsonShapes::read_array() {
+  if (lists_robots(tree_.root()))
+    return InputError{ErrorCode::unsupported, robots_are_no_polygon, {}};
+  gathering_.import.format = "points in JSON";
+  arrays(tree_.root(), "");
+  notes_.add_to(gathering_);
+  return gathering_.finish({ErrorCode::bad_syntax, "this JSON has no list of points [x, y]", {}});
+}
+
+// Reads the members of an object that are lists of points, such as {"points": [[0, 0], ...]}.
+void JsonShapes::read_members() {
+  gathering_.import.format = "points in JSON";
+  for (Index i = tree_.first(0); i != tree_.end(0); i = tree_.next(i)) {
+    if (tree_.kind(i) != Kind::array || tree_.first(i) == tree_.end(i)) continue;
+    const Index first = tree_.first(i);
+    const bool of_points = is_point(first);
+    const bool of_lists = tree_.kind(first) == Kind::array &&
+                          tree_.first(first) != tree_.end(first) && is_point(tree_.first(first));
+    if (of_points || of_lists) arrays(i, tree_.name(i));
+  }
+}
+
+Result<Import> JsonShapes::read() {
+  if (is(tree_.root(), Kind::array)) return read_array();
+  if (tree_.member(0, "polygon")) return result_of_evenlift();
+  if (is(tree_.member(0, "robots"), Kind::array) && tree_.member(0, "frame"))
+    return InputError{ErrorCode::unsupported, robots_are_no_polygon, {}};
+  if (tree_.is_string(tree_.member(0, "type"), "Topology"))
+    return InputError{ErrorCode::unsupported,
+                      "this is TopoJSON, which evenlift does not read: convert it to GeoJSON",
+                      {}};
+  if (!tree_.member(0, "type")) {
+    if (read_esri()) return finish("Esri JSON");
+    read_members();
+    notes_.add_to(gathering_);
+    return gathering_.finish(
+        {ErrorCode::bad_syntax,
+         "this JSON is neither GeoJSON (it has no \"type\") nor a result that evenlift "
+         "saved (it has no \"polygon\")",
+         {}});
+  }
+  gathering_.import.format = "GeoJSON";
+  geojson(0, "", {});
+  if (is_geojson_in_degrees()) say_degrees("by the standard of GeoJSON its coordinates");
+  return finish("GeoJSON");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "import/svg_values.h"
+#include "import/svg/svg_values.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +13,6 @@ namespace evenlift {
 namespace {
 
 bool is_separator(char c) { return is_space_in_line(c) || ends_line(c) || c == ',' || c == '\f'; }
-
-std::string_view without_separators(std::string_view text) {
-  while (!text.empty() && is_separator(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_separator(text.back())) text.remove_suffix(1);
-  return text;
-}
 
 // Quarter turns are exact, because they are by far the most common.
 double exact_or(double degrees, double at_0, double at_90, double at_180, double at_270,
@@ -39,20 +33,124 @@ Affine rotation(double degrees) {
   return {c, s, -s, c, 0, 0};
 }
 
-std::optional<Affine> transform_of(std::string_view name, const std::vector<double>& v) {
-  const std::size_t n = v.size();
-  if (name == "matrix" && n == 6) return Affine{v[0], v[1], v[2], v[3], v[4], v[5]};
-  if (name == "translate" && (n == 1 || n == 2)) return Affine{1, 0, 0, 1, v[0], n == 2 ? v[1] : 0};
-  if (name == "scale" && (n == 1 || n == 2)) return Affine{v[0], 0, 0, v[n - 1], 0, 0};
-  if (name == "rotate" && n == 1) return rotation(v[0]);
-  if (name == "rotate" && n == 3)
-    return Affine{1, 0, 0, 1, v[1], v[2]} * rotation(v[0]) * Affine{1, 0, 0, 1, -v[1], -v[2]};
-  const bool skew_x = name == "skewX";
-  if ((skew_x || name == "skewY") && n == 1) {
-    const double tangent = sine_of_degrees(v[0]) / cosine_of_degrees(v[0]);
-    return skew_x ? Affine{1, 0, tangent, 1, 0, 0} : Affine{1, tangent, 0, 1, 0, 0};
+// A unit of CSS, in user units or degrees.
+struct NamedUnit {
+  std::string_view name;
+  double size;
+};
+// In CSS an inch has 96 px.
+constexpr NamedUnit length_units[] = {{"", 1},           {"px", 1},        {"mm", 96 / 25.4},
+                                      {"cm", 96 / 2.54}, {"in", 96},       {"pt", 96.0 / 72},
+                                      {"pc", 16},        {"q", 96 / 101.6}};
+constexpr NamedUnit angle_units[] = {
+    {"", 1}, {"deg", 1}, {"grad", 0.9}, {"rad", 180 / pi}, {"turn", 360}};
+constexpr NamedUnit ratio_units[] = {{"", 1}, {"%", 0.01}};
+constexpr NamedUnit number_units[] = {{"", 1}};
+
+template <std::size_t count>
+std::optional<double> unit_size(std::string_view name, const NamedUnit (&units)[count]) {
+  for (const NamedUnit& unit : units)
+    if (same_word(name, unit.name)) return unit.size;
+  return std::nullopt;
+}
+
+// A function of a transform, and the kinds of its arguments, one letter for each: a length, an
+// angle, a ratio or a number. At least `fewest` of them must be there.
+struct TransformFunction {
+  std::string_view name, arguments;
+  std::size_t fewest;
+  Affine (*map)(const double* values, std::size_t count);
+};
+
+Affine moved(double x, double y) { return {1, 0, 0, 1, x, y}; }
+double tangent_of_degrees(double degrees) {
+  return sine_of_degrees(degrees) / cosine_of_degrees(degrees);
+}
+
+constexpr TransformFunction transform_functions[] = {
+    {"matrix", "nnnnnn", 6,
+     [](const double* v, std::size_t) { return Affine{v[0], v[1], v[2], v[3], v[4], v[5]}; }},
+    {"translate", "ll", 1,
+     [](const double* v, std::size_t count) { return moved(v[0], count == 2 ? v[1] : 0); }},
+    {"translateX", "l", 1, [](const double* v, std::size_t) { return moved(v[0], 0); }},
+    {"translateY", "l", 1, [](const double* v, std::size_t) { return moved(0, v[0]); }},
+    {"scale", "rr", 1,
+     [](const double* v, std::size_t count) { return Affine{v[0], 0, 0, v[count - 1], 0, 0}; }},
+    {"scaleX", "r", 1, [](const double* v, std::size_t) { return Affine{v[0], 0, 0, 1, 0, 0}; }},
+    {"scaleY", "r", 1, [](const double* v, std::size_t) { return Affine{1, 0, 0, v[0], 0, 0}; }},
+    {"rotate", "a", 1, [](const double* v, std::size_t) { return rotation(v[0]); }},
+    {"rotate", "all", 3,
+     [](const double* v, std::size_t) {
+       return moved(v[1], v[2]) * rotation(v[0]) * moved(-v[1], -v[2]);
+     }},
+    {"skewX", "a", 1,
+     [](const double* v, std::size_t) { return Affine{1, 0, tangent_of_degrees(v[0]), 1, 0, 0}; }},
+    {"skewY", "a", 1,
+     [](const double* v, std::size_t) { return Affine{1, tangent_of_degrees(v[0]), 0, 1, 0, 0}; }},
+    {"skew", "aa", 1, [](const double* v, std::size_t count) {
+       return Affine{1, count == 2 ? tangent_of_degrees(v[1]) : 0, tangent_of_degrees(v[0]), 1, 0,
+                     0};
+     }}};
+constexpr std::size_t most_arguments = 6;
+
+struct Argument {
+  double value;
+  std::string_view unit;
+};
+
+// At most `most` numbers with their units; nothing for any other text.
+std::optional<std::vector<Argument>> arguments_of(std::string_view text, std::size_t most) {
+  std::vector<Argument> arguments;
+  while (!(text = svg_trimmed(text)).empty()) {
+    const ScannedNumber number = scan_number(text);
+    if (number.kind != ScannedNumber::Kind::finite || arguments.size() == most) return std::nullopt;
+    text.remove_prefix(number.length);
+    std::size_t letters = 0;
+    while (letters < text.size() && (is_letter(text[letters]) || text[letters] == '%')) ++letters;
+    arguments.push_back({number.value, text.substr(0, letters)});
+    text.remove_prefix(letters);
+  }
+  return arguments;
+}
+
+std::optional<double> in_user_units(const Argument& argument, char kind) {
+  const std::optional<double> size = kind == 'l'   ? unit_size(argument.unit, length_units)
+                                     : kind == 'a' ? unit_size(argument.unit, angle_units)
+                                     : kind == 'r' ? unit_size(argument.unit, ratio_units)
+                                                   : unit_size(argument.unit, number_units);
+  if (!size) return std::nullopt;
+  return argument.value * *size;
+}
+
+std::optional<Affine> transform_of(std::string_view name, const std::vector<Argument>& arguments) {
+  const std::size_t count = arguments.size();
+  for (const TransformFunction& function : transform_functions) {
+    if (name != function.name || count < function.fewest || count > function.arguments.size())
+      continue;
+    double values[most_arguments] = {};
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::optional<double> value = in_user_units(arguments[i], function.arguments[i]);
+      if (!value) return std::nullopt;
+      values[i] = *value;
+    }
+    return function.map(values, count);
   }
   return std::nullopt;
+}
+
+// The word or length of one side of transform-origin.
+SvgResult<double> origin_along(std::string_view word, std::optional<double> whole) {
+  constexpr std::pair<std::string_view, double> shares[] = {
+      {"left", 0}, {"top", 0}, {"center", 0.5}, {"right", 1}, {"bottom", 1}};
+  for (const auto& [name, part] : shares) {
+    if (!same_word(word, name)) continue;
+    if (part == 0) return 0.0;
+    if (whole) return part * *whole;
+    return SvgProblem{"\"" + std::string(word) + "\" is a place in a drawing without a size"};
+  }
+  auto length = svg_length(word, whole);
+  if (auto* problem = std::get_if<SvgProblem>(&length)) return std::move(*problem);
+  return std::get_if<0>(&length)->value_or(0);
 }
 
 std::string at_character(std::size_t offset, const char* what) {
@@ -298,26 +396,33 @@ SvgResult<std::vector<double>> svg_numbers(std::string_view text) {
   }
 }
 
-SvgResult<std::optional<double>> svg_length(std::string_view text) {
-  text = without_separators(text);
+std::string_view svg_trimmed(std::string_view text) {
+  while (!text.empty() && is_separator(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_separator(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+SvgResult<std::optional<double>> svg_length(std::string_view text, std::optional<double> whole) {
+  text = svg_trimmed(text);
   if (text.empty() || text == "auto") return std::optional<double>();
+  const auto quoted = [&] { return "\"" + std::string(text.substr(0, 20)) + "\""; };
   const ScannedNumber number = scan_number(text);
-  if (number.kind != ScannedNumber::Kind::finite)
-    return SvgProblem{"\"" + std::string(text.substr(0, 20)) + "\" is not a length"};
-  // In CSS an inch has 96 px.
-  constexpr std::pair<std::string_view, double> units[] = {
-      {"", 1},    {"px", 1},         {"mm", 96 / 25.4}, {"cm", 96 / 2.54},
-      {"in", 96}, {"pt", 96.0 / 72}, {"pc", 16}};
-  const std::string_view unit = without_separators(text.substr(number.length));
-  for (const auto& [name, size] : units)
-    if (same_word(unit, name)) return std::optional<double>(number.value * size);
-  return SvgProblem{"the unit of \"" + std::string(text.substr(0, 20)) +
-                    "\" is unknown to evenlift"};
+  if (number.kind != ScannedNumber::Kind::finite) return SvgProblem{quoted() + " is not a length"};
+  const std::string_view unit = svg_trimmed(text.substr(number.length));
+  if (unit == "%") {
+    if (whole) return std::optional<double>(number.value / 100 * *whole);
+    return SvgProblem{quoted() + " is a part of a drawing without a size"};
+  }
+  if (const auto size = unit_size(unit, length_units))
+    return std::optional<double>(number.value * *size);
+  return SvgProblem{"the unit of " + quoted() + " is unknown to evenlift"};
 }
 
 SvgResult<Affine> svg_transform(std::string_view text) {
   Affine whole;
-  for (text = without_separators(text); !text.empty(); text = without_separators(text)) {
+  text = svg_trimmed(text);
+  if (same_word(text, "none")) return whole;
+  for (; !text.empty(); text = svg_trimmed(text)) {
     std::size_t letters = 0;
     while (letters < text.size() && is_letter(text[letters])) ++letters;
     const std::string_view name = text.substr(0, letters);
@@ -331,14 +436,31 @@ SvgResult<Affine> svg_transform(std::string_view text) {
     if (open == std::string_view::npos || text[open] != '(' || close == std::string_view::npos ||
         close < open)
       return refused();
-    const auto values = svg_numbers(text.substr(open + 1, close - open - 1));
-    if (std::holds_alternative<SvgProblem>(values)) return refused();
-    const std::optional<Affine> next = transform_of(name, *std::get_if<0>(&values));
+    const auto arguments = arguments_of(text.substr(open + 1, close - open - 1), most_arguments);
+    if (!arguments) return refused();
+    const std::optional<Affine> next = transform_of(name, *arguments);
     if (!next) return refused();
     whole = whole * *next;
     text.remove_prefix(close + 1);
   }
   return whole;
+}
+
+SvgResult<Vec2> svg_transform_origin(std::string_view text, std::optional<double> width,
+                                     std::optional<double> height) {
+  text = svg_trimmed(text);
+  if (text.empty()) return Vec2(Vec2::Zero());
+  const std::size_t end = std::min(text.find_first_of(" \t\r\n"), text.size());
+  std::string_view first = text.substr(0, end), second = svg_trimmed(text.substr(end));
+  second = second.substr(0, second.find_first_of(" \t\r\n"));  // a third value is a depth
+  if (second.empty()) second = "center";
+  const bool swapped = same_word(first, "top") || same_word(first, "bottom") ||
+                       same_word(second, "left") || same_word(second, "right");
+  if (swapped) std::swap(first, second);
+  auto x = origin_along(first, width), y = origin_along(second, height);
+  for (auto* side : {&x, &y})
+    if (auto* problem = std::get_if<SvgProblem>(side)) return std::move(*problem);
+  return Vec2(*std::get_if<double>(&x), *std::get_if<double>(&y));
 }
 
 SvgResult<std::vector<SvgOutline>> svg_path(std::string_view text) {

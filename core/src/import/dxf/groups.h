@@ -1,0 +1,36 @@
+// DXF as text: pairs of lines, a code and a value.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace evenlift {
+
+struct DxfGroup {
+  int code;
+  std::string_view value;
+  std::size_t offset;  // of the value in the text
+};
+
+// Reads one pair of lines after another. The text must outlive the reader.
+class DxfGroups {
+ public:
+  explicit DxfGroups(std::string_view text, std::size_t from = 0) : text_(text), at_(from) {}
+
+  // The next pair; nullopt at the end, or if the code is not an integer. O(bytes of the pair).
+  std::optional<DxfGroup> next();
+  bool broken() const { return broken_; }
+  // Where the last pair begins, and where the next one does.
+  std::size_t code_offset() const { return code_at_; }
+  std::size_t offset() const { return at_; }
+
+ private:
+  std::string_view line();
+
+  std::string_view text_;
+  std::size_t at_ = 0, code_at_ = 0;
+  bool broken_ = false;
+};
+
+}  // namespace evenlift

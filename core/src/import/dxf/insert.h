@@ -1,0 +1,25 @@
+// INSERT: copies of a block, scaled, turned, and perhaps in columns and rows.
+#pragma once
+
+#include <string_view>
+
+#include "curves/outline.h"
+#include "import/dxf/entity.h"
+
+namespace evenlift {
+
+struct DxfInsert {
+  std::string_view block;        // its name
+  double columns = 1, rows = 1;  // whole numbers from 1 to 65535
+  double column_step = 0, row_step = 0;
+  Affine place;  // of the first copy, without scale
+  double scale_x = 1, scale_y = 1;
+
+  // The map from the block's coordinates to those of the drawing or block that contains the INSERT.
+  // Steps between columns and rows turn with the block, and are not scaled. O(1).
+  Affine copy(double column, double row, const Vec2& base) const;
+};
+
+DxfInsert read_dxf_insert(DxfEntity& entity);
+
+}  // namespace evenlift

@@ -1,0 +1,147 @@
+#include "import/dxf/outlines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "import/dxf/degrees.h"
+#include "import/dxf/spline.h"
+
+namespace evenlift {
+namespace {
+
+constexpr Affine behind{-1, 0, 0, 1, 0, 0};
+constexpr DxfName mesh{"mesh", "meshes"};
+
+// Of a flat object, which may be seen from behind.
+Outline placed(DxfEntity& entity, Outline outline) {
+  return entity.seen_from_behind() ? transformed(outline, behind) : std::move(outline);
+}
+
+DxfDrawn draw_vertices(const std::vector<DxfVertex>& vertices, bool closed) {
+  if (vertices.empty()) return {};
+  Outline outline;
+  outline.start = vertices.front().point;
+  for (std::size_t i = 1; i < vertices.size(); ++i)
+    outline.bulge_to(vertices[i].point, vertices[i - 1].bulge);
+  if (closed)
+    outline.bulge_to(outline.start, vertices.back().bulge);
+  else if (outline.end() == outline.start && vertices.size() > 2)
+    closed = true;
+  const char* kind = outline.curved() ? "closed polyline with arcs" : "closed polyline";
+  return {std::move(outline), closed ? kind : nullptr};
+}
+
+// Each vertex begins with an x.
+DxfDrawn lightweight_polyline(DxfEntity& entity, double) {
+  std::vector<DxfVertex> vertices;
+  for (const DxfGroup& group : entity.groups) {
+    if (group.code == 10) vertices.push_back({{entity.number(group), 0}});
+    if (vertices.empty()) continue;
+    if (group.code == 20) vertices.back().point.y() = entity.number(group);
+    if (group.code == 42) vertices.back().bulge = entity.number(group);
+  }
+  DxfDrawn drawn = draw_vertices(vertices, (entity.flags_of() & 1) != 0);
+  drawn.outline = placed(entity, std::move(drawn.outline));
+  return drawn;
+}
+
+// A polyline that a spline was fitted to keeps the corners of its frame, with the bit 16, before
+// the vertices of the curve, with the bit 8.
+void drop_spline_frame(std::vector<DxfVertex>& vertices) {
+  const auto has = [](int bit) {
+    return [bit](const DxfVertex& vertex) { return (vertex.flags & bit) != 0; };
+  };
+  if (std::any_of(vertices.begin(), vertices.end(), has(8))) std::erase_if(vertices, has(16));
+}
+
+DxfDrawn heavy_polyline(DxfEntity& entity, double) {
+  constexpr int closed = 1, in_space = 8, meshes = 16 | 64;
+  const int flags = entity.flags_of();
+  if ((flags & meshes) != 0) return {{}, nullptr, &mesh};
+  drop_spline_frame(entity.vertices);
+  DxfDrawn drawn = draw_vertices(entity.vertices, (flags & closed) != 0);
+  if ((flags & in_space) == 0) drawn.outline = placed(entity, std::move(drawn.outline));
+  return drawn;
+}
+
+DxfDrawn line(DxfEntity& entity, double) {
+  Outline outline;
+  outline.start = entity.point_of(10);
+  const Vec2 end = entity.point_of(11);
+  if (end == outline.start) return {};
+  outline.line_to(end);
+  return {std::move(outline)};
+}
+
+DxfDrawn circle(DxfEntity& entity, double) {
+  const Vec2 centre = entity.point_of(10);
+  const double radius = entity.number_of(40, 0);
+  if (!(radius > 0)) return {};
+  return {placed(entity, Outline::ellipse({radius, 0, 0, radius, centre.x(), centre.y()})),
+          "circle"};
+}
+
+DxfDrawn arc(DxfEntity& entity, double same_point) {
+  const Vec2 centre = entity.point_of(10);
+  const double radius = entity.number_of(40, 0), from = entity.number_of(50, 0),
+               to = entity.number_of(51, 360);
+  if (!(radius > 0)) return {};
+  double angle = std::fmod(to - from, 360);
+  if (angle <= 0) angle += 360;
+  if (!(angle < 360)) return circle(entity, same_point);
+  const auto at = [&](double degrees) -> Vec2 { return centre + radius * direction_of(degrees); };
+  Outline outline;
+  outline.start = at(from);
+  const Vec2 quarter = direction_of(angle / 4);
+  outline.bulge_to(at(to), quarter.y() / quarter.x());
+  return {placed(entity, std::move(outline))};
+}
+
+// Parameters are in radians. A difference of a whole turn gives a closed ellipse.
+DxfDrawn ellipse(DxfEntity& entity, double same_point) {
+  const Vec2 centre = entity.point_of(10), major = entity.point_of(11);
+  const double ratio = entity.number_of(40, 1), from = entity.number_of(41, 0),
+               to = entity.number_of(42, 2 * pi);
+  // An ellipse lies in the world's plane. Seen from behind, its minor axis points the other way.
+  const Vec2 minor = (entity.seen_from_behind() ? -ratio : ratio) * left_normal(major);
+  const Affine frame{major.x(), major.y(), minor.x(), minor.y(), centre.x(), centre.y()};
+  double angle = std::fmod(to - from, 2 * pi);
+  if (angle <= 0) angle += 2 * pi;
+  if (angle > 2 * pi - same_point) return {Outline::ellipse(frame), "ellipse"};
+  const auto at = [](double parameter) {
+    const double turned = std::fmod(parameter, 2 * pi);
+    return Vec2(cosine(turned), sine(turned));
+  };
+  Outline outline;
+  outline.start = frame(at(from));
+  outline.arc_to(frame, at(from), at(to), true, angle > pi, frame(at(to)));
+  return {std::move(outline)};
+}
+
+struct Drawer {
+  std::string_view type;
+  DxfDrawn (*draw)(DxfEntity& entity, double same_point);
+};
+constexpr Drawer drawers[] = {
+    {"LINE", line},       {"LWPOLYLINE", lightweight_polyline}, {"ARC", arc},
+    {"CIRCLE", circle},   {"POLYLINE", heavy_polyline},         {"SPLINE", draw_spline},
+    {"ELLIPSE", ellipse},
+};
+
+const Drawer* drawer_of(std::string_view type) {
+  for (const Drawer& drawer : drawers)
+    if (drawer.type == type) return &drawer;
+  return nullptr;
+}
+
+}  // namespace
+
+bool is_drawn(std::string_view type) { return drawer_of(type) != nullptr; }
+
+DxfDrawn draw(DxfEntity& entity, double same_point) {
+  const Drawer* drawer = drawer_of(entity.type);
+  return drawer ? drawer->draw(entity, same_point) : DxfDrawn{};
+}
+
+}  // namespace evenlift

@@ -1,0 +1,408 @@
+#include "import/joining/joining.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <tuple>
+
+#include "exact/pseudo_angle.h"
+#include "import/joining/planar_faces.h"
+#include "import/joining/point_grid.h"
+
+namespace evenlift {
+namespace {
+
+// Ends closer than this part of the drawing's larger side are at the same place: they differ only
+// by rounding.
+constexpr double rounding = 1e-9;
+
+bool less(const Vec2& a, const Vec2& b) {
+  return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+}
+
+// A set of nodes that become one; each set is known by its least node.
+class Sets {
+ public:
+  explicit Sets(std::size_t count) : parent_(count) {
+    for (std::size_t i = 0; i < count; ++i) parent_[i] = i;
+  }
+  std::size_t of(std::size_t node) {
+    while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
+    return node;
+  }
+  void merge(std::size_t a, std::size_t b) {
+    a = of(a);
+    b = of(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+// The pieces of one layer, or of several, as a graph.
+class Drawing {
+ public:
+  Drawing(const std::vector<DrawnPiece>& pieces, std::vector<std::size_t> chosen, double side)
+      : pieces_(pieces), chosen_(std::move(chosen)), side_(side), sets_(0) {}
+
+  void connect(std::optional<double> reach);
+  void add_outlines(Joining& joining) const;
+  // The chosen pieces that belong to no outline.
+  std::vector<std::size_t> open() const;
+  double gap() const { return gap_; }
+  std::size_t repeated() const { return repeated_; }
+  std::optional<std::pair<Vec2, Vec2>> apart() const { return apart_; }
+
+ private:
+  // A line or curve between two ends, before ends become nodes.
+  struct Atom {
+    Vec2 from;
+    CurvePiece curve;
+    std::size_t piece;
+  };
+
+  void take_atoms();
+  void number_places();
+  void divide_lines(double near, const std::vector<char>* only);
+  std::vector<std::size_t> line_ranks();
+  std::vector<GraphEdge> edges();
+  std::vector<std::size_t> other_ends() const;
+  void join_loose_ends(double near);
+  void join_pairs_of_open_ends(double near);
+  std::vector<std::size_t> open_ends();
+  void remember_apart();
+
+  const std::vector<DrawnPiece>& pieces_;
+  std::vector<std::size_t> chosen_;
+  double side_;
+  std::vector<Atom> atoms_;
+  std::vector<std::size_t> from_, to_;  // the places of each atom's ends
+  Points places_;                       // different places, in order by x, then y
+  std::vector<std::vector<std::pair<double, std::size_t>>> divided_;  // by atom: where, and place
+  Sets sets_;
+  std::vector<Face> faces_;
+  std::vector<GraphEdge> edges_;
+  std::vector<std::size_t> loose_;  // the ends that are open if only rounding is forgiven
+  double gap_ = 0;
+  std::size_t repeated_ = 0;
+  std::optional<std::pair<Vec2, Vec2>> apart_;
+};
+
+void Drawing::take_atoms() {
+  for (const std::size_t piece : chosen_) {
+    Vec2 from = pieces_[piece].outline.start;
+    for (const CurvePiece& curve : pieces_[piece].outline.pieces) {
+      atoms_.push_back({from, curve, piece});
+      from = curve.end;
+    }
+  }
+}
+
+// Numbers the ends by place, so that nothing depends on the order of the pieces, and joins those
+// that differ only by rounding.
+void Drawing::number_places() {
+  for (const Atom& atom : atoms_) {
+    places_.push_back(atom.from);
+    places_.push_back(atom.curve.end);
+  }
+  std::sort(places_.begin(), places_.end(), less);
+  places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
+  const auto number = [&](const Vec2& at) {
+    return static_cast<std::size_t>(std::lower_bound(places_.begin(), places_.end(), at, less) -
+                                    places_.begin());
+  };
+  for (const Atom& atom : atoms_) {
+    from_.push_back(number(atom.from));
+    to_.push_back(number(atom.curve.end));
+  }
+  divided_.resize(atoms_.size());
+  sets_ = Sets(places_.size());
+  const double near = rounding * side_;
+  if (!(near > 0)) return;
+  const PointGrid grid(places_, near);
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    grid.for_each_near(places_[i], near, [&](std::size_t j) {
+      if (j < i) sets_.merge(i, j);
+    });
+}
+
+// Divides straight lines at the places on them; if `only` is given, at its places alone.
+void Drawing::divide_lines(double near, const std::vector<char>* only) {
+  Points some;
+  std::vector<std::size_t> number;
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (only && (*only)[i] == 0) continue;
+    some.push_back(places_[i]);
+    number.push_back(i);
+  }
+  if (some.empty()) return;
+  const double cell = std::max(near, side_ / (1 + std::sqrt(static_cast<double>(some.size()))));
+  const PointGrid grid(some, cell);
+  for (std::size_t a = 0; a < atoms_.size(); ++a) {
+    const Atom& atom = atoms_[a];
+    if (atom.curve.kind != CurvePiece::Kind::line) continue;
+    const Vec2 way = atom.curve.end - atom.from;
+    const double square = dot(way, way);
+    if (!(square > 0)) continue;
+    grid.for_each_along(atom.from, atom.curve.end, near, [&](std::size_t i) {
+      const Vec2 apart = some[i] - atom.from;
+      const double along = dot(apart, way) / square;
+      if (!(along > 0 && along < 1)) return;
+      if (length(apart - along * way) > near) return;
+      const std::size_t place = number[i];
+      for (const std::size_t end : {from_[a], to_[a]})
+        if (sets_.of(end) == sets_.of(place)) return;
+      for (const auto& [where, known] : divided_[a])
+        if (sets_.of(known) == sets_.of(place)) return;
+      divided_[a].emplace_back(along, place);
+    });
+    std::sort(divided_[a].begin(), divided_[a].end());
+  }
+}
+
+// The rank of each straight line, the longest first; lines with the same ends have the same rank.
+std::vector<std::size_t> Drawing::line_ranks() {
+  using Key = std::tuple<double, std::size_t, std::size_t>;
+  std::vector<Key> keys;
+  for (std::size_t a = 0; a < atoms_.size(); ++a) {
+    const std::size_t from = sets_.of(from_[a]), to = sets_.of(to_[a]);
+    keys.emplace_back(-length(places_[to] - places_[from]), std::min(from, to),
+                      std::max(from, to));
+  }
+  std::vector<Key> sorted = keys;
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<std::size_t> ranks;
+  for (const Key& key : keys)
+    ranks.push_back(static_cast<std::size_t>(
+        std::lower_bound(sorted.begin(), sorted.end(), key) - sorted.begin()));
+  return ranks;
+}
+
+// The edges between nodes, each once.
+std::vector<GraphEdge> Drawing::edges() {
+  const std::vector<std::size_t> ranks = line_ranks();
+  std::vector<GraphEdge> all;
+  for (std::size_t a = 0; a < atoms_.size(); ++a) {
+    const Atom& atom = atoms_[a];
+    std::size_t from = sets_.of(from_[a]);
+    const auto add = [&](std::size_t to, CurvePiece curve) {
+      to = sets_.of(to);
+      // A line of no length is nothing; a curve may return to its start.
+      if (from == to && curve.kind == CurvePiece::Kind::line) return;
+      curve.end = places_[to];
+      all.push_back({from, to, curve, ranks[a], atom.piece});
+      from = to;
+    };
+    for (const auto& [along, place] : divided_[a])
+      add(place, {CurvePiece::Kind::line, places_[place]});
+    add(to_[a], atom.curve);
+  }
+  const std::size_t before = all.size();
+  drop_repeated(all, places_, safe_reach * side_);
+  repeated_ = before - all.size();
+  return all;
+}
+
+std::vector<std::size_t> Drawing::open_ends() {
+  std::vector<std::uint32_t> degree(places_.size());
+  for (const GraphEdge& edge : edges_) {
+    ++degree[edge.from];
+    ++degree[edge.to];
+  }
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < degree.size(); ++i)
+    if (degree[i] == 1) open.push_back(i);
+  return open;
+}
+
+// The other end of the line at each end: a line shorter than `near` must not vanish.
+std::vector<std::size_t> Drawing::other_ends() const {
+  std::vector<std::size_t> other(places_.size(), places_.size());
+  for (const GraphEdge& edge : edges_) {
+    if (edge.curve.kind != CurvePiece::Kind::line) continue;
+    other[edge.from] = edge.to;
+    other[edge.to] = edge.from;
+  }
+  return other;
+}
+
+// Within a safe distance an end that was open at first joins all that is near, so that lines that
+// were drawn several times lie on each other; and it divides a line that passes it.
+void Drawing::join_loose_ends(double near) {
+  const std::vector<std::size_t> other = other_ends();
+  const PointGrid grid(places_, near);
+  std::vector<char> loose(places_.size());
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (const std::size_t node : loose_) {
+    loose[node] = 1;
+    const std::size_t end = other[sets_.of(node)];
+    grid.for_each_near(places_[node], near, [&](std::size_t i) {
+      if (sets_.of(i) == sets_.of(node)) return;
+      if (end < places_.size() && sets_.of(i) == sets_.of(end)) return;
+      pairs.emplace_back(node, i);
+      gap_ = std::max(gap_, length(places_[i] - places_[node]));
+    });
+  }
+  for (const auto& [a, b] : pairs) sets_.merge(a, b);
+  divide_lines(near, &loose);
+}
+
+// Joins pairs of open ends, the nearest first.
+void Drawing::join_pairs_of_open_ends(double near) {
+  const std::vector<std::size_t> open = open_ends(), other = other_ends();
+  Points at;
+  for (const std::size_t node : open) at.push_back(places_[node]);
+  std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
+  const PointGrid grid(at, near);
+  for (std::size_t i = 0; i < at.size(); ++i)
+    grid.for_each_near(at[i], near, [&](std::size_t j) {
+      if (j < i && other[open[i]] != open[j])
+        pairs.emplace_back(length(at[j] - at[i]), open[j], open[i]);
+    });
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<char> joined(places_.size());
+  for (const auto& [distance, a, b] : pairs) {
+    if (joined[a] != 0 || joined[b] != 0) continue;
+    joined[a] = joined[b] = 1;
+    sets_.merge(a, b);
+    gap_ = std::max(gap_, distance);
+  }
+}
+
+void Drawing::remember_apart() {
+  const std::vector<std::size_t> open = open_ends();
+  constexpr std::size_t most_compared = 1000;
+  if (open.size() < 2 || open.size() > most_compared) return;
+  double least = 0;
+  for (std::size_t i = 0; i < open.size(); ++i)
+    for (std::size_t j = i + 1; j < open.size(); ++j) {
+      const double apart = length(places_[open[i]] - places_[open[j]]);
+      if (apart_ && apart >= least) continue;
+      least = apart;
+      apart_ = {places_[open[i]], places_[open[j]]};
+    }
+}
+
+void Drawing::connect(std::optional<double> reach) {
+  take_atoms();
+  number_places();
+  divide_lines(rounding * side_, nullptr);
+  edges_ = edges();
+  loose_ = open_ends();
+  std::vector<double> reaches;
+  for (const double part : join_reaches)
+    if (!reach || part * side_ < *reach) reaches.push_back(part * side_);
+  if (reach) reaches.push_back(*reach);
+  for (const double near : reaches) {
+    const bool safe = near <= 1.5 * safe_reach * side_;
+    if (!(near > 0) || loose_.empty() || (!safe && open_ends().empty())) break;
+    if (safe)
+      join_loose_ends(near);
+    else
+      join_pairs_of_open_ends(near);
+    edges_ = edges();
+  }
+  faces_ = faces_of(edges_, places_);
+  remember_apart();
+}
+
+void Drawing::add_outlines(Joining& joining) const {
+  for (const Face& face : faces_) {
+    std::vector<std::size_t> used;
+    for (const HalfEdge& half : face.boundary) used.push_back(edges_[half.edge].piece);
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    const std::string& layer = pieces_[used.front()].layer;
+    const bool across = std::any_of(
+        used.begin(), used.end(), [&](std::size_t piece) { return pieces_[piece].layer != layer; });
+    joining.outlines.push_back({outline_of(face, edges_, places_), used.size(), layer, across});
+  }
+}
+
+std::vector<std::size_t> Drawing::open() const {
+  std::vector<char> used(pieces_.size());
+  for (const Face& face : faces_)
+    for (const HalfEdge& half : face.boundary) used[edges_[half.edge].piece] = 1;
+  // A piece of which nothing is left lies on another.
+  std::vector<char> left(pieces_.size());
+  for (const GraphEdge& edge : edges_) left[edge.piece] = 1;
+  std::vector<std::size_t> open;
+  for (const std::size_t piece : chosen_)
+    if (used[piece] == 0 && left[piece] != 0) open.push_back(piece);
+  return open;
+}
+
+bool before(const JoinedOutline& a, const JoinedOutline& b) {
+  if (a.outline.start != b.outline.start) return less(a.outline.start, b.outline.start);
+  const Vec2 &p = a.outline.pieces.front().end, &q = b.outline.pieces.front().end;
+  return less(p, q);
+}
+
+// The open pieces whose ends meet no end of another piece.
+std::vector<std::size_t> alone(const std::vector<DrawnPiece>& pieces,
+                               const std::vector<std::size_t>& open, double near) {
+  Points ends;
+  for (const DrawnPiece& piece : pieces) {
+    ends.push_back(piece.outline.start);
+    ends.push_back(piece.outline.end());
+  }
+  const PointGrid grid(ends, near);
+  std::vector<std::size_t> alone;
+  for (const std::size_t piece : open) {
+    bool meets = false;
+    for (const Vec2& end : {pieces[piece].outline.start, pieces[piece].outline.end()})
+      grid.for_each_near(end, near, [&](std::size_t i) { meets = meets || i / 2 != piece; });
+    if (!meets) alone.push_back(piece);
+  }
+  return alone;
+}
+
+}  // namespace
+
+Joining join(const std::vector<DrawnPiece>& pieces, std::optional<double> reach) {
+  Joining joining;
+  Points corners;
+  std::vector<std::size_t> all(pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const Box box = control_box(pieces[i].outline);
+    corners.push_back(box.low);
+    corners.push_back(box.high);
+    all[i] = i;
+  }
+  const Vec2 size = bounding_box(corners).size();
+  const double side = std::max(size.x(), size.y());
+  if (!(side > 0) || !std::isfinite(side)) {
+    joining.open = std::move(all);
+    return joining;
+  }
+  const auto take = [&](std::vector<std::size_t> chosen) {
+    Drawing drawing(pieces, std::move(chosen), side);
+    drawing.connect(reach);
+    drawing.add_outlines(joining);
+    joining.repeated += drawing.repeated();
+    joining.gap = std::max(joining.gap, drawing.gap());
+    joining.apart = drawing.apart();
+    return drawing.open();
+  };
+  // By layer, in the order of their names.
+  std::stable_sort(all.begin(), all.end(),
+                   [&](std::size_t a, std::size_t b) { return pieces[a].layer < pieces[b].layer; });
+  std::size_t layers = 0;
+  for (std::size_t first = 0; first < all.size(); ++layers) {
+    std::size_t last = first;
+    while (last < all.size() && pieces[all[last]].layer == pieces[all[first]].layer) ++last;
+    const std::vector<std::size_t> open = take({all.begin() + static_cast<std::ptrdiff_t>(first),
+                                                all.begin() + static_cast<std::ptrdiff_t>(last)});
+    joining.open.insert(joining.open.end(), open.begin(), open.end());
+    first = last;
+  }
+  if (layers > 1 && joining.open.size() > 1) joining.open = take(joining.open);
+  std::sort(joining.open.begin(), joining.open.end());
+  std::sort(joining.outlines.begin(), joining.outlines.end(), before);
+  joining.gap_is_seen = joining.gap > 1.5 * safe_reach * side;
+  joining.alone = alone(pieces, joining.open, 1.5 * safe_reach * side);
+  return joining;
+}
+
+}  // namespace evenlift

@@ -1,0 +1,225 @@
+#include "import/other_kinds.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+
+#include "evenlift/numbers.h"
+#include "import/cells.h"
+#include "numbers/text_cursor.h"
+
+namespace evenlift {
+namespace {
+
+using std::string_view_literals::operator""sv;
+
+struct FirstBytes {
+  std::string_view begins;
+  const char* refusal;
+};
+
+constexpr FirstBytes binary_kinds[] = {
+    {"AutoCAD Binary DXF",
+     "this is a binary DXF drawing, and evenlift reads only DXF as text: save it again as ASCII DXF"},
+    {"AC10", "this is a DWG drawing, which evenlift does not read: save it as ASCII DXF"},
+    {"\x89PNG",
+     "this is a picture made of dots, which has no outline: trace it to SVG first (in Inkscape: Path, "
+     "Trace Bitmap)"},
+    {"\xff\xd8\xff",
+     "this is a photo, which has no outline: trace it to SVG first (in Inkscape: Path, Trace Bitmap)"},
+    {"GIF8",
+     "this is a picture made of dots, which has no outline: trace it to SVG first (in Inkscape: Path, "
+     "Trace Bitmap)"},
+    {"%PDF", "this is a PDF, which evenlift does not read: open it in Inkscape and save it as SVG"},
+    {"%!PS",
+     "this is PostScript, which evenlift does not read: open it in Inkscape and save it as SVG"},
+    {"PK\x03\x04",
+     "this is a compressed file, such as a spreadsheet: unpack it, or save the sheet as CSV"},
+    {"\xd0\xcf\x11\xe0", "this is a file of an office program: save the sheet as CSV"},
+    {"\x1f\x8b", "this is a compressed file: unpack it first (an .svgz contains an .svg)"},
+    {"\xff\xfe", "this text is in UTF-16: save it again as UTF-8"},
+    {"\xfe\xff", "this text is in UTF-16: save it again as UTF-8"},
+    {"\0\0\x27\x0a"sv, "this is a shapefile, which evenlift does not read: save it as GeoJSON"},
+    {"SQLite format 3",
+     "this is a database (GeoPackage or SpatiaLite), which evenlift does not read: save the layer as "
+     "GeoJSON"},
+    {"3D Geometry File Format",
+     "this is a Rhino model, which evenlift does not read: save the outline as ASCII DXF"},
+    {"ISO-10303-21",
+     "this is a STEP model, which evenlift does not read: save the outline of its face as DXF or SVG"},
+};
+
+// --- Kinds of text
+
+constexpr char mesh_obj[] =
+    "this is a mesh (OBJ), not an outline: save the outline of its face as DXF or SVG";
+constexpr char mesh_ply[] =
+    "this is a mesh (PLY), not an outline: save the outline of its face as DXF or SVG";
+constexpr char mesh_stl[] =
+    "this is a mesh (STL), not an outline: save the outline of its face as DXF or SVG";
+constexpr char mesh_off[] =
+    "this is a mesh (OFF), not an outline: save the outline of its face as DXF or SVG";
+constexpr char iges[] =
+    "this is an IGES model, which evenlift does not read: save the outline of its face as DXF or SVG";
+constexpr char autocad_list[] =
+    "this is the output of AutoCAD's LIST, which evenlift does not read: save the drawing as ASCII "
+    "DXF";
+constexpr char g_code[] =
+    "this is G-code, the path of a tool and not an outline: save the drawing that it was made from "
+    "as DXF or SVG";
+constexpr char plotter[] =
+    "this is a plotter's file (HPGL), which evenlift does not read: save the drawing as DXF or SVG";
+constexpr char gerber[] =
+    "this is a Gerber file, which evenlift does not read: save the outline of the board as DXF or "
+    "SVG";
+
+// A file shows its kind within so many lines and bytes.
+constexpr std::size_t first_lines = 500, first_bytes = 65536;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool contains(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+std::string_view first_word(std::string_view line) {
+  line = trimmed(line);
+  return line.substr(0, line.find_first_of(" \t"));
+}
+
+// The first line of a text, without the comments and blank lines before it.
+std::string_view first_line(std::string_view text) {
+  const std::optional<Line> line = Lines(text).next();
+  return line ? trimmed(line->text) : std::string_view();
+}
+
+bool is_ply(std::string_view text) {
+  return text.starts_with("ply\n") || text.starts_with("ply\r");
+}
+
+bool is_text_stl(std::string_view text) {
+  if (!same_word(first_word(first_line(text)), "solid")) return false;
+  return contains(text, "facet") || contains(text, "FACET");
+}
+
+// A header of 80 bytes, the number of triangles, and 50 bytes for each.
+bool is_binary_stl(std::string_view text) {
+  if (text.size() < 84) return false;
+  std::uint64_t triangles = 0;
+  for (std::size_t i = 84; i-- > 80;)
+    triangles = triangles << 8 | static_cast<unsigned char>(text[i]);
+  return text.size() == 84 + 50 * triangles;
+}
+
+bool is_off(std::string_view text) {
+  static constexpr std::string_view names[] = {"OFF", "COFF", "NOFF", "CNOFF", "STOFF"};
+  const std::string_view word = first_word(first_line(text));
+  return std::find(std::begin(names), std::end(names), word) != std::end(names);
+}
+
+// All lines up to the first vertex begin with words of the format. A table may also name a point
+// "v", but not with three coordinates.
+bool is_obj(std::string_view text) {
+  static constexpr std::string_view words[] = {"mtllib", "usemtl", "o",  "g", "s",
+                                               "vn",     "vt",     "vp", "l", "f"};
+  Lines lines(text);
+  for (std::size_t i = 0; i < first_lines; ++i) {
+    const std::optional<Line> line = lines.next();
+    if (!line) return false;
+    const Fields cells = split_cells(line->text, ' ');
+    if (cells.empty()) return false;
+    if (cells[0] == "v")
+      return cells.size() >= 4 && std::all_of(cells.begin() + 1, cells.end(),
+                                              [](auto cell) { return read_number(cell); });
+    if (std::find(std::begin(words), std::end(words), cells[0]) == std::end(words)) return false;
+  }
+  return false;
+}
+
+// Lines of 80 characters; the 73rd names the section.
+bool is_iges(std::string_view text) {
+  const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  return line.size() == 80 && line[72] == 'S' && is_digit(line[79]) &&
+         line.substr(73).find_first_not_of(" 0123456789") == std::string_view::npos;
+}
+
+bool is_autocad_list(std::string_view text) {
+  return contains(text, "Layer:") && (contains(text, "at point  X=") || contains(text, "Handle ="));
+}
+
+// Whether a word such as "G1" or "X-0.5" begins here.
+bool sees_address(std::string_view line, std::size_t at, std::string_view letters) {
+  if (letters.find(line[at]) == std::string_view::npos || at + 1 >= line.size()) return false;
+  const char next = line[at + 1];
+  return is_digit(next) || ((next == '-' || next == '.' || next == '+') && line[at] != 'G');
+}
+
+bool has_address(std::string_view line, std::string_view letters) {
+  for (std::size_t at = 0; at < line.size(); ++at)
+    if (sees_address(line, at, letters) && (at == 0 || !is_letter(line[at - 1]))) return true;
+  return false;
+}
+
+// Whether the line is a command of G-code. A table may name its points G1 and G2, but its
+// coordinates have no letters.
+bool is_move(std::string_view line) {
+  return sees_address(line, 0, "GN") && has_address(line, "G") && has_address(line, "XYIJ");
+}
+
+// The thesis's text also begins with a parenthesis, but has no words in it.
+bool is_g_code_comment(std::string_view line) {
+  if (line[0] == ';' || line[0] == '%') return true;
+  if (line[0] != '(') return false;
+  for (std::size_t i = 1; i < line.size(); ++i)
+    if (is_letter(line[i - 1]) && is_letter(line[i])) return true;
+  return false;
+}
+
+// The lines before the first move are commands, comments in parentheses or after semicolons, or the
+// percent sign and number of the program.
+bool is_g_code(std::string_view text) {
+  Lines lines(text);
+  for (std::size_t i = 0; i < first_lines; ++i) {
+    const std::optional<Line> next = lines.next();
+    if (!next) return false;
+    const std::string_view line = trimmed(next->text);
+    if (is_move(line)) return true;
+    if (!is_g_code_comment(line) && !sees_address(line, 0, "GMNTSFO")) return false;
+  }
+  return false;
+}
+
+bool is_plotter_file(std::string_view text) {
+  const std::string_view line = first_line(text);
+  return line.starts_with("IN;") || line.starts_with("\x1b%") || line.starts_with("PU;") ||
+         (line.starts_with("SP") && contains(line, ";PU"));
+}
+
+bool is_gerber(std::string_view text) { return contains(text, "%FSLA") || contains(text, "%FSTA"); }
+
+struct KindOfText {
+  bool (*is_kind)(std::string_view text);
+  const char* refusal;
+};
+
+constexpr KindOfText text_kinds[] = {
+    {is_ply, mesh_ply},  {is_text_stl, mesh_stl}, {is_off, mesh_off},
+    {is_obj, mesh_obj},  {is_iges, iges},         {is_autocad_list, autocad_list},
+    {is_gerber, gerber}, {is_g_code, g_code},     {is_plotter_file, plotter},
+};
+
+}  // namespace
+
+const char* refusal_of_other_kind(std::string_view text) {
+  for (const FirstBytes& kind : binary_kinds)
+    if (text.starts_with(kind.begins)) return kind.refusal;
+  if (is_binary_stl(text)) return mesh_stl;
+  const std::string_view beginning = text.substr(0, first_bytes);
+  for (const KindOfText& kind : text_kinds)
+    if (kind.is_kind(beginning)) return kind.refusal;
+  return nullptr;
+}
+
+}  // namespace evenlift

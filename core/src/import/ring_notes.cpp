@@ -1,0 +1,77 @@
+#include "import/ring_notes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "evenlift/angles.h"
+
+namespace evenlift {
+namespace {
+
+// Nearer to the equator widths are right within half a percent.
+constexpr double low_latitude = 5;
+
+// Describes a polygon without its holes. An option may still set a centre of mass later.
+const char* what_is_left(bool centre_is_open) {
+  return centre_is_open
+             ? "only the outer ring defines the shape and, unless one is given, its centre of mass"
+             : "only the outer ring defines the shape; the centre of mass is the given one";
+}
+
+Box box_of(const std::vector<ImportedShape>& shapes) {
+  Points corners;
+  for (const ImportedShape& shape : shapes) {
+    if (shape.document.vertices.empty()) continue;
+    const Box box = bounding_box(shape.document.vertices);
+    corners.push_back(box.low);
+    corners.push_back(box.high);
+  }
+  return bounding_box(corners);
+}
+
+// Numbers beyond these are no longitudes and latitudes, whatever the text says.
+bool can_be_degrees(const Box& box) {
+  return box.low.x() >= -360 && box.high.x() <= 360 && box.low.y() >= -90 && box.high.y() <= 90;
+}
+
+// The note about degrees. It names the factor at the middle latitude.
+std::string degrees_note(std::string_view who, const Box& box) {
+  std::string note(who);
+  note += " are degrees of longitude and latitude, not lengths";
+  const double latitude = (box.low.y() + box.high.y()) / 2;
+  const double shrinking = cosine(latitude * pi / 180);
+  if (std::abs(latitude) > low_latitude && shrinking > 1e-3)
+    note += ": at latitude " + short_number(latitude) + " widths come out " +
+            short_number(1 / shrinking) + " times too large";
+  return note;
+}
+
+}  // namespace
+
+void RingNotes::drop_repeated(Points& ring) {
+  const auto end = std::unique(ring.begin(), ring.end());
+  repeated += static_cast<std::size_t>(std::distance(end, ring.end()));
+  ring.erase(end, ring.end());
+}
+
+void RingNotes::add_to(Gathering& gathering) const {
+  if (holes > 0)
+    gathering.note(counted(holes, "hole was", "holes were") +
+                   " left out, since holes are not supported: " + what_is_left(centre_is_open));
+  if (heights > 0) gathering.note("coordinates beyond x and y were left out");
+  if (repeated > 0)
+    gathering.note(counted(repeated, "vertex at the place of the one before it was",
+                           "vertices at the place of the one before them were") +
+                   " left out");
+  if (!are_degrees || gathering.import.shapes.empty()) return;
+  const Box box = box_of(gathering.import.shapes);
+  if (can_be_degrees(box)) gathering.note(degrees_note(who_says_so, box));
+}
+
+bool is_in_degrees(double code) {
+  static constexpr double codes[] = {4326, 4979, 4258, 4269, 4267, 4283, 4230, 4171, 4612, 4674};
+  return std::find(std::begin(codes), std::end(codes), code) != std::end(codes);
+}
+
+}  // namespace evenlift

@@ -1,0 +1,33 @@
+// What the readers of rings leave out or doubt, and the notes about it: one rule for WKT, GeoJSON,
+// other JSON and tables.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "evenlift/document.h"
+#include "import/gathering.h"
+
+namespace evenlift {
+
+struct RingNotes {
+  std::size_t repeated = 0;      // vertices at the place of the one before
+  std::size_t heights = 0;       // positions with coordinates beyond x and y
+  std::size_t holes = 0;         // left out
+  bool centre_is_open = false;   // a polygon with holes comes without a centre of mass
+  bool are_degrees = false;      // the text says that coordinates are longitudes and latitudes
+  std::string_view who_says_so;  // completes "... are degrees", as in "the coordinates"
+
+  // Drops each vertex that equals the one before it and counts it; the last vertex of a ring may
+  // equal the first. O(n).
+  void drop_repeated(Points& ring);
+  // Adds the notes to an import with all its shapes. O(vertices).
+  void add_to(Gathering& gathering) const;
+};
+
+// Whether these are the codes of a reference system in degrees: WGS 84 and the national ones that
+// files most often have. O(1).
+bool is_in_degrees(double code);
+
+}  // namespace evenlift

@@ -1,0 +1,136 @@
+// Reads one SVG: walks over its elements and gathers the shapes that are seen.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "curves/outline.h"
+#include "import/gathering.h"
+#include "import/svg/svg_paper.h"
+#include "import/svg/svg_style.h"
+#include "import/svg/svg_values.h"
+
+namespace evenlift {
+
+class SvgReader {
+ public:
+  SvgReader(std::string_view text, const ImportOptions& options)
+      : text_(text), options_(options), gathering_(options) {}
+  Result<Import> read();
+
+ private:
+  // What an element inherits.
+  struct Context {
+    Affine matrix;
+    std::string_view layer;         // the label of the nearest layer or group that has one
+    std::string_view name_of_copy;  // of the <use> of which this element is the original
+    SvgViewport viewport;
+    SvgLook look;
+    bool in_copy = false;
+  };
+  // An open piece of an outline, in the import's coordinates.
+  // The largest number of bytes and elements in all copies together, so that copies of copies
+  // cannot multiply without end. An element counts as 64 bytes.
+  static constexpr std::size_t most_copied_bytes = std::size_t{1} << 26;
+
+  // A path that has a fill and no stroke.
+  struct FilledPath {
+    std::string_view d;
+    Affine matrix;
+  };
+
+  // svg.cpp: the document.
+  InputError error_at(const pugi::xml_node& node, ErrorCode code, std::string message) const;
+  void problem(const pugi::xml_node& node, const std::string& what);
+  // The value; or nullopt, and the shape is left out.
+  template <class T>
+  std::optional<T> checked(const pugi::xml_node& node, const char* what, SvgResult<T> result) {
+    if (auto* wrong = std::get_if<SvgProblem>(&result)) {
+      problem(node, joined({"the SVG's ", what, ", ", wrong->what}));
+      return std::nullopt;
+    }
+    return std::get<0>(std::move(result));
+  }
+  Result<pugi::xml_node> load();
+  std::optional<InputError> walk(const pugi::xml_node& root, const SvgPaper& paper);
+  void start_again();
+  void say_what_is_unseen();
+  InputError nothing_found() const;
+
+  // svg_tree.cpp: elements, groups and copies.
+  std::optional<InputError> children(const pugi::xml_node& parent, const Context& context,
+                                     int depth);
+  std::optional<InputError> element(const pugi::xml_node& node, const Context& context, int depth);
+  std::optional<InputError> inside_of(const pugi::xml_node& node, std::string_view name,
+                                      Context& inside, int depth);
+  std::optional<InputError> chosen_child(const pugi::xml_node& node, const Context& context,
+                                         int depth);
+  std::optional<InputError> copy(const pugi::xml_node& node, Context& inside, int depth);
+  // A drawing or symbol with its own viewport, whose size `sized` gives: the <use>, or itself.
+  std::optional<InputError> nested(const pugi::xml_node& node, const pugi::xml_node& sized,
+                                   Context& inside, int depth);
+  bool enter(const pugi::xml_node& node, std::string_view name, Context& inside);
+  bool transform(const pugi::xml_node& node, const SvgDeclared& declared, Context& inside);
+  bool leaves_out(const pugi::xml_node& node, std::string_view name, const Context& inside);
+  void hide(const pugi::xml_node& node, const Context& context);
+  bool has_room_to_copy(const pugi::xml_node& node);
+  void index_ids();
+  pugi::xml_node original_of(const pugi::xml_node& node);
+  InputError too_deep(const pugi::xml_node& node) const;
+  bool full() const { return gathering_.full() || piece_points_ > max_vertices; }
+
+  // svg_shapes.cpp: what is drawn.
+  void shape(const pugi::xml_node& node, const Context& context, std::string_view name);
+  bool is_stroke_of_filled(const pugi::xml_node& node, const Context& context);
+  void path(const pugi::xml_node& node, const Context& context, const std::string& called);
+  void points(const pugi::xml_node& node, const Context& context, const std::string& called,
+              bool closed);
+  void rectangle(const pugi::xml_node& node, const Context& context, const std::string& called);
+  void ellipse(const pugi::xml_node& node, const Context& context, const std::string& called,
+               bool circle);
+  void line(const pugi::xml_node& node, const Context& context);
+  std::string called(const pugi::xml_node& node, const Context& context) const;
+  // A length of the element; the context's viewport is the whole of a length in per cent.
+  std::optional<std::optional<double>> length(const pugi::xml_node& node, const Context& context,
+                                              const char* attribute);
+  void add(const Outline& outline, const Context& context, const std::string& called,
+           const char* kind);
+  void add_open(const Outline& outline, const Context& context);
+  void add_piece(Outline piece, std::string_view name);
+  Outline placed(const Outline& outline, const Context& context);
+
+  std::string_view text_;
+  ImportOptions options_;
+  pugi::xml_document document_;
+  SvgStyles styles_;
+  std::vector<std::pair<std::string_view, pugi::xml_node>> by_id_;  // sorted, once it is needed
+  bool has_ids_ = false;
+
+  // What a walk gathers. A second walk takes shapes without paint too.
+  Gathering gathering_;
+  std::vector<DrawnPiece> pieces_;
+  std::size_t piece_points_ = 0;
+  std::vector<pugi::xml_node> open_;  // the elements around the present one
+  std::size_t copied_bytes_ = 0;
+  std::size_t hidden_ = 0, unpainted_ = 0, hairs_ = 0;
+  std::vector<std::string> hidden_names_;
+  FilledPath filled_;  // the shape before, if it was such a path
+  bool takes_unpainted_ = false, has_problem_ = false, has_texts_ = false;
+};
+
+// The label that a drawing program gives to an element, or the empty text.
+std::string_view label_of(const pugi::xml_node& node);
+// The element's name for people: its label, title or id.
+std::string_view own_name(const pugi::xml_node& node);
+
+// Leaves out curves of a hair: those that return to within `meet` of where they begin, and whose
+// control points stay within `reach` of it. Programs draw them at corners, where they would make
+// one vertex of the polygon twice. Returns how many. O(pieces).
+std::size_t drop_hairs(Outline& outline, double reach, double meet);
+
+}  // namespace evenlift

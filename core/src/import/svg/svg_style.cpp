@@ -1,0 +1,341 @@
+#include "import/svg/svg_style.h"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <tuple>
+
+#include "import/svg/svg_element.h"
+#include "numbers/number_text.h"
+#include "numbers/text_cursor.h"
+
+namespace evenlift {
+namespace {
+
+struct NamedProperty {
+  std::string_view name;
+  SvgProperty property;
+  bool has_attribute;  // the property may also be written as an attribute
+};
+constexpr NamedProperty properties[] = {{"display", SvgProperty::display, true},
+                                        {"visibility", SvgProperty::visibility, true},
+                                        {"opacity", SvgProperty::opacity, true},
+                                        {"fill", SvgProperty::fill, true},
+                                        {"fill-opacity", SvgProperty::fill_opacity, true},
+                                        {"stroke", SvgProperty::stroke, true},
+                                        {"stroke-opacity", SvgProperty::stroke_opacity, true},
+                                        {"stroke-width", SvgProperty::stroke_width, true},
+                                        {"transform", SvgProperty::transform, true},
+                                        {"transform-origin", SvgProperty::transform_origin, true},
+                                        {"transform-box", SvgProperty::transform_box, true},
+                                        {"translate", SvgProperty::translate, false},
+                                        {"rotate", SvgProperty::rotate, false},
+                                        {"scale", SvgProperty::scale, false}};
+static_assert(std::size(properties) == svg_property_count);
+
+const NamedProperty* property_named(std::string_view name) {
+  for (const NamedProperty& property : properties)
+    if (same_word(name, property.name)) return &property;
+  return nullptr;
+}
+
+bool is_white_space(char c) { return is_space_in_line(c) || ends_line(c) || c == '\f'; }
+
+std::string_view without_space(std::string_view text) {
+  while (!text.empty() && is_white_space(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_white_space(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+// The place of the first of `marks` outside quotes, and outside parentheses if they count.
+std::size_t find_outside(std::string_view text, std::string_view marks, std::size_t from,
+                         bool parentheses) {
+  char quote = 0;
+  int depth = 0;
+  for (std::size_t i = from; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '\\') {
+      ++i;
+    } else if (quote != 0) {
+      if (c == quote || ends_line(c)) quote = 0;
+    } else if (depth == 0 && marks.find(c) != std::string_view::npos) {
+      return i;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (parentheses && c == '(') {
+      ++depth;
+    } else if (parentheses && c == ')' && depth > 0) {
+      --depth;
+    }
+  }
+  return text.size();
+}
+
+struct Value {
+  const NamedProperty* property;
+  std::string_view value;
+  bool important;
+};
+
+// Cuts a mark such as "!important" off the value.
+bool cut_important(std::string_view& value) {
+  const std::size_t mark = value.rfind('!');
+  if (mark == std::string_view::npos ||
+      !same_word(without_space(value.substr(mark + 1)), "important"))
+    return false;
+  value = without_space(value.substr(0, mark));
+  return true;
+}
+
+// Calls take() for each declaration of a property of the table.
+template <class Take>
+void each_declaration(std::string_view text, Take take) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = find_outside(text, ";", at, true);
+    const std::string_view declaration = text.substr(at, end - at);
+    at = end + 1;
+    const std::size_t colon = declaration.find(':');
+    if (colon == std::string_view::npos) continue;
+    const NamedProperty* property = property_named(without_space(declaration.substr(0, colon)));
+    if (property == nullptr) continue;
+    Value value{property, without_space(declaration.substr(colon + 1)), false};
+    value.important = cut_important(value.value);
+    if (!value.value.empty()) take(value);
+  }
+}
+
+void append_without_comments(std::string& text, std::string_view css) {
+  while (!css.empty()) {
+    const std::size_t start = css.find("/*");
+    text += css.substr(0, start);
+    text += ' ';
+    if (start == std::string_view::npos) return;
+    const std::size_t end = css.find("*/", start + 2);
+    if (end == std::string_view::npos) return;
+    css.remove_prefix(end + 2);
+  }
+}
+
+// The place after the block whose opening brace is at `open`.
+std::size_t after_block(std::string_view css, std::size_t open) {
+  int depth = 0;
+  for (std::size_t at = open; at < css.size();) {
+    depth += css[at] == '{' ? 1 : -1;
+    ++at;
+    if (depth == 0) return at;
+    at = find_outside(css, "{}", at, false);
+  }
+  return css.size();
+}
+
+bool is_name(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+    return is_letter(c) || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
+           static_cast<unsigned char>(c) >= 0x80;
+  });
+}
+
+// A sheet for paper or for another medium than a screen does not count.
+bool is_for_screens(std::string_view media) {
+  media = without_space(media);
+  return media.empty() || same_word(media, "all") || same_word(media, "screen");
+}
+
+// A number or a percentage that is at most 0.
+bool is_zero(std::string_view value) {
+  const ScannedNumber number = scan_number(value);
+  return number.kind == ScannedNumber::Kind::finite && number.value <= 0;
+}
+
+bool is_paint(std::string_view value) {
+  return !same_word(value, "none") && !same_word(value, "transparent");
+}
+
+bool is_visible(std::string_view value) {
+  return !same_word(value, "hidden") && !same_word(value, "collapse");
+}
+
+bool is_more_than_zero(std::string_view value) { return !is_zero(value); }
+
+}  // namespace
+
+bool hides_all(const SvgDeclared& declared) {
+  return same_word(declared[SvgProperty::display], "none") ||
+         is_zero(declared[SvgProperty::opacity]);
+}
+
+SvgLook inherited(SvgLook look, const SvgDeclared& declared) {
+  constexpr SvgLook first;
+  struct Row {
+    SvgProperty property;
+    bool SvgLook::*value;
+    bool (*is_seen)(std::string_view);
+  };
+  constexpr Row rows[] = {{SvgProperty::visibility, &SvgLook::visible, is_visible},
+                          {SvgProperty::fill, &SvgLook::fill, is_paint},
+                          {SvgProperty::fill_opacity, &SvgLook::fill_opaque, is_more_than_zero},
+                          {SvgProperty::stroke, &SvgLook::stroke, is_paint},
+                          {SvgProperty::stroke_opacity, &SvgLook::stroke_opaque, is_more_than_zero},
+                          {SvgProperty::stroke_width, &SvgLook::stroke_wide, is_more_than_zero}};
+  for (const Row& row : rows) {
+    const std::string_view value = declared[row.property];
+    if (value.empty() || same_word(value, "inherit") || same_word(value, "unset")) continue;
+    look.*row.value = same_word(value, "initial") ? first.*row.value : row.is_seen(value);
+  }
+  return look;
+}
+
+// The declarations for one element, of which the strongest wins.
+class SvgStyles::Cascade {
+ public:
+  void take(SvgProperty property, std::string_view value, bool important, std::uint32_t specificity,
+            std::uint32_t order) {
+    const auto at = static_cast<std::size_t>(property);
+    const Strength strength{important, specificity, order};
+    if (strength < strengths_[at]) return;
+    strengths_[at] = strength;
+    declared_.values[at] = value;
+  }
+  const SvgDeclared& declared() const { return declared_; }
+
+ private:
+  using Strength = std::tuple<bool, std::uint32_t, std::uint32_t>;
+  std::array<Strength, svg_property_count> strengths_{};
+  SvgDeclared declared_;
+};
+
+bool SvgStyles::read(const pugi::xml_node& root) {
+  struct Finder final : pugi::xml_tree_walker {
+    std::string text;
+    bool for_each(pugi::xml_node& node) override {
+      if (local_name(node) != "style" || !is_for_screens(value_of(node, "media"))) return true;
+      for (const pugi::xml_node css : node.children()) append_without_comments(text, css.value());
+      return true;
+    }
+  };
+  Finder finder;
+  pugi::xml_node start = root;
+  start.traverse(finder);
+  text_ = std::move(finder.text);
+  if (!read_rules(text_)) return false;
+
+  // Of the declarations with the same selector and property, the first is the one that wins.
+  std::sort(declarations_.begin(), declarations_.end(),
+            [](const Declaration& a, const Declaration& b) {
+              return std::tie(a.selector, a.property, b.important, b.order) <
+                     std::tie(b.selector, b.property, a.important, a.order);
+            });
+  const auto rest = std::unique(declarations_.begin(), declarations_.end(),
+                                [](const Declaration& a, const Declaration& b) {
+                                  return a.selector == b.selector && a.property == b.property;
+                                });
+  declarations_.erase(rest, declarations_.end());
+  return true;
+}
+
+bool SvgStyles::read_rules(std::string_view css) {
+  for (std::size_t at = 0; at < css.size();) {
+    if (is_white_space(css[at])) {
+      ++at;
+    } else if (css[at] == '@') {
+      const std::size_t end = find_outside(css, ";{", at, true);
+      at = end < css.size() && css[end] == '{' ? after_block(css, end) : end + 1;
+    } else {
+      const std::size_t open = find_outside(css, "{", at, false);
+      const std::size_t end = after_block(css, open);
+      if (open < css.size() &&
+          !read_rule(css.substr(at, open - at), css.substr(open + 1, end - open - 1)))
+        return false;
+      at = end;
+    }
+  }
+  return true;
+}
+
+std::optional<SvgStyles::Selector> SvgStyles::simple_selector(std::string_view text) {
+  const std::size_t mark = std::min(text.find_first_of(".#"), text.size());
+  const std::string_view tag = text.substr(0, mark), rest = text.substr(mark);
+  Selector selector;
+  if (tag != "*") selector.tag = tag;
+  if (!rest.empty()) (rest[0] == '#' ? selector.id : selector.name_of_class) = rest.substr(1);
+  const bool whole = !text.empty() && (tag.empty() || tag == "*" || is_name(tag)) &&
+                     (rest.empty() || is_name(rest.substr(1)));
+  return whole ? std::optional(selector) : std::nullopt;
+}
+
+bool SvgStyles::read_rule(std::string_view selectors, std::string_view body) {
+  if (!body.empty() && body.back() == '}') body.remove_suffix(1);
+  // The values of the rule, at most one for each property, before they are repeated for each
+  // selector of the list.
+  std::array<Value, svg_property_count> values{};
+  each_declaration(body, [&](const Value& value) {
+    Value& kept = values[static_cast<std::size_t>(value.property->property)];
+    if (!kept.important || value.important) kept = value;
+  });
+  for (std::size_t at = 0; at <= selectors.size();) {
+    const std::size_t comma = find_outside(selectors, ",", at, true);
+    const std::optional<Selector> selector =
+        simple_selector(without_space(selectors.substr(at, comma - at)));
+    at = comma + 1;
+    for (const Value& value : values) {
+      if (value.property == nullptr) continue;
+      const SvgProperty property = value.property->property;
+      if (!selector) {
+        skipped_paint_ |= property == SvgProperty::fill || property == SvgProperty::stroke;
+        continue;
+      }
+      if (declarations_.size() >= most_declarations) return false;
+      const auto order = static_cast<std::uint32_t>(declarations_.size() + 1);
+      declarations_.push_back({*selector, property, value.important, order, value.value});
+    }
+  }
+  return true;
+}
+
+void SvgStyles::apply(const Selector& selector, Cascade& cascade) const {
+  const auto first = std::lower_bound(
+      declarations_.begin(), declarations_.end(), selector,
+      [](const Declaration& a, const Selector& wanted) { return a.selector < wanted; });
+  const std::uint32_t specificity = (selector.id.empty() ? 0u : 0x10000u) +
+                                    (selector.name_of_class.empty() ? 0u : 0x100u) +
+                                    (selector.tag.empty() ? 0u : 1u);
+  for (auto next = first; next != declarations_.end() && next->selector == selector; ++next)
+    cascade.take(next->property, next->value, next->important, specificity, next->order);
+}
+
+SvgDeclared SvgStyles::of(const pugi::xml_node& node) const {
+  constexpr std::uint32_t of_style_attribute = 0x1000000;
+  Cascade cascade;
+  std::string_view id, classes, style;
+  for (const pugi::xml_attribute attribute : node.attributes()) {
+    const std::string_view name = attribute.name(), value = attribute.value();
+    if (name == "id") id = value;
+    if (name == "class") classes = value;
+    if (name == "style") style = value;
+    const NamedProperty* property = property_named(name);
+    const std::string_view trimmed = without_space(value);
+    if (property != nullptr && property->has_attribute && !trimmed.empty())
+      cascade.take(property->property, trimmed, false, 0, 0);
+  }
+  if (!declarations_.empty()) {
+    const std::string_view tag = local_name(node);
+    apply({}, cascade);
+    apply({tag, {}, {}}, cascade);
+    while (!(classes = without_space(classes)).empty()) {
+      const std::size_t end = std::min(classes.find_first_of(" \t\r\n\f"), classes.size());
+      apply({{}, {}, classes.substr(0, end)}, cascade);
+      apply({tag, {}, classes.substr(0, end)}, cascade);
+      classes.remove_prefix(end);
+    }
+    if (!id.empty()) {
+      apply({{}, id, {}}, cascade);
+      apply({tag, id, {}}, cascade);
+    }
+  }
+  each_declaration(style, [&](const Value& value) {
+    cascade.take(value.property->property, value.value, value.important, of_style_attribute, 0);
+  });
+  return cascade.declared();
+}
+
+}  // namespace evenlift

@@ -1,0 +1,104 @@
+// How an SVG's elements look: properties from attributes, the style attribute and style sheets, and
+// their inheritance.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace evenlift {
+
+// The properties that decide whether and where an element is seen.
+enum class SvgProperty : std::uint8_t {
+  display,
+  visibility,
+  opacity,
+  fill,
+  fill_opacity,
+  stroke,
+  stroke_opacity,
+  stroke_width,
+  transform,
+  transform_origin,
+  transform_box,
+  translate,
+  rotate,
+  scale,
+  count
+};
+inline constexpr auto svg_property_count = static_cast<std::size_t>(SvgProperty::count);
+
+// The values that are declared for one element; those that are not declared are empty.
+struct SvgDeclared {
+  std::array<std::string_view, svg_property_count> values;
+  std::string_view operator[](SvgProperty property) const {
+    return values[static_cast<std::size_t>(property)];
+  }
+};
+
+// The values that an element inherits, as far as they decide whether a shape is seen.
+struct SvgLook {
+  bool visible = true;
+  bool fill = true, fill_opaque = true;
+  bool stroke = false, stroke_opaque = true, stroke_wide = true;
+  bool is_filled() const { return fill && fill_opaque; }
+  bool is_stroked() const { return stroke && stroke_opaque && stroke_wide; }
+};
+
+// Whether neither the element nor anything in it is seen: display is none, or opacity is 0.
+bool hides_all(const SvgDeclared& declared);
+// The look of an element in a parent of the given look.
+SvgLook inherited(SvgLook look, const SvgDeclared& declared);
+
+// The style sheets of a drawing. Of their selectors count `tag`, `.class`, `#id`, `tag.class`,
+// `tag#id` and `*`, and lists of these. At-rules and all other selectors are skipped. Of the
+// declarations for an element, the last one of the highest specificity wins, and `!important` wins
+// over all others. The drawing must outlive the sheets, and they may not be copied.
+class SvgStyles {
+ public:
+  SvgStyles() = default;
+  SvgStyles(const SvgStyles&) = delete;
+  SvgStyles& operator=(const SvgStyles&) = delete;
+
+  // Reads all <style> elements below the root. False if there are more than most_declarations.
+  // O(bytes log bytes).
+  static constexpr std::size_t most_declarations = std::size_t{1} << 18;
+  bool read(const pugi::xml_node& root);
+
+  // O(bytes of its attributes, times the logarithm of the number of declarations).
+  SvgDeclared of(const pugi::xml_node& node) const;
+
+  // A skipped selector gives paint, so a shape that seems to have none may have some.
+  bool skipped_paint() const { return skipped_paint_; }
+
+ private:
+  struct Selector {
+    std::string_view tag, id, name_of_class;
+    auto operator<=>(const Selector&) const = default;
+  };
+  struct Declaration {
+    Selector selector;
+    SvgProperty property;
+    bool important;
+    std::uint32_t order;
+    std::string_view value;
+  };
+  class Cascade;
+
+  static std::optional<Selector> simple_selector(std::string_view text);
+  bool read_rules(std::string_view css);
+  bool read_rule(std::string_view selectors, std::string_view body);
+  void apply(const Selector& selector, Cascade& cascade) const;
+
+  std::string text_;                       // all sheets without comments
+  std::vector<Declaration> declarations_;  // by selector; of each property only the one that wins
+  bool skipped_paint_ = false;
+};
+
+}  // namespace evenlift

@@ -1,0 +1,306 @@
+// The tree of an SVG's elements: what is seen, where, and how often.
+#include <algorithm>
+
+#include "import/svg/svg_element.h"
+#include "import/svg/svg_reader.h"
+#include "numbers/text_cursor.h"
+
+namespace evenlift {
+namespace {
+
+// The greatest depth of nested elements. The reader recurses to this depth.
+constexpr int max_depth = 256;
+
+template <std::size_t size>
+bool is_one_of(std::string_view name, const std::string_view (&names)[size]) {
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+// Elements that are not drawn in their own place.
+constexpr std::string_view unseen[] = {
+    "defs",  "clipPath",       "mask", "pattern", "marker", "symbol",         "style", "metadata",
+    "title", "linearGradient", "desc", "script",  "filter", "radialGradient", "font",  "namedview"};
+constexpr std::string_view drawn[] = {"path",   "polygon", "polyline", "rect",
+                                      "circle", "ellipse", "line"};
+
+struct Other {
+  std::string_view name, one, many;
+  bool is_text;
+};
+constexpr Other others[] = {{"text", "text", "texts", true},
+                            {"flowRoot", "text", "texts", true},
+                            {"image", "picture", "pictures", false},
+                            {"foreignObject", "foreign object", "foreign objects", false}};
+
+// The properties that move a shape and are not read.
+struct Mover {
+  SvgProperty property;
+  const char* name;
+};
+constexpr Mover movers[] = {{SvgProperty::translate, "translate"},
+                            {SvgProperty::rotate, "rotate"},
+                            {SvgProperty::scale, "scale"}};
+
+Affine moved(double x, double y) { return {1, 0, 0, 1, x, y}; }
+
+// Whether a <switch> may choose this element. Programs put first what only they can read, and then
+// the same for all others.
+bool may_be_chosen(const pugi::xml_node& node) {
+  if (local_name(node) == "foreignObject" || !value_of(node, "requiredExtensions").empty())
+    return false;
+  const pugi::xml_attribute languages = node.attribute("systemLanguage");
+  return !languages || std::string_view(languages.value()).substr(0, 2) == "en";
+}
+
+// What is after # in the reference to the original; or nullopt if it is in another file.
+std::optional<std::string_view> id_of_original(const pugi::xml_node& node) {
+  std::string_view href;
+  for (const pugi::xml_attribute attribute : node.attributes()) {
+    const std::string_view name = attribute.name();
+    if (without_prefix(name) != "href") continue;
+    href = svg_trimmed(attribute.value());
+    if (name == "href") break;  // the one without a prefix wins
+  }
+  if (href.empty()) return href;
+  if (href[0] != '#') return std::nullopt;
+  return href.substr(1);
+}
+
+}  // namespace
+
+InputError SvgReader::too_deep(const pugi::xml_node& node) const {
+  return error_at(node, ErrorCode::unsupported, "the SVG's elements are nested too deeply");
+}
+
+void SvgReader::hide(const pugi::xml_node& node, const Context& context) {
+  constexpr std::size_t most_names = 3;
+  ++hidden_;
+  const std::string name =
+      clean_name(context.name_of_copy.empty() ? own_name(node) : context.name_of_copy);
+  if (name.empty() || hidden_names_.size() > most_names ||
+      std::find(hidden_names_.begin(), hidden_names_.end(), name) != hidden_names_.end())
+    return;
+  hidden_names_.push_back(hidden_names_.size() == most_names ? "" : name);
+}
+
+bool SvgReader::leaves_out(const pugi::xml_node& node, std::string_view name,
+                           const Context& inside) {
+  for (const Other& other : others) {
+    if (name != other.name) continue;
+    has_texts_ = has_texts_ || other.is_text;
+    if (inside.look.visible)
+      gathering_.left_out.add(other.one, other.many);
+    else
+      hide(node, inside);
+    return true;
+  }
+  return false;
+}
+
+bool SvgReader::transform(const pugi::xml_node& node, const SvgDeclared& declared,
+                          Context& inside) {
+  for (const Mover& mover : movers) {
+    const std::string_view value = declared[mover.property];
+    if (value.empty() || same_word(value, "none")) continue;
+    problem(node, joined({"the SVG moves a shape by the style \"", mover.name,
+                          "\", which is not supported; use a transform (in Inkscape: save as "
+                          "Plain SVG)"}));
+    return false;
+  }
+  const std::string_view text = declared[SvgProperty::transform];
+  if (text.empty()) return true;
+  const auto matrix = checked(node, "drawing", svg_transform(text));
+  if (!matrix) return false;
+  const std::string_view origin_text = declared[SvgProperty::transform_origin];
+  if (origin_text.empty()) {
+    inside.matrix = inside.matrix * *matrix;
+    return true;
+  }
+  const std::string_view box = declared[SvgProperty::transform_box];
+  if (!box.empty() && !same_word(box, "view-box")) {
+    problem(node,
+            "the SVG turns a shape about a point of its own box (transform-box), which is "
+            "not supported; use a transform attribute (in Inkscape: save as Plain SVG)");
+    return false;
+  }
+  const auto origin =
+      checked(node, "drawing",
+              svg_transform_origin(origin_text, inside.viewport.width, inside.viewport.height));
+  if (!origin) return false;
+  inside.matrix =
+      inside.matrix * moved(origin->x(), origin->y()) * *matrix * moved(-origin->x(), -origin->y());
+  return true;
+}
+
+// Applies the element's look and transform to `inside`. False if the element is left out.
+bool SvgReader::enter(const pugi::xml_node& node, std::string_view name, Context& inside) {
+  const SvgDeclared declared = styles_.of(node);
+  if (hides_all(declared)) {
+    hide(node, inside);
+    return false;
+  }
+  inside.look = inherited(inside.look, declared);
+  if (leaves_out(node, name, inside) || !transform(node, declared, inside)) return false;
+  if (!is_one_of(name, drawn)) return true;
+  if (!inside.look.visible) {
+    hide(node, inside);
+    return false;
+  }
+  // A line has nothing to fill.
+  const bool painted = inside.look.is_stroked() || (inside.look.is_filled() && name != "line");
+  if (painted || styles_.skipped_paint()) return true;
+  ++unpainted_;
+  return takes_unpainted_;
+}
+
+std::optional<InputError> SvgReader::element(const pugi::xml_node& node, const Context& context,
+                                             int depth) {
+  const std::string_view name = local_name(node);
+  if (is_one_of(name, unseen)) return std::nullopt;
+  Context inside = context;
+  if (!enter(node, name, inside)) return std::nullopt;
+  if (is_one_of(name, drawn)) {
+    shape(node, inside, name);
+    return std::nullopt;
+  }
+  return inside_of(node, name, inside, depth);
+}
+
+std::optional<InputError> SvgReader::inside_of(const pugi::xml_node& node, std::string_view name,
+                                               Context& inside, int depth) {
+  if (name == "use") return copy(node, inside, depth);
+  if (name == "svg") return nested(node, node, inside, depth);
+  if (!inside.name_of_copy.empty()) inside.layer = inside.name_of_copy;
+  if (const std::string_view label = label_of(node); !label.empty()) inside.layer = label;
+  inside.name_of_copy = {};
+  if (name == "switch") return chosen_child(node, inside, depth + 1);
+  return children(node, inside, depth + 1);
+}
+
+std::optional<InputError> SvgReader::chosen_child(const pugi::xml_node& node,
+                                                  const Context& context, int depth) {
+  if (depth > max_depth) return too_deep(node);
+  for (const pugi::xml_node child : node.children()) {
+    if (context.in_copy && !has_room_to_copy(child)) return std::nullopt;
+    if (child.type() != pugi::node_element || !may_be_chosen(child)) continue;
+    open_.push_back(node);
+    std::optional<InputError> error = element(child, context, depth);
+    open_.pop_back();
+    return error;
+  }
+  return std::nullopt;
+}
+
+std::optional<InputError> SvgReader::children(const pugi::xml_node& parent, const Context& context,
+                                              int depth) {
+  if (depth > max_depth) return too_deep(parent);
+  open_.push_back(parent);
+  std::optional<InputError> error;
+  for (const pugi::xml_node node : parent.children()) {
+    if (full() || error || (context.in_copy && !has_room_to_copy(node))) break;
+    if (node.type() == pugi::node_element) error = element(node, context, depth);
+  }
+  open_.pop_back();
+  return error;
+}
+
+bool SvgReader::has_room_to_copy(const pugi::xml_node& node) {
+  copied_bytes_ += 64;
+  for (const pugi::xml_attribute attribute : node.attributes())
+    copied_bytes_ += std::string_view(attribute.value()).size();
+  return copied_bytes_ <= most_copied_bytes;
+}
+
+// The element that <use> copies; a null node if there is none, and the copy is left out.
+pugi::xml_node SvgReader::original_of(const pugi::xml_node& node) {
+  const std::optional<std::string_view> id = id_of_original(node);
+  if (!id) {
+    gathering_.left_out.add("copy (<use>) from another file", "copies (<use>) from other files");
+    return {};
+  }
+  if (!has_ids_) index_ids();
+  const auto found = std::lower_bound(
+      by_id_.begin(), by_id_.end(), *id,
+      [](const auto& entry, std::string_view wanted) { return entry.first < wanted; });
+  if (id->empty() || found == by_id_.end() || found->first != *id) {
+    gathering_.left_out.add("copy (<use>) without an original",
+                            "copies (<use>) without an original");
+    return {};
+  }
+  return found->second;
+}
+
+void SvgReader::index_ids() {
+  struct Finder final : pugi::xml_tree_walker {
+    std::vector<std::pair<std::string_view, pugi::xml_node>> found;
+    bool for_each(pugi::xml_node& node) override {
+      if (const std::string_view id = value_of(node, "id"); !id.empty())
+        found.emplace_back(id, node);
+      return true;
+    }
+  };
+  Finder finder;
+  document_.traverse(finder);
+  by_id_ = std::move(finder.found);
+  // Of elements with the same id the first counts.
+  std::stable_sort(by_id_.begin(), by_id_.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  has_ids_ = true;
+}
+
+std::optional<InputError> SvgReader::copy(const pugi::xml_node& node, Context& inside, int depth) {
+  if (depth > max_depth) return too_deep(node);
+  const pugi::xml_node original = original_of(node);
+  if (!original) return std::nullopt;
+  if (original == node || std::find(open_.begin(), open_.end(), original) != open_.end()) {
+    problem(node, "the SVG's copies (<use>) contain themselves");
+    return std::nullopt;
+  }
+  const auto x = length(node, inside, "x"), y = length(node, inside, "y");
+  if (!x || !y) return std::nullopt;
+  if (!has_room_to_copy(original)) return std::nullopt;
+  inside.matrix = inside.matrix * moved(x->value_or(0), y->value_or(0));
+  inside.in_copy = true;
+  if (const std::string_view name = own_name(node); !name.empty()) inside.name_of_copy = name;
+  open_.push_back(node);
+  std::optional<InputError> error;
+  const std::string_view name = local_name(original);
+  if (name != "symbol" && name != "svg")
+    error = element(original, inside, depth + 1);
+  else if (enter(original, name, inside))
+    error = nested(original, node, inside, depth + 1);
+  open_.pop_back();
+  return error;
+}
+
+std::optional<InputError> SvgReader::nested(const pugi::xml_node& node, const pugi::xml_node& sized,
+                                            Context& inside, int depth) {
+  const auto side = [&](const char* attribute) {
+    return length(value_of(sized, attribute).empty() ? node : sized, inside, attribute);
+  };
+  const auto x = length(node, inside, "x"), y = length(node, inside, "y"), width = side("width"),
+             height = side("height");
+  if (!x || !y || !width || !height) return std::nullopt;
+  inside.matrix = inside.matrix * moved(x->value_or(0), y->value_or(0));
+  const std::optional<SvgViewBox> box = svg_view_box(value_of(node, "viewBox"));
+  // A side that is not given is that of the box around.
+  SvgViewport size{*width ? *width : inside.viewport.width,
+                   *height ? *height : inside.viewport.height};
+  if (box && !size.width) size.width = box->size.x();
+  if (box && !size.height) size.height = box->size.y();
+  for (const auto& each : {size.width, size.height})
+    if (each && !(*each > 0)) return std::nullopt;  // not drawn, as the standard says
+  if (box && !(box->size.minCoeff() > 0)) return std::nullopt;
+  inside.viewport = size;
+  if (box) {
+    inside.matrix = inside.matrix * fitted(*box, {*size.width, *size.height},
+                                           value_of(node, "preserveAspectRatio"));
+    inside.viewport = {box->size.x(), box->size.y()};
+  }
+  if (!inside.name_of_copy.empty()) inside.layer = inside.name_of_copy;
+  if (const std::string_view label = label_of(node); !label.empty()) inside.layer = label;
+  inside.name_of_copy = {};
+  return children(node, inside, depth + 1);
+}
+
+}  // namespace evenlift

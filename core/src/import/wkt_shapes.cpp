@@ -1,0 +1,314 @@
+#include "import/wkt_shapes.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "evenlift/numbers.h"
+#include "formats/readers.h"
+#include "import/cells.h"
+#include "import/table_headings.h"
+
+namespace evenlift {
+namespace {
+
+constexpr int deepest_collection = 32;
+constexpr std::size_t first_lines = 100;  // of a table, among which a geometry is
+
+constexpr std::string_view read_names[] = {"polygon", "multipolygon", "geometrycollection"};
+
+// The name of a geometry without the Z, M or ZM at its end.
+std::string_view without_dimensions(std::string_view word) {
+  for (const std::string_view name : read_names)
+    if (same_word(word.substr(0, name.size()), name) &&
+        (word.size() == name.size() || names_wkt_dimensions(word.substr(name.size()))))
+      return word.substr(0, name.size());
+  for (const std::size_t end : {std::size_t{2}, std::size_t{1}})
+    if (word.size() > end && names_wkt_dimensions(word.substr(word.size() - end)) &&
+        names_other_geometry(word.substr(0, word.size() - end)))
+      return word.substr(0, word.size() - end);
+  return word;
+}
+
+bool names_geometry(std::string_view name) {
+  return names_other_geometry(name) || same_word(name, read_names[0]);
+}
+
+// "Point", as GeoJSON writes it.
+std::string title_of(std::string_view word) {
+  std::string title;
+  for (const char c : word) title += lower_case(c);
+  if (!title.empty() && title[0] >= 'a') title[0] = static_cast<char>(title[0] - 'a' + 'A');
+  return title;
+}
+
+}  // namespace
+
+bool begins_wkt(TextCursor cursor) {
+  const std::string_view name = cursor.take_word();
+  cursor.skip_white_space();
+  if (same_word(name, "srid")) return cursor.sees('=');
+  if (!same_word(name.substr(0, 7), "polygon") && !names_geometry(without_dimensions(name)))
+    return false;
+  const std::string_view second = cursor.take_word();
+  cursor.skip_white_space();
+  return cursor.sees('(') || same_word(second, "empty") || same_word(cursor.word(), "empty");
+}
+
+std::optional<GeometryCell> find_geometry(std::string_view line) {
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    const bool cell_begins =
+        is_letter(line[at]) &&
+        (at == 0 || std::string_view(" \t\",;|'").find(line[at - 1]) != std::string_view::npos);
+    if (!cell_begins || !begins_wkt(TextCursor(line.substr(at)))) continue;
+    std::size_t end = at;
+    int depth = 0;
+    for (; end < line.size(); ++end) {
+      if (line[end] == '(') ++depth;
+      if (line[end] == ')' && --depth == 0) break;
+      if (depth == 0 && line[end] == '"') break;  // empty geometries have no parentheses
+    }
+    end = std::min(end + (end < line.size() && line[end] == ')' ? 1u : 0u), line.size());
+    return GeometryCell{at, end};
+  }
+  return std::nullopt;
+}
+
+std::optional<InputError> WktReader::take_reference_system(TextCursor& cursor) {
+  if (!same_word(cursor.word(), "srid")) return std::nullopt;
+  cursor.take_word();
+  cursor.skip_white_space();
+  if (!cursor.take('=')) return cursor.expected("'=' after 'SRID'");
+  cursor.skip_white_space();
+  double code = 0;
+  if (auto error = cursor.take_number(code, "the number of a reference system")) return error;
+  cursor.skip_white_space();
+  if (!cursor.take(';')) return cursor.expected("';' after the reference system");
+  cursor.skip_white_space();
+  if (system_.empty()) system_ = shortest(code);
+  if (!is_in_degrees(code)) return std::nullopt;
+  notes_.are_degrees = true;
+  notes_.who_says_so = "the coordinates";
+  return std::nullopt;
+}
+
+std::optional<InputError> WktReader::skip_parentheses(TextCursor& cursor) const {
+  if (!cursor.sees('(')) return cursor.expected("'(' after the name of the geometry");
+  std::size_t depth = 0;
+  do {
+    if (cursor.at_end()) return cursor.expected("')' after the coordinates");
+    const char c = text_[cursor.offset()];
+    if (c == '(') ++depth;
+    if (c == ')') --depth;
+    cursor.take(c);
+  } while (depth > 0);
+  return std::nullopt;
+}
+
+std::optional<InputError> WktReader::take_polygon(TextCursor& cursor, std::string_view name) {
+  cursor.skip_white_space();
+  Document document;
+  for (std::size_t rings = 0;; ++rings) {
+    cursor.skip_white_space();
+    if (!cursor.take(rings == 0 ? '(' : ',')) {
+      if (rings > 0) break;
+      return cursor.expected("'((' after 'POLYGON'");
+    }
+    if (rings > 0) ++notes_.holes;
+    cursor.skip_white_space();
+    if (!cursor.take('(')) return cursor.expected(rings == 0 ? "'((' after 'POLYGON'" : "'('");
+    Points hole;
+    if (auto error = take_wkt_ring(cursor, rings == 0 ? document.vertices : hole, &notes_.heights))
+      return error;
+    if (rings > 0) notes_.centre_is_open = true;
+  }
+  if (!cursor.take(')')) return cursor.expected("')' after the ring");
+  notes_.drop_repeated(document.vertices);
+  gathering_.add(std::move(document), name, "polygon");
+  return std::nullopt;
+}
+
+std::optional<InputError> WktReader::take_geometry(TextCursor& cursor, std::string_view name,
+                                                   int depth) {
+  if (depth > deepest_collection)
+    return cursor.error(ErrorCode::unsupported, "the collections are nested too deep");
+  const std::size_t start = cursor.offset();
+  const std::string_view kind = without_dimensions(cursor.take_word());
+  if (!names_geometry(kind))
+    return cursor.error_at(start, ErrorCode::bad_syntax,
+                           "expected 'POLYGON' or another geometry of WKT here");
+  cursor.skip_white_space();
+  if (names_wkt_dimensions(cursor.word())) cursor.take_word();
+  cursor.skip_white_space();
+  const std::size_t second = cursor.offset();
+  const bool single = same_word(kind, "polygon");
+  if (same_word(cursor.word(), "empty")) {
+    cursor.take_word();
+    if (single)
+      gathering_.add_problem(cursor.error_at(second, ErrorCode::too_few_vertices, no_vertices));
+    return std::nullopt;
+  }
+  if (cursor.sees_letter())
+    return cursor.error_at(second, ErrorCode::bad_syntax,
+                           "expected '(' after the name of the geometry but found a word");
+  if (single) return take_polygon(cursor, name);
+  const bool collection = same_word(kind, "geometrycollection");
+  if (!collection && !same_word(kind, "multipolygon")) {
+    const std::string title = title_of(kind);
+    gathering_.left_out.add(title, title + "s");
+    return skip_parentheses(cursor);
+  }
+  if (!cursor.take('(')) return cursor.expected("'(' after the name of the geometry");
+  do {
+    cursor.skip_white_space();
+    auto error = collection ? take_geometry(cursor, name, depth + 1) : take_polygon(cursor, name);
+    if (error) return error;
+    cursor.skip_white_space();
+  } while (cursor.take(','));
+  if (!cursor.take(')')) return cursor.expected("',' or ')' after the polygon");
+  return std::nullopt;
+}
+
+std::optional<InputError> WktReader::take(std::string_view text, TextCursor& cursor,
+                                          std::string_view name) {
+  text_ = text;
+  cursor.skip_white_space();
+  if (auto error = take_reference_system(cursor)) return error;
+  return take_geometry(cursor, name, 0);
+}
+
+void WktReader::finish() {
+  notes_.add_to(gathering_);
+  if (!system_.empty() && !notes_.are_degrees)
+    gathering_.note("the reference system (SRID " + system_ + ") was left out");
+}
+
+Result<Import> read_wkt_shapes(std::string_view text, const ImportOptions& options) {
+  Gathering gathering(options);
+  gathering.import.format = "WKT";
+  WktReader reader(gathering);
+  TextCursor cursor(text);
+  do {
+    if (auto error = reader.take(text, cursor, "")) return *std::move(error);
+    cursor.skip_white_space();
+    if (cursor.take(';')) cursor.skip_white_space();
+    if (!cursor.at_end() && !cursor.sees_letter())
+      return cursor.expected("the end of the text after the polygon");
+  } while (!cursor.at_end() && !gathering.full());
+  reader.finish();
+  const std::string found = gathering.left_out.list();
+  return gathering.finish(
+      {ErrorCode::unsupported,
+       joined({"this WKT has no polygon", found.empty() ? "" : ", only ", found}),
+       {}});
+}
+
+// --- Tables
+
+namespace {
+
+// The lines of a table, with the column that names its shapes.
+class WktTable {
+ public:
+  WktTable(std::string_view text, const ImportOptions& options)
+      : text_(text), gathering_(options), reader_(gathering_) {}
+
+  Result<Import> read();
+
+ private:
+  void take_heading(const Line& line);
+  void take_row(std::string_view line, const GeometryCell& cell);
+  std::string name_in(std::string_view line, const GeometryCell& cell) const;
+
+  std::string_view text_;
+  Gathering gathering_;
+  WktReader reader_;
+  char separator_ = ',';
+  std::optional<std::size_t> name_;  // the column
+};
+
+// The line with a word in place of its geometry, which may contain separators.
+std::string without_geometry(std::string_view line, const GeometryCell& cell) {
+  return std::string(line.substr(0, cell.from)) + "geometry" + std::string(line.substr(cell.to));
+}
+
+void WktTable::take_heading(const Line& line) {
+  const Fields headings = split_cells(line.text, separator_);
+  for (const Column wanted : {Column::name, Column::number})
+    for (std::size_t i = 0; i < headings.size() && !name_; ++i)
+      if (column_of(headings[i]) == wanted) name_ = i;
+}
+
+std::string WktTable::name_in(std::string_view line, const GeometryCell& cell) const {
+  if (!name_) return {};
+  const std::string row = without_geometry(line, cell);
+  const Fields cells = split_cells(row, separator_);
+  return *name_ < cells.size() ? std::string(cells[*name_]) : std::string();
+}
+
+// Reads the geometry alone, so that it ends with its cell. An error's place is that in the text.
+void WktTable::take_row(std::string_view line, const GeometryCell& cell) {
+  const auto offset = static_cast<std::size_t>(line.data() - text_.data()) + cell.from;
+  const std::string_view geometry = line.substr(cell.from, cell.to - cell.from);
+  TextCursor cursor(geometry);
+  if (auto wrong = reader_.take(geometry, cursor, name_in(line, cell))) {
+    Place place = place_in_text(text_, offset);
+    place.other += wrong->place.other - 1;
+    wrong->place = place;
+    gathering_.add_problem(*std::move(wrong));
+  }
+}
+
+Result<Import> WktTable::read() {
+  gathering_.import.format = "table with WKT";
+  Lines scout(text_);
+  for (auto line = scout.next(); line; line = scout.next()) {
+    const auto cell = find_geometry(line->text);
+    if (!cell) continue;
+    separator_ = separator_of(without_geometry(line->text, *cell));
+    break;
+  }
+  Lines lines(text_);
+  bool has_rows = false;
+  for (auto line = lines.next(); line && !gathering_.full(); line = lines.next()) {
+    const auto cell = find_geometry(line->text);
+    if (cell)
+      take_row(line->text, *cell);
+    else if (!has_rows)
+      take_heading(*line);
+    else
+      gathering_.left_out.add("line without a geometry", "lines without a geometry");
+    has_rows = has_rows || cell;
+  }
+  reader_.finish();
+  const std::string found = gathering_.left_out.list();
+  return gathering_.finish(
+      {ErrorCode::unsupported,
+       joined({"this table has no polygon", found.empty() ? "" : ", only ", found}),
+       {}});
+}
+
+}  // namespace
+
+Result<Import> read_wkt_table(std::string_view text, const ImportOptions& options) {
+  return WktTable(text, options).read();
+}
+
+bool has_wkt_cells(std::string_view text) {
+  Lines lines(text);
+  bool names_coordinates = false;
+  auto line = lines.next();
+  for (std::size_t i = 0; line && i < first_lines; line = lines.next(), ++i) {
+    const auto cell = find_geometry(line->text);
+    if (!cell) {
+      const Fields cells = split_cells(line->text, separator_of(line->text));
+      names_coordinates = names_coordinates || named_columns(cells).has_value();
+      continue;
+    }
+    // Points are also in the columns x and y beside them.
+    const bool of_points = same_word(line->text.substr(cell->from, 5), "point");
+    return !of_points || !names_coordinates;
+  }
+  return false;
+}
+
+}  // namespace evenlift

@@ -1,0 +1,237 @@
+// Pieces of drawings, joined into outlines.
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "evenlift/generate.h"
+#include "evenlift/import.h"
+#include "evenlift/plane.h"
+#include "evenlift/random.h"
+#include "import/joining/joining.h"
+#include "import/joining/nesting.h"
+#include "kit/catch.h"
+
+using namespace evenlift;
+
+namespace {
+
+DrawnPiece line(const Vec2& from, const Vec2& to, const std::string& layer = "") {
+  Outline outline;
+  outline.start = from;
+  outline.line_to(to);
+  return {outline, layer};
+}
+
+std::vector<DrawnPiece> sides(const Points& corners, const std::string& layer = "") {
+  std::vector<DrawnPiece> pieces;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    pieces.push_back(line(corners[i], corners[i + 1 == corners.size() ? 0 : i + 1], layer));
+  return pieces;
+}
+
+Points corners_of(const Outline& outline) {
+  Points corners;
+  for (const CurvePiece& piece : outline.pieces) corners.push_back(piece.end);
+  return corners;
+}
+
+double area(const Points& points) {
+  double twice = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    twice += cross(points[i], points[i + 1 == points.size() ? 0 : i + 1]);
+  return twice / 2;
+}
+
+// The areas of the outlines, the largest first.
+std::vector<double> areas(const Joining& joining) {
+  std::vector<double> all;
+  for (const JoinedOutline& joined : joining.outlines)
+    all.push_back(area(corners_of(joined.outline)));
+  std::sort(all.rbegin(), all.rend());
+  return all;
+}
+
+std::vector<DrawnPiece> operator+(std::vector<DrawnPiece> a, const std::vector<DrawnPiece>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+const Points plate = {{0, 0}, {120, 0}, {120, 80}, {0, 80}};
+
+template <class T>
+void shuffle(std::vector<T>& all, Rng& random) {
+  for (std::size_t i = all.size(); i > 1; --i)
+    std::swap(all[i - 1], all[static_cast<std::size_t>(random.below(i))]);
+}
+
+}  // namespace
+
+TEST_CASE("lines become the outline that they draw, in whatever order and direction",
+          "[joining][import]") {
+  std::vector<DrawnPiece> pieces = sides(plate);
+  std::swap(pieces[0], pieces[2]);
+  pieces[1].outline = reversed(pieces[1].outline);
+  const Joining joining = join(pieces);
+  REQUIRE(joining.outlines.size() == 1);
+  CHECK(joining.outlines[0].parts == 4);
+  CHECK(joining.outlines[0].outline.start == Vec2(0, 0));
+  CHECK(corners_of(joining.outlines[0].outline) ==
+        Points{{120, 0}, {120, 80}, {0, 80}, {0, 0}});
+  CHECK(joining.open.empty());
+  CHECK(joining.gap == 0);
+}
+
+TEST_CASE("stray lines, doubled lines and lines between outlines are left out",
+          "[joining][import]") {
+  const auto stray = std::vector{line({120, 0}, {60, 40}), line({60, 40}, {50, 40})};
+  CHECK(areas(join(stray + sides(plate))) == std::vector{9600.0});
+  CHECK(join(stray + sides(plate)).open == std::vector<std::size_t>{0, 1});
+  const Joining doubled = join(sides(plate) + sides(plate) + sides(plate));
+  CHECK(areas(doubled) == std::vector{9600.0});
+  CHECK(doubled.repeated == 8);
+  CHECK(doubled.open.empty());
+  // A line to another outline, and a part of a side drawn again.
+  const Points far = {{200, 0}, {240, 0}, {240, 40}, {200, 40}};
+  const Joining bridged = join(sides(plate) + std::vector{line({120, 0}, {200, 0}),
+                                                          line({30, 0}, {90, 0})} +
+                               sides(far));
+  CHECK(areas(bridged) == std::vector{9600.0, 1600.0});
+}
+
+TEST_CASE("parts that share a line are shapes of their own, also where it ends in the middle of a side",
+          "[joining][import]") {
+  const std::vector<DrawnPiece> cut = {line({50, 0}, {50, 80})};
+  CHECK(areas(join(sides(plate) + cut)) == std::vector{5600.0, 4000.0});
+  // The end divides the side, but a stray end leaves no vertex.
+  const Joining stray = join(sides(plate) + std::vector{line({50, 0}, {50, 30})});
+  REQUIRE(stray.outlines.size() == 1);
+  CHECK(stray.outlines[0].outline.pieces.size() == 4);
+}
+
+TEST_CASE("gaps are closed where something stays open, and told", "[joining][import]") {
+  for (const double gap : {1e-9, 1e-6, 0.0005, 0.002, 0.1}) {
+    CAPTURE(gap);
+    std::vector<DrawnPiece> pieces = sides(plate);
+    pieces[0].outline.pieces[0].end.x() -= gap;
+    const Joining joining = join(pieces);
+    REQUIRE(joining.outlines.size() == 1);
+    CHECK(areas(joining)[0] == Approx(9600).epsilon(1e-3));
+    CHECK(joining.gap_is_seen == (gap > 0.0018));
+    if (joining.gap_is_seen) CHECK(joining.gap == Approx(gap));
+  }
+  std::vector<DrawnPiece> wide = sides(plate);
+  wide[0].outline.pieces[0].end.x() -= 1;
+  CHECK(join(wide).outlines.empty());
+  REQUIRE(join(wide).apart);
+  CHECK(length(join(wide).apart->first - join(wide).apart->second) == 1);
+  CHECK(areas(join(wide, 1.5)).size() == 1);
+  wide[0].outline.pieces[0].end.x() += 0.998;
+  CHECK(join(wide, 0.001).outlines.empty());  // a finer distance than usual
+}
+
+TEST_CASE("layers are joined apart, and together only where nothing closes otherwise",
+          "[joining][import]") {
+  std::vector<DrawnPiece> pieces = sides(plate);
+  pieces[2].layer = pieces[3].layer = "EDGE";
+  Joining joining = join(pieces);
+  REQUIRE(joining.outlines.size() == 1);
+  CHECK(joining.outlines[0].across_layers);
+  // Two outlines on two layers that touch keep apart.
+  joining = join(sides(plate, "A") + sides({{60, 0}, {180, 0}, {180, 80}, {60, 80}}, "B"));
+  CHECK(areas(joining) == std::vector{9600.0, 9600.0});
+  for (const JoinedOutline& joined : joining.outlines) CHECK_FALSE(joined.across_layers);
+}
+
+TEST_CASE("arcs bound faces with lines, and between the same ends", "[joining][import]") {
+  Outline arc;
+  arc.start = {0, 0};
+  arc.bulge_to({10, 0}, 1);  // half a circle below
+  Outline upper;
+  upper.start = {10, 0};
+  upper.bulge_to({0, 0}, 1);
+  const std::vector<DrawnPiece> circle = {{arc, ""}, {upper, ""}};
+  CHECK(join(circle).outlines.size() == 1);
+  CHECK(join(circle + std::vector{line({0, 0}, {10, 0})}).outlines.size() == 2);
+}
+
+TEST_CASE("any polygon with holes, in pieces, comes back", "[joining][import][slow]") {
+  Rng random(20261126);
+  for (int number = 0; number < 2000; ++number) {
+    const auto n = static_cast<std::uint32_t>(4 + random.below(30));
+    const Points outline = *generate(Family::star, n, random.below(1u << 30));
+    const Box box = bounding_box(outline);
+    const double side = std::max(box.size().x(), box.size().y());
+    CAPTURE(number, n);
+    std::vector<DrawnPiece> pieces = sides(outline);
+    // Split in the middle, repeated, reversed, over two layers at times, and shuffled.
+    const std::size_t whole = pieces.size();
+    for (std::size_t i = 0; i < whole; ++i) {
+      if (random.below(4) == 0) pieces.push_back(pieces[i]);
+      if (random.below(3) == 0) pieces[i].outline = reversed(pieces[i].outline);
+      if (random.below(5) > 0) continue;
+      const Vec2 from = pieces[i].outline.start, to = pieces[i].outline.end();
+      const Vec2 middle = from + (to - from) / 4;
+      pieces[i] = line(from, middle);
+      pieces.push_back(line(middle, to));
+    }
+    shuffle(pieces, random);
+    const Joining joining = join(pieces);
+    REQUIRE(joining.outlines.size() == 1);
+    CHECK(joining.open.empty());
+    CHECK(areas(joining)[0] == Approx(std::abs(area(outline))).epsilon(1e-9));
+    for (int again = 0; again < 3; ++again) {
+      std::vector<DrawnPiece> other = pieces;
+      shuffle(other, random);
+      const Joining same = join(other);
+      REQUIRE(same.outlines.size() == 1);
+      CHECK(corners_of(same.outlines[0].outline) == corners_of(joining.outlines[0].outline));
+    }
+    // Ends shaken by less than the safe distance.
+    for (DrawnPiece& piece : pieces) {
+      const auto shake = [&](Vec2& end) {
+        end.x() += (random.uniform() - 0.5) * 1e-6 * side;
+        end.y() += (random.uniform() - 0.5) * 1e-6 * side;
+      };
+      shake(piece.outline.start);
+      shake(piece.outline.pieces[0].end);
+    }
+    const Joining shaken = join(pieces);
+    REQUIRE(shaken.outlines.size() >= 1);
+    CHECK(areas(shaken)[0] == Approx(std::abs(area(outline))).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("outlines nest by depth, whatever their order", "[joining][import]") {
+  const auto square = [](double x, double y, double side) {
+    return Points{{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
+  };
+  const std::vector<Points> all = {square(0, 0, 100), square(10, 10, 60), square(20, 20, 10),
+                                   square(50, 50, 10), square(80, 80, 10), square(200, 0, 50),
+                                   square(0, 0, 100)};
+  std::vector<std::size_t> order = {0, 1, 2, 3, 4, 5, 6};
+  do {
+    std::vector<const Points*> outlines;
+    for (const std::size_t i : order) outlines.push_back(&all[i]);
+    const Nesting nesting = nest(outlines);
+    CHECK(nesting.repeated == 1);
+    CHECK(nesting.holes == 2);
+    REQUIRE(nesting.shapes.size() == 4);
+    const auto at = [&](std::size_t i) { return order[nesting.shapes[i].outline] % 6; };
+    CHECK((at(0) == 0 && at(1) == 5 && at(2) == 2 && at(3) == 3));
+    CHECK(nesting.shapes[0].holes.size() == 2);
+  } while (std::next_permutation(order.begin(), order.end()) && order[0] < 2);
+}
+
+TEST_CASE("a drawing of 100,000 lines is joined", "[joining][import][slow]") {
+  std::vector<DrawnPiece> pieces;
+  for (int x = 0; x < 158; ++x)
+    for (int y = 0; y < 158; ++y) {
+      const Vec2 low(3.0 * x, 3.0 * y);
+      for (const DrawnPiece& side :
+           sides({low, low + Vec2(2, 0), low + Vec2(2, 2), low + Vec2(0, 2)}))
+        pieces.push_back(side);
+    }
+  const Joining joining = join(pieces);
+  CHECK(joining.outlines.size() == 158 * 158);
+}
