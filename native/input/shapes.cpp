@@ -21,8 +21,8 @@ ImportOptions import_options(const ShapeOptions& options) {
   };
   import.tolerance = read(options.flatten, "--flatten",
                           "the distance between curves and edges must be a number above 0");
-  import.join = read(options.join, "--join",
-                     "the distance of ends that are joined must be a number above 0");
+  import.join =
+      read(options.join, "--join", "the distance of ends that are joined must be a number above 0");
   return import;
 }
 

@@ -236,11 +236,12 @@ TEST_CASE("SVG: layers, labels, holes, and what is left out", "[import][svg]") {
         std::vector<std::string>{"\"Layer 1, part 1\", path, 57 vertices, 130.8 x 122",
                                  "\"wheel\", circle, 64 vertices, 80 x 80",
                                  "\"plate\", rectangle with round corners, 20 vertices, 100 x 50"});
-  CHECK(import.notes ==
-        std::vector<std::string>{
-            "1 hole was left out, since holes are not supported: only the outer outline defines the "
-            "shape and, unless one is given, its centre of mass",
-            "1 text, 1 copy (<use>) without an original and 1 hidden element were left out"});
+  CHECK(
+      import.notes ==
+      std::vector<std::string>{
+          "1 hole was left out, since holes are not supported: only the outer outline defines the "
+          "shape and, unless one is given, its centre of mass",
+          "1 text, 1 copy (<use>) without an original and 1 hidden element were left out"});
   CHECK(import.shapes[0].tolerance == 0.1);
   CHECK(import.shapes[1].tolerance == 0.05);
   CHECK_FALSE(import.shapes[3].tolerance);
@@ -414,8 +415,9 @@ TEST_CASE("DXF: polylines with bulges, circles, and chains of lines and arcs", "
                                  "\"old\", closed polyline with arcs, 64 vertices, 8 x 8"});
   CHECK(import.shapes[0].holes.size() == 1);
   REQUIRE(import.notes.size() == 3);
-  CHECK(import.notes[0] ==
-        "1 line or arc does not close and was left out: the nearest open ends, (5, 5) and (6, 6), are 1.414 apart");
+  CHECK(
+      import.notes[0] ==
+      "1 line or arc does not close and was left out: the nearest open ends, (5, 5) and (6, 6), are 1.414 apart");
   CHECK(import.notes[2] ==
         "2 texts, 1 dimension and 1 block (INSERT) that the drawing does not define were left out");
   for (const ImportedShape& shape : import.shapes) {
@@ -560,8 +562,9 @@ TEST_CASE("DXF: a spline whose ends nearly meet closes by itself", "[import][dxf
 }
 
 TEST_CASE("DXF: what has no outline is refused with the reason", "[import][dxf]") {
-  CHECK(refusal(dxf("0\nLINE\n10\n0\n20\n0\n11\n5\n21\n0\n")) ==
-        "this DXF drawing has no closed outline: the nearest open ends, (0, 0) and (5, 0), are 5 apart");
+  CHECK(
+      refusal(dxf("0\nLINE\n10\n0\n20\n0\n11\n5\n21\n0\n")) ==
+      "this DXF drawing has no closed outline: the nearest open ends, (0, 0) and (5, 0), are 5 apart");
   CHECK(refusal(dxf("0\nINSERT\n2\nbolt\n")) ==
         "this DXF drawing has no closed outline, only 1 block (INSERT) that the drawing does not "
         "define");

@@ -468,8 +468,9 @@ TEST_CASE("DXF: knots as different programs write them", "[import][dxf]") {
             "1 spline is marked as periodic but has the knots of an open curve, and "
             "was read as periodic"});
   once.flags = 8;
-  CHECK(refusal(spline(once)) ==
-        "this DXF drawing has no closed outline: the nearest open ends, (0, 0) and (5, 8), are 9.434 apart");
+  CHECK(
+      refusal(spline(once)) ==
+      "this DXF drawing has no closed outline: the nearest open ends, (0, 0) and (5, 8), are 9.434 apart");
 }
 
 TEST_CASE("DXF: each spline that cannot be read has its own reason", "[import][dxf]") {

@@ -276,7 +276,8 @@ TEST_CASE("SVG: copies are drawn where they are, with the look around them", "[i
   CHECK(widths(svg(original + rect(2) +
                    "<use href='#r' visibility='hidden'/><use href='#r' "
                    "fill='none'/>")) == Widths{2});
-  const Import named = read(svg(rect(1, "id='a'") + "<use href='#a' id='b' x='5'/><use href='#a' x='9'/>"));
+  const Import named =
+      read(svg(rect(1, "id='a'") + "<use href='#a' id='b' x='5'/><use href='#a' x='9'/>"));
   REQUIRE(named.shapes.size() == 3);
   CHECK(named.shapes[1].name == "b");
   CHECK(named.shapes[2].name == "a");

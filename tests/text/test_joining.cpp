@@ -76,8 +76,7 @@ TEST_CASE("lines become the outline that they draw, in whatever order and direct
   REQUIRE(joining.outlines.size() == 1);
   CHECK(joining.outlines[0].parts == 4);
   CHECK(joining.outlines[0].outline.start == Vec2(0, 0));
-  CHECK(corners_of(joining.outlines[0].outline) ==
-        Points{{120, 0}, {120, 80}, {0, 80}, {0, 0}});
+  CHECK(corners_of(joining.outlines[0].outline) == Points{{120, 0}, {120, 80}, {0, 80}, {0, 0}});
   CHECK(joining.open.empty());
   CHECK(joining.gap == 0);
 }
@@ -93,14 +92,14 @@ TEST_CASE("stray lines, doubled lines and lines between outlines are left out",
   CHECK(doubled.open.empty());
   // A line to another outline, and a part of a side drawn again.
   const Points far = {{200, 0}, {240, 0}, {240, 40}, {200, 40}};
-  const Joining bridged = join(sides(plate) + std::vector{line({120, 0}, {200, 0}),
-                                                          line({30, 0}, {90, 0})} +
-                               sides(far));
+  const Joining bridged = join(
+      sides(plate) + std::vector{line({120, 0}, {200, 0}), line({30, 0}, {90, 0})} + sides(far));
   CHECK(areas(bridged) == std::vector{9600.0, 1600.0});
 }
 
-TEST_CASE("parts that share a line are shapes of their own, also where it ends in the middle of a side",
-          "[joining][import]") {
+TEST_CASE(
+    "parts that share a line are shapes of their own, also where it ends in the middle of a side",
+    "[joining][import]") {
   const std::vector<DrawnPiece> cut = {line({50, 0}, {50, 80})};
   CHECK(areas(join(sides(plate) + cut)) == std::vector{5600.0, 4000.0});
   // The end divides the side, but a stray end leaves no vertex.
@@ -206,7 +205,7 @@ TEST_CASE("outlines nest by depth, whatever their order", "[joining][import]") {
   const auto square = [](double x, double y, double side) {
     return Points{{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
   };
-  const std::vector<Points> all = {square(0, 0, 100), square(10, 10, 60), square(20, 20, 10),
+  const std::vector<Points> all = {square(0, 0, 100),  square(10, 10, 60), square(20, 20, 10),
                                    square(50, 50, 10), square(80, 80, 10), square(200, 0, 50),
                                    square(0, 0, 100)};
   std::vector<std::size_t> order = {0, 1, 2, 3, 4, 5, 6};

@@ -63,6 +63,9 @@ EMSCRIPTEN_KEEPALIVE const char* import_notes() {
   return hand_over(json::array(notes));
 }
 
+// Whether what was left out is larger than any shape, so that a person should choose.
+EMSCRIPTEN_KEEPALIVE int import_is_doubtful() { return imported().doubtful ? 1 : 0; }
+
 EMSCRIPTEN_KEEPALIVE int import_count() { return static_cast<int>(imported().shapes.size()); }
 
 // For the shape with this index, from 0: its name, its description, the distance between its edges

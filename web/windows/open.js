@@ -46,7 +46,7 @@ async function openShapes(page, source) {
   if (found.problem) return found.problem;
   const { unit, notes, shapes } = found;
   const said = [...(unit ? [`lengths are in ${unit}`] : []), ...notes.slice(0, 2)];
-  if (shapes.length === 1) return openShape(page, source, shapes[0], found, said);
+  if (shapes.length === 1 && !found.doubtful) return openShape(page, source, shapes[0], found, said);
   closeWindows();
   await chooseShape(page, source, found);
 }

@@ -38,8 +38,8 @@ struct Import {
   std::string format;                 // in words, such as "DXF"
   std::vector<ImportedShape> shapes;  // one or more; of a drawing by area, the largest first
   std::vector<std::string> notes;     // omissions and decisions, as sentences without full stops
-  std::string unit;           // in words, such as "millimetres"; empty if the text names none
-  bool doubtful = false;      // what was left out is larger than any shape, so a person should choose
+  std::string unit;       // in words, such as "millimetres"; empty if the text names none
+  bool doubtful = false;  // what was left out is larger than any shape, so a person should choose
   bool has_settings = false;  // the shape has the text's settings: evenlift wrote it
 };
 

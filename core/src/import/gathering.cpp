@@ -220,14 +220,13 @@ void Gathering::add_joined(const std::vector<DrawnPiece>& pieces, bool closes_al
 }
 
 void Gathering::note_joining(const Joining& joining) {
-  if (joining.gap_is_seen)
-    note("ends up to " + short_number(joining.gap) + " apart were joined");
+  if (joining.gap_is_seen) note("ends up to " + short_number(joining.gap) + " apart were joined");
   if (std::any_of(joining.outlines.begin(), joining.outlines.end(),
                   [](const JoinedOutline& joined) { return joined.across_layers; }))
     note("lines on different layers were joined, since they do not close within their layers");
   if (joining.repeated > 0)
-    note(counted(joining.repeated, "line that lies", "lines that lie") +
-         " on another " + (joining.repeated == 1 ? "was" : "were") + " left out");
+    note(counted(joining.repeated, "line that lies", "lines that lie") + " on another " +
+         (joining.repeated == 1 ? "was" : "were") + " left out");
   const std::size_t open = joining.open.size();
   if (open == 0) return;
   if (joining.apart)
@@ -252,14 +251,13 @@ void Gathering::note_nesting() {
   }
   import.shapes = std::move(shapes);
   if (nesting.repeated > 0)
-    note(counted(nesting.repeated, "outline that repeats", "outlines that repeat") +
-         " another " + (nesting.repeated == 1 ? "was" : "were") + " left out");
+    note(counted(nesting.repeated, "outline that repeats", "outlines that repeat") + " another " +
+         (nesting.repeated == 1 ? "was" : "were") + " left out");
   if (nesting.holes > 0)
     note(counted(nesting.holes, "hole was", "holes were") +
          " left out, since holes are not supported: only the outer outline defines the shape and, "
          "unless one is given, its centre of mass");
-  import.doubtful =
-      left_open_ > 1.01 * area(bounding_box(import.shapes.front().document.vertices));
+  import.doubtful = left_open_ > 1.01 * area(bounding_box(import.shapes.front().document.vertices));
 }
 
 void Gathering::add(Document document, std::string_view name, std::string_view kind) {

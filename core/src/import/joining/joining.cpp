@@ -167,15 +167,14 @@ std::vector<std::size_t> Drawing::line_ranks() {
   std::vector<Key> keys;
   for (std::size_t a = 0; a < atoms_.size(); ++a) {
     const std::size_t from = sets_.of(from_[a]), to = sets_.of(to_[a]);
-    keys.emplace_back(-length(places_[to] - places_[from]), std::min(from, to),
-                      std::max(from, to));
+    keys.emplace_back(-length(places_[to] - places_[from]), std::min(from, to), std::max(from, to));
   }
   std::vector<Key> sorted = keys;
   std::sort(sorted.begin(), sorted.end());
   std::vector<std::size_t> ranks;
   for (const Key& key : keys)
-    ranks.push_back(static_cast<std::size_t>(
-        std::lower_bound(sorted.begin(), sorted.end(), key) - sorted.begin()));
+    ranks.push_back(static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), key) -
+                                             sorted.begin()));
   return ranks;
 }
 

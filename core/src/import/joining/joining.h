@@ -30,8 +30,8 @@ struct Joining {
   std::vector<std::size_t> open;   // the pieces that belong to no outline, in order
   std::vector<std::size_t> alone;  // those of them that meet no other piece
   std::size_t repeated = 0;        // parts of pieces that lie on another, and were dropped
-  double gap = 0;            // the greatest distance of two ends that became one
-  bool gap_is_seen = false;  // it is more than rounding: beyond safe_reach of the larger side
+  double gap = 0;                  // the greatest distance of two ends that became one
+  bool gap_is_seen = false;        // it is more than rounding: beyond safe_reach of the larger side
   std::optional<std::pair<Vec2, Vec2>>
       apart;  // two ends that stayed open, the nearest to each other
 };

@@ -15,8 +15,7 @@ bool less(const Vec2& a, const Vec2& b) {
 double twice_signed_area(const Points& points) {
   double twice = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
-    twice += cross(points[i] - points[0],
-                   points[i + 1 == points.size() ? 0 : i + 1] - points[0]);
+    twice += cross(points[i] - points[0], points[i + 1 == points.size() ? 0 : i + 1] - points[0]);
   return twice;
 }
 

@@ -10,6 +10,7 @@
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace evenlift {
@@ -80,7 +81,10 @@ class SvgStyles {
  private:
   struct Selector {
     std::string_view tag, id, name_of_class;
-    auto operator<=>(const Selector&) const = default;
+    bool operator==(const Selector&) const = default;
+    bool operator<(const Selector& other) const {
+      return std::tie(tag, id, name_of_class) < std::tie(other.tag, other.id, other.name_of_class);
+    }
   };
   struct Declaration {
     Selector selector;
