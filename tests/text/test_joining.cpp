@@ -6,6 +6,7 @@
 
 #include "evenlift/generate.h"
 #include "evenlift/import.h"
+#include "evenlift/numbers.h"
 #include "evenlift/plane.h"
 #include "evenlift/random.h"
 #include "import/joining/joining.h"
@@ -198,6 +199,67 @@ TEST_CASE("any polygon with holes, in pieces, comes back", "[joining][import][sl
     const Joining shaken = join(pieces);
     REQUIRE(shaken.outlines.size() >= 1);
     CHECK(areas(shaken)[0] == Approx(std::abs(area(outline))).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("a polygon with holes, drawn in pieces, is read from SVG and DXF",
+          "[joining][import][slow]") {
+  Rng random(31);
+  const auto number = [](double value) { return shortest(value); };
+  for (int round = 0; round < 400; ++round) {
+    const auto n = static_cast<std::uint32_t>(5 + random.below(20));
+    const Points outline = *generate(Family::convex, n, random.below(1u << 30));
+    // Two holes about the middle, which a convex polygon contains if they are small.
+    Vec2 middle = Vec2::Zero();
+    for (const Vec2& corner : outline) middle += corner / static_cast<double>(outline.size());
+    double room = 1e300;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const Vec2& next = outline[i + 1 == outline.size() ? 0 : i + 1];
+      room = std::min(room, length(nearest_on_segment(outline[i], next, middle) - middle));
+    }
+    std::vector<Points> loops = {outline};
+    for (const double side : {-0.4, 0.4}) {
+      Points hole;
+      for (const Vec2& corner : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)})
+        hole.push_back(middle + room * Vec2(side, 0) + 0.2 * room * corner);
+      loops.push_back(hole);
+    }
+    std::vector<std::string> svg_parts, dxf_parts;
+    for (const Points& loop : loops)
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        Vec2 a = loop[i], b = loop[i + 1 == loop.size() ? 0 : i + 1];
+        if (random.below(2) == 0) std::swap(a, b);
+        svg_parts.push_back(random.below(2) == 0
+                                ? "<line x1='" + number(a.x()) + "' y1='" + number(-a.y()) +
+                                      "' x2='" + number(b.x()) + "' y2='" + number(-b.y()) + "'/>"
+                                : "<path d='M" + number(a.x()) + " " + number(-a.y()) + "L" +
+                                      number(b.x()) + " " + number(-b.y()) + "'/>");
+        dxf_parts.push_back("0\nLINE\n8\nCUT\n10\n" + number(a.x()) + "\n20\n" + number(a.y()) +
+                            "\n11\n" + number(b.x()) + "\n21\n" + number(b.y()) + "\n");
+        if (random.below(5) == 0) dxf_parts.push_back(dxf_parts.back());
+      }
+    shuffle(svg_parts, random);
+    shuffle(dxf_parts, random);
+    std::string svg = "<svg xmlns='http://www.w3.org/2000/svg' stroke='black'>", dxf;
+    for (const std::string& part : svg_parts) svg += part;
+    for (const std::string& part : dxf_parts) dxf += part;
+    // At times the lines are in a block, which is inserted where it was drawn.
+    const bool in_block = random.below(2) == 0;
+    const std::string header = "0\nSECTION\n2\n", end = "0\nENDSEC\n";
+    const std::string drawing = in_block ? header + "BLOCKS\n0\nBLOCK\n2\nPART\n10\n0\n20\n0\n" +
+                                               dxf + "0\nENDBLK\n" + end + header +
+                                               "ENTITIES\n0\nINSERT\n2\nPART\n10\n0\n20\n0\n" + end
+                                         : header + "ENTITIES\n" + dxf + end;
+    for (const std::string& text : {svg + "</svg>", drawing + "0\nEOF\n"}) {
+      const Result<Import> import = read_shapes(text);
+      INFO(text.substr(0, 300));
+      REQUIRE(import.ok());
+      REQUIRE(import->shapes.size() == 1);
+      CHECK(import->shapes[0].holes.size() == 2);
+      const Points& read = import->shapes[0].document.vertices;
+      CHECK(std::abs(area(read)) == Approx(std::abs(area(outline))));
+      CHECK(read.size() == outline.size());
+    }
   }
 }
 

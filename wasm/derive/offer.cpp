@@ -17,6 +17,7 @@ namespace {
 // Other settings for the same object. They are tried in this order.
 struct Alternative {
   const char* verb;  // the beginning of the button's words
+  bool says_held;    // the verb promises a hold
   bool (*suits)(const Placement&);
   void (*take)(Settings&);
 };
@@ -24,20 +25,20 @@ struct Alternative {
 bool chooses(const Placement& of) { return selects_candidates(of.settings.method); }
 
 const Alternative alternatives[] = {
-    {"Use ranges",
+    {"Use ranges", false,
      [](const Placement& of) {
        return chooses(of) && of.stands && of.settings.positions == Positions::best;
      },
      [](Settings& settings) { settings.positions = Positions::range; }},
-    {"Make it hold",
+    {"Make it hold", true,
      [](const Placement& of) { return chooses(of) && goal_of(of.settings) != Goal::hold; },
      [](Settings& settings) { settings.goal = Goal::hold; }},
-    {"Use area",
+    {"Use area", false,
      [](const Placement& of) {
        return of.settings.method != Method::area && count_robots(of.teams) % 2 == 0;
      },
      [](Settings& settings) { settings.method = Method::area; }},
-    {"Use balanced",
+    {"Use balanced", false,
      [](const Placement& of) {
        return of.settings.method != Method::balanced && count_robots(of.teams) >= least_robots;
      },
@@ -50,13 +51,13 @@ bool is_short(const Placement& placement) {
 }
 
 // What the alternative gives that the placement lacks: ": held, at least 93 % covered".
-std::string gains(const Placement& before, const Placement& after) {
+std::string gains(const Placement& before, const Placement& after, bool says_held) {
   std::string text;
   const auto add = [&](const std::string& gain) { text += (text.empty() ? ": " : ", ") + gain; };
   if (is_short(before) && after.teams.size() > before.teams.size())
     add("room for " + count_of(after.teams.size(), "team", "teams"));
   if (!before.loads && after.loads) add("it stands");
-  if (!is_held(before) && is_held(after)) add("held");
+  if (!says_held && !is_held(before) && is_held(after)) add("held");
   if (after.coverage > before.coverage + 0.01)
     add((after.search_ended ? "" : "at least ") + percentage(after.coverage) + " covered");
   return text;
@@ -84,9 +85,11 @@ std::optional<Offer> best_alternative(const Derived& facts, const Shown& shown) 
                                   : by_other_method(facts, wanted.method);
     const Result<Placement> other = try_placement(document, now);
     if (!other || other->teams.empty()) continue;
-    const std::string gained = gains(now, *other);
+    const std::string gained = gains(now, *other, alternative.says_held);
     const Judgement judged = judge({*other, shown});
-    if (gained.empty() || judged.reasons.size() >= fewest) continue;
+    const bool holds = !alternative.says_held || is_held(*other);
+    if ((gained.empty() && !alternative.says_held) || !holds || judged.reasons.size() >= fewest)
+      continue;
     fewest = judged.reasons.size();
     found = Offer{document.settings, alternative.verb + gained};
     if (judged.kind == VerdictKind::good) break;

@@ -111,7 +111,6 @@ void draw_score(const Ui& ui) {
   if (!ui.state.derived().placement) return;
   text_block_of(Face::label, ui.theme.second_text, score(ui.state),
                 ImGui::GetContentRegionAvail().x, 2);
-  if (ui.state.view.challenge) return;  // its card offers the comparison
   const bool compared = ui.state.work.second_method == Method::balanced;
   const float width = ImGui::GetContentRegionAvail().x;
   if (flat_button(ui, "evenlift's", compared ? "Hide evenlift's" : "Show evenlift's", width))
@@ -149,15 +148,18 @@ void draw_supports_stepper(const Ui& ui) {
   constexpr float button = 92;
   const float width = labelled(
       ui, "Robots", "One more goes where it adds most to the lifting base; drag any robot");
-  const int by = stepper(ui, "supports", std::to_string(robots), width - button - 8,
-                         {.can_lower = robots > 1,
-                          .can_raise = robots < most_supports,
-                          .label = "Robots placed by hand"});
-  ImGui::SameLine(0, 8);
-  if (flat_button(ui, "even out", "Even out", button, !ui.state.view.challenge)) ui.push(EvenOut{});
-  if (ImGui::IsItemHovered()) tip(ui, "Move two or three robots so that all carry the same load");
+  const bool challenge = ui.state.view.challenge;  // its card has the score, and no help
+  const int by =
+      stepper(ui, "supports", std::to_string(robots), challenge ? width : width - button - 8,
+              {.can_lower = robots > 1,
+               .can_raise = robots < most_supports,
+               .label = "Robots placed by hand"});
   if (by > 0) ui.push(AddRobot{});
   if (by < 0) ui.push(RemoveRobot{});
+  if (challenge) return;
+  ImGui::SameLine(0, 8);
+  if (flat_button(ui, "even out", "Even out", button)) ui.push(EvenOut{});
+  if (ImGui::IsItemHovered()) tip(ui, "Move two or three robots so that all carry the same load");
   draw_score(ui);
 }
 

@@ -158,7 +158,7 @@ void draw_view_tools(const Ui& ui) {
   }
   action_button(ui, ActionId::fit, ui.control());
   if (ui.layout.wide) divider(ui, ui.control(), true);
-  if (ui.layout.wide) {
+  if (ui.layout.wide && !walkthrough_is_open(ui.state)) {
     action_button(ui, ActionId::add_robots, ui.control());
     ImGui::SameLine(0, 2);
   }

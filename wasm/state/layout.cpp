@@ -143,7 +143,9 @@ Layout wide(const AppState& state) {
   l.panel = {screen.width - l.margin - width, l.margin, screen.width - l.margin,
              screen.height - l.margin};
   l.toolbar = {l.margin, l.margin, l.panel.left - l.margin, l.margin + bar_height(l)};
-  const double tools_width = 6 * l.control + zoom_width + 2 + 10 + 13 + 16;
+  // A walkthrough has no tool that adds robots.
+  const double tools_width = (walkthrough_is_open(state) ? 5 * l.control + 8 : 6 * l.control + 10) +
+                             zoom_width + 2 + 13 + 16;
   const double foot = screen.height - l.margin;
   l.tools = {l.margin, foot - bar_height(l), l.margin + tools_width, foot};
   if (l.low) l.tools = {l.margin, foot, l.margin, foot};

@@ -21,7 +21,6 @@ export async function show(page, { place, beat }) {
     body,
   );
   const reveal = button("Show evenlift's", {
-    class: "button primary",
     onclick: () => {
       revealed = true;
       program.call("page_show_answer");
@@ -72,8 +71,8 @@ export async function show(page, { place, beat }) {
     question.textContent =
       revealed || beat ? "Can you beat this?" : `Where would you put ${asks[place] ?? place} robots?`;
     advice.textContent = revealed
-      ? "Beside your robots stand as many by evenlift. Drag yours to come closer."
-      : "Drag them so that all carry nearly the same, and so that the object does not tip.";
+      ? "evenlift's answer uses the same number of robots. Drag yours to come closer, or try again."
+      : "Drag the robots so that all carry nearly the same, and so that the object does not tip.";
     reveal.hidden = revealed;
     again.hidden = !revealed;
     copy.hidden = !revealed && !beat;

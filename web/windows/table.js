@@ -151,6 +151,7 @@ class Table {
       this.choice.children[i].setAttribute("aria-pressed", String(each === list));
     });
     const vertices = list === lists.vertices;
+    if (!vertices) this.#program.call("page_select_vertex", -1);
     this.whole.hidden = !vertices;
     this.centre.row.hidden = !vertices;
     this.more.hidden = vertices;
