@@ -202,7 +202,7 @@ test("the name of an opened file is written so that any system takes it, and doe
   await drop(page, {
     files: [["mounting plate.dxf", readFileSync(path.join(root, "tests/data/import/plate.dxf"), "utf8")]],
   });
-  await page.locator("#shapes .sample").nth(3).click();
+  await page.locator("#shapes .sample").nth(1).click();
   await allClosed(page);
   assert.match(await savedName(page), /^mounting-plate-\d-robots\.txt$/, "one of several shapes");
   // As text it is the same polygon, edited; a sample opened from its file keeps its name.
