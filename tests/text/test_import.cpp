@@ -12,42 +12,20 @@
 #include "evenlift/random.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
-#include "kit/data_table.h"
+#include "kit/imported.h"
 #include "kit/random_documents.h"
 
 using namespace evenlift;
+using evenlift::testing::only;
+using evenlift::testing::read;
+using evenlift::testing::refusal;
 using evenlift::testing::same_vertices;
 
 namespace {
 
-Import read(const std::string& text, const ImportOptions& options = {}) {
-  Result<Import> import = read_shapes(text, options);
-  INFO(text.substr(0, 300));
-  INFO((import ? "" : import.error().message));
-  REQUIRE(import.ok());
-  REQUIRE_FALSE(import->shapes.empty());
-  return *std::move(import);
-}
-
 Import read_data(const char* name, const ImportOptions& options = {}) {
   return read(corpus::read_file(std::filesystem::path(EVENLIFT_TESTS_DIR) / "data/import" / name),
               options);
-}
-
-std::string refusal(const std::string& text) {
-  const Result<Import> import = read_shapes(text);
-  INFO(text.substr(0, 300));
-  REQUIRE(!import.ok());
-  CHECK(evenlift::testing::is_one_sentence(import.error().message));
-  const std::string place = describe(import.error().place);
-  return (place.empty() ? "" : place + ": ") + import.error().message;
-}
-
-Points only(const std::string& text) {
-  const Import import = read(text);
-  INFO(text.substr(0, 300));
-  REQUIRE(import.shapes.size() == 1);
-  return import.shapes.front().document.vertices;
 }
 
 std::string svg(const std::string& inside) {

@@ -5,14 +5,17 @@
 #include <vector>
 
 #include "curves/outline.h"
+#include "evenlift/hull.h"
 #include "evenlift/import.h"
 #include "evenlift/numbers.h"
 #include "evenlift/polygon.h"
 #include "evenlift/random.h"
 #include "kit/catch.h"
-#include "kit/data_table.h"
+#include "kit/imported.h"
 
 using namespace evenlift;
+using evenlift::testing::read;
+using evenlift::testing::refusal;
 
 namespace {
 
@@ -61,34 +64,10 @@ std::string insert(const std::string& name, const Pairs& more = {}) {
   return lines({{0, "INSERT"}, {2, name}}) + lines(more);
 }
 
-Import read(const std::string& text, const ImportOptions& options = {}) {
-  Result<Import> import = read_shapes(text, options);
-  INFO(text.substr(0, 300));
-  INFO((import ? "" : import.error().message));
-  REQUIRE(import.ok());
-  return *std::move(import);
-}
-
-std::string refusal(const std::string& text) {
-  const Result<Import> import = read_shapes(text);
-  INFO(text.substr(0, 300));
-  REQUIRE(!import.ok());
-  CHECK(evenlift::testing::is_one_sentence(import.error().message));
-  const std::string place = describe(import.error().place);
-  return (place.empty() ? "" : place + ": ") + import.error().message;
-}
-
 std::vector<Points> outlines(const std::string& text) {
   std::vector<Points> all;
   for (const ImportedShape& shape : read(text).shapes) all.push_back(shape.document.vertices);
   return all;
-}
-
-double area(const Points& points) {
-  double twice = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    twice += cross(points[i], points[(i + 1) % points.size()]);
-  return twice / 2;
 }
 
 const Points square = {{1, 1}, {3, 1}, {3, 2}, {1, 2}};
@@ -173,8 +152,8 @@ TEST_CASE("DXF: circles and arcs of a block follow its scale", "[import][dxf]") 
                &half = import.shapes[1].document.vertices;
   CHECK(import.shapes[0].kind == "circle");
   for (const Vec2& p : circle) CHECK((p.x() + 3) * (p.x() + 3) / 36 + p.y() * p.y() == Approx(1));
-  CHECK(std::abs(area(circle)) == Approx(6 * 3.14159265).epsilon(1e-4));
-  CHECK(std::abs(area(half)) == Approx(3 * 3.14159265).epsilon(1e-4));
+  CHECK(std::abs(signed_area(circle)) == Approx(6 * 3.14159265).epsilon(1e-4));
+  CHECK(std::abs(signed_area(half)) == Approx(3 * 3.14159265).epsilon(1e-4));
   CHECK(bounding_box(half).low.y() == Approx(0).margin(1e-9));
   CHECK(bounding_box(half).high.y() == Approx(1));
 }
@@ -184,7 +163,7 @@ TEST_CASE("DXF: pieces within blocks are joined with others", "[import][dxf]") {
   const Import import = read(drawing(
       insert("corner") + insert("corner", {{10, 5}, {20, 5}, {50, 180}}), block("corner", corner)));
   REQUIRE(import.shapes.size() == 1);
-  CHECK(std::abs(area(import.shapes[0].document.vertices)) == 25);
+  CHECK(std::abs(signed_area(import.shapes[0].document.vertices)) == 25);
 }
 
 TEST_CASE("DXF: a block that is not drawn has its own reason", "[import][dxf]") {
@@ -375,7 +354,7 @@ TEST_CASE("DXF: a circle as a NURBS curve", "[import][dxf]") {
   const Import import = read(spline(circle), {1e-6});
   REQUIRE(import.shapes.size() == 1);
   CHECK(import.shapes[0].kind == "closed spline");
-  CHECK(std::abs(area(import.shapes[0].document.vertices) - 3.14159265) < 1e-4);
+  CHECK(std::abs(signed_area(import.shapes[0].document.vertices) - 3.14159265) < 1e-4);
   for (const Vec2& p : import.shapes[0].document.vertices) CHECK(length(p) == Approx(1));
   // It has as few vertices as a circle.
   CHECK(outlines(spline(circle)).at(0).size() == 64);
@@ -387,7 +366,7 @@ TEST_CASE("DXF: a circle as a NURBS curve", "[import][dxf]") {
   text.insert(text.rfind("0\nENDSEC"), line);
   const Import joined = read(text, {1e-6});
   REQUIRE(joined.shapes.size() == 1);
-  CHECK(std::abs(area(joined.shapes[0].document.vertices) - 3.14159265 / 2) < 1e-5);
+  CHECK(std::abs(signed_area(joined.shapes[0].document.vertices) - 3.14159265 / 2) < 1e-5);
 }
 
 TEST_CASE("a B-spline of any degree with weights is near its formula", "[import][curves]") {
@@ -439,7 +418,7 @@ TEST_CASE("DXF: knots as different programs write them", "[import][dxf]") {
   const Curve beziers = {
       2, {{0, 0}, {9, 0}, {9, 9}, {9, 9}, {0, 9}, {0, 0}}, {0, 0, 0, 1, 1, 1, 2, 2, 2}, {}, 11};
   const Points leaf = outlines(spline(beziers)).at(0);
-  CHECK(area(leaf) == Approx(54).epsilon(0.01));
+  CHECK(signed_area(leaf) == Approx(54).epsilon(0.01));
 
   // Equal weights change nothing.
   Curve weighted = beziers;

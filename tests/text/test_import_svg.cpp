@@ -5,26 +5,15 @@
 #include "evenlift/import.h"
 #include "evenlift/polygon.h"
 #include "kit/catch.h"
-#include "kit/data_table.h"
+#include "kit/imported.h"
 
 using namespace evenlift;
+using evenlift::testing::read;
 
 namespace {
 
-Import read(const std::string& text, const ImportOptions& options = {}) {
-  Result<Import> import = read_shapes(text, options);
-  INFO(text.substr(0, 400));
-  INFO((import ? "" : import.error().message));
-  REQUIRE(import.ok());
-  return *std::move(import);
-}
-
 std::string refusal(const std::string& text) {
-  const Result<Import> import = read_shapes(text);
-  INFO(text.substr(0, 400));
-  REQUIRE(!import.ok());
-  CHECK(evenlift::testing::is_one_sentence(import.error().message));
-  return import.error().message;
+  return evenlift::testing::import_error(text).message;
 }
 
 std::string svg(const std::string& inside, const std::string& attributes = "") {

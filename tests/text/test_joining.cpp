@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "evenlift/generate.h"
+#include "evenlift/hull.h"
 #include "evenlift/import.h"
 #include "evenlift/numbers.h"
 #include "evenlift/plane.h"
@@ -37,18 +38,11 @@ Points corners_of(const Outline& outline) {
   return corners;
 }
 
-double area(const Points& points) {
-  double twice = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    twice += cross(points[i], points[i + 1 == points.size() ? 0 : i + 1]);
-  return twice / 2;
-}
-
 // The areas of the outlines, the largest first.
 std::vector<double> areas(const Joining& joining) {
   std::vector<double> all;
   for (const JoinedOutline& joined : joining.outlines)
-    all.push_back(area(corners_of(joined.outline)));
+    all.push_back(signed_area(corners_of(joined.outline)));
   std::sort(all.rbegin(), all.rend());
   return all;
 }
@@ -126,6 +120,11 @@ TEST_CASE("gaps are closed where something stays open, and told", "[joining][imp
   REQUIRE(join(wide).apart);
   CHECK(length(join(wide).apart->first - join(wide).apart->second) == 1);
   CHECK(areas(join(wide, 1.5)).size() == 1);
+  // A wide gap is bridged by a straight line, and no corner moves.
+  const Joining open =
+      join({line({0, 0}, {120, 0}), line({120, 0}, {120, 80}), line({120, 80}, {0, 80})}, 90.0);
+  CHECK(areas(open) == std::vector{9600.0});
+  CHECK(open.gap == 80);
   wide[0].outline.pieces[0].end.x() += 0.998;
   CHECK(join(wide, 0.001).outlines.empty());  // a finer distance than usual
 }
@@ -179,7 +178,7 @@ TEST_CASE("any polygon with holes, in pieces, comes back", "[joining][import][sl
     const Joining joining = join(pieces);
     REQUIRE(joining.outlines.size() == 1);
     CHECK(joining.open.empty());
-    CHECK(areas(joining)[0] == Approx(std::abs(area(outline))).epsilon(1e-9));
+    CHECK(areas(joining)[0] == Approx(std::abs(signed_area(outline))).epsilon(1e-9));
     for (int again = 0; again < 3; ++again) {
       std::vector<DrawnPiece> other = pieces;
       shuffle(other, random);
@@ -198,7 +197,7 @@ TEST_CASE("any polygon with holes, in pieces, comes back", "[joining][import][sl
     }
     const Joining shaken = join(pieces);
     REQUIRE(shaken.outlines.size() >= 1);
-    CHECK(areas(shaken)[0] == Approx(std::abs(area(outline))).epsilon(1e-3));
+    CHECK(areas(shaken)[0] == Approx(std::abs(signed_area(outline))).epsilon(1e-3));
   }
 }
 
@@ -257,7 +256,7 @@ TEST_CASE("a polygon with holes, drawn in pieces, is read from SVG and DXF",
       REQUIRE(import->shapes.size() == 1);
       CHECK(import->shapes[0].holes.size() == 2);
       const Points& read = import->shapes[0].document.vertices;
-      CHECK(std::abs(area(read)) == Approx(std::abs(area(outline))));
+      CHECK(std::abs(signed_area(read)) == Approx(std::abs(signed_area(outline))));
       CHECK(read.size() == outline.size());
     }
   }
@@ -282,6 +281,28 @@ TEST_CASE("outlines nest by depth, whatever their order", "[joining][import]") {
     CHECK((at(0) == 0 && at(1) == 5 && at(2) == 2 && at(3) == 3));
     CHECK(nesting.shapes[0].holes.size() == 2);
   } while (std::next_permutation(order.begin(), order.end()) && order[0] < 2);
+}
+
+TEST_CASE("where what stays open is larger than every shape, a person should choose",
+          "[joining][import]") {
+  const std::string open = "<path d='M0 0H120V80H0'/>";
+  const auto drawing = [&](const std::string& more) {
+    const Result<Import> import =
+        read_shapes("<svg xmlns='http://www.w3.org/2000/svg' stroke='black'>" + more + "</svg>");
+    REQUIRE(import.ok());
+    return import->doubtful;
+  };
+  // An open path by itself is closed; with a stray line at its end it stays open.
+  CHECK_FALSE(drawing("<circle cx='60' cy='40' r='5'/>" + open));
+  CHECK(drawing("<circle cx='60' cy='40' r='5'/>" + open + "<path d='M0 80L-9 90'/>"));
+  CHECK_FALSE(drawing("<circle cx='60' cy='40' r='90'/>" + open + "<path d='M0 80L-9 90'/>"));
+}
+
+TEST_CASE("50,000 lines that end on the middles of two are joined", "[joining][import][slow]") {
+  std::vector<DrawnPiece> pieces = sides({{0, 0}, {100000, 0}, {100000, 10}, {0, 10}});
+  for (int i = 1; i < 50000; ++i) pieces.push_back(line({2.0 * i, 0}, {2.0 * i, 10}));
+  const Joining joining = join(pieces);
+  CHECK(joining.outlines.size() == 50000);
 }
 
 TEST_CASE("a drawing of 100,000 lines is joined", "[joining][import][slow]") {

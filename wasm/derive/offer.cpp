@@ -14,36 +14,40 @@
 namespace evenlift::view {
 namespace {
 
-// Other settings for the same object. They are tried in this order.
+// Another document for the same object. They are tried in this order.
 struct Alternative {
   const char* verb;  // the beginning of the button's words
   bool says_held;    // the verb promises a hold
   bool (*suits)(const Placement&);
-  void (*take)(Settings&);
+  Document (*document)(const Derived&);
 };
 
 bool chooses(const Placement& of) { return selects_candidates(of.settings.method); }
 
+template <class Value>
+Document with(const Derived& facts, Value Settings::*setting, Value value) {
+  Document document = facts.placed;
+  document.moved = {};
+  document.settings.*setting = value;
+  return document;
+}
+
+// clang-format off
 const Alternative alternatives[] = {
     {"Use ranges", false,
-     [](const Placement& of) {
-       return chooses(of) && of.stands && of.settings.positions == Positions::best;
-     },
-     [](Settings& settings) { settings.positions = Positions::range; }},
+     [](const Placement& of) { return chooses(of) && of.stands && of.settings.positions == Positions::best; },
+     [](const Derived& facts) { return with(facts, &Settings::positions, Positions::range); }},
     {"Make it hold", true,
      [](const Placement& of) { return chooses(of) && goal_of(of.settings) != Goal::hold; },
-     [](Settings& settings) { settings.goal = Goal::hold; }},
+     [](const Derived& facts) { return with(facts, &Settings::goal, std::optional(Goal::hold)); }},
     {"Use area", false,
-     [](const Placement& of) {
-       return of.settings.method != Method::area && count_robots(of.teams) % 2 == 0;
-     },
-     [](Settings& settings) { settings.method = Method::area; }},
+     [](const Placement& of) { return of.settings.method != Method::area && count_robots(of.teams) % 2 == 0; },
+     [](const Derived& facts) { return by_other_method(facts, Method::area); }},
     {"Use balanced", false,
-     [](const Placement& of) {
-       return of.settings.method != Method::balanced && count_robots(of.teams) >= least_robots;
-     },
-     [](Settings& settings) { settings.method = Method::balanced; }},
+     [](const Placement& of) { return of.settings.method != Method::balanced && count_robots(of.teams) >= least_robots; },
+     [](const Derived& facts) { return by_other_method(facts, Method::balanced); }},
 };
+// clang-format on
 
 bool is_short(const Placement& placement) {
   return !is_one_team(placement.settings.method) &&
@@ -78,11 +82,7 @@ std::optional<Offer> best_alternative(const Derived& facts, const Shown& shown) 
   std::size_t fewest = judgement.reasons.size();
   for (const Alternative& alternative : alternatives) {
     if (!alternative.suits(now)) continue;
-    Settings wanted = facts.placed.settings;
-    alternative.take(wanted);
-    const Document document = wanted.method == facts.placed.settings.method
-                                  ? with_settings(facts.placed, wanted)
-                                  : by_other_method(facts, wanted.method);
+    const Document document = alternative.document(facts);
     const Result<Placement> other = try_placement(document, now);
     if (!other || other->teams.empty()) continue;
     const std::string gained = gains(now, *other, alternative.says_held);

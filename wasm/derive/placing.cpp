@@ -29,12 +29,6 @@ std::uint32_t robots_beside(const Derived& facts, std::uint32_t teams) {
 
 }  // namespace
 
-Document with_settings(Document document, Settings settings) {
-  document.moved = {};
-  document.settings = std::move(settings);
-  return document;
-}
-
 Document by_other_method(const Derived& facts, Method method) {
   Document document = facts.placed;
   document.moved = {};

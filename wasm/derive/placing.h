@@ -8,10 +8,8 @@ namespace evenlift::view {
 // Takes over the placement of the document, or the reason for its refusal.
 void adopt(Derived& facts, const Document& document, Result<Placement> placement);
 
-// The placed document by another method, with the same number of robots; and with other settings,
-// without robots moved by hand.
+// The placed document by another method, with the same number of robots.
 Document by_other_method(const Derived& facts, Method method);
-Document with_settings(Document document, Settings settings);
 
 // Places the document by the second method, if any. Costs a placement.
 void renew_second(Derived& facts, const Work& work, Haste haste);

@@ -85,6 +85,12 @@ int index_of(const std::optional<std::size_t>& vertex) {
   return vertex ? static_cast<int>(*vertex) : -1;
 }
 
+// The part of a list of this size that begins at `first`, from and up to these numbers.
+std::pair<std::size_t, std::size_t> part_of(std::size_t size, int first, int count) {
+  const std::size_t from = std::min(static_cast<std::size_t>(std::max(first, 0)), size);
+  return {from, std::min(from + static_cast<std::size_t>(std::max(count, 0)), size)};
+}
+
 }  // namespace
 }  // namespace evenlift::view
 
@@ -138,9 +144,7 @@ EMSCRIPTEN_KEEPALIVE int page_vertex_count() {
 // The vertices from `first` on: [[x, y], …].
 EMSCRIPTEN_KEEPALIVE const char* page_vertices(int first, int count) {
   const evenlift::Points& vertices = app().state.work.document().vertices;
-  const std::size_t from = std::min(static_cast<std::size_t>(std::max(first, 0)), vertices.size());
-  const std::size_t to =
-      std::min(from + static_cast<std::size_t>(std::max(count, 0)), vertices.size());
+  const auto [from, to] = part_of(vertices.size(), first, count);
   return hand_over(points_json(vertices, from, to));
 }
 
@@ -243,16 +247,13 @@ EMSCRIPTEN_KEEPALIVE int page_robot_count() {
 EMSCRIPTEN_KEEPALIVE const char* page_robots(int first, int count) {
   const AppState& state = app().state;
   const evenlift::Points robots = supports_now(state);
-  const std::size_t from = std::min(static_cast<std::size_t>(std::max(first, 0)), robots.size());
-  const std::size_t to =
-      std::min(from + static_cast<std::size_t>(std::max(count, 0)), robots.size());
+  const auto [from, to] = part_of(robots.size(), first, count);
+  const auto& placement = *state.derived().placement;
+  const std::vector<double> loads = planned_loads(placement.teams);
   std::vector<std::string> rows;
   for (std::size_t i = from; i < to; ++i) {
-    const auto& placement = *state.derived().placement;
-    const std::string load = placement.loads
-                                 ? load_in_words(planned_loads(placement.teams)[i],
-                                                 placement.loads->max, shown(state).units)
-                                 : "–";
+    const std::string load =
+        placement.loads ? load_in_words(loads[i], placement.loads->max, shown(state).units) : "–";
     rows.push_back(
         json::array({json::number(robots[i].x()), json::number(robots[i].y()), json::text(load)}));
   }
@@ -262,16 +263,16 @@ EMSCRIPTEN_KEEPALIVE const char* page_robots(int first, int count) {
 // Puts a robot at a place with one other coordinate. Robots of other methods are taken over.
 EMSCRIPTEN_KEEPALIVE const char* page_set_robot(int robot, int axis, const char* text) {
   const AppState& state = app().state;
-  const evenlift::Points robots = supports_now(state);
+  evenlift::Points robots = supports_now(state);
   std::string problem;
   const std::optional<double> value = coordinate(text, problem);
   if (!value) return hand_over(std::move(problem));
   if (robot < 0 || robot >= static_cast<int>(robots.size()))
     return hand_over("This robot no longer exists");
-  Vec2 to = robots[static_cast<std::size_t>(robot)];
+  Vec2& to = robots[static_cast<std::size_t>(robot)];
   to[axis] = *value;
-  evenlift::Settings moved = taken_over(settings(state), *state.derived().placement);
-  moved.supports[static_cast<std::size_t>(robot)] = to;
+  evenlift::Settings moved = settings(state);
+  moved.supports = {to};
   const auto placed = place_supports(state.derived().placement->polygon, moved);
   if (!placed) return hand_over(placed.error().message);
   carry_out({EndEdit{}, PutRobot{static_cast<std::size_t>(robot), to}, EndEdit{}});

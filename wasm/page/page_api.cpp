@@ -223,14 +223,16 @@ EMSCRIPTEN_KEEPALIVE void page_show_answer() {
   carry_out({SetChallenge{false}, Compare{Method::balanced}});
 }
 
-// The scores of the robots and of the second method's: an array of one or two
+// The scores of the robots and of balanced robots, if these are the second picture: an array of
+// one or two
 // {"robots", "most", "spread", "covered", "held", "numbers": [most, spread, covered, held]}.
 EMSCRIPTEN_KEEPALIVE const char* page_scores() {
   const AppState& state = app().state;
   std::vector<std::string> scores;
   for (const std::optional<evenlift::Placement>* placement :
        {&state.derived().placement, &state.derived().second}) {
-    if (!*placement) continue;
+    const bool answer = placement == &state.derived().second;
+    if (!*placement || (answer && (*placement)->settings.method != Method::balanced)) continue;
     const evenlift::Placement& of = **placement;
     const Score score = score_of(of, shown(state).units);
     const auto& loads = of.loads;

@@ -10,9 +10,9 @@ export function readAddress() {
   };
 }
 
-// The number of robots that a challenge asks for, or 0.
+// The number of robots that a challenge asks for, from 3 to 9, or 0.
 function robotsToPlace(text) {
-  return /^[1-9]\d?$/.test(text ?? "") ? Number(text) : 0;
+  return /^[3-9]$/.test(text ?? "") ? Number(text) : 0;
 }
 
 // The score of the sender of a challenge: [greatest load, spread, share covered, held]. Loads of 0 mean that the object

@@ -169,7 +169,6 @@ async function start() {
     started.draft,
     embed ? 1 : 0,
   );
-  if (place && !problem) program.call("page_set_challenge", 1);
   publisher.connect(program);
   publisher.restorePreferences();
   if (kept.own || started.problem) publisher.nameInAddress();

@@ -1,17 +1,16 @@
 // A challenge: somebody places robots on an object, and only then sees where evenlift would put them. Its card stays
 // over the canvas, where the robots are dragged; the loads and the score follow.
 import { openCard } from "../kit/card.js";
-import { button, el } from "../kit/elements.js";
-import { number } from "../kit/elements.js";
+import { button, el, number } from "../kit/elements.js";
 
-const asks = { 2: "two", 3: "three", 4: "four", 5: "five", 6: "six", 7: "seven", 8: "eight" };
+const asks = { 3: "three", 4: "four", 5: "five", 6: "six", 7: "seven", 8: "eight", 9: "nine" };
 const heads = ["", "Robots", "At most", "Spread", "Covered", "Held"];
 
 // `beat` is the score of the sender, if there is one (page/address.js).
 export async function show(page, { place, beat }) {
   const { program } = page;
-  let revealed = program.json("page_scores").length > 1;
-  const question = el("h2", {}, `Where would you put ${asks[place] ?? place} robots?`);
+  const asked = `Where would you put ${asks[place]} robots?`;
+  const question = el("h2", {});
   const advice = el("p", { class: "second", role: "status" });
   const body = el("tbody");
   const table = el(
@@ -20,25 +19,13 @@ export async function show(page, { place, beat }) {
     el("thead", {}, el("tr", {}, ...heads.map((head) => el("th", { scope: "col" }, head)))),
     body,
   );
-  const reveal = button("Show evenlift's", {
-    onclick: () => {
-      revealed = true;
-      program.call("page_show_answer");
-      refresh();
-    },
-  });
-  const again = button("Try again", {
-    onclick: () => {
-      revealed = false;
-      program.call("page_try_again", place);
-      refresh();
-    },
-  });
+  const reveal = button("Show evenlift's", { onclick: () => act("page_show_answer") });
+  const again = button("Try again", { onclick: () => act("page_try_again", place) });
   const copy = button("Copy challenge with my score", { onclick: () => copyChallenge() }, "copy");
   const leave = new AbortController();
   const card = await openCard(page, {
     name: "challenge",
-    title: question.textContent,
+    title: asked,
     body: [el("div", { class: "said" }, question, advice, table), el("div", { class: "ways" }, reveal, again, copy)],
     closed: () => {
       leave.abort();
@@ -46,6 +33,11 @@ export async function show(page, { place, beat }) {
       page.leavePlaces();
     },
   });
+
+  function act(...call) {
+    program.call(...call);
+    refresh();
+  }
 
   async function copyChallenge() {
     const [mine] = program.json("page_scores");
@@ -59,17 +51,16 @@ export async function show(page, { place, beat }) {
   let shown = "";
   function refresh() {
     const scores = program.text("page_scores");
-    const state = `${revealed}${scores}`;
-    if (state === shown) return;
-    shown = state;
+    if (scores === shown) return;
+    shown = scores;
     const [mine, evenlifts] = JSON.parse(scores);
+    const revealed = evenlifts !== undefined;
     const rows = [["You", mine]];
     if (beat) rows.push(["To beat", toBeat(program, place, beat)]);
-    if (revealed && evenlifts) rows.push(["evenlift", evenlifts]);
+    if (revealed) rows.push(["evenlift", evenlifts]);
     const best = bests(rows.map(([, score]) => score.numbers));
     body.replaceChildren(...rows.map(([who, score], i) => row(who, score, best[i])));
-    question.textContent =
-      revealed || beat ? "Can you beat this?" : `Where would you put ${asks[place] ?? place} robots?`;
+    question.textContent = revealed || beat ? "Can you beat this?" : asked;
     advice.textContent = revealed
       ? "evenlift's answer uses the same number of robots. Drag yours to come closer, or try again."
       : "Drag the robots so that all carry nearly the same, and so that the object does not tip.";

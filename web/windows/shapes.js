@@ -145,9 +145,10 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
   fill();
   if (tolerance) curves.value = String(tolerance);
   const several = found.shapes.length > 1;
+  const shapes = several ? `${number(found.shapes.length)} shapes` : "a shape";
   const root = await openWindow({
     name: "shapes",
-    title: several ? "Which shape?" : "Flatten curves",
+    title: several || found.doubtful ? "Which shape?" : "Flatten curves",
     body: [
       el(
         "div",
@@ -155,9 +156,11 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
         el(
           "p",
           {},
-          several
-            ? `${what} has ${number(found.shapes.length)} shapes. Choose the one to open.`
-            : `${what} has curves, but a polygon has straight edges.`,
+          found.doubtful
+            ? `${what} has ${shapes}, but what does not close is larger. Choose a shape to open all the same.`
+            : several
+              ? `${what} has ${shapes}. Choose the one to open.`
+              : `${what} has curves, but a polygon has straight edges.`,
         ),
         notes,
         list,

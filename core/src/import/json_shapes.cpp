@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "evenlift/formats.h"
+#include "evenlift/hull.h"
 #include "evenlift/numbers.h"
 #include "evenlift/polygon.h"
 #include "evenlift/settings.h"
@@ -483,15 +484,6 @@ bool JsonShapes::is_esri_geometry(Index object) const {
          tree_.member(object, "paths");
 }
 
-double twice_area(const Points& ring) {
-  double sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 a = ring[i] - ring[0], b = ring[(i + 1) % ring.size()] - ring[0];
-    sum += a.x() * b.y() - a.y() * b.x();
-  }
-  return sum;
-}
-
 // Esri's outer rings run clockwise and holes the other way; if none runs clockwise, the first ring
 // tells the direction.
 void JsonShapes::esri_rings(Index rings, std::string_view name) {
@@ -504,10 +496,10 @@ void JsonShapes::esri_rings(Index rings, std::string_view name) {
     Result<Points> ring = points(i);
     if (!ring) return gathering_.add_problem(ring.error());
     all.push_back(std::move(ring).value());
-    clockwise = clockwise || twice_area(all.back()) < 0;
+    clockwise = clockwise || signed_area(all.back()) < 0;
   }
   for (Points& ring : all) {
-    if (clockwise && twice_area(ring) > 0) {
+    if (clockwise && signed_area(ring) > 0) {
       ++notes_.holes;
       notes_.centre_is_open = true;
       continue;

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <numeric>
 #include <tuple>
 
-#include "exact/pseudo_angle.h"
 #include "import/joining/planar_faces.h"
 #include "import/joining/point_grid.h"
+#include "import/joining/point_order.h"
 
 namespace evenlift {
 namespace {
@@ -15,10 +17,6 @@ namespace {
 // Ends closer than this part of the drawing's larger side are at the same place: they differ only
 // by rounding.
 constexpr double rounding = 1e-9;
-
-bool less(const Vec2& a, const Vec2& b) {
-  return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-}
 
 // A set of nodes that become one; each set is known by its least node.
 class Sets {
@@ -64,7 +62,7 @@ class Drawing {
 
   void take_atoms();
   void number_places();
-  void divide_lines(double near, const std::vector<char>* only);
+  void divide_lines(double near, const std::vector<std::size_t>& number);
   std::vector<std::size_t> line_ranks();
   std::vector<GraphEdge> edges();
   std::vector<std::size_t> other_ends() const;
@@ -83,6 +81,8 @@ class Drawing {
   Sets sets_;
   std::vector<Face> faces_;
   std::vector<GraphEdge> edges_;
+  std::vector<std::pair<std::size_t, std::size_t>> bridges_;  // straight lines across wide gaps
+  std::vector<std::size_t> piece_at_;                         // a piece that ends at each place
   std::vector<std::size_t> loose_;  // the ends that are open if only rounding is forgiven
   double gap_ = 0;
   std::size_t repeated_ = 0;
@@ -106,17 +106,20 @@ void Drawing::number_places() {
     places_.push_back(atom.from);
     places_.push_back(atom.curve.end);
   }
-  std::sort(places_.begin(), places_.end(), less);
+  std::sort(places_.begin(), places_.end(), is_before);
   places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
   const auto number = [&](const Vec2& at) {
-    return static_cast<std::size_t>(std::lower_bound(places_.begin(), places_.end(), at, less) -
-                                    places_.begin());
+    return static_cast<std::size_t>(
+        std::lower_bound(places_.begin(), places_.end(), at, is_before) - places_.begin());
   };
   for (const Atom& atom : atoms_) {
     from_.push_back(number(atom.from));
     to_.push_back(number(atom.curve.end));
   }
   divided_.resize(atoms_.size());
+  piece_at_.resize(places_.size());
+  for (std::size_t a = 0; a < atoms_.size(); ++a)
+    piece_at_[from_[a]] = piece_at_[to_[a]] = atoms_[a].piece;
   sets_ = Sets(places_.size());
   const double near = rounding * side_;
   if (!(near > 0)) return;
@@ -127,16 +130,11 @@ void Drawing::number_places() {
     });
 }
 
-// Divides straight lines at the places on them; if `only` is given, at its places alone.
-void Drawing::divide_lines(double near, const std::vector<char>* only) {
+// Divides straight lines at those of the places that are on them.
+void Drawing::divide_lines(double near, const std::vector<std::size_t>& number) {
+  if (number.empty()) return;
   Points some;
-  std::vector<std::size_t> number;
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    if (only && (*only)[i] == 0) continue;
-    some.push_back(places_[i]);
-    number.push_back(i);
-  }
-  if (some.empty()) return;
+  for (const std::size_t place : number) some.push_back(places_[place]);
   const double cell = std::max(near, side_ / (1 + std::sqrt(static_cast<double>(some.size()))));
   const PointGrid grid(some, cell);
   for (std::size_t a = 0; a < atoms_.size(); ++a) {
@@ -153,11 +151,10 @@ void Drawing::divide_lines(double near, const std::vector<char>* only) {
       const std::size_t place = number[i];
       for (const std::size_t end : {from_[a], to_[a]})
         if (sets_.of(end) == sets_.of(place)) return;
-      for (const auto& [where, known] : divided_[a])
-        if (sets_.of(known) == sets_.of(place)) return;
       divided_[a].emplace_back(along, place);
     });
     std::sort(divided_[a].begin(), divided_[a].end());
+    divided_[a].erase(std::unique(divided_[a].begin(), divided_[a].end()), divided_[a].end());
   }
 }
 
@@ -197,8 +194,14 @@ std::vector<GraphEdge> Drawing::edges() {
       add(place, {CurvePiece::Kind::line, places_[place]});
     add(to_[a], atom.curve);
   }
-  const std::size_t before = all.size();
-  drop_repeated(all, places_, safe_reach * side_);
+  const std::size_t before = all.size() + bridges_.size();
+  for (const auto& [a, b] : bridges_)
+    all.push_back({sets_.of(a),
+                   sets_.of(b),
+                   {CurvePiece::Kind::line, places_[sets_.of(b)]},
+                   atoms_.size(),
+                   piece_at_[a]});
+  drop_repeated(all, safe_reach * side_);
   repeated_ = before - all.size();
   return all;
 }
@@ -231,10 +234,8 @@ std::vector<std::size_t> Drawing::other_ends() const {
 void Drawing::join_loose_ends(double near) {
   const std::vector<std::size_t> other = other_ends();
   const PointGrid grid(places_, near);
-  std::vector<char> loose(places_.size());
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (const std::size_t node : loose_) {
-    loose[node] = 1;
     const std::size_t end = other[sets_.of(node)];
     grid.for_each_near(places_[node], near, [&](std::size_t i) {
       if (sets_.of(i) == sets_.of(node)) return;
@@ -244,10 +245,11 @@ void Drawing::join_loose_ends(double near) {
     });
   }
   for (const auto& [a, b] : pairs) sets_.merge(a, b);
-  divide_lines(near, &loose);
+  divide_lines(near, loose_);
 }
 
-// Joins pairs of open ends, the nearest first.
+// Joins pairs of open ends, the nearest first: they become one point, or if they are farther apart
+// than usual, a straight line between them.
 void Drawing::join_pairs_of_open_ends(double near) {
   const std::vector<std::size_t> open = open_ends(), other = other_ends();
   Points at;
@@ -264,8 +266,11 @@ void Drawing::join_pairs_of_open_ends(double near) {
   for (const auto& [distance, a, b] : pairs) {
     if (joined[a] != 0 || joined[b] != 0) continue;
     joined[a] = joined[b] = 1;
-    sets_.merge(a, b);
     gap_ = std::max(gap_, distance);
+    if (distance <= std::end(join_reaches)[-1] * side_)
+      sets_.merge(a, b);
+    else
+      bridges_.emplace_back(a, b);
   }
 }
 
@@ -286,7 +291,9 @@ void Drawing::remember_apart() {
 void Drawing::connect(std::optional<double> reach) {
   take_atoms();
   number_places();
-  divide_lines(rounding * side_, nullptr);
+  std::vector<std::size_t> all(places_.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  divide_lines(rounding * side_, all);
   edges_ = edges();
   loose_ = open_ends();
   std::vector<double> reaches;
@@ -312,10 +319,12 @@ void Drawing::add_outlines(Joining& joining) const {
     for (const HalfEdge& half : face.boundary) used.push_back(edges_[half.edge].piece);
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
-    const std::string& layer = pieces_[used.front()].layer;
-    const bool across = std::any_of(
-        used.begin(), used.end(), [&](std::size_t piece) { return pieces_[piece].layer != layer; });
-    joining.outlines.push_back({outline_of(face, edges_, places_), used.size(), layer, across});
+    const auto [least, greatest] = std::minmax_element(
+        used.begin(), used.end(),
+        [&](std::size_t a, std::size_t b) { return pieces_[a].layer < pieces_[b].layer; });
+    const std::string& layer = pieces_[*least].layer;
+    joining.outlines.push_back(
+        {outline_of(face, edges_, places_), used.size(), layer, layer != pieces_[*greatest].layer});
   }
 }
 
@@ -332,10 +341,11 @@ std::vector<std::size_t> Drawing::open() const {
   return open;
 }
 
-bool before(const JoinedOutline& a, const JoinedOutline& b) {
-  if (a.outline.start != b.outline.start) return less(a.outline.start, b.outline.start);
-  const Vec2 &p = a.outline.pieces.front().end, &q = b.outline.pieces.front().end;
-  return less(p, q);
+using TwoEnds = std::optional<std::pair<Vec2, Vec2>>;
+
+bool is_nearer(const TwoEnds& ends, const TwoEnds& others) {
+  const auto apart = [](const TwoEnds& two) { return length(two->second - two->first); };
+  return ends && (!others || apart(ends) < apart(others));
 }
 
 // The open pieces whose ends meet no end of another piece.
@@ -381,7 +391,7 @@ Joining join(const std::vector<DrawnPiece>& pieces, std::optional<double> reach)
     drawing.add_outlines(joining);
     joining.repeated += drawing.repeated();
     joining.gap = std::max(joining.gap, drawing.gap());
-    joining.apart = drawing.apart();
+    if (is_nearer(drawing.apart(), joining.apart)) joining.apart = drawing.apart();
     return drawing.open();
   };
   // By layer, in the order of their names.
@@ -396,9 +406,11 @@ Joining join(const std::vector<DrawnPiece>& pieces, std::optional<double> reach)
     joining.open.insert(joining.open.end(), open.begin(), open.end());
     first = last;
   }
-  if (layers > 1 && joining.open.size() > 1) joining.open = take(joining.open);
+  if (layers > 1 && joining.open.size() > 1) {
+    joining.apart.reset();
+    joining.open = take(joining.open);
+  }
   std::sort(joining.open.begin(), joining.open.end());
-  std::sort(joining.outlines.begin(), joining.outlines.end(), before);
   joining.gap_is_seen = joining.gap > 1.5 * safe_reach * side;
   joining.alone = alone(pieces, joining.open, 1.5 * safe_reach * side);
   return joining;

@@ -21,7 +21,7 @@ struct DrawnPiece {
 struct JoinedOutline {
   Outline outline;     // counter-clockwise, from its least point by x, then y
   std::size_t parts;   // the number of its pieces
-  std::string layer;   // of its first piece
+  std::string layer;   // of its pieces, the first by name
   bool across_layers;  // its pieces are on several layers
 };
 
@@ -44,7 +44,8 @@ inline constexpr double join_reaches[] = {1e-6, 1e-5, 1e-4, 1e-3};
 // Joins pieces of the same layer, then pieces of all layers that are still open.
 //
 // Ends at the same place become one point, and so do open ends that are near: first within the
-// finest distance, then within coarser ones, up to `reach` if it is given. An end on the middle of a
+// finest distance, then within coarser ones, up to `reach` if it is given. Ends beyond the coarsest
+// usual distance are joined by a straight line. An end on the middle of a
 // straight line divides it. What lies on another piece is dropped, and so is all that leads nowhere:
 // ends that stay open, and lines between two outlines. Each face that remains is an outline; where
 // faces share a line they are separate outlines, and the boundary around them is not one.

@@ -3,26 +3,18 @@
 #include <algorithm>
 #include <utility>
 
+#include "evenlift/hull.h"
 #include "evenlift/plane.h"
+#include "import/joining/point_order.h"
 
 namespace evenlift {
 namespace {
 
-bool less(const Vec2& a, const Vec2& b) {
-  return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-}
-
-double twice_signed_area(const Points& points) {
-  double twice = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    twice += cross(points[i] - points[0], points[i + 1 == points.size() ? 0 : i + 1] - points[0]);
-  return twice;
-}
-
 // The vertices from the least one on, counter-clockwise, by which repeated outlines are found.
 Points in_order(Points points) {
-  if (twice_signed_area(points) < 0) std::reverse(points.begin(), points.end());
-  std::rotate(points.begin(), std::min_element(points.begin(), points.end(), less), points.end());
+  if (signed_area(points) < 0) std::reverse(points.begin(), points.end());
+  std::rotate(points.begin(), std::min_element(points.begin(), points.end(), is_before),
+              points.end());
   return points;
 }
 
@@ -35,7 +27,8 @@ struct OutlineInOrder {
 
 bool before(const OutlineInOrder& a, const OutlineInOrder& b) {
   if (a.area != b.area) return a.area > b.area;
-  return std::lexicographical_compare(a.key.begin(), a.key.end(), b.key.begin(), b.key.end(), less);
+  return std::lexicographical_compare(a.key.begin(), a.key.end(), b.key.begin(), b.key.end(),
+                                      is_before);
 }
 
 // A hole has no point on the outline around it. Of long outlines some vertices are looked at.
@@ -64,7 +57,7 @@ Nesting nest(const std::vector<const Points*>& outlines) {
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     OutlineInOrder outline{i, in_order(*outlines[i]), {}, 0};
     outline.box = bounding_box(outline.key);
-    outline.area = twice_signed_area(outline.key);
+    outline.area = signed_area(outline.key);
     all.push_back(std::move(outline));
   }
   std::stable_sort(all.begin(), all.end(), before);

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "evenlift/plane.h"
+#include "evenlift/hull.h"
 #include "exact/pseudo_angle.h"
 
 namespace evenlift {
@@ -58,7 +58,8 @@ class Graph {
 
   std::vector<Face> faces() {
     prune();
-    if (drop_bridges(walks())) prune();
+    walks();
+    drop_bridges();
     std::vector<Face> faces;
     for (const std::vector<std::size_t>& walk : walks())
       for (const std::vector<std::size_t>& cycle : simple_cycles(walk)) add_face(cycle, faces);
@@ -161,14 +162,9 @@ class Graph {
   }
 
   // An edge with the same face on both sides joins two parts that would be separate without it.
-  bool drop_bridges(const std::vector<std::vector<std::size_t>>&) {
-    bool any = false;
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-      if (alive_[e] == 0 || walk_of_[half(e, false)] != walk_of_[half(e, true)]) continue;
-      alive_[e] = 0;
-      any = true;
-    }
-    return any;
+  void drop_bridges() {
+    for (std::size_t e = 0; e < edges_.size(); ++e)
+      if (walk_of_[half(e, false)] == walk_of_[half(e, true)]) alive_[e] = 0;
   }
 
   // A boundary that returns to a node in between is several cycles.
@@ -218,11 +214,7 @@ class Graph {
     constexpr std::size_t most = 1u << 22;
     const auto points = flatten(outline, side / 1000, most);
     if (!points) return 0;
-    double twice = 0;
-    for (std::size_t i = 0; i < points->size(); ++i)
-      twice +=
-          cross((*points)[i] - box.low, (*points)[i + 1 == points->size() ? 0 : i + 1] - box.low);
-    return twice;
+    return signed_area(*points);
   }
 
   std::vector<std::size_t> key(const Face& face) const {
@@ -243,7 +235,7 @@ class Graph {
 
 }  // namespace
 
-void drop_repeated(std::vector<GraphEdge>& edges, const Points&, double near) {
+void drop_repeated(std::vector<GraphEdge>& edges, double near) {
   std::vector<std::pair<Look, std::size_t>> looks;
   for (std::size_t i = 0; i < edges.size(); ++i) looks.emplace_back(look_of(edges[i]), i);
   std::stable_sort(looks.begin(), looks.end(), [&](const auto& a, const auto& b) {

@@ -19,7 +19,7 @@ struct GraphEdge {
 // Drops edges that lie on another with the same ends: lines, and curves whose control points are
 // within `near`. Of lines the one with the least number stays. What remains does not depend on the
 // order. O(edges log edges).
-void drop_repeated(std::vector<GraphEdge>& edges, const Points& nodes, double near);
+void drop_repeated(std::vector<GraphEdge>& edges, double near);
 
 struct HalfEdge {
   std::size_t edge;
