@@ -217,7 +217,7 @@ test("a challenge shows the object alone, then both scores, and passes mine on w
   assert.equal(begun.metric, "given");
   assert.equal(begun.robots.length, 4);
   const rows = () => card.locator("tbody tr").allInnerTexts();
-  assert.match((await rows())[1], /To beat\s+4\s+29\.3 kg\s+8\.1 kg\s+61 %\s+not held/);
+  assert.match((await rows())[1], /To beat\s+4\s+29\.3 kg\s+8\.1 kg\s+61 %\s+no/);
   assert.equal((await rows()).length, 2);
   // Nothing tells where evenlift would put them: no undo, no offer, no comparison.
   await undo(other);

@@ -225,7 +225,7 @@ EMSCRIPTEN_KEEPALIVE void page_show_answer() {
 
 // The scores of the robots and of balanced robots, if these are the second picture: an array of
 // one or two
-// {"robots", "most", "spread", "covered", "held", "numbers": [most, spread, covered, held]}.
+// {"robots", "most", "spread", "covered", "numbers": [most, spread, covered, held]}.
 EMSCRIPTEN_KEEPALIVE const char* page_scores() {
   const AppState& state = app().state;
   std::vector<std::string> scores;
@@ -241,7 +241,6 @@ EMSCRIPTEN_KEEPALIVE const char* page_scores() {
                       {"most", json::text(score.most)},
                       {"spread", json::text(score.spread)},
                       {"covered", json::text(score.covered)},
-                      {"held", json::text(score.held)},
                       {"numbers", json::numbers({loads ? loads->max : 0, loads ? loads->spread : 0,
                                                  of.coverage, is_held(of) ? 1.0 : 0.0})}}));
   }

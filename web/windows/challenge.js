@@ -75,7 +75,8 @@ export async function show(page, { place, beat }) {
 
 function row(who, score, best) {
   const falls = !score.most;
-  const cells = [score.robots, falls ? "it falls" : score.most, falls ? "–" : score.spread, score.covered, score.held];
+  const held = score.numbers[3] ? "yes" : "no";
+  const cells = [score.robots, falls ? "it falls" : score.most, falls ? "–" : score.spread, score.covered, held];
   return el(
     "tr",
     {},
@@ -84,7 +85,8 @@ function row(who, score, best) {
   );
 }
 
-// For each score, which of its four numbers no other score betters: a smaller load and spread, more covered, held.
+// For each score, which of its four numbers betters another score's and is bettered by none: a smaller load and spread,
+// more covered, held.
 function bests(scores) {
   const fallen = ([most]) => most === 0;
   const better = [
@@ -94,9 +96,7 @@ function bests(scores) {
     (a, b) => a[3] > b[3],
   ];
   return scores.map((own) =>
-    better.map(
-      (beats, i) => scores.length > 1 && !(i < 2 && fallen(own)) && !scores.some((other) => beats(other, own)),
-    ),
+    better.map((beats) => scores.some((other) => beats(own, other)) && !scores.some((other) => beats(other, own))),
   );
 }
 
@@ -109,7 +109,6 @@ function toBeat(program, place, [most, spread, covered, held]) {
     most: most > 0 ? weight(most) : "",
     spread: weight(spread),
     covered: `${Math.round(covered * 100)} %`,
-    held: held ? "held" : "not held",
     numbers: [most, spread, covered, held],
   };
 }
