@@ -295,6 +295,9 @@ TEST_CASE("where what stays open is larger than every shape, a person should cho
   // An open path by itself is closed; with a stray line at its end it stays open.
   CHECK_FALSE(drawing("<circle cx='60' cy='40' r='5'/>" + open));
   CHECK(drawing("<circle cx='60' cy='40' r='5'/>" + open + "<path d='M0 80L-9 90'/>"));
+  // Centre lines are longer than the part.
+  CHECK_FALSE(
+      drawing("<circle r='5'/><path d='M-9 0H9'/><path d='M0 -9V9'/><path d='M-9 -9L9 9'/>"));
   CHECK_FALSE(drawing("<circle cx='60' cy='40' r='90'/>" + open + "<path d='M0 80L-9 90'/>"));
 }
 

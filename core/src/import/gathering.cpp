@@ -185,8 +185,6 @@ void Gathering::add(const Outline& outline, std::string_view name, std::string_v
 
 namespace {
 
-double area(const Box& box) { return box.size().x() * box.size().y(); }
-
 std::string point_in_words(const Vec2& p) {
   return "(" + short_number(p.x()) + ", " + short_number(p.y()) + ")";
 }
@@ -209,13 +207,7 @@ void Gathering::add_joined(const std::vector<DrawnPiece>& pieces, bool closes_al
                         joining.alone.end(), std::back_inserter(open));
     joining.open = std::move(open);
   }
-  Points corners;
-  for (const std::size_t piece : joining.open) {
-    const Box box = control_box(pieces[piece].outline);
-    corners.push_back(box.low);
-    corners.push_back(box.high);
-  }
-  left_open_ = area(bounding_box(corners));
+  left_open_ = joining.greatest_open;
   note_joining(joining);
 }
 
@@ -257,7 +249,8 @@ void Gathering::note_nesting() {
     note(counted(nesting.holes, "hole was", "holes were") +
          " left out, since holes are not supported: only the outer outline defines the shape and, "
          "unless one is given, its centre of mass");
-  import.doubtful = left_open_ > 1.01 * area(bounding_box(import.shapes.front().document.vertices));
+  import.doubtful =
+      left_open_ > 1.01 * bounding_box(import.shapes.front().document.vertices).size().prod();
 }
 
 void Gathering::add(Document document, std::string_view name, std::string_view kind) {

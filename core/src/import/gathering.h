@@ -83,7 +83,7 @@ class Gathering {
   ImportOptions options_;
   std::size_t vertices_ = 0;
   std::string gap_;
-  double left_open_ = 0;  // the area of the box around all that stayed open
+  double left_open_ = 0;  // the greatest_open of the pieces (joining.h)
   bool drawn_ = false;    // the shapes are outlines of a drawing
   std::size_t without_area_ = 0, problems_ = 0;
   std::optional<InputError> first_problem_, full_;

@@ -348,23 +348,49 @@ bool is_nearer(const TwoEnds& ends, const TwoEnds& others) {
   return ends && (!others || apart(ends) < apart(others));
 }
 
-// The open pieces whose ends meet no end of another piece.
-std::vector<std::size_t> alone(const std::vector<DrawnPiece>& pieces,
-                               const std::vector<std::size_t>& open, double near) {
+// The ends of pieces; those of one piece follow each other.
+Points ends_of(const std::vector<DrawnPiece>& pieces, const std::vector<std::size_t>& chosen) {
   Points ends;
-  for (const DrawnPiece& piece : pieces) {
-    ends.push_back(piece.outline.start);
-    ends.push_back(piece.outline.end());
+  for (const std::size_t piece : chosen) {
+    ends.push_back(pieces[piece].outline.start);
+    ends.push_back(pieces[piece].outline.end());
   }
-  const PointGrid grid(ends, near);
+  return ends;
+}
+
+// The open pieces whose ends meet no end of another piece. `all` are the ends of all pieces.
+std::vector<std::size_t> alone(const Points& all, const std::vector<std::size_t>& open,
+                               double near) {
+  const PointGrid grid(all, near);
   std::vector<std::size_t> alone;
   for (const std::size_t piece : open) {
     bool meets = false;
-    for (const Vec2& end : {pieces[piece].outline.start, pieces[piece].outline.end()})
-      grid.for_each_near(end, near, [&](std::size_t i) { meets = meets || i / 2 != piece; });
+    for (const std::size_t end : {2 * piece, 2 * piece + 1})
+      grid.for_each_near(all[end], near, [&](std::size_t i) { meets = meets || i / 2 != piece; });
     if (!meets) alone.push_back(piece);
   }
   return alone;
+}
+
+double greatest_open(const std::vector<DrawnPiece>& pieces, const std::vector<std::size_t>& open,
+                     double near) {
+  const Points ends = ends_of(pieces, open);
+  const PointGrid grid(ends, near);
+  Sets sets(open.size());
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    grid.for_each_near(ends[i], near, [&](std::size_t j) { sets.merge(i / 2, j / 2); });
+  std::vector<Points> corners(open.size());
+  std::vector<std::size_t> parts(open.size());
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const Outline& outline = pieces[open[i]].outline;
+    const Box box = control_box(outline);
+    corners[sets.of(i)].insert(corners[sets.of(i)].end(), {box.low, box.high});
+    parts[sets.of(i)] += outline.pieces.size() + (outline.curved() ? 1 : 0);
+  }
+  double greatest = 0;
+  for (std::size_t i = 0; i < open.size(); ++i)
+    if (parts[i] > 1) greatest = std::max(greatest, bounding_box(corners[i]).size().prod());
+  return greatest;
 }
 
 }  // namespace
@@ -372,13 +398,13 @@ std::vector<std::size_t> alone(const std::vector<DrawnPiece>& pieces,
 Joining join(const std::vector<DrawnPiece>& pieces, std::optional<double> reach) {
   Joining joining;
   Points corners;
-  std::vector<std::size_t> all(pieces.size());
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const Box box = control_box(pieces[i].outline);
-    corners.push_back(box.low);
-    corners.push_back(box.high);
-    all[i] = i;
+  for (const DrawnPiece& piece : pieces) {
+    const Box box = control_box(piece.outline);
+    corners.insert(corners.end(), {box.low, box.high});
   }
+  std::vector<std::size_t> all(pieces.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const Points ends = ends_of(pieces, all);
   const Vec2 size = bounding_box(corners).size();
   const double side = std::max(size.x(), size.y());
   if (!(side > 0) || !std::isfinite(side)) {
@@ -411,8 +437,10 @@ Joining join(const std::vector<DrawnPiece>& pieces, std::optional<double> reach)
     joining.open = take(joining.open);
   }
   std::sort(joining.open.begin(), joining.open.end());
-  joining.gap_is_seen = joining.gap > 1.5 * safe_reach * side;
-  joining.alone = alone(pieces, joining.open, 1.5 * safe_reach * side);
+  const double near = 1.5 * safe_reach * side;
+  joining.gap_is_seen = joining.gap > near;
+  joining.alone = alone(ends, joining.open, near);
+  joining.greatest_open = greatest_open(pieces, joining.open, near);
   return joining;
 }
 

@@ -29,9 +29,12 @@ struct Joining {
   std::vector<JoinedOutline> outlines;
   std::vector<std::size_t> open;   // the pieces that belong to no outline, in order
   std::vector<std::size_t> alone;  // those of them that meet no other piece
-  std::size_t repeated = 0;        // parts of pieces that lie on another, and were dropped
-  double gap = 0;                  // the greatest distance of two ends that became one
-  bool gap_is_seen = false;        // it is more than rounding: beyond safe_reach of the larger side
+      // The greatest area of the box around open pieces that meet end to end; a straight line alone, such
+  // as a centre line, has none.
+  double greatest_open = 0;
+  std::size_t repeated = 0;  // parts of pieces that lie on another, and were dropped
+  double gap = 0;            // the greatest distance of two ends that became one
+  bool gap_is_seen = false;  // it is more than rounding: beyond safe_reach of the larger side
   std::optional<std::pair<Vec2, Vec2>>
       apart;  // two ends that stayed open, the nearest to each other
 };
