@@ -319,7 +319,7 @@ struct Applier {
 
 bool apply(AppState& state, Commands& commands) {
   if (commands.empty()) return false;
-  for (Command& command : commands) std::visit(Applier{state}, command);
+  for (Command& command : commands) std::visit(Applier{state}, command.kind());
   commands.clear();
   conclude(state);
   return true;
