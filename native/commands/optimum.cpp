@@ -49,11 +49,11 @@ Compared compare(const Placement& greedy, bool holds, double seconds) {
   // For robots with a size there may be room for fewer teams than requested.
   const std::size_t teams = greedy.teams.size();
   Compared compared{greedy,
-                    widest_choice(greedy.polygon, greedy.centre_of_mass, greedy.candidates, teams,
+                    widest_choice(greedy.object, greedy.centre_of_mass, greedy.candidates, teams,
                                   greedy.team_candidates, stop, greedy.stands.get()),
                     {}};
   if (holds)
-    compared.firmest = firmest_choice(greedy.polygon, greedy.centre_of_mass, greedy.candidates,
+    compared.firmest = firmest_choice(greedy.object, greedy.centre_of_mass, greedy.candidates,
                                       teams, greedy.team_candidates, hold_requirements(greedy),
                                       compared.widest, greedy.stands.get());
   return compared;

@@ -41,10 +41,10 @@ void check(const Placement& placement, std::uint32_t robots) {
   const Team& team = placement.teams[0];
   CHECK(team.robots.size() == robots);
   CHECK(team.ratio == 1);
-  for (const Robot& robot : team.robots) CHECK(robot.load == placement.settings.weight / robots);
+  for (const Robot& robot : team.robots) CHECK(robot.load == placement.weight() / robots);
   CHECK(placement.loads->spread == 0);
 
-  const set_oracle::Object object = object_of(placement.polygon, placement.centre_of_mass);
+  const set_oracle::Object object = object_of(placement.polygon(), placement.centre_of_mass);
   const std::vector<set_oracle::Point> points = plain(lifting_points(placement.teams));
   const double size = set_oracle::diameter(object);
   for (const set_oracle::Point& p : points)
@@ -151,7 +151,7 @@ TEST_CASE("balanced robots survive the failures that they are asked to", "[balan
     const Placement placement = placed(document);
     Points robots;
     for (const Robot& robot : placement.teams[0].robots) robots.push_back(robot.point.position);
-    CHECK(failures_steady(robots, placement.centre_of_mass, placement.polygon.diameter()) >= 1);
+    CHECK(failures_steady(robots, placement.centre_of_mass, placement.polygon().diameter()) >= 1);
   }
 }
 

@@ -72,7 +72,7 @@ TEST_CASE("each set of the story is balanced, and each swap makes the set better
   for (const std::string& name : samples) {
     INFO(name);
     const Trace trace = traced(document_of(name, 6));
-    const set_oracle::Object object = object_of(trace.polygon, trace.centre);
+    const set_oracle::Object object = object_of(trace.polygon(), trace.centre);
     const double near = 1e-9 * set_oracle::diameter(object);
     for (const BalancedSet& set : trace.history.start)
       CHECK(set_oracle::imbalance(object, plain(set.robots)) < near);
@@ -128,7 +128,7 @@ TEST_CASE("a completion is drawn about the point that makes C the centroid",
       const StepKind kind = detail.step.kind;
       if (kind != StepKind::completion && kind != StepKind::exchange) continue;
       const BalancedDetail& balanced = *detail.balanced;
-      const double near = 1e-9 * trace.polygon.diagonal();
+      const double near = 1e-9 * trace.polygon().diagonal();
       Vec2 sum = static_cast<double>(balanced.rest.size() + 2) * trace.centre;
       for (const LiftingPoint& robot : balanced.rest) sum -= robot.position;
       CHECK(length(sum / 2 - balanced.middle) < near);
@@ -195,7 +195,7 @@ TEST_CASE("why no robot stands at a place: the best set with one there is no bet
   for (const std::string& name : samples) {
     INFO(name);
     const Trace trace = traced(document_of(name, 6));
-    const set_oracle::Object object = object_of(trace.polygon, trace.centre);
+    const set_oracle::Object object = object_of(trace.polygon(), trace.centre);
     const std::uint32_t last = trace.size() - 1;
     for (const set_oracle::Point& stand : set_oracle::stands(object)) {
       const Vec2 place(stand[0], stand[1]);

@@ -11,6 +11,7 @@
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/polygons.h"
+#include "kit/solid.h"
 
 using namespace evenlift;
 
@@ -45,15 +46,15 @@ TEST_CASE("the coverage of a set is the same, and its bound is above it", "[bala
     const Document document = corpus::polygon(name);
     const Polygon polygon = testing::polygon(document.vertices);
     const Vec2 centre = *check_centre_of_mass(polygon, document.centre_of_mass);
-    const balanced::Cover cover(polygon, centre);
-    const balanced::CoarseCover coarse(polygon, centre);
+    const balanced::Cover cover(solid(polygon), centre);
+    const balanced::CoarseCover coarse(solid(polygon), centre);
     for (int i = 0; i < 100; ++i) {
       const std::vector<LiftingPoint> robots = any_robots(polygon, rng);
       Points points;
       for (const LiftingPoint& robot : robots) points.push_back(robot.position);
       const Points hull = convex_hull(points);
       if (!well_inside(hull, centre, polygon.diagonal())) continue;
-      const double expected = coverage(polygon, hull);
+      const double expected = coverage(solid(polygon), hull);
       const balanced::SmallHull small = balanced::small_hull(robots, centre);
       CHECK(std::fabs(small.area - signed_area(hull)) <= 1e-12 * signed_area(hull));
       CHECK(std::fabs(cover.of(small) - expected) <= 1e-11);

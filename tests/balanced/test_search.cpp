@@ -16,6 +16,7 @@
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/polygons.h"
+#include "kit/solid.h"
 #include "shapes/problem_document.h"
 #include "shapes/small_polygons.h"
 
@@ -40,7 +41,7 @@ struct Task {
 Task task_of(const Document& document, std::uint32_t robots) {
   const Polygon polygon = testing::polygon(document.vertices);
   const Vec2 centre = *check_centre_of_mass(polygon, document.centre_of_mass);
-  return {polygon, centre, BalancedProblem(polygon, centre, settings_of(robots))};
+  return {polygon, centre, BalancedProblem(solid(polygon), centre, settings_of(robots))};
 }
 
 int level_of(std::optional<double> margin) {
@@ -165,7 +166,7 @@ TEST_CASE("the keys of a set are what the rest of the core says of it", "[balanc
     REQUIRE(start);
     const BalancedKeys keys = balanced_keys(task.problem, start->robots);
     const Points robots = positions(start->robots);
-    CHECK(std::fabs(keys.coverage - coverage(task.polygon, convex_hull(robots))) <= 1e-11);
+    CHECK(std::fabs(keys.coverage - coverage(solid(task.polygon), convex_hull(robots))) <= 1e-11);
     const double clear = 0.02 * farthest_vertex(task.polygon, task.centre);
     const Hold hold =
         analyse_hold(task.polygon, task.centre,
@@ -182,7 +183,7 @@ TEST_CASE(
   Settings settings = settings_of(6);
   settings.goal = Goal::cover;
   settings.apart = 0;
-  const BalancedProblem problem(rectangle, {0, 0}, settings);
+  const BalancedProblem problem(solid(rectangle), {0, 0}, settings);
   // Robots at its four corners, which cover all of it, and in two more places.
   const auto corners_and = [](const LiftingPoint& p, const LiftingPoint& q) {
     return std::vector<LiftingPoint>{{{-2, -1}, 0}, {{2, -1}, 1}, {{2, 1}, 2}, {{-2, 1}, 3}, p, q};
@@ -237,7 +238,7 @@ TEST_CASE("no robot with a size comes to where it collides with one that stays",
   const Polygon polygon = testing::polygon({{0, 0}, {10, 0}, {10, 6}, {3, 6}, {3, 5}, {0, 5}});
   Settings settings = settings_of(4);
   settings.robot.radius = 0.4;
-  const BalancedProblem problem(polygon, {5, 3}, settings);
+  const BalancedProblem problem(solid(polygon), {5, 3}, settings);
   // On either side of the reflex corner (3, 5).
   const LiftingPoint above{{3, 5.5}, 3}, near{{2.4, 5}, 4}, far{{1.5, 5}, 4};
   REQUIRE(problem.rules().room()->collide(near, above));

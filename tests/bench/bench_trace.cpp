@@ -60,7 +60,7 @@ BENCHMARK_CAPTURE(look, comb_scores, Family::comb, StepKind::scores)->Apply(thou
 // "Why not this one?" about a vertex of a spiral with many chords through it and C.
 void why_not_most_chords(benchmark::State& state) {
   const Trace trace = *make_trace(placement_of(Family::spiral, state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(chord_at(trace, trace.polygon.vertex(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(chord_at(trace, trace.polygon().vertex(0)));
 }
 
 // A lesson with the most bytes and steps permitted.

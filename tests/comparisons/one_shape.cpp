@@ -1,4 +1,5 @@
 #include "comparisons/one_shape.h"
+#include "kit/solid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +62,7 @@ class Shape {
     const Closure closure = analyse_closure(polygon_, centre(), points);
     const auto loads = summarize_loads(distribute_weight(chords, 1));
     Numbers numbers;
-    numbers.coverage = coverage(polygon_, convex_hull(positions, 1e-9 * size()));
+    numbers.coverage = coverage(solid(polygon_), convex_hull(positions, 1e-9 * size()));
     numbers.least_load = loads->min;
     numbers.greatest_load = loads->max;
     numbers.margin = closure.margin;
@@ -83,8 +84,8 @@ class Shape {
     const auto absolute = [](double) { return room * tau; };
     const auto relative = [](double best) { return room * tau * best; };
     if (!taken.empty()) {
-      const std::vector<double> score =
-          scores(polygon_, centre(), candidates(), taken, *metric_of(placement_.settings.method));
+      const std::vector<double> score = scores(solid(polygon_), centre(), candidates(), taken,
+                                               *metric_of(placement_.settings.method));
       const double across = polygon_.diameter();
       const double floor =
           1e-12 * (placement_.settings.method == Method::distance ? across : across * across);

@@ -16,6 +16,7 @@
 #include "evenlift/polygon.h"
 #include "evenlift/selection.h"
 #include "kit/catch.h"
+#include "kit/solid.h"
 #include "shapes/problem_document.h"
 #include "shapes/small_polygons.h"
 
@@ -448,8 +449,9 @@ std::vector<std::size_t> best_by_keys(const Placement& placement, std::size_t te
     }
     return left;
   }
-  const std::vector<double> score = scores(*polygon, placement.centre_of_mass, placement.candidates,
-                                           selected, *metric_of(placement.settings.method));
+  const std::vector<double> score =
+      scores(solid(*polygon), placement.centre_of_mass, placement.candidates, selected,
+             *metric_of(placement.settings.method));
   const double size = polygon->diameter();
   const double floor = 1e-12 * (placement.settings.method == Method::distance ? size : size * size);
   keep([&](std::size_t i) { return score[i]; },

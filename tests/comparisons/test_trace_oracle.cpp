@@ -33,17 +33,17 @@ std::optional<Trace> trace_of(const Case& c) {
 // Whether coordinates are far from the origin: then positions, but not decisions, lose digits.
 bool far_away(const Trace& trace) {
   double largest = 0;
-  for (const Vec2& v : trace.polygon.vertices())
+  for (const Vec2& v : trace.polygon().vertices())
     largest = std::max(largest, v.cwiseAbs().maxCoeff());
-  return largest > 1e4 * trace.polygon.diagonal();
+  return largest > 1e4 * trace.polygon().diagonal();
 }
 
 // The intersection of the ray from vertex w through C with the line of an edge, as a multiple of |C
 // w|.
 Exact across(const Trace& trace, std::uint32_t w, std::uint32_t edge) {
-  const ExactVec c = exact(trace.centre), u = c - exact(trace.polygon.vertex(w));
-  const ExactVec p = exact(trace.polygon.edge_start(edge)) - c,
-                 q = exact(trace.polygon.edge_end(edge)) - c;
+  const ExactVec c = exact(trace.centre), u = c - exact(trace.polygon().vertex(w));
+  const ExactVec p = exact(trace.polygon().edge_start(edge)) - c,
+                 q = exact(trace.polygon().edge_end(edge)) - c;
   return oracle::cross(p, q) / oracle::cross(u, q - p);
 }
 
@@ -54,7 +54,7 @@ Exact exact_g(const Trace& trace, const EdgePair& pair, std::uint32_t on_a, std:
 }
 
 bool joins_vertices(const Trace& trace, const Chord& chord) {
-  const Points& v = trace.polygon.vertices();
+  const Points& v = trace.polygon().vertices();
   const auto is_vertex = [&](const LiftingPoint& p) {
     return std::find(v.begin(), v.end(), p.position) != v.end();
   };
@@ -187,7 +187,7 @@ TEST_CASE("chords in order of slope rise", "[trace][oracle][slow]") {
     std::optional<ExactVec> before;
     for (const std::uint32_t k : chords_by_slope(*trace)) {
       const VertexChord& chord = trace->rays.chords[k];
-      ExactVec u = exact(trace->centre) - exact(trace->polygon.vertex(chord.vertex));
+      ExactVec u = exact(trace->centre) - exact(trace->polygon().vertex(chord.vertex));
       if (u.x < 0) u = -u;
       // A direction within tolerance of the vertical is vertical, and last.
       if (abs(u.x) * 500000000 < abs(u.y)) break;
@@ -208,7 +208,7 @@ TEST_CASE("every candidate's score at every team is the oracle's", "[trace][orac
     const auto trace = trace_of(c);
     if (!trace || trace->placement.candidates.size() > 14 || far_away(*trace)) continue;
     INFO(c.name << ' ' << i);
-    const double size = trace->polygon.diagonal();
+    const double size = trace->polygon().diagonal();
     const double unit = c.problem.metric == oracle::Metric::distance ? size : size * size;
     for (std::uint32_t team = 1; team < trace->placement.teams.size(); ++team) {
       const TeamScores scores = look_at_scores(*trace, team);

@@ -167,16 +167,16 @@ LiftingPoint moved_along(const Polygon& p, LiftingPoint robot, double way) {
 std::vector<LiftingPoint> disturbed(const Placement& placement, std::mt19937_64& rng, bool worst) {
   // Reduced by the tolerances within which closure itself is decided.
   const double tolerance = (1 - 1e-3) * placement.closure.clearance.tolerance -
-                           10 * near_distance(placement.polygon.diameter());
+                           10 * near_distance(placement.polygon().diameter());
   std::vector<LiftingPoint> robots;
   for (const LiftingPoint& robot : contact_points(placement)) {
-    const auto touching = contacts(placement.polygon, {robot});
+    const auto touching = contacts(placement.polygon(), {robot});
     if (touching.size() != 1) {
       robots.push_back(robot);
       continue;
     }
     const double part = static_cast<double>(rng() % 2001) / 1000 - 1;
-    robots.push_back(moved_along(placement.polygon, {touching[0].position, touching[0].edge},
+    robots.push_back(moved_along(placement.polygon(), {touching[0].position, touching[0].edge},
                                  tolerance * (worst ? (part < 0 ? -1 : 1) : part)));
   }
   return robots;
@@ -215,7 +215,7 @@ TEST_CASE("robots that are all off by less than the tolerance still hold the obj
     for (int i = 0; i < 24; ++i, ++moves) {
       const auto robots = disturbed(placement, rng, i % 2 == 0);
       INFO(name(placement.settings.method));
-      const bool holds = in_form_closure(placement.polygon, placement.centre_of_mass, robots);
+      const bool holds = in_form_closure(placement.polygon(), placement.centre_of_mass, robots);
       CHECK(holds);
     }
   }
@@ -228,10 +228,10 @@ TEST_CASE("what a search to hold finds keeps clear of corners, unless it says so
   for (const Placement& placement : some_holds()) {
     if (goal_of(placement.settings) != Goal::hold) continue;
     ++searched;
-    const double clear = 0.02 * farthest_vertex(placement.polygon, placement.centre_of_mass);
+    const double clear = 0.02 * farthest_vertex(placement.polygon(), placement.centre_of_mass);
     const Closure& closure = placement.closure;
-    const bool is_clear = closure.form_closure &&
-                          closure.clearance.distance >= clear - 1e-9 * placement.polygon.diameter();
+    const bool is_clear = closure.form_closure && closure.clearance.distance >=
+                                                      clear - 1e-9 * placement.polygon().diameter();
     CHECK(placement.goal_reached == is_clear);
     reached += placement.goal_reached ? 1 : 0;
   }

@@ -164,10 +164,10 @@ TEST_CASE("closure alone is decided as with all that is said of it",
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
       const std::vector<LiftingPoint> points = lifting_points(
           placed(document, Method::random, static_cast<std::uint32_t>(1 + seed % 5), seed).teams);
-      const Closure all = analyse_closure(subject.polygon, subject.centre, points);
+      const Closure all = analyse_closure(subject.object, subject.centre, points);
       const bool no_area = !all.clockwise.has_area && !all.counterclockwise.has_area;
-      CHECK(in_form_closure(subject.polygon, subject.centre, points) == all.form_closure);
-      CHECK(no_region_has_area(subject.polygon, subject.centre, points) == no_area);
+      CHECK(in_form_closure(subject.object, subject.centre, points) == all.form_closure);
+      CHECK(no_region_has_area(subject.object, subject.centre, points) == no_area);
       ++(all.form_closure ? closed : no_area ? no_area_only : open);
     }
   }
@@ -178,8 +178,8 @@ TEST_CASE("closure alone is decided as with all that is said of it",
   const experiment::Subject subject = subject_of(square);
   const Chord level = placed(square, Method::area, 1).candidates[1].chord;
   const std::vector<LiftingPoint> points{level.r1, level.r2};
-  CHECK(no_region_has_area(subject.polygon, subject.centre, points));
-  CHECK_FALSE(in_form_closure(subject.polygon, subject.centre, points));
+  CHECK(no_region_has_area(subject.object, subject.centre, points));
+  CHECK_FALSE(in_form_closure(subject.object, subject.centre, points));
 }
 
 TEST_CASE("a limit on teams measures the same, only less", "[experiment][slow]") {

@@ -356,7 +356,7 @@ TEST_CASE("what the ready-made lessons claim is so", "[lesson]") {
   }
   {
     const Trace t = trace("convex");
-    CHECK(t.polygon.convex());
+    CHECK(t.polygon().convex());
     CHECK(look_at_pair(t, 0).outcome == Outcome::bisecting);
     CHECK(look_at_pair(t, 5).outcome == Outcome::nearer_end);
     CHECK(std::fabs(look_at_pair(t, 5).chosen.ratio - ratio_of_vertex(t, 4)) < 1e-12);
@@ -378,9 +378,9 @@ TEST_CASE("what the ready-made lessons claim is so", "[lesson]") {
   }
   {
     const Trace t = trace("not-convex");
-    const auto reflex = [&](std::size_t i) { return t.polygon.turn(i) == Turn::reflex; };
+    const auto reflex = [&](std::size_t i) { return t.polygon().turn(i) == Turn::reflex; };
     int inwards = 0;
-    for (std::size_t i = 0; i < t.polygon.size(); ++i) inwards += reflex(i);
+    for (std::size_t i = 0; i < t.polygon().size(); ++i) inwards += reflex(i);
     CHECK(inwards == 4);
     CHECK(t.contacts.size() == 4);
     CHECK(t.placement.teams.size() == 3);

@@ -16,6 +16,7 @@
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/metrics.h"
+#include "kit/solid.h"
 #include "selection/tie_order.h"
 #include "shapes/problem_document.h"
 #include "shapes/small_polygons.h"
@@ -94,7 +95,7 @@ std::vector<std::uint32_t> greedy(const Shape& s, Method method, std::size_t tea
       }
     } else {
       const std::vector<double> score =
-          scores(s.polygon, s.centre, s.candidates, taken, *metric_of(method));
+          scores(solid(s.polygon), s.centre, s.candidates, taken, *metric_of(method));
       const double floor = floor_of(s, method, taken);
       keep([&](std::uint32_t i) { return score[i]; },
            [&](double most) { return std::max(tie * std::fabs(most), floor); });
@@ -118,7 +119,8 @@ TEST_CASE("lazy selection takes what comparing all scores takes", "[selection][t
                              [](const Candidate& c) { return c.chord.ratio < 1 - tie; });
     const Method method = metrics[number / 9 % metrics.size()];
     const std::size_t teams = std::min<std::size_t>(s.candidates.size(), 12);
-    const auto lazy = select_teams(s.polygon, s.centre, s.candidates, *metric_of(method), teams);
+    const auto lazy =
+        select_teams(solid(s.polygon), s.centre, s.candidates, *metric_of(method), teams);
     const auto expected = greedy(s, method, teams);
     rounds += teams;
     if (lazy == expected) continue;
@@ -138,7 +140,7 @@ TEST_CASE("lazy selection takes all candidates of larger polygons in the right o
       const Shape s = shape(d.vertices, d.centre_of_mass, 0.8);
       const std::size_t teams = std::min<std::size_t>(s.candidates.size(), 60);
       INFO(file << ", " << name(method) << ", " << teams << " teams");
-      CHECK(select_teams(s.polygon, s.centre, s.candidates, *metric_of(method), teams) ==
+      CHECK(select_teams(solid(s.polygon), s.centre, s.candidates, *metric_of(method), teams) ==
             greedy(s, method, teams));
     }
   }
@@ -149,11 +151,12 @@ TEST_CASE("a team more leaves the teams before it as they were", "[selection][sl
   for (std::uint64_t number = 0; number < 1200; ++number) {
     const Shape s = small_shape(number);
     const Method method = metrics[number % metrics.size()];
-    const auto all =
-        select_teams(s.polygon, s.centre, s.candidates, *metric_of(method), s.candidates.size());
+    const auto all = select_teams(solid(s.polygon), s.centre, s.candidates, *metric_of(method),
+                                  s.candidates.size());
     CHECK(all.size() == s.candidates.size());
     for (std::size_t teams = 1; teams < std::min<std::size_t>(all.size(), 9); ++teams) {
-      const auto some = select_teams(s.polygon, s.centre, s.candidates, *metric_of(method), teams);
+      const auto some =
+          select_teams(solid(s.polygon), s.centre, s.candidates, *metric_of(method), teams);
       CHECK(some == std::vector(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(teams)));
       ++compared;
     }
@@ -165,10 +168,10 @@ TEST_CASE("the three metrics score a triangle's chords as worked out by hand", "
   const Shape s = shape({{0, 0}, {3, 0}, {0, 3}}, {}, 0.8);
   REQUIRE(s.candidates.size() == 3);
   const auto second = [&](Metric metric) {
-    const std::vector<double> score = scores(s.polygon, s.centre, s.candidates, {0}, metric);
+    const std::vector<double> score = scores(solid(s.polygon), s.centre, s.candidates, {0}, metric);
     CHECK(score[0] == Approx(0).margin(1e-14));
     CHECK(score[1] == Approx(score[2]).epsilon(1e-13));  // mirrored at the diagonal
-    CHECK(select_teams(s.polygon, s.centre, s.candidates, metric, 3) ==
+    CHECK(select_teams(solid(s.polygon), s.centre, s.candidates, metric, 3) ==
           std::vector<std::uint32_t>{0, 1, 2});
     return score[1];
   };
@@ -210,10 +213,11 @@ TEST_CASE("area counts what belongs to the polygon, circle the whole triangle", 
   const std::uint32_t level = find({-3, 0}, {3, 0}), upright = find({0, -3}, {0, 3});
   // The triangle (-3,0), (3,0), (0,3) has area 9. Its part inside the plus is below y = 3 - |x|,
   // above 0 and beside the notches: 3 + 2 in the stem, and 1.5 in each arm.
-  const std::vector<double> area = scores(s.polygon, s.centre, s.candidates, {level}, Metric::area);
+  const std::vector<double> area =
+      scores(solid(s.polygon), s.centre, s.candidates, {level}, Metric::area);
   CHECK(area[upright] == Approx(2 * (5 + 2 * 1.5)).epsilon(1e-13));
   const std::vector<double> circle =
-      scores(s.polygon, s.centre, s.candidates, {level}, Metric::circle);
+      scores(solid(s.polygon), s.centre, s.candidates, {level}, Metric::circle);
   const double radius = 2 * 9 / (6 + 2 * std::sqrt(18.0));
   CHECK(circle[upright] == Approx(2 * pi * radius * radius).epsilon(1e-13));
 }
@@ -244,7 +248,8 @@ TEST_CASE("the first team is the longest even one, though a longer chord is unev
   REQUIRE(shorter_even >= 2);
   REQUIRE(longer_uneven >= 2);
   for (const Method method : metrics) {
-    const auto first = select_teams(s.polygon, s.centre, s.candidates, *metric_of(method), 1);
+    const auto first =
+        select_teams(solid(s.polygon), s.centre, s.candidates, *metric_of(method), 1);
     REQUIRE(first.size() == 1);
     CHECK(runs_between(s.candidates[first[0]].chord, {0, 3}, {6, 0}));
   }
@@ -263,7 +268,8 @@ TEST_CASE("with no even candidate the first team is the most even, though anothe
   }
   REQUIRE(less_even_and_longer >= 1);
   for (const Method method : metrics) {
-    const auto first = select_teams(s.polygon, s.centre, s.candidates, *metric_of(method), 1);
+    const auto first =
+        select_teams(solid(s.polygon), s.centre, s.candidates, *metric_of(method), 1);
     REQUIRE(first.size() == 1);
     CHECK(s.candidates[first[0]].chord.ratio == Approx(best).epsilon(1e-13));
     CHECK(runs_between(s.candidates[first[0]].chord, {-3, 4}, {1.8, 2.8}));
@@ -377,13 +383,14 @@ TEST_CASE("fewer teams are the first of more, also where thousands of candidates
   for (const double min_ratio : {0.0, 0.8}) {
     const Shape s = shape(comb, std::nullopt, min_ratio);
     for (const Method method : metrics) {
-      const auto all =
-          select_teams(s.polygon, s.centre, s.candidates, *metric_of(method), s.candidates.size());
+      const auto all = select_teams(solid(s.polygon), s.centre, s.candidates, *metric_of(method),
+                                    s.candidates.size());
       REQUIRE(all.size() == s.candidates.size());
       REQUIRE(all.size() > 500);
       for (const std::size_t teams : {1u, 2u, 3u, 7u, 20u, 60u, 200u, 499u}) {
         INFO(name(method) << ", " << teams << " teams");
-        const auto few = select_teams(s.polygon, s.centre, s.candidates, *metric_of(method), teams);
+        const auto few =
+            select_teams(solid(s.polygon), s.centre, s.candidates, *metric_of(method), teams);
         CHECK(few == std::vector<std::uint32_t>(all.begin(),
                                                 all.begin() + static_cast<std::ptrdiff_t>(teams)));
       }
@@ -395,7 +402,7 @@ TEST_CASE("no team is placed where none is asked for", "[selection]") {
   const Shape s = shape({{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}, 0.8);
   CHECK(random_teams(s.polygon, s.centre, 0, 1).empty());
   CHECK(distributed_teams(s.polygon, s.centre, 0).empty());
-  CHECK(select_teams(s.polygon, s.centre, s.candidates, Metric::area, 0).empty());
+  CHECK(select_teams(solid(s.polygon), s.centre, s.candidates, Metric::area, 0).empty());
 }
 
 TEST_CASE("candidates that tie are taken as if the keys were compared anew each time",

@@ -1,6 +1,6 @@
 // The polygons that Polygon::create accepts: simplicity against the definition over thousands of
 // careless chains, and the properties that a valid polygon reports.
-#include "polygon/simplicity.h"
+#include "polygon/ring_sweep.h"
 
 #include <cmath>
 #include <random>
@@ -16,7 +16,9 @@ using namespace evenlift;
 
 namespace {
 
-auto crossing_of(const Points& chain) { return find_crossing(chain, lexicographic_order(chain)); }
+auto crossing_of(const Points& chain) {
+  return sweep({chain, {chain.size()}, {}}, lexicographic_order(chain)).crossing;
+}
 
 int side(const Vec2& a, const Vec2& b, const Vec2& c) {
   const double value = orient(a, b, c);

@@ -10,6 +10,7 @@
 #include "kit/catch.h"
 #include "kit/check_placement.h"
 #include "kit/polygons.h"
+#include "kit/solid.h"
 
 using namespace evenlift;
 using evenlift::testing::polygon;
@@ -23,17 +24,17 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 TEST_CASE("coverage is the part of the polygon within the hull, not of the hull", "[stability]") {
   const Polygon u = polygon({{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 2}, {2, 2}, {2, 4}, {0, 4}});
   CHECK(u.area() == 20);
-  CHECK(coverage(u, {{0, 0}, {6, 0}, {6, 4}, {0, 4}}) == 1);
-  CHECK(coverage(u, {{1, 2}, {5, 2}, {5, 4}, {1, 4}}) ==
+  CHECK(coverage(solid(u), {{0, 0}, {6, 0}, {6, 4}, {0, 4}}) == 1);
+  CHECK(coverage(solid(u), {{1, 2}, {5, 2}, {5, 4}, {1, 4}}) ==
         Approx(4.0 / 20));  // the hollow is not part of it
-  CHECK(coverage(u, {{0, 0}, {6, 0}, {3, 2}}) == Approx(6.0 / 20));
-  CHECK(coverage(u, {{2.5, 2.5}, {3.5, 2.5}, {3, 3.5}}) == 0);
+  CHECK(coverage(solid(u), {{0, 0}, {6, 0}, {3, 2}}) == Approx(6.0 / 20));
+  CHECK(coverage(solid(u), {{2.5, 2.5}, {3.5, 2.5}, {3, 3.5}}) == 0);
 }
 
 TEST_CASE("a hull without area covers nothing", "[stability]") {
   const Polygon square = polygon({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
-  CHECK(coverage(square, {}) == 0);
-  CHECK(coverage(square, {{0, 1}, {2, 1}}) == 0);
+  CHECK(coverage(solid(square), {}) == 0);
+  CHECK(coverage(solid(square), {{0, 1}, {2, 1}}) == 0);
 }
 
 TEST_CASE("an edge of the hull that is hardly longer than rounding cuts nothing off",
@@ -41,9 +42,9 @@ TEST_CASE("an edge of the hull that is hardly longer than rounding cuts nothing 
   const Polygon square = polygon({{-10, -10}, {10, -10}, {10, 10}, {-10, 10}});
   // Relative to another corner, this edge would have another direction.
   const Vec2 p(1, 1 + 0x3p-52), q(1 - 0x4p-52, 1 + 0x5p-52);
-  CHECK(coverage(square, {{-8, -8}, {8, -8}, p, q}) == Approx(72.0 / 400));
-  CHECK(coverage(square, {{8, -8}, p, q, {-8, -8}}) == Approx(72.0 / 400));
-  CHECK(coverage(square, {p, q, {-8, -8}, {8, -8}}) == Approx(72.0 / 400));
+  CHECK(coverage(solid(square), {{-8, -8}, {8, -8}, p, q}) == Approx(72.0 / 400));
+  CHECK(coverage(solid(square), {{8, -8}, p, q, {-8, -8}}) == Approx(72.0 / 400));
+  CHECK(coverage(solid(square), {p, q, {-8, -8}, {8, -8}}) == Approx(72.0 / 400));
 }
 
 TEST_CASE("coverage agrees with a sum over horizontal slabs", "[stability]") {
@@ -60,9 +61,9 @@ TEST_CASE("coverage agrees with a sum over horizontal slabs", "[stability]") {
         const double s = static_cast<double>(engine() % 1025) / 1024;
         chosen.push_back((1 - s) * p.edge_start(edge) + s * p.edge_end(edge));
       }
-      Placement placement(p);
+      Placement placement(solid(p));
       placement.lifting_base = convex_hull(chosen, 1e-9 * p.diagonal());
-      const double given = coverage(p, placement.lifting_base);
+      const double given = coverage(solid(p), placement.lifting_base);
       const double slabs = check::Checker(placement).coverage_by_slabs();
       partial += given > 0.01 && given < 0.99;
       CHECK(given == Approx(slabs).margin(1e-11));

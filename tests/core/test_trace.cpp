@@ -138,7 +138,7 @@ TEST_CASE("every source with a candidate leads to the one that stands for it", "
     INFO(name);
     const Trace trace = traced(placed(corpus::polygon(name)));
     const std::vector<Candidate>& candidates = trace.placement.candidates;
-    const double near = 1.01e-9 * trace.polygon.diagonal();
+    const double near = 1.01e-9 * trace.polygon().diagonal();
     std::vector<std::uint32_t> standing(candidates.size());
     for (std::uint32_t pair = 0; pair < trace.pairs.size(); ++pair) {
       const PairDetail detail = look_at_pair(trace, pair);
@@ -297,8 +297,8 @@ TEST_CASE("where there is little or nothing to show the lesson says so", "[trace
       for (int i = 0; i < 12; ++i) {
         const double angle = 0.5 * i;
         const auto chord =
-            chord_at(trace, trace.centre +
-                                trace.polygon.diagonal() * Vec2(std::cos(angle), std::sin(angle)));
+            chord_at(trace, trace.centre + trace.polygon().diagonal() *
+                                               Vec2(std::cos(angle), std::sin(angle)));
         const std::uint32_t end = trace.size() - 1;
         check_text(why_not_text(trace, why_not_chord(trace, end, chord)), true);
         check_text(why_not_text(trace, why_not_chord(trace, 0, chord)), true);
@@ -349,7 +349,7 @@ TEST_CASE("shapes of a gain add up to its score", "[trace]") {
     for (const Method method : testing::metrics()) {
       INFO(name << ' ' << evenlift::name(method));
       const Trace trace = traced(placed(corpus::polygon(name), method));
-      const double size = trace.polygon.diagonal();
+      const double size = trace.polygon().diagonal();
       const TeamScores scores = look_at_scores(trace, 1);
       for (std::uint32_t c = 0; c < scores.of_candidate.size(); ++c) {
         const Score& score = scores.of_candidate[c];
@@ -375,7 +375,7 @@ TEST_CASE("the scores of the trace are those of the selection", "[trace]") {
     for (std::uint32_t team = 0; team < placement.teams.size(); ++team) {
       if (team > 0) {
         const std::vector<double> known =
-            scores(trace.polygon, trace.centre, placement.candidates, taken, *metric_of(method));
+            scores(trace.object(), trace.centre, placement.candidates, taken, *metric_of(method));
         const TeamScores mine = look_at_scores(trace, team);
         for (std::size_t i = 0; i < known.size(); ++i)
           REQUIRE(mine.of_candidate[i].value == known[i]);
@@ -439,7 +439,7 @@ TEST_CASE("why not this one has an answer for every candidate and chord", "[trac
       for (int i = 0; i < 48; ++i) {
         const double angle = 0.13 * i;
         const Vec2 far =
-            trace.centre + trace.polygon.diagonal() * Vec2(std::cos(angle), std::sin(angle));
+            trace.centre + trace.polygon().diagonal() * Vec2(std::cos(angle), std::sin(angle));
         const auto chord = chord_at(trace, far);
         const WhyNot answer = why_not_chord(trace, end, chord);
         check_text(why_not_text(trace, answer), true);
@@ -525,7 +525,7 @@ TEST_CASE("a chord is picked by a point on it", "[trace]") {
     REQUIRE(picked);
     CHECK(length(picked->r2.position - trace.centre) >= length(middle - trace.centre) * (1 - 1e-9));
     CHECK(std::fabs(cross(picked->r2.position - trace.centre, middle - trace.centre)) <=
-          1e-9 * trace.polygon.diagonal() * trace.polygon.diagonal());
+          1e-9 * trace.polygon().diagonal() * trace.polygon().diagonal());
   }
 }
 
@@ -646,7 +646,7 @@ TEST_CASE("a trace of robots that were moved by hand says so, and what is true w
     document.settings.method = method;
     document.settings.positions = Positions::range;
     const Placement found = placed(document);
-    const Polygon& polygon = found.polygon;
+    const Polygon& polygon = found.polygon();
     std::optional<Moved> moved;
     for (std::uint32_t edge = 0; edge < polygon.size() && !moved; ++edge) {
       const Vec2 to = (polygon.edge_start(edge) + polygon.edge_end(edge)) / 2;

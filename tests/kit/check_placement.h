@@ -515,7 +515,7 @@ inline Placement in_handy_units(Placement placement) {
                          &placement.closure.counterclockwise.clipped}) {
     std::for_each(points->begin(), points->end(), scale_point);
   }
-  placement.polygon = *Polygon::create(std::move(vertices));
+  placement.object = PolygonWithHoles(*Polygon::create(std::move(vertices)));
   scale_point(placement.centre_of_mass);
   for (Team& team : placement.teams)
     for (Robot& robot : team.robots) {

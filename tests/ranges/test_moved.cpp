@@ -48,15 +48,15 @@ std::string why_not(const Document& document, const std::string& moved) {
 }
 
 double distance_to_edge(const Placement& placement, const LiftingPoint& point) {
-  const Vec2 &a = placement.polygon.edge_start(point.edge),
-             &b = placement.polygon.edge_end(point.edge);
+  const Vec2 &a = placement.polygon().edge_start(point.edge),
+             &b = placement.polygon().edge_end(point.edge);
   const double along = std::clamp(dot(point.position - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
   return length(point.position - (a + along * (b - a)));
 }
 
 // The properties of a team of two wherever it stands, from its points alone.
 void check_team(const Placement& placement, const Team& team) {
-  const double near = near_distance(placement.polygon.diameter());
+  const double near = near_distance(placement.polygon().diameter());
   const Vec2& centre = placement.centre_of_mass;
   const Vec2 a = team.robots[0].point.position - centre, b = team.robots[1].point.position - centre;
   for (const Robot& robot : team.robots) CHECK(distance_to_edge(placement, robot.point) <= near);
@@ -79,7 +79,7 @@ TEST_CASE("a team that is moved stays even, on the outline and through C", "[mov
     for (int i = 0; i < 12; ++i) {
       const auto robot = static_cast<std::size_t>(rng.below(count_robots(placement.teams)));
       const Vec2& c = placement.centre_of_mass;
-      const double size = placement.polygon.diagonal(), x = rng.uniform(), y = rng.uniform();
+      const double size = placement.polygon().diagonal(), x = rng.uniform(), y = rng.uniform();
       const Vec2 to(c.x() + size * (x - 0.5), c.y() + size * (y - 0.5));
       const auto moved = moved_along_range(placement, robot, to);
       if (!moved) continue;
@@ -152,8 +152,8 @@ TEST_CASE("a link brings moved robots back bit for bit", "[moved][link][slow]") 
         const auto robot = static_cast<std::size_t>(rng.below(count_robots(placement.teams)));
         const auto edge = static_cast<std::uint32_t>(rng.below(document.vertices.size()));
         const double part = rng.uniform();
-        const Vec2 to = (1 - part) * placement.polygon.edge_start(edge) +
-                        part * placement.polygon.edge_end(edge);
+        const Vec2 to = (1 - part) * placement.polygon().edge_start(edge) +
+                        part * placement.polygon().edge_end(edge);
         const auto moved = balanced > 0 ? moved_along_outline(placement, robot, {to, edge})
                                         : moved_along_range(placement, robot, to);
         if (moved) placement = moved_to(placement, *moved);

@@ -27,8 +27,8 @@ double coverage_of(const Placement& placement, const std::vector<std::uint32_t>&
     for (const LiftingPoint& end :
          {placement.candidates[i].chord.r1, placement.candidates[i].chord.r2})
       ends.push_back(end.position);
-  return coverage(placement.polygon,
-                  convex_hull(ends, near_distance(placement.polygon.diameter())));
+  return coverage(placement.object,
+                  convex_hull(ends, near_distance(placement.polygon().diameter())));
 }
 
 // Visits every choice of `size` candidates.
@@ -59,7 +59,7 @@ double widest_by_force(const Placement& placement, std::size_t teams) {
 }
 
 Optimum optimum_of(const Placement& placement) {
-  return widest_choice(placement.polygon, placement.centre_of_mass, placement.candidates,
+  return widest_choice(placement.object, placement.centre_of_mass, placement.candidates,
                        placement.requested_teams, placement.team_candidates);
 }
 
@@ -130,7 +130,7 @@ TEST_CASE("bounds of many candidates are true of few, too", "[optimum]") {
   CHECK(optimum.proved);
   int asked = 0;
   const Optimum stopped =
-      widest_choice(placement.polygon, placement.centre_of_mass, placement.candidates, 3,
+      widest_choice(placement.object, placement.centre_of_mass, placement.candidates, 3,
                     placement.team_candidates, [&] { return ++asked > 3; });
   CHECK(asked > 3);
   CHECK_FALSE(stopped.proved);
@@ -142,7 +142,7 @@ TEST_CASE("a bound that takes ends one by one is never below the best ring of wh
           "[optimum]") {
   for (const char* name : {"square", "hexagon", "arrow", "thesis-sample"}) {
     const Placement placement = placed(corpus::polygon(name));
-    const optimum::Triangles triangles(placement.polygon, placement.centre_of_mass,
+    const optimum::Triangles triangles(placement.object, placement.centre_of_mass,
                                        placement.candidates);
     for (const std::uint32_t teams : {1u, 2u, 3u, 4u}) {
       INFO(name << ", " << teams << " teams");
@@ -162,11 +162,11 @@ TEST_CASE("the firmest choice is at least what swaps come to", "[optimum][slow]"
     INFO(held.name);
     const Placement& placement = held.placement;
     const auto firmest =
-        firmest_choice(placement.polygon, placement.centre_of_mass, placement.candidates, 3,
+        firmest_choice(placement.object, placement.centre_of_mass, placement.candidates, 3,
                        placement.team_candidates, hold_requirements(placement), Optimum{});
     REQUIRE(firmest);
     const HoldKeys keys =
-        hold_keys(placement.polygon, placement.centre_of_mass, placement.candidates,
+        hold_keys(placement.object, placement.centre_of_mass, placement.candidates,
                   placement.team_candidates, hold_requirements(placement));
     CHECK_FALSE(better_by(keys, firmest->keys));
     ++compared;
@@ -184,7 +184,7 @@ TEST_CASE("bounds of holds are true, and reached where they are said to be prove
     const Placement& placement = held.placement;
     const Optimum widest = optimum_of(placement);
     const auto find = [&](std::uint64_t most) {
-      return *firmest_choice(placement.polygon, placement.centre_of_mass, placement.candidates, 3,
+      return *firmest_choice(placement.object, placement.centre_of_mass, placement.candidates, 3,
                              placement.team_candidates, hold_requirements(placement), widest,
                              nullptr, most);
     };
@@ -214,7 +214,7 @@ TEST_CASE("more choices than can be compared are bounded", "[optimum]") {
   document.settings.goal = Goal::hold;
   const Placement placement = placed(document);
   REQUIRE(choices(placement.candidates.size(), 4) > most_choices);
-  const auto found = firmest_choice(placement.polygon, placement.centre_of_mass,
+  const auto found = firmest_choice(placement.object, placement.centre_of_mass,
                                     placement.candidates, 4, placement.team_candidates,
                                     hold_requirements(placement), optimum_of(placement));
   REQUIRE(found);
@@ -251,20 +251,20 @@ TEST_CASE("the best choices of robots with a size are those of brute force witho
                           robots.push_back(end);
                       if (stands->any_collide(robots)) return;
                       widest = std::max(widest, coverage_of(*placement, each));
-                      const HoldKeys keys = hold_keys(placement->polygon, placement->centre_of_mass,
+                      const HoldKeys keys = hold_keys(placement->object, placement->centre_of_mass,
                                                       placement->candidates, each,
                                                       hold_requirements(*placement), stands);
                       if (better_by(keys, firmest)) firmest = keys;
                     });
     const Optimum found =
-        widest_choice(placement->polygon, placement->centre_of_mass, placement->candidates, teams,
+        widest_choice(placement->object, placement->centre_of_mass, placement->candidates, teams,
                       placement->team_candidates, {}, stands);
     CHECK(found.coverage <= widest + 1e-9);
     CHECK(found.bound >= widest - 1e-9);
     if (found.proved) CHECK(found.coverage == Approx(widest).margin(2e-9));
     unlike += !found.proved;
     const auto held =
-        firmest_choice(placement->polygon, placement->centre_of_mass, placement->candidates, teams,
+        firmest_choice(placement->object, placement->centre_of_mass, placement->candidates, teams,
                        placement->team_candidates, hold_requirements(*placement), found, stands);
     REQUIRE(held);
     CHECK(held->proved);

@@ -96,13 +96,13 @@ TEST_CASE("the swaps of the trace lead from the metric's teams to the result",
     for (std::uint32_t i = 0; i < trace.count(StepKind::swap); ++i, ++swaps) {
       const StepDetail detail = look_at(trace, *trace.find(StepKind::swap, i));
       CHECK(number_of(trace, detail, "coverage") ==
-            Approx(coverage(trace.polygon, detail.base)).margin(1e-9));
+            Approx(coverage(trace.object(), detail.base)).margin(1e-9));
       CHECK(number_of(trace, detail, "level") >= number_of(trace, detail, "level_before"));
       CHECK(better_by(detail.swap->after, detail.swap->before) == detail.swap->decided_by);
     }
     const Progress end = progress_at(trace, trace.size() - 1);
     CHECK(end.swaps == trace.count(StepKind::swap));
-    CHECK(coverage(trace.polygon, lifting_base(trace, end)) ==
+    CHECK(coverage(trace.object(), lifting_base(trace, end)) ==
           Approx(trace.placement.coverage).margin(1e-12));
   }
   CHECK(swaps > 100);

@@ -47,14 +47,14 @@ HoldKeys keys_by_definition(const Placement& placement, const std::vector<std::u
   }
   // Only contacts far enough from corners count.
   std::vector<LiftingPoint> counted;
-  for (const Contact& contact : contacts(placement.polygon, points))
-    if (contact.to_corner >= firm.clear - near_distance(placement.polygon.diameter()))
+  for (const Contact& contact : contacts(placement.polygon(), points))
+    if (contact.to_corner >= firm.clear - near_distance(placement.polygon().diameter()))
       counted.push_back(points[contact.point]);
-  const Closure closure = analyse_closure(placement.polygon, placement.centre_of_mass, counted);
+  const Closure closure = analyse_closure(placement.polygon(), placement.centre_of_mass, counted);
   for (const double bound : {0.001, 0.4 * firm.min_margin, firm.min_margin})
     if (closure.margin && *closure.margin >= bound) ++keys.level;
-  keys.coverage = coverage(placement.polygon,
-                           convex_hull(positions, near_distance(placement.polygon.diameter())));
+  keys.coverage = coverage(placement.object,
+                           convex_hull(positions, near_distance(placement.polygon().diameter())));
   return keys;
 }
 
@@ -73,7 +73,7 @@ bool is_doubtful(const Placement& placement, const std::vector<std::uint32_t>& t
     points.push_back(placement.candidates[i].chord.r1);
     points.push_back(placement.candidates[i].chord.r2);
   }
-  const auto margin = analyse_closure(placement.polygon, placement.centre_of_mass, points).margin;
+  const auto margin = analyse_closure(placement.polygon(), placement.centre_of_mass, points).margin;
   const auto near = [&](double bound) { return margin && std::fabs(*margin - bound) < 1e-9; };
   return near(0.001) || near(0.4 * usual_margin) || near(usual_margin);
 }
@@ -96,15 +96,15 @@ void check_result(const Placement& placement) {
   const HoldKeys keys =
       keys_by_definition(placement, placement.team_candidates, hold_requirements(placement));
   CHECK(keys.coverage == Approx(placement.coverage).margin(1e-9));
-  const double clear = 0.02 * farthest_vertex(placement.polygon, placement.centre_of_mass);
+  const double clear = 0.02 * farthest_vertex(placement.polygon(), placement.centre_of_mass);
   const bool is_clear =
-      placement.closure.clearance.distance >= clear - near_distance(placement.polygon.diameter());
+      placement.closure.clearance.distance >= clear - near_distance(placement.polygon().diameter());
   CHECK(placement.goal_reached == (placement.closure.form_closure && is_clear));
   std::vector<std::uint32_t> sorted = placement.team_candidates;
   std::sort(sorted.begin(), sorted.end());
   CHECK(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end());
 
-  const auto start = select_teams(placement.polygon, placement.centre_of_mass, placement.candidates,
+  const auto start = select_teams(placement.object, placement.centre_of_mass, placement.candidates,
                                   *metric_of(placement.settings.method), placement.requested_teams,
                                   first_team(placement.settings.positions));
   REQUIRE(start.size() == placement.team_candidates.size());
@@ -194,10 +194,10 @@ TEST_CASE("the story of the swaps leads from the start to the result", "[swaps][
     INFO(name);
     const Placement placement = placed(to_hold(corpus::polygon(name), 3, Positions::range));
     if (placement.teams.size() < 3) continue;
-    const auto start = select_teams(placement.polygon, placement.centre_of_mass,
+    const auto start = select_teams(placement.object, placement.centre_of_mass,
                                     placement.candidates, Metric::area, 3, FirstTeam::longest);
     const SwapHistory history =
-        swap_teams(placement.polygon, placement.centre_of_mass, placement.candidates, start,
+        swap_teams(placement.object, placement.centre_of_mass, placement.candidates, start,
                    hold_requirements(placement));
     CHECK(history.start == start);
     CHECK(history.taken() == placement.team_candidates);

@@ -178,7 +178,7 @@ TEST_CASE("the teams of every sample carry any failures but one for each team",
       document.settings.teams = 4;
       const Result<Placement> placement = place(document);
       REQUIRE(placement.ok());
-      RobotSet set{name, {}, placement->centre_of_mass, placement->polygon.diameter()};
+      RobotSet set{name, {}, placement->centre_of_mass, placement->polygon().diameter()};
       for (const LiftingPoint& point : lifting_points(placement->teams))
         set.robots.push_back(point.position);
       INFO(name << " by " << evenlift::name(method));

@@ -10,6 +10,7 @@
 #include "kit/corpus.h"
 #include "kit/placed.h"
 #include "kit/polygons.h"
+#include "kit/solid.h"
 
 using namespace evenlift;
 using evenlift::testing::placed;
@@ -18,7 +19,7 @@ namespace {
 
 // The heading of a robot at the point of the edge.
 double heading(const Points& vertices, const Vec2& at, std::uint32_t edge) {
-  Placement placement(testing::polygon(vertices));
+  Placement placement(solid(testing::polygon(vertices)));
   placement.teams = {Team{{Robot{{at, edge}, 1, 1}}, 1}};
   return placed_robots(placement).at(0).heading_deg;
 }
@@ -98,7 +99,7 @@ TEST_CASE("every sample is carried in every model, by every method",
       ++carried;
       double sum = 0;
       for (const double load : loads->springs.loads) sum += load;
-      CHECK(sum == Approx(placement.settings.weight).epsilon(1e-9));
+      CHECK(sum == Approx(placement.weight()).epsilon(1e-9));
       CHECK(loads->best <= placement.loads->max * (1 + 1e-9));
     }
   }
@@ -144,7 +145,7 @@ TEST_CASE("with a robot that fails the others are in equilibrium, on what is lef
         moment += loads[i] * (points[i].position - placement.centre_of_mass);
       }
       CHECK(std::abs(sum - 100) < 1e-9 * 100);
-      CHECK(moment.norm() < 1e-9 * 100 * placement.polygon.diagonal());
+      CHECK(moment.norm() < 1e-9 * 100 * placement.polygon().diagonal());
       CHECK(failing.loads->max == rests[robot]->greatest_by_springs);
       CHECK(failing.loads->min > -1e-12);
       CHECK(failing.coverage <= placement.coverage + 1e-12);

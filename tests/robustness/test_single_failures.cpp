@@ -11,6 +11,7 @@
 #include "kit/corpus.h"
 #include "kit/placed.h"
 #include "kit/polygons.h"
+#include "kit/solid.h"
 
 using namespace evenlift;
 using evenlift::testing::placed;
@@ -22,14 +23,14 @@ double greatest_of_other_teams(const Placement& placement, std::size_t failed) {
   std::vector<Chord> chords;
   for (std::size_t t = 0; t < placement.teams.size(); ++t)
     if (t != failed) chords.push_back(chord_of(placement.teams[t]));
-  return summarize_loads(distribute_weight(chords, placement.settings.weight))->max;
+  return summarize_loads(distribute_weight(chords, placement.weight()))->max;
 }
 
 void check_rest(const Placement& placement, std::size_t robot,
                 const std::optional<RestOfRobots>& rest) {
   const Polygon polygon = testing::polygon(placement.vertices());
   const Vec2& centre = placement.centre_of_mass;
-  const double size = polygon.diameter(), weight = placement.settings.weight;
+  const double size = polygon.diameter(), weight = placement.weight();
   std::vector<LiftingPoint> points = lifting_points(placement.teams);
   points.erase(points.begin() + static_cast<std::ptrdiff_t>(robot));
   Points robots;
@@ -41,7 +42,7 @@ void check_rest(const Placement& placement, std::size_t robot,
   CHECK(rest->clear ==
         (failures_steady(robots, centre, size, hold_requirements(placement).clear) >= 0));
   CHECK(rest->coverage ==
-        Approx(coverage(polygon, convex_hull(robots, 1e-9 * size))).margin(1e-12));
+        Approx(coverage(solid(polygon), convex_hull(robots, 1e-9 * size))).margin(1e-12));
   const Closure closure = analyse_closure(polygon, centre, points);
   CHECK(rest->form_closure == closure.form_closure);
   CHECK(rest->margin == closure.margin);

@@ -17,6 +17,7 @@
 #include "evenlift/trace.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
+#include "kit/solid.h"
 #include "stands/stand_oracle.h"
 
 using namespace evenlift;
@@ -50,14 +51,15 @@ Document sample(const std::string& name, int size, Method method = Method::area)
 void check_standing(const Placement& p) {
   REQUIRE(p.stands);
   const Stands& stands = *p.stands;
-  const double size = p.polygon.diagonal(), rounding = 1e-7 * size;
+  const double size = p.polygon().diagonal(), rounding = 1e-7 * size;
   const std::vector<LiftingPoint> points = lifting_points(p.teams), touched = contact_points(p);
-  const testing::StandOracle oracle(p.polygon, p.settings.robot, p.settings.no_go);
+  const testing::StandOracle oracle(p.polygon(), p.settings.robot, p.settings.no_go);
   const auto robots = placed_robots(p);
   for (std::size_t i = 0; i < points.size(); ++i) {
     INFO("robot " << i);
     CHECK(stands.can_lift(points[i]));
-    const Vec2 &a = p.polygon.edge_start(touched[i].edge), &b = p.polygon.edge_end(touched[i].edge);
+    const Vec2 &a = p.polygon().edge_start(touched[i].edge),
+               &b = p.polygon().edge_end(touched[i].edge);
     const double part = dot(touched[i].position - a, b - a) / dot(b - a, b - a);
     CHECK(length(a + part * (b - a) - touched[i].position) <= rounding);
     CHECK(oracle.at(touched[i].edge, part) != testing::StandOracle::Verdict::cannot);
@@ -145,11 +147,11 @@ bool has_room(const Placement& p, const std::vector<std::uint32_t>& taken, std::
 // Only contacts far enough from corners count.
 std::uint32_t level_of(const Placement& p) {
   const HoldRequirements firm = hold_requirements(p);
-  const double near = near_distance(p.polygon.diameter());
+  const double near = near_distance(p.polygon().diameter());
   std::vector<Contact> counted;
-  for (const Contact& contact : contacts(p.polygon, contact_points(p)))
+  for (const Contact& contact : contacts(p.polygon(), contact_points(p)))
     if (contact.to_corner >= firm.clear - near) counted.push_back(contact);
-  const double margin = analyse_hold(p.polygon, p.centre_of_mass, counted).margin.value_or(-1);
+  const double margin = analyse_hold(p.polygon(), p.centre_of_mass, counted).margin.value_or(-1);
   std::uint32_t level = 0;
   for (const double bound : {0.001, 0.4 * firm.min_margin, firm.min_margin})
     level += margin >= bound;
@@ -172,10 +174,10 @@ TEST_CASE("teams of robots with a size are swapped until they hold, and never co
     const Placement& p = *placed;
     check_standing(p);
     const auto keys = [&](const std::vector<std::uint32_t>& taken) {
-      return hold_keys(p.polygon, p.centre_of_mass, p.candidates, taken, hold_requirements(p),
+      return hold_keys(p.object, p.centre_of_mass, p.candidates, taken, hold_requirements(p),
                        p.stands.get());
     };
-    const auto start = select_teams(p.polygon, p.centre_of_mass, p.candidates, Metric::area,
+    const auto start = select_teams(p.object, p.centre_of_mass, p.candidates, Metric::area,
                                     p.requested_teams, FirstTeam::even, p.stands.get());
     const HoldKeys reached = keys(p.team_candidates);
     CHECK(reached.level == level_of(p));
@@ -205,7 +207,7 @@ TEST_CASE("as robots shrink the placement becomes that of points", "[stands]") {
     if (document.vertices.size() > 200) continue;
     const auto points = place(document);
     REQUIRE(points.ok());
-    document.settings.robot.radius = 1e-7 * points->polygon.diagonal();
+    document.settings.robot.radius = 1e-7 * points->polygon().diagonal();
     const auto robots = place(document);
     REQUIRE(robots.ok());
     INFO(name);
@@ -254,7 +256,7 @@ TEST_CASE("the best chord of cut edges is as good as any that is sampled", "[sta
     REQUIRE(polygon.ok());
     const double diagonal = polygon->diagonal();
     const Stands stands(
-        *polygon,
+        solid(*polygon),
         {0.03 * diagonal, 0, 0.01 * diagonal * static_cast<double>(number % 3), 0.02 * diagonal, 0},
         {});
     if (!stands.any()) continue;
@@ -346,7 +348,7 @@ TEST_CASE("even chords of robots with a size are their even candidates", "[stand
     for (int size = 0; size < 4; ++size) {
       const Document document = sample(name, size);
       const auto polygon = Polygon::create(document.vertices);
-      const Stands stands(*polygon, document.settings.robot, {});
+      const Stands stands(solid(*polygon), document.settings.robot, {});
       if (!stands.any()) continue;
       const EvenChords chords(*polygon, &stands);
       const Box box = bounding_box(document.vertices);
@@ -382,7 +384,7 @@ TEST_CASE("balanced robots with a size stand where they can, and C stays their c
         check_standing(*placed);
         Vec2 sum = Vec2::Zero();
         for (const LiftingPoint& point : lifting_points(placed->teams)) sum += point.position;
-        CHECK(length(sum / robots - placed->centre_of_mass) <= 1e-9 * placed->polygon.diagonal());
+        CHECK(length(sum / robots - placed->centre_of_mass) <= 1e-9 * placed->polygon().diagonal());
       }
     }
   }

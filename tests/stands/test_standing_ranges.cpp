@@ -14,6 +14,7 @@
 #include "evenlift/trace.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
+#include "kit/solid.h"
 
 using namespace evenlift;
 
@@ -52,7 +53,7 @@ std::vector<Prepared> prepared_objects() {
     REQUIRE(polygon.ok());
     std::vector<EdgePart> no_go;
     if (number % 3 == 0) no_go.push_back({static_cast<std::uint32_t>(number % 5), 0.4, 0.55});
-    Stands stands(*polygon, size_number(number, polygon->diagonal()), no_go);
+    Stands stands(solid(*polygon), size_number(number, polygon->diagonal()), no_go);
     if (stands.any()) objects.push_back({*std::move(polygon), std::move(stands)});
   }
   return objects;
@@ -222,7 +223,7 @@ TEST_CASE("robots with a size have the ranges that miss the minimum ratio by les
   // C is 4 from the lower side and 5 from the upper one.
   const auto polygon = Polygon::create({{0, 0}, {10, 0}, {10, 9}, {0, 9}});
   REQUIRE(polygon.ok());
-  const Stands stands(*polygon, {1, 0, 0, 0, 0}, {});
+  const Stands stands(solid(*polygon), {1, 0, 0, 0, 0}, {});
   const auto number = [&](double min_ratio) {
     const auto found = standing_candidates(*polygon, {5, 4}, min_ratio, stands, Positions::range);
     REQUIRE(found.ok());
@@ -282,7 +283,7 @@ TEST_CASE("as robots in their ranges shrink the placement becomes that of points
       document.settings.robot = RobotSize{};
       const auto points = place(document);
       if (!points) continue;
-      document.settings.robot.radius = 1e-7 * points->polygon.diagonal();
+      document.settings.robot.radius = 1e-7 * points->polygon().diagonal();
       const auto robots = place(document);
       REQUIRE(robots.ok());
       INFO(name);
@@ -303,7 +304,7 @@ TEST_CASE("a marked edge leaves the range candidates of all others as they are",
     document.settings.positions = Positions::range;
     const auto free = place(document);
     REQUIRE(free.ok());
-    const double near = near_distance(free->polygon.diameter());
+    const double near = near_distance(free->polygon().diameter());
     document.settings.no_go = {{2, 0, 1}};
     const auto marked = place(document);
     REQUIRE(marked.ok());
@@ -359,7 +360,7 @@ TEST_CASE("what a pair is said to offer to robots with a size is its best chord"
   const auto polygon = Polygon::create({{-3, -1}, {3, -1}, {3, 1}, {-3, 2}});
   REQUIRE(polygon.ok());
   const Vec2 centre(0, 0);
-  const Stands stands(*polygon, {0.1, 0, 0, 0, 0}, {{0, 0.6, 1}, {2, 2.0 / 3, 1}});
+  const Stands stands(solid(*polygon), {0.1, 0, 0, 0, 0}, {{0, 0.6, 1}, {2, 2.0 / 3, 1}});
   const auto found = standing_candidates(*polygon, centre, 0.5, stands);
   REQUIRE(found.ok());
   const auto uneven =

@@ -10,6 +10,7 @@
 #include "evenlift/tolerance.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
+#include "kit/solid.h"
 #include "stands/stand_oracle.h"
 
 using namespace evenlift;
@@ -82,7 +83,7 @@ void check_order(const Polygon& polygon, const Stands& stands) {
 // Compares with the oracle at places along each edge. Returns the number of certain answers.
 int compare(const Polygon& polygon, const RobotSize& robot, const std::vector<EdgePart>& no_go,
             int places) {
-  const Stands stands(polygon, robot, no_go);
+  const Stands stands(solid(polygon), robot, no_go);
   check_order(polygon, stands);
   const StandOracle oracle(polygon, robot, no_go);
   int sure = 0, wrong = 0;
@@ -113,13 +114,13 @@ Family family_of(std::uint64_t number) {
 }  // namespace
 
 TEST_CASE("a point without marked edges can stand anywhere, and nothing is computed", "[stands]") {
-  const auto stands = make_stands(square(), Settings{});
+  const auto stands = make_stands(solid(square()), Settings{});
   REQUIRE(stands.ok());
   CHECK_FALSE(*stands);
 }
 
 TEST_CASE("a robot keeps its radius from a reflex corner", "[stands]") {
-  const Stands stands(corner(), sized(0.25), {});
+  const Stands stands(solid(corner()), sized(0.25), {});
   // The edge from (3, 1) to (1, 1) ends at the reflex corner.
   REQUIRE(stretches(stands, 2).size() == 1);
   CHECK(stretches(stands, 2)[0].to == Approx(1.75));
@@ -132,30 +133,30 @@ TEST_CASE("a robot keeps its radius from a reflex corner", "[stands]") {
 TEST_CASE("with an arm, the other side of a notch is in the way of the body alone", "[stands]") {
   // A notch of width 1 and depth 2, open upwards.
   const Polygon polygon = made({{0, 0}, {5, 0}, {5, 3}, {3, 3}, {3, 1}, {2, 1}, {2, 3}, {0, 3}});
-  CHECK(stretches(Stands(polygon, sized(0.6), {}), 4).empty());
-  CHECK(stretches(Stands(polygon, sized(0.4), {}), 4).size() == 1);
+  CHECK(stretches(Stands(solid(polygon), sized(0.6), {}), 4).empty());
+  CHECK(stretches(Stands(solid(polygon), sized(0.4), {}), 4).size() == 1);
   // From the bottom of the notch, an arm of 2 and more reaches a body above it.
-  const Stands armed(polygon, sized(0.6, 2.7), {});
+  const Stands armed(solid(polygon), sized(0.6, 2.7), {});
   REQUIRE(stretches(armed, 4).size() == 1);
   CHECK(stretches(armed, 4)[0].from == Approx(2e-9 * polygon.diagonal()));
   // Its sides are too near to each other for an arm longer than their distance.
-  CHECK(stretches(Stands(polygon, sized(0.01, 1.5), {}), 3).empty());
-  CHECK(Stands(polygon, sized(0.01, 1.5), {}).why_not(3, 1.5) == WhyUnusable::arm);
+  CHECK(stretches(Stands(solid(polygon), sized(0.01, 1.5), {}), 3).empty());
+  CHECK(Stands(solid(polygon), sized(0.01, 1.5), {}).why_not(3, 1.5) == WhyUnusable::arm);
 }
 
 TEST_CASE("a slot that is exactly as wide as the body takes it", "[stands]") {
   // 2 wide; edge 4 is its bottom.
   const Polygon polygon = made({{0, 0}, {6, 0}, {6, 6}, {4, 6}, {4, 1}, {2, 1}, {2, 6}, {0, 6}});
-  const Stands stands(polygon, sized(1), {});
+  const Stands stands(solid(polygon), sized(1), {});
   REQUIRE(stretches(stands, 4).size() == 1);
   CHECK(stretches(stands, 4)[0].from == Approx(1));
   CHECK(stretches(stands, 4)[0].to == Approx(1));
   CHECK_FALSE(stands.why_not(4, 1));
-  CHECK(stretches(Stands(polygon, sized(1 + 1e-7), {}), 4).empty());
+  CHECK(stretches(Stands(solid(polygon), sized(1 + 1e-7), {}), 4).empty());
 }
 
 TEST_CASE("a hand needs depth beneath it and half its width from corners", "[stands]") {
-  const Stands stands(corner(), sized(0, 0, 0.5, 0.4), {});
+  const Stands stands(solid(corner()), sized(0, 0, 0.5, 0.4), {});
   REQUIRE(stretches(stands, 0).size() == 1);
   CHECK(stretches(stands, 0)[0].from == Approx(0.2));
   CHECK(stretches(stands, 0)[0].to == Approx(2.8));
@@ -163,7 +164,7 @@ TEST_CASE("a hand needs depth beneath it and half its width from corners", "[sta
   // Beside the reflex corner the object continues.
   CHECK(stretches(stands, 2)[0].to == Approx(2));
   // The arms of the L are 1 wide.
-  const Stands deep(corner(), sized(0, 0, 1.5, 0.4), {});
+  const Stands deep(solid(corner()), sized(0, 0, 1.5, 0.4), {});
   CHECK(deep.why_not(0, 2) == WhyUnusable::hand);
   CHECK_FALSE(deep.why_not(0, 0.5));
 }
@@ -174,7 +175,7 @@ TEST_CASE("a hand may be wider than the sides of a flattened curve, which has no
   const double side = length(circle.edge_end(0) - circle.edge_start(0));
   for (const double depth : {0.0, 0.01, 0.1, 0.8}) {
     INFO(depth);
-    const Stands stands(circle, sized(0.05, 0.05, depth, 0.3), {});
+    const Stands stands(solid(circle), sized(0.05, 0.05, depth, 0.3), {});
     for (std::uint32_t edge = 0; edge < circle.size(); ++edge) {
       REQUIRE(stretches(stands, edge).size() == 1);
       CHECK(stretches(stands, edge)[0].from < 1e-8);
@@ -183,10 +184,11 @@ TEST_CASE("a hand may be wider than the sides of a flattened curve, which has no
   }
   // The sagitta of a chord as long as the hand, here 0.134, is at most a tenth of it if the hand
   // fits.
-  CHECK(Stands(circle, sized(0, 0, 0.2, 1), {}).why_not(0, side / 2) == WhyUnusable::hand);
-  CHECK(Stands(circle, sized(0, 0, 1.97, 0.6), {}).why_not(0, side / 2) == WhyUnusable::hand);
+  CHECK(Stands(solid(circle), sized(0, 0, 0.2, 1), {}).why_not(0, side / 2) == WhyUnusable::hand);
+  CHECK(Stands(solid(circle), sized(0, 0, 1.97, 0.6), {}).why_not(0, side / 2) ==
+        WhyUnusable::hand);
   // A hexagon turns by 60 degrees.
-  const Stands stands(regular(6, 1), sized(0, 0, 0.1, 0.3), {});
+  const Stands stands(solid(regular(6, 1)), sized(0, 0, 0.1, 0.3), {});
   for (std::uint32_t edge = 0; edge < 6; ++edge) {
     REQUIRE(stretches(stands, edge).size() == 1);
     CHECK(stretches(stands, edge)[0].from == Approx(0.15));
@@ -197,14 +199,14 @@ TEST_CASE("a hand may be wider than the sides of a flattened curve, which has no
 TEST_CASE("next to the edge a hand may stick out by a tenth of its width", "[stands]") {
   // Edge 0 ends with a turn of 14 degrees; edge 1 is 0.2 inside its line at x = 2.8.
   const Polygon polygon = made({{0, 0}, {2, 0}, {3, 0.25}, {3, 3}, {0, 3}});
-  const Stands stands(polygon, sized(0, 0, 1, 2), {});
+  const Stands stands(solid(polygon), sized(0, 0, 1, 2), {});
   REQUIRE(stretches(stands, 0).size() == 1);
   CHECK(stretches(stands, 0)[0].from == Approx(1));
   CHECK(stretches(stands, 0)[0].to == Approx(1.8));
   CHECK(stands.why_not(0, 0.9) == WhyUnusable::corner);
   CHECK(stands.why_not(0, 1.9) == WhyUnusable::hand);
   // A hand that is less deep only has to avoid corners.
-  const Stands flat(polygon, sized(0, 0, 0.15, 2), {});
+  const Stands flat(solid(polygon), sized(0, 0, 0.15, 2), {});
   REQUIRE(stretches(flat, 0).size() == 1);
   CHECK(stretches(flat, 0)[0].from == Approx(1));
   CHECK(stretches(flat, 0)[0].to == Approx(2));
@@ -216,22 +218,22 @@ TEST_CASE("a hand that meets no edge is still not beneath an object that is too 
   // A tenth of the hand's width is 0.2.
   const RobotSize robot = sized(0, 0, 1, 2);
   const Polygon plate = made({{0, 0}, {10, 0}, {10, 0.1}, {0, 0.1}});
-  CHECK(Stands(plate, robot, {}).why_not(0, 5) == WhyUnusable::hand);
-  CHECK(Stands(plate, robot, {}).why_not(2, 5) == WhyUnusable::hand);
+  CHECK(Stands(solid(plate), robot, {}).why_not(0, 5) == WhyUnusable::hand);
+  CHECK(Stands(solid(plate), robot, {}).why_not(2, 5) == WhyUnusable::hand);
   const Polygon wedge = made({{0, 0}, {10, -0.25}, {10, 0.25}});
-  CHECK(Stands(wedge, robot, {}).why_not(0, 1.5) == WhyUnusable::hand);
+  CHECK(Stands(solid(wedge), robot, {}).why_not(0, 1.5) == WhyUnusable::hand);
   // Beyond a slit the object continues.
   const Polygon slit =
       made({{0, 0}, {10, 0}, {10, 0.05}, {2, 0.05}, {2, 0.1}, {10, 0.1}, {10, 5}, {0, 5}});
-  CHECK_FALSE(Stands(slit, robot, {}).why_not(0, 5));
-  CHECK(Stands(slit, sized(0, 0, 1, 0.6), {}).why_not(0, 5) == WhyUnusable::hand);
+  CHECK_FALSE(Stands(solid(slit), robot, {}).why_not(0, 5));
+  CHECK(Stands(solid(slit), sized(0, 0, 1, 0.6), {}).why_not(0, 5) == WhyUnusable::hand);
 }
 
 TEST_CASE("a vertex more on a straight side leaves a hand as far from the corner", "[stands]") {
   const Polygon polygon = made({{0, 0}, {0.05, 0}, {0.95, 0}, {1, 0}, {1, 1}, {0, 1}});
   for (const double depth : {0.0, 0.01, 0.5}) {
     INFO(depth);
-    const Stands stands(polygon, sized(0, 0, depth, 0.2), {});
+    const Stands stands(solid(polygon), sized(0, 0, depth, 0.2), {});
     CHECK(stretches(stands, 0).empty());
     REQUIRE(stretches(stands, 1).size() == 1);
     CHECK(stretches(stands, 1)[0].from == Approx(0.05));
@@ -243,7 +245,7 @@ TEST_CASE("a vertex more on a straight side leaves a hand as far from the corner
 
 TEST_CASE("marked parts of edges are left out, and so is a vertex that one of them touches",
           "[stands]") {
-  const Stands stands(square(), RobotSize{}, {{0, 0.25, 0.5}, {2, 0, 1}});
+  const Stands stands(solid(square()), RobotSize{}, {{0, 0.25, 0.5}, {2, 0, 1}});
   REQUIRE(stretches(stands, 0).size() == 2);
   CHECK(stretches(stands, 0)[0].from == 0);
   CHECK(stretches(stands, 0)[0].to == 0.25);
@@ -258,7 +260,7 @@ TEST_CASE("marked parts of edges are left out, and so is a vertex that one of th
 }
 
 TEST_CASE("the whole width of a hand keeps off what is marked", "[stands]") {
-  const Stands stands(square(), sized(0, 0, 0.1, 0.2), {{0, 0.4, 0.6}, {2, 0, 0.25}});
+  const Stands stands(solid(square()), sized(0, 0, 0.1, 0.2), {{0, 0.4, 0.6}, {2, 0, 0.25}});
   REQUIRE(stretches(stands, 0).size() == 2);
   CHECK(stretches(stands, 0)[0].to == Approx(0.3));
   CHECK(stretches(stands, 0)[1].from == Approx(0.7));
@@ -277,16 +279,17 @@ TEST_CASE("the whole width of a hand keeps off what is marked", "[stands]") {
   // A no-go part on one edge does not reach around the corner.
   CHECK(stretches(stands, 1)[0].to == Approx(0.9));
   // Between two no-go parts there must be room for all of it.
-  CHECK(stretches(Stands(square(), sized(0, 0, 0, 0.2), {{0, 0, 0.4}, {0, 0.55, 1}}), 0).empty());
-  CHECK(stretches(Stands(square(), sized(0.01, 0, 0, 0), {{0, 0, 0.4}, {0, 0.55, 1}}), 0).size() ==
-        1);
+  CHECK(stretches(Stands(solid(square()), sized(0, 0, 0, 0.2), {{0, 0, 0.4}, {0, 0.55, 1}}), 0)
+            .empty());
+  CHECK(stretches(Stands(solid(square()), sized(0.01, 0, 0, 0), {{0, 0, 0.4}, {0, 0.55, 1}}), 0)
+            .size() == 1);
 }
 
 TEST_CASE("a hand on a curve keeps off what is marked beside its own edge", "[stands]") {
   const Polygon curve = regular(64, 1);
   const double side = length(curve.edge_end(0) - curve.edge_start(0));
   const RobotSize robot = sized(0, 0, 0.3, 2 * side);
-  const Stands stands(curve, robot, {{10, 0, 1}});
+  const Stands stands(solid(curve), robot, {{10, 0, 1}});
   CHECK(stands.why_not(9, side / 2) == WhyUnusable::near_no_go);
   CHECK(stands.why_not(11, side / 2) == WhyUnusable::near_no_go);
   CHECK_FALSE(stands.why_not(7, side / 2));
@@ -364,7 +367,7 @@ TEST_CASE("the same stretches whichever way round the vertices are listed", "[st
     const Polygon reversed = made(Points(vertices->rbegin(), vertices->rend()));
     const RobotSize robot = sized(0.03 * polygon.diagonal(), 0.01 * polygon.diagonal(),
                                   0.01 * polygon.diagonal(), 0.01 * polygon.diagonal());
-    const Stands there(polygon, robot, {}), back(reversed, robot, {});
+    const Stands there(solid(polygon), robot, {}), back(solid(reversed), robot, {});
     const auto n = static_cast<std::uint32_t>(polygon.size());
     for (std::uint32_t edge = 0; edge < n; ++edge) {
       const auto a = stretches(there, edge), b = stretches(back, (2 * n - 2 - edge) % n);
@@ -381,7 +384,7 @@ TEST_CASE("the same stretches whichever way round the vertices are listed", "[st
 }
 
 TEST_CASE("two robots collide by their bodies or by their hands", "[stands]") {
-  const Stands stands(square(), sized(0.1, 0, 0.3, 0.1, 0.05), {});
+  const Stands stands(solid(square()), sized(0.1, 0, 0.3, 0.1, 0.05), {});
   const auto lifting = [&](double x) { return stands.lifting_point({{x, 0}, 0}); };
   CHECK(lifting(0.5).position == Vec2(0.5, 0.3));
   CHECK(stands.contact(lifting(0.5)) == Vec2(0.5, 0));
@@ -395,7 +398,7 @@ TEST_CASE("two robots collide by their bodies or by their hands", "[stands]") {
 }
 
 TEST_CASE("robots that are the gap apart but for rounding do not collide", "[stands]") {
-  const Stands stands(corner(), sized(0, 0, 0, 0, 2), {});
+  const Stands stands(solid(corner()), sized(0, 0, 0, 0, 2), {});
   REQUIRE(2.3 - 0.3 < 2);
   CHECK_FALSE(stands.collide({{0.3, 0}, 0}, {{2.3, 0}, 0}));
   CHECK(stands.collide({{0.3, 0}, 0}, {{2.3 - 1e-7, 0}, 0}));
@@ -408,7 +411,7 @@ TEST_CASE("the arm of a robot keeps off another robot's body and arm", "[stands]
   const auto from_left = [](const Stands& stands, double y) {
     return stands.lifting_point({{1, y}, 3});
   };
-  const Stands stands(corner(), sized(0.1, 1.5, 0.2, 0.1), {});
+  const Stands stands(solid(corner()), sized(0.1, 1.5, 0.2, 0.1), {});
   CHECK(length(stands.stand(from_below(stands)) - Vec2(2, 2.6)) < 1e-12);
   for (const double y : {1.5, 2.0, 2.5, 2.6, 2.65, 2.69, 2.71, 2.9}) {
     INFO(y);
@@ -422,16 +425,16 @@ TEST_CASE("the arm of a robot keeps off another robot's body and arm", "[stands]
     CHECK(stands.any_collide({a, b}) == (y < 2.7));
   }
   // The gap also applies between an arm and a body.
-  const Stands wider(corner(), sized(0.1, 1.5, 0.2, 0.1, 0.05), {});
+  const Stands wider(solid(corner()), sized(0.1, 1.5, 0.2, 0.1, 0.05), {});
   CHECK(wider.collide(from_below(wider), from_left(wider, 2.74)));
   CHECK_FALSE(wider.collide(from_below(wider), from_left(wider, 2.76)));
   // Arms cross even if bodies are points; arms that only touch do not.
-  const Stands thin(corner(), sized(0, 1.5), {});
+  const Stands thin(solid(corner()), sized(0, 1.5), {});
   CHECK(thin.collide(from_below(thin), from_left(thin, 2.4)));
   CHECK_FALSE(thin.collide(from_below(thin), from_left(thin, 2.5)));
   CHECK_FALSE(thin.collide(from_below(thin), from_left(thin, 2.6)));
   // Without a reach there is no arm outside the body.
-  const Stands round(corner(), sized(0.5, 0), {});
+  const Stands round(solid(corner()), sized(0.5, 0), {});
   CHECK_FALSE(round.collide(round.lifting_point({{2.5, 1}, 2}), round.lifting_point({{1, 2}, 3})));
 }
 
@@ -453,7 +456,7 @@ TEST_CASE("two robots collide as bodies, arms and hands say", "[stands][slow]") 
     if (!robot.has_body()) continue;
     INFO("polygon " << number << ", " << robot_text(robot));
     // Whether they could stand there alone does not matter.
-    const Stands stands(polygon, robot, {});
+    const Stands stands(solid(polygon), robot, {});
     const StandOracle oracle(polygon, robot, {});
     const auto contact = [&] {
       const auto edge = static_cast<std::uint32_t>(rng.below(polygon.size()));
@@ -485,26 +488,26 @@ TEST_CASE("two robots collide as bodies, arms and hands say", "[stands][slow]") 
 TEST_CASE("errors of stands name the setting and say why", "[stands][errors]") {
   Settings settings;
   settings.no_go = {{7, 0, 1}};
-  auto refusedThere = make_stands(square(), settings);
+  auto refusedThere = make_stands(solid(square()), settings);
   REQUIRE_FALSE(refusedThere.ok());
   CHECK(refusedThere.error().message == "there is no edge 8; the polygon has 4");
   CHECK(refusedThere.error().place.option == "no_go");
   settings.no_go = {{0, 0, 1}, {1, 0, 1}, {2, 0, 1}, {3, 0, 1}};
-  CHECK(make_stands(square(), settings).error().message ==
+  CHECK(make_stands(solid(square()), settings).error().message ==
         "the no-go edges leave no edge for the robots");
   settings.no_go.clear();
   settings.robot = sized(0, 0, 2, 0.1);
-  CHECK(make_stands(square(), settings).error().message ==
+  CHECK(make_stands(solid(square()), settings).error().message ==
         "no edge has room for a hand of depth 2 and width 0.1");
   settings.robot = sized(0.1, 0, 2, 0.1);
-  CHECK(make_stands(square(), settings).error().message ==
+  CHECK(make_stands(solid(square()), settings).error().message ==
         "no edge has room for a robot of radius 0.1, with a hand of depth 2 and width 0.1");
   settings.robot = sized(0.1, 0, 0, 3);
-  CHECK(make_stands(square(), settings).error().message ==
+  CHECK(make_stands(solid(square()), settings).error().message ==
         "no edge has room for a robot of radius 0.1, with a hand of depth 0 and width 3");
   settings.robot = sized(0.1, 5, 2, 0);
   CHECK(
-      make_stands(square(), settings).error().message ==
+      make_stands(solid(square()), settings).error().message ==
       "no edge has room for a robot of radius 0.1 and reach 5, with a hand of depth 2 and width 0");
 }
 

@@ -79,11 +79,11 @@ TEST_CASE("the step about stands says how much is lost to each reason", "[stands
       CHECK(sum == Approx(1).margin(1e-6));
       CHECK(number_of(trace, detail, "no_go") > 0);
       const Stands& stands = *trace.placement.stands;
-      const testing::StandOracle oracle(trace.polygon, document.settings.robot,
+      const testing::StandOracle oracle(trace.polygon(), document.settings.robot,
                                         document.settings.no_go);
       const auto verdict = [&](const LiftingPoint& contact) {
-        const Vec2 &p = trace.polygon.edge_start(contact.edge),
-                   &q = trace.polygon.edge_end(contact.edge);
+        const Vec2 &p = trace.polygon().edge_start(contact.edge),
+                   &q = trace.polygon().edge_end(contact.edge);
         return oracle.at(contact.edge, dot(contact.position - p, q - p) / dot(q - p, q - p));
       };
       for (const auto& [part, contact] : detail.stands->misfits) {

@@ -71,7 +71,7 @@ TEST_CASE("a drag of any robot takes all over, with one step of undo", "[view][s
 TEST_CASE("a robot sticks to the outline, to vertices and to even places", "[view][supports]") {
   AppState state = piano_state();
   give(state, SetMethod{Method::given});
-  const Polygon& polygon = placement(state).polygon;
+  const Polygon& polygon = placement(state).polygon();
   const double pixel = 1 / state.view.camera.scale;
   const Vec2 vertex = polygon.vertex(0);
   CHECK(support_spot(state, vertex + Vec2(5 * pixel, 4 * pixel), 0) == vertex);
@@ -151,7 +151,7 @@ TEST_CASE("with the tool Robot a click adds a robot there, and a press on a robo
     frame({.at = at, .released = true});
   };
   give(state, SetTool{Tool::robot});
-  const Polygon& polygon = placement(state).polygon;
+  const Polygon& polygon = placement(state).polygon();
   const Vec2 middle = (polygon.edge_start(0) + polygon.edge_end(0)) / 2;
   click(state.view.camera.to_screen(middle) + Vec2(3, -4));
   REQUIRE(supports(state).size() == before.size() + 1);

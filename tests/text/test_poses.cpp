@@ -12,6 +12,7 @@
 #include "kit/corpus.h"
 #include "kit/placed.h"
 #include "kit/polygons.h"
+#include "kit/solid.h"
 
 using namespace evenlift;
 using evenlift::testing::placed;
@@ -21,7 +22,7 @@ namespace {
 
 // One robot at this point of a square of side 4, whose centre of mass is (2, 2).
 Placement one_robot(const Vec2& at, std::uint32_t edge) {
-  Placement placement(testing::polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
+  Placement placement(solid(testing::polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}})));
   placement.centre_of_mass = {2, 2};
   placement.teams = {Team{{Robot{{at, edge}, 1, 12.5}}, 1}};
   placement.loads = summarize_loads(placement.teams);
@@ -104,7 +105,7 @@ TEST_CASE("a message of ROS 2 is in metres", "[poses]") {
 }
 
 TEST_CASE("a heading is above -180 degrees, however little its direction is", "[poses]") {
-  Placement placement(testing::polygon({{-2, 0}, {0, 0}, {-1e-20, 1}, {-2, 1}}));
+  Placement placement(solid(testing::polygon({{-2, 0}, {0, 0}, {-1e-20, 1}, {-2, 1}})));
   placement.centre_of_mass = {-1, 0.5};
   placement.teams = {Team{{Robot{{{0, 0.5}, 1}, 1, 12.5}}, 1}};
   const PlacedRobot robot = placed_robots(placement).at(0);
@@ -151,7 +152,7 @@ TEST_CASE("the rotations of all samples' robots are their headings", "[poses]") 
 }
 
 TEST_CASE("a placement without robots has no poses", "[poses]") {
-  Placement placement(testing::polygon(testing::square));
+  Placement placement(solid(testing::polygon(testing::square)));
   CHECK(poses_text(placement, PoseFormat::csv) ==
         "robot,team,x,y,heading_deg,load,unit,weight_unit\n");
   CHECK(json::parse(poses_text(placement, PoseFormat::json))["robots"].empty());

@@ -7,6 +7,7 @@
 #include "kit/corpus.h"
 #include "kit/placed.h"
 #include "kit/polygons.h"
+#include "kit/solid.h"
 #include "kit/texts.h"
 
 using namespace evenlift;
@@ -217,7 +218,7 @@ TEST_CASE("a C uncertainty is told in sentences", "[words][robustness]") {
         off + "31" + change + "31.0 kg. From 30.0 on, the object can tip.");
   CHECK(plainly(words(1, 0)) ==
         off + "1" + change + "1.00 kg. Even the smallest error can tip the object.");
-  Placement two(testing::polygon(testing::square));
+  Placement two(solid(testing::polygon(testing::square)));
   two.teams = {Team{{Robot{}, Robot{}}, 1}};
   const auto for_capacity = [&](double capacity) {
     Shown shown;
@@ -284,5 +285,5 @@ TEST_CASE("what may go wrong is told in two facts", "[words][robustness]") {
   CHECK(may_fail(0, 0) == "none");
   CHECK(may_fail(0, -1) == "none");
   CHECK(robustness_facts(placement, {2, 1, 117.2, 1}).at(1).value == "117");
-  CHECK(robustness_facts(Placement(testing::polygon(testing::square)), {}).empty());
+  CHECK(robustness_facts(Placement(solid(testing::polygon(testing::square))), {}).empty());
 }

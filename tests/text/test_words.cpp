@@ -10,6 +10,7 @@
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/polygons.h"
+#include "kit/solid.h"
 #include "kit/texts.h"
 
 using namespace evenlift;
@@ -19,7 +20,7 @@ namespace {
 
 Team bearing(double load1, double load2) { return {{{{}, 0, load1}, {{}, 0, load2}}, 1}; }
 
-Placement nothing_placed() { return Placement(testing::polygon(testing::square)); }
+Placement nothing_placed() { return Placement(solid(testing::polygon(testing::square))); }
 
 Placement three_teams() {
   Placement placement = nothing_placed();

@@ -109,7 +109,7 @@ TEST_CASE("texts that are no robots change nothing", "[view][balanced]") {
   AppState state = balanced_state(2);
   // Two robots are found at once.
   CHECK_FALSE(state.derived().search.under_way);
-  const Polygon& polygon = state.derived().placement->polygon;
+  const Polygon& polygon = state.derived().placement->polygon();
   const std::string good = robots_text(standing(state));
   REQUIRE(read_robots(good, 2, polygon));
   for (const std::string& bad :
@@ -271,7 +271,7 @@ TEST_CASE("one of three balanced robots is moved by hand, and the others follow"
     CHECK((now[i].position - before[i].position).norm() > 0);
     sum += now[i].position;
   }
-  const double size = state.derived().placement->polygon.diagonal();
+  const double size = state.derived().placement->polygon().diagonal();
   CHECK((sum / 3 - state.derived().placement->centre_of_mass).norm() < 1e-9 * size);
   CHECK(state.derived().placement->loads->spread == 0);
   CHECK(state.work.history.undoes() == Edit::robots_moved);
@@ -327,7 +327,7 @@ TEST_CASE("a balanced robot stops where the others cannot follow", "[view][balan
     ++(stays ? stopped : moved);
     Vec2 sum = Vec2::Zero();
     for (const LiftingPoint& robot : standing(state)) sum += robot.position;
-    CHECK((sum / 3 - centre).norm() < 1e-9 * state.derived().placement->polygon.diagonal());
+    CHECK((sum / 3 - centre).norm() < 1e-9 * state.derived().placement->polygon().diagonal());
     if (!stays) CHECK(standing(state)[1].position == vertices[i]);
     // The outline is marked as blocked for the robot up to the requested place.
     CHECK(state.view.closed_to.has_value() == stays);

@@ -51,7 +51,7 @@ TEST_CASE("a team goes along its range by hand, its loads with it, and back", "[
   REQUIRE(can_take_robot(state, pick));
   const std::string before = summary(state);
   const auto range =
-      range_of(state.derived().placement->polygon, state.derived().placement->centre_of_mass,
+      range_of(state.derived().placement->polygon(), state.derived().placement->centre_of_mass,
                chord_of(state.derived().placement->teams[1]), 0.8);
   REQUIRE(range);
   const Vec2 other = place_of(state, 0, 0), was = place_of(state, 1, 0);

@@ -13,7 +13,7 @@ namespace {
 
 // The candidates if any load ratio met the minimum.
 Result<std::vector<Candidate>> all_candidates(const Placement& placement) {
-  const Polygon& polygon = placement.polygon;
+  const Polygon& polygon = placement.polygon();
   if (!placement.stands) return find_candidates(polygon, placement.centre_of_mass, 0);
   auto found = standing_candidates(polygon, placement.centre_of_mass, 0, *placement.stands);
   if (!found) return found.error();

@@ -109,7 +109,7 @@ Taken take(Derived& facts, const Given::Found& found) {
   if (found.ended && found.robots->empty()) {
     if (!find_none(placement)) return Taken::nothing;
   } else {
-    const auto robots = read_robots(*found.robots, placement.settings.robots, placement.polygon);
+    const auto robots = read_robots(*found.robots, placement.settings.robots, placement.polygon());
     if (!robots) return Taken::nothing;
     if (robots_text(lifting_points(placement.teams)) != *found.robots) taken = Taken::other_robots;
     *shown = with_robots(std::move(placement), *robots, found.ended);

@@ -57,7 +57,7 @@ void remove_capacity(Capacities& capacities, std::size_t robot) {
 void hand_over(AppState& state, std::size_t robot) {
   const Document& document = state.work.document();
   Result<Placement> placed =
-      place(state.derived().placement->polygon, document.centre_of_mass, document.settings);
+      place(state.derived().placement->object, document.centre_of_mass, document.settings);
   if (!placed) return;
   state.given.placement = std::move(placed).value();
   state.given.moved = {robot, robot};
@@ -71,7 +71,7 @@ Settings taken_over(Settings settings, const Placement& placement) {
   settings = with_method(std::move(settings), Method::given, std::max(teams, 1u));
   settings.supports = positions(contact_points(placement));
   // Without any robot, one at each of the first corners.
-  const Points& hull = placement.polygon.hull();
+  const Points& hull = placement.polygon().hull();
   for (std::size_t i = 0; settings.supports.empty() || (placement.teams.empty() && i < 3); ++i)
     settings.supports.push_back(hull[i]);
   if (settings.supports.size() > most_supports) settings.supports.resize(most_supports);
@@ -117,13 +117,14 @@ void move_support(AppState& state, std::size_t robot, const Vec2& to) {
   if (spot) hand_over(state, robot);
 }
 
-Settings with_small_table(Settings settings, const Polygon& polygon, const Vec2& centre,
+Settings with_small_table(Settings settings, const PolygonWithHoles& object, const Vec2& centre,
                           std::size_t robots) {
+  const Polygon& polygon = object.outline();
   Vec2 corner = centre;
   for (const Vec2& vertex : polygon.vertices())
     if (length(vertex - centre) > length(corner - centre)) corner = vertex;
   settings = with_method(std::move(settings), Method::given, 1);
-  const SupportPlacer placer(polygon, settings);
+  const SupportPlacer placer(object, settings);
   // Short numbers, for a short link.
   const double digits = 3 - std::floor(std::log10(polygon.diameter()));
   const double scale = std::pow(10, std::abs(digits));
@@ -156,7 +157,7 @@ void place_yourself(AppState& state, std::size_t robots) {
   if (!has_robots(state)) return;
   const Placement& placement = *state.derived().placement;
   Settings own =
-      with_small_table(settings(state), placement.polygon, placement.centre_of_mass, robots);
+      with_small_table(settings(state), placement.object, placement.centre_of_mass, robots);
   edit(state, false, Edit::robots_moved).settings = std::move(own);
   state.work.show().support_capacities.clear();
 }
@@ -169,7 +170,7 @@ Points supports_now(const AppState& state) {
 void put_support(AppState& state, std::size_t robot, const Vec2& at) {
   if (robot >= supports_now(state).size()) return;
   const Placement& placement = *state.derived().placement;
-  if (!SupportPlacer(placement.polygon, placement.settings).place(at)) return;
+  if (!SupportPlacer(placement.object, placement.settings).place(at)) return;
   edit_supports(state, false).settings.supports[robot] = at;
 }
 
@@ -180,7 +181,7 @@ void add_support(AppState& state, std::optional<Vec2> at) {
   if (at)
     at = support_spot(state, *at, std::nullopt);
   else
-    at = widest_addition(placement.polygon, positions(lifting_points(placement.teams)));
+    at = widest_addition(placement.polygon(), positions(lifting_points(placement.teams)));
   if (!at) return;
   Document& document = edit_supports(state, false);
   document.settings.supports.push_back(*at);

@@ -24,7 +24,7 @@ void move_support(AppState& state, std::size_t robot, const Vec2& to);
 // Puts robots beneath the object, like the legs of a small table between its middle and its farthest
 // corner, for the user to move: in a document, or with one step of undo.
 inline constexpr std::size_t usual_robots_to_place = 4;
-Settings with_small_table(Settings settings, const Polygon& polygon, const Vec2& centre,
+Settings with_small_table(Settings settings, const PolygonWithHoles& object, const Vec2& centre,
                           std::size_t robots = usual_robots_to_place);
 void place_yourself(AppState& state, std::size_t robots = usual_robots_to_place);
 

@@ -124,8 +124,8 @@ void draw_push(const Painter& painter, const CanvasView& view) {
   const Placement& placement = *view.placement;
   if (hover.kind != Pick::Kind::object || hover.second != view.second || placement.teams.empty())
     return;
-  const double force = tipping_force(placement.lifting_base, placement.centre_of_mass,
-                                     placement.settings.weight, hover.at);
+  const double force =
+      tipping_force(placement.lifting_base, placement.centre_of_mass, placement.weight(), hover.at);
   const bool safe = std::isinf(force);
   const ImVec2 at = painter.at(hover.at);
   const Colour colour = safe ? view.theme.hull_text : view.theme.amber_on_object;
@@ -134,7 +134,7 @@ void draw_push(const Painter& painter, const CanvasView& view) {
   const std::string text =
       safe ? "A press down here does not tip it"
            : "Tips under a press down of " +
-                 load_in_words(force, placement.settings.weight, shown(view.state).units);
+                 load_in_words(force, placement.weight(), shown(view.state).units);
   // The box has the panel's colour, on which the lifting base's dark green would be illegible.
   draw_word(painter.list(), Vec2(static_cast<double>(at.x), static_cast<double>(at.y)),
             view.uncovered(), view.theme, safe ? view.theme.text : view.theme.amber, text);

@@ -8,7 +8,7 @@
 namespace evenlift::view {
 
 void draw_unusable(const Painter& painter, const Placement& placement, const Theme& theme) {
-  const Polygon& polygon = placement.polygon;
+  const Polygon& polygon = placement.polygon();
   for (const UnusablePart& part : placement.stands->unusable()) {
     const Vec2 &a = polygon.edge_start(part.edge), &b = polygon.edge_end(part.edge);
     const Vec2 along = (b - a) / length(b - a);
@@ -85,7 +85,7 @@ std::optional<WhyUnusable> why_unusable(const AppState& state, const Pick& at) {
       !state.derived().placement->stands)
     return std::nullopt;
   const Stands& stands = *state.derived().placement->stands;
-  if (at.index >= state.derived().placement->polygon.size()) return std::nullopt;
+  if (at.index >= state.derived().placement->polygon().size()) return std::nullopt;
   const auto edge = static_cast<std::uint32_t>(at.index);
   return stands.why_not(edge, stands.along({at.at, edge}));
 }

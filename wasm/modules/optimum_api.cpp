@@ -56,7 +56,7 @@ Compared compare(const Placement& greedy, const Shown& shown, double seconds) {
   bool stopped = false;
   const Stop stop = [&] { return stopped = stopped || emscripten_get_now() >= end; };
   Optimum optimum =
-      widest_choice(greedy.polygon, greedy.centre_of_mass, greedy.candidates,
+      widest_choice(greedy.polygon(), greedy.centre_of_mass, greedy.candidates,
                     greedy.requested_teams, greedy.team_candidates, stop, greedy.stands.get());
   Placement best = with_choice(greedy, optimum.taken);
   return {shown, greedy, std::move(best), std::move(optimum), seconds, stopped};

@@ -273,7 +273,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_set_robot(int robot, int axis, const char*
   to[axis] = *value;
   evenlift::Settings moved = settings(state);
   moved.supports = {to};
-  const auto placed = place_supports(state.derived().placement->polygon, moved);
+  const auto placed = place_supports(state.derived().placement->polygon(), moved);
   if (!placed) return hand_over(placed.error().message);
   carry_out({EndEdit{}, PutRobot{static_cast<std::size_t>(robot), to}, EndEdit{}});
   return hand_over({});

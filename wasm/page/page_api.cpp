@@ -193,7 +193,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_as_challenge(const char* text, int robots)
   Result<Opened> object = opened(*document);
   if (!object) return hand_over(text);
   const evenlift::Placement& placement = object->placement;
-  document->settings = with_small_table(document->settings, placement.polygon,
+  document->settings = with_small_table(document->settings, placement.object,
                                         placement.centre_of_mass, static_cast<std::size_t>(robots));
   return hand_over(link_or_nothing(*document));
 }

@@ -32,7 +32,7 @@ void push(const Ui& ui, Setting setting, const Document& changed) {
 }  // namespace
 
 double size_of_object(const AppState& state) {
-  return state.derived().placement ? state.derived().placement->polygon.diagonal() : 100;
+  return state.derived().placement ? state.derived().placement->polygon().diagonal() : 100;
 }
 
 double first_length(double size_of_object) {

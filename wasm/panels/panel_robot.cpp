@@ -67,8 +67,8 @@ std::string left_in_words(const Placement& placement) {
   std::string marked = no_go_in_words(placement.settings.no_go);
   if (!marked.empty()) marked += ' ';
   double all = 0, lost = 0;
-  for (std::size_t edge = 0; edge < placement.polygon.size(); ++edge)
-    all += length(placement.polygon.edge_end(edge) - placement.polygon.edge_start(edge));
+  for (std::size_t edge = 0; edge < placement.polygon().size(); ++edge)
+    all += length(placement.polygon().edge_end(edge) - placement.polygon().edge_start(edge));
   for (const UnusablePart& part : placement.stands->unusable())
     lost += part.part.to - part.part.from;
   if (lost == 0) return marked + "The whole boundary can be used.";

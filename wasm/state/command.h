@@ -309,8 +309,8 @@ using AnyCommand = std::variant<
 class Command {
  public:
   template <class Kind>
-    requires(!std::is_same_v<Kind, Command>)
-  Command(Kind kind) : command_(std::in_place_type<Kind>, std::move(kind)) {}
+  requires(!std::is_same_v<Kind, Command>) Command(Kind kind)
+      : command_(std::in_place_type<Kind>, std::move(kind)) {}
   Command(const Command& other);
   Command(Command&& other) noexcept;
   Command& operator=(const Command& other);

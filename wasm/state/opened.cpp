@@ -17,9 +17,10 @@ Result<Opened> opened(Result<Document> document) {
   return view::opened(std::move(document).value());
 }
 
-// Skips the check of a known polygon.
-Result<Placement> placed(const Document& document, const Polygon* known) {
-  if (known && known->vertices() == document.vertices)
+// Skips the check of a known object.
+Result<Placement> placed(const Document& document, const PolygonWithHoles* known) {
+  if (known && known->outline().vertices() == document.vertices &&
+      known->rings_of_holes() == document.holes)
     return place(*known, document.centre_of_mass, document.settings, Effort::start, document.moved);
   return place(document, Effort::start);
 }
@@ -41,7 +42,7 @@ Placement not_swapped(Placement selected, const Settings& settings) {
 }
 
 // Without swaps that would take longer than the haste allows.
-Result<Placement> placed_in(Haste haste, const Document& document, const Polygon* known) {
+Result<Placement> placed_in(Haste haste, const Document& document, const PolygonWithHoles* known) {
   const Settings& settings = document.settings;
   if (!swaps_teams(settings)) return placed(document, known);
   Document as_selected = document;
@@ -50,7 +51,7 @@ Result<Placement> placed_in(Haste haste, const Document& document, const Polygon
   Result<Placement> selected = placed(as_selected, known);
   if (!selected) return selected;
   const double most = haste == Haste::drag ? most_in_a_drag : most_at_rest;
-  if (swap_cost(*selected) <= most) return placed(document, &selected->polygon);
+  if (swap_cost(*selected) <= most) return placed(document, &selected->object);
   if (auto error = check_swaps(selected->candidates.size(), settings.teams.value_or(max_teams),
                                selected->stands.get()))
     return *error;
@@ -62,12 +63,12 @@ Result<Placement> placed_in(Haste haste, const Document& document, const Polygon
 Result<Placement> compute_placement(const Document& document,
                                     const std::optional<Placement>& before, Haste haste) {
   ++so_far.placements;
-  return placed_in(haste, document, before ? &before->polygon : nullptr);
+  return placed_in(haste, document, before ? &before->object : nullptr);
 }
 
 Result<Placement> try_placement(const Document& document, const Placement& before) {
   ++so_far.tries;
-  return placed_in(Haste::drag, document, &before.polygon);
+  return placed_in(Haste::drag, document, &before.object);
 }
 
 bool waits_for_swap(const Placement& placement) {

@@ -32,7 +32,7 @@ std::optional<Vec2> on_outline(const Points& vertices, const Vec2& to, double re
 std::optional<Vec2> even_spot(const AppState& state, const Vec2& to,
                               std::optional<std::size_t> robot, double reach) {
   const Placement& placement = *state.derived().placement;
-  const SupportPlacer placer(placement.polygon, placement.settings);
+  const SupportPlacer placer(placement.object, placement.settings);
   const Points robots = positions(lifting_points(placement.teams));
   std::optional<Vec2> nearest;
   double least = reach / state.view.camera.scale;
@@ -52,7 +52,7 @@ std::optional<Vec2> support_spot(const AppState& state, const Vec2& to,
   const Placement& placement = *state.derived().placement;
   if (const auto edge = on_outline(placement.vertices(), to, edge_reach / state.view.camera.scale))
     return edge;
-  if (!inside(placement.vertices(), to)) return std::nullopt;
+  if (!inside(placement.vertices(), to) || placement.object.hole_around(to)) return std::nullopt;
   return rounded_to_pixels(state.view.camera, to);
 }
 

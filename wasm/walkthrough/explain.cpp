@@ -72,7 +72,7 @@ void explain_team(Explanation& explanation, const ShownPlacement& of, const Pick
   const TeamInWords words =
       team_in_words(placement, pick.index, coordinate_decimals(placement.vertices()));
   const Units& units = of.shown.units;
-  const std::string of_all = " of " + given_weight(placement.settings.weight, units);
+  const std::string of_all = " of " + given_weight(placement.weight(), units);
   if (pick.kind == Pick::Kind::robot) {
     const auto end = static_cast<std::size_t>(pick.end);
     const std::size_t robot = 2 * pick.index + end;
@@ -105,7 +105,7 @@ void explain_balanced(Explanation& explanation, const ShownPlacement& of, const 
   if (!pick.second) explanation.robot = robot;
   explanation.title = "Robot " + number(robot) + " of " + std::to_string(all);
   explanation.rows.push_back(
-      {"It carries", load + " of " + given_weight(placement.settings.weight, units)});
+      {"It carries", load + " of " + given_weight(placement.weight(), units)});
   explanation.rows.push_back({"Each of the others", load});
   explanation.rows.push_back({"It stands at", words.at[robot]});
   explanation.reason =
@@ -125,7 +125,7 @@ void explain_support(Explanation& explanation, const ShownPlacement& of, const P
   explanation.title = "Robot " + number(robot) + " of " + std::to_string(words.loads.size());
   if (placement.loads)
     explanation.rows.push_back({"It carries", with_weight_unit(words.loads[robot], units) + " of " +
-                                                  given_weight(placement.settings.weight, units)});
+                                                  given_weight(placement.weight(), units)});
   explanation.rows.push_back({"It stands at", words.at[robot]});
   if (const auto capacity = capacity_of(of, robot))
     explanation.rows.push_back({"It can carry", given_weight(*capacity, units)});

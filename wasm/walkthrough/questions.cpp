@@ -23,7 +23,7 @@ bool is_trivial(const Trace& trace, const Ask& asked) {
   constexpr double apart = 1.0 / 80;  // of the object's size
   const PairDetail& pair = *asked.detail.pair;
   const double longer = std::max(length(pair.a[1] - pair.a[0]), length(pair.b[1] - pair.b[0]));
-  return longer < apart * trace.polygon.diagonal() ||
+  return longer < apart * trace.polygon().diagonal() ||
          ratio_in_words(pair.ends[0].ratio) == ratio_in_words(pair.ends[1].ratio);
 }
 

@@ -37,7 +37,7 @@
 
 #include "evenlift/chords.h"
 #include "evenlift/document.h"
-#include "evenlift/polygon.h"
+#include "evenlift/polygon_with_holes.h"
 
 namespace evenlift {
 
@@ -52,7 +52,7 @@ class Rules;
 class BalancedProblem {
  public:
   // The settings must be in their ranges. O(n log n), plus the cost of Stands (stands.h).
-  BalancedProblem(Polygon polygon, const Vec2& centre, const Settings& settings);
+  BalancedProblem(PolygonWithHoles object, const Vec2& centre, const Settings& settings);
 
   const balanced::Rules& rules() const { return *rules_; }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,7 +21,10 @@ inline constexpr double min_diagonal = 1e-9;              // of a polygon's boun
 inline constexpr double max_length = max_coordinate;      // of a given size or distance, inclusive
 inline constexpr double max_weight = 1e100;               // also of a robot's capacity, inclusive
 inline constexpr double min_weight = 1e-100;              // also of a robot's capacity, inclusive
-inline constexpr std::size_t max_vertices = 1u << 20;     // of a polygon
+inline constexpr std::size_t max_vertices = 1u << 20;     // of a polygon with its holes
+inline constexpr std::size_t max_holes = 1000;            // in a polygon
+inline constexpr std::size_t max_cargo = 1000;            // items on an object
+inline constexpr std::size_t max_name_characters = 60;    // of an item of cargo
 inline constexpr std::size_t max_link_vertices = 32768;   // of a polygon in a link
 inline constexpr std::size_t max_text_bytes = 64u << 20;  // of a file
 inline constexpr std::size_t max_link_bytes = 1u << 20;   // of a link
@@ -153,17 +157,26 @@ struct EdgePart {
 // The default of Settings::clear, in units of R (closure.h).
 inline constexpr double usual_clear = 0.02;
 
+// A load that is fixed to the object. Anything rigid acts at its own centre of mass, wherever that
+// is: it may overhang.
+struct Cargo {
+  Vec2 at = Vec2::Zero();
+  double weight = 0;  // min_weight .. max_weight, in the weight's unit
+  std::string name;   // at most max_name_characters of UTF-8, without control characters
+  bool operator==(const Cargo&) const = default;
+};
+
 // All inputs of a placement except the polygon and the centre of mass.
 struct Settings {
   // 1 .. max_teams; none means every candidate ("max"), for methods that choose among candidates.
   std::optional<std::uint32_t> teams = 3;
   Method method = Method::area;
-  double min_ratio = 0.8;       // minimum load ratio, 0 .. 1, both included
-  double weight = 100;          // of the object, min_weight .. max_weight; loads are in its unit
-  std::uint64_t seed = 1;       // for Method::random
-  std::uint32_t robots = 6;     // for Method::balanced, least_robots .. most_robots
-  std::optional<Goal> goal;     // none means the method's default, see goal_of()
-  double min_margin = 0.05;     // minimum margin of a hold, 0 .. 1
+  double min_ratio = 0.8;    // minimum load ratio, 0 .. 1, both included
+  double weight = 100;       // of the object alone, min_weight .. max_weight; loads are in its unit
+  std::uint64_t seed = 1;    // for Method::random
+  std::uint32_t robots = 6;  // for Method::balanced, least_robots .. most_robots
+  std::optional<Goal> goal;  // none means the method's default, see goal_of()
+  double min_margin = 0.05;  // minimum margin of a hold, 0 .. 1
   std::optional<double> apart;  // minimum distance between robots, a preference, >= 0, in units of
                                 // length; none means 0.12 R
   std::optional<double>
@@ -175,6 +188,7 @@ struct Settings {
   Positions positions = Positions::best;  // of teams of two; balanced robots stand anywhere
   RobotSize robot;
   std::vector<EdgePart> no_go;  // no robot may touch these parts; at most most_no_go, in any order
+  std::vector<Cargo> cargo;     // on the object; at most max_cargo items
   Points supports;              // for Method::given, 1 .. most_supports (supports.h)
   std::optional<double> snap;   // supports within this distance of the outline stand at the edge,
                                 // 0 .. max_length, in units of length; none means 1e-6 L
@@ -232,11 +246,17 @@ struct Moved {
 };
 
 struct Document {
-  Points vertices;                     // in the given order, either orientation
-  std::optional<Vec2> centre_of_mass;  // none means the centroid of the area
+  Points vertices;  // in the given order, either orientation
+  std::optional<Vec2>
+      centre_of_mass;  // of the object without cargo; none means the centroid of the
+                       // area without holes
   Settings settings = {};
   Shown shown = {};
   Moved moved = {};
+  std::vector<Points> holes = {};  // each in either orientation
 };
+
+// The weight of the object with its cargo, of which all loads are. O(items).
+double total_weight(const Settings& settings);
 
 }  // namespace evenlift

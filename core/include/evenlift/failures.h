@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "evenlift/loads.h"
-#include "evenlift/polygon.h"
+#include "evenlift/polygon_with_holes.h"
 #include "evenlift/vec.h"
 
 namespace evenlift {
@@ -55,14 +55,14 @@ struct RestOfRobots {
 // failures_steady(). For m robots O(n log n + m n + m^2 log m), O(h n + m h n') for the coverage
 // (stability.h), O(m^3) for the margin, and for the least greatest load O(m^4) up to 65 robots, or
 // O(m^2) for each of about a hundred steps.
-std::vector<std::optional<RestOfRobots>> single_failures(const Polygon& polygon, const Vec2& centre,
-                                                         double weight,
+std::vector<std::optional<RestOfRobots>> single_failures(const PolygonWithHoles& object,
+                                                         const Vec2& centre, double weight,
                                                          const std::vector<Team>& teams,
                                                          double inside = 0);
 
 // The effect of one robot's failure, numbered as in find_robot() (loads.h). A fraction 1/m of the
 // cost of single_failures(), plus O(n log n + h n).
-std::optional<RestOfRobots> single_failure(const Polygon& polygon, const Vec2& centre,
+std::optional<RestOfRobots> single_failure(const PolygonWithHoles& object, const Vec2& centre,
                                            double weight, const std::vector<Team>& teams,
                                            std::size_t robot, double inside = 0);
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "evenlift/candidates.h"
-#include "evenlift/polygon.h"
+#include "evenlift/polygon_with_holes.h"
 #include "evenlift/swaps.h"
 
 namespace evenlift {
@@ -44,7 +44,7 @@ inline constexpr std::size_t most_candidates_proved = 160, most_candidates_bound
 // chords of its own, in O(n K^2 + K^3 teams). This gives a bound, and the best choice if the ends
 // belong to few enough chords. Beyond most_candidates_bounded the bound is the coverage of all
 // candidates, in O(n K) at worst.
-Optimum widest_choice(const Polygon& polygon, const Vec2& centre,
+Optimum widest_choice(const PolygonWithHoles& object, const Vec2& centre,
                       const std::vector<Candidate>& candidates, std::size_t teams,
                       const std::vector<std::uint32_t>& start, const Stop& stop = {},
                       const Stands* stands = nullptr);
@@ -71,7 +71,7 @@ struct FirmestChoice {
 // no choice is better. Nothing if `start` has no team or more than most_swapped_teams. With
 // `stands`, choices whose robots collide do not count.
 std::optional<FirmestChoice> firmest_choice(
-    const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
+    const PolygonWithHoles& object, const Vec2& centre, const std::vector<Candidate>& candidates,
     std::size_t teams, const std::vector<std::uint32_t>& start, const HoldRequirements& firm,
     const Optimum& widest, const Stands* stands = nullptr, std::uint64_t most = most_choices);
 

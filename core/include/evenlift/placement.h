@@ -10,7 +10,7 @@
 #include "evenlift/closure.h"
 #include "evenlift/document.h"
 #include "evenlift/loads.h"
-#include "evenlift/polygon.h"
+#include "evenlift/polygon_with_holes.h"
 #include "evenlift/result.h"
 #include "evenlift/stability.h"
 #include "evenlift/stands.h"
@@ -18,11 +18,14 @@
 namespace evenlift {
 
 struct Placement {
-  explicit Placement(Polygon placed) : polygon(std::move(placed)) {}
-  const Points& vertices() const { return polygon.vertices(); }  // as given
+  explicit Placement(PolygonWithHoles placed) : object(std::move(placed)) {}
+  const Polygon& polygon() const { return object.outline(); }
+  const Points& vertices() const { return polygon().vertices(); }  // as given
+  double weight() const { return total_weight(settings); }         // of which all loads are
 
-  Polygon polygon;
-  Vec2 centre_of_mass = Vec2::Zero();    // as given, or the centroid
+  PolygonWithHoles object;
+  Vec2 own_centre = Vec2::Zero();        // of the object alone: as given, or the centroid
+  Vec2 centre_of_mass = Vec2::Zero();    // C, of the object with its cargo
   Settings settings;                     // as given
   std::shared_ptr<const Stands> stands;  // null if robots are points that may stand anywhere
   std::vector<Candidate> candidates;     // in candidate order; found with every method
@@ -68,15 +71,15 @@ bool hold_clearly(const Placement& placement);
 
 // Checks the document and computes everything that is reported about it. The same document gives
 // the same bits on every platform. The errors are those of check_settings(), Polygon::create(),
-// check_centre_of_mass(), make_stands(), place_supports(), find_candidates() and check_swaps().
+// PolygonWithHoles::create(), check_centre_of_mass(), make_stands(), place_supports(), find_candidates() and check_swaps().
 // O(n log n + K log K) for K edge pairs, plus the cost of the stands (stands.h), the selection
 // (selection.h), the swaps (swaps.h) or the search for balanced robots (balanced.h), and O(n h)
 // for the coverage.
 Result<Placement> place(const Document& document, Effort effort = Effort::whole);
 
-// Places robots around a polygon that is already checked, for example after C or settings change.
+// Places robots around an object that is already checked, for example after C or settings change.
 // The check takes two thirds of the time for a coastline of 20,000 vertices.
-Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_mass,
+Result<Placement> place(PolygonWithHoles object, const std::optional<Vec2>& own_centre,
                         const Settings& settings, Effort effort = Effort::whole,
                         const Moved& moved = {});
 

@@ -16,7 +16,8 @@ enum class ErrorCode {
   bad_coordinate,       // not finite, beyond max_coordinate, or below min_coordinate and not 0
   repeated_vertex,      // two vertices at the same place
   no_area,              // all vertices on one line
-  edges_cross,          // edges cross, touch or overlap
+  edges_cross,          // edges cross, touch or overlap, also those of two rings
+  hole_outside,         // a hole outside the polygon, or in another hole
   object_too_small,     // the diagonal of the bounding box is below min_diagonal
   centre_outside_hull,  // C not strictly inside the convex hull of P
   bad_setting,          // a setting outside its range
@@ -32,13 +33,16 @@ enum class ErrorCode {
 // A place in the input. `index` counts vertices and edges from 0 (edge i runs from vertex i to
 // vertex i + 1), and lines, columns and the characters of a link from 1; 0 means the link as a
 // whole. `other` is the second vertex or edge of a pair, with index < other, or the column in a
-// line, in characters. Otherwise it equals `index` or 0.
+// line, in characters. Otherwise it equals `index` or 0. `ring` and `other_ring` are the rings of
+// the two: 0 is the outline, and k the hole with the number k, counted from 1. Of two rings the
+// later comes first, whatever the indices.
 struct Place {
-  enum class Kind { nowhere, line, vertex, edge, centre_of_mass, option, link };
+  enum class Kind { nowhere, line, vertex, edge, hole, centre_of_mass, option, link };
   Kind kind = Kind::nowhere;
   std::size_t index = 0;
   std::size_t other = 0;
   std::string option;  // for Kind::option: the setting's name as in JSON ("min_ratio")
+  std::size_t ring = 0, other_ring = 0;
 };
 
 struct InputError {
@@ -51,7 +55,8 @@ struct InputError {
 InputError bad_setting(std::string name, std::string why);
 
 // The place in words: "vertex 3", "edges 2 and 7", "line 4, column 2", "centre of mass", "link,
-// character 5", or the name of an option; empty for `nowhere`. Here vertices and edges count from
+// character 5", "hole 2, edge 3 and the outline's edge 5", or the name of an option; empty for
+// `nowhere`. Here vertices and edges count from
 // 1. O(1).
 std::string describe(const Place& place);
 

@@ -7,6 +7,7 @@
 
 #include "evenlift/candidates.h"
 #include "evenlift/document.h"
+#include "evenlift/polygon_with_holes.h"
 #include "evenlift/stands.h"
 
 namespace evenlift {
@@ -35,7 +36,7 @@ enum class Rule : std::uint8_t {
 // An end is evaluated only if its edge of H has changed and its upper bound could still win. Once
 // no candidate widens H, all further teams together cost O(K log K). With `stands`, candidates that
 // collide with an earlier team are skipped.
-std::vector<std::uint32_t> select_teams(const Polygon& polygon, const Vec2& centre,
+std::vector<std::uint32_t> select_teams(const PolygonWithHoles& object, const Vec2& centre,
                                         const std::vector<Candidate>& candidates, Metric metric,
                                         std::size_t teams, FirstTeam first = FirstTeam::even,
                                         const Stands* stands = nullptr);
@@ -43,7 +44,7 @@ std::vector<std::uint32_t> select_teams(const Polygon& polygon, const Vec2& cent
 // The score of every candidate against the lifting base of the teams selected so far (at least
 // one): the value that select_teams() maximizes. Scores by area and circle are in squared units of
 // length, scores by distance in units of length. Too slow for anything but explanations: O(K n).
-std::vector<double> scores(const Polygon& polygon, const Vec2& centre,
+std::vector<double> scores(const PolygonWithHoles& object, const Vec2& centre,
                            const std::vector<Candidate>& candidates,
                            const std::vector<std::uint32_t>& selected, Metric metric);
 

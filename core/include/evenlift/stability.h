@@ -7,7 +7,7 @@
 
 #include "evenlift/chords.h"
 #include "evenlift/hull.h"
-#include "evenlift/polygon.h"
+#include "evenlift/polygon_with_holes.h"
 #include "evenlift/vec.h"
 
 namespace evenlift {
@@ -16,16 +16,16 @@ namespace evenlift {
 // without corners that only rounding makes (hull.h). O(m log m).
 Points lifting_base(const Polygon& polygon, const std::vector<LiftingPoint>& points);
 
-// The share of the polygon that lies in H, area(P and H) / area(P), in [0, 1]; 0 if H has no area.
-// `hull` must come from convex_hull. O(n h) for h corners.
-double coverage(const Polygon& polygon, const Points& hull);
+// The share of the object that lies in H, area(A and H) / area(A), in [0, 1]; 0 if H has no area. A
+// is the polygon without its holes. `hull` must come from convex_hull. O(n h) for h corners.
+double coverage(const PolygonWithHoles& object, const Points& hull);
 
-// Computes the coverage of hulls that all lie within one outer hull. The polygon is clipped by the
+// Computes the coverage of hulls that all lie within one outer hull. The object is clipped by the
 // outer hull first, which often leaves few vertices.
 class CoverageWithin {
  public:
   // `outer` must come from convex_hull and have an area. O(n h).
-  CoverageWithin(const Polygon& polygon, const Points& outer);
+  CoverageWithin(const PolygonWithHoles& object, const Points& outer);
 
   // Equals coverage(), up to rounding. O(n' h) for n' vertices of the part within the outer hull.
   double of(const Points& hull) const;
@@ -33,7 +33,7 @@ class CoverageWithin {
  private:
   Vec2 origin_;
   Points part_;  // relative to the origin
-  double area_;  // of the polygon
+  double area_;  // of the object
 };
 
 // The least downward force at q that tips an object of weight `weight`, carried at the corners of

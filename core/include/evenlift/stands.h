@@ -14,7 +14,7 @@
 
 #include "evenlift/chords.h"
 #include "evenlift/document.h"
-#include "evenlift/polygon.h"
+#include "evenlift/polygon_with_holes.h"
 #include "evenlift/result.h"
 
 namespace evenlift {
@@ -26,6 +26,7 @@ enum class WhyUnusable : std::uint8_t {
   arm,         // the arm would cross the object
   corner,      // the hand would stick out beyond a corner (Polygon::is_corner)
   hand,        // the object is not deep or wide enough for the hand
+  hole,        // the hand would reach into a hole
   near_no_go,  // the hand would reach sideways onto a no-go part
   narrow,      // the rest between two other parts is shorter than the tolerance; keep it last
 };
@@ -69,7 +70,8 @@ class Stands {
   // The size and the parts must be in their ranges, and the edges must exist. A tree of boxes finds
   // the other edges near each edge. O(n log n + k log k) for k pairs of edges so close that one may
   // obstruct a robot at the other, if the outline does not wind much.
-  Stands(const Polygon& polygon, const RobotSize& robot, const std::vector<EdgePart>& no_go);
+  Stands(const PolygonWithHoles& object, const RobotSize& robot,
+         const std::vector<EdgePart>& no_go);
 
   const RobotSize& robot() const { return robot_; }
   // Whether a robot is more than a point.
@@ -138,7 +140,8 @@ bool stands_anywhere(const Settings& settings);
 // The stands for these settings; null if robots are points that may stand anywhere. An error if an
 // edge of no_go does not exist, or if a method would have to find places where no robot could stand
 // anywhere. Costs as much as Stands.
-Result<std::shared_ptr<const Stands>> make_stands(const Polygon& polygon, const Settings& settings);
+Result<std::shared_ptr<const Stands>> make_stands(const PolygonWithHoles& object,
+                                                  const Settings& settings);
 
 // The no-go parts when the user marks or edits the outline by hand. Results are in order and do not
 // overlap; `at` is a place on an edge as a fraction of its length. O(parts log parts).

@@ -22,7 +22,7 @@
 #include "evenlift/balanced.h"
 #include "evenlift/chords.h"
 #include "evenlift/document.h"
-#include "evenlift/polygon.h"
+#include "evenlift/polygon_with_holes.h"
 #include "evenlift/result.h"
 #include "evenlift/stands.h"
 
@@ -37,26 +37,27 @@ double snap_distance(const Polygon& polygon, const Settings& settings);
 // Finds the place of supports one by one.
 class SupportPlacer {
  public:
-  // The polygon must outlive it. O(1).
-  SupportPlacer(const Polygon& polygon, const Settings& settings);
+  // The object must outlive it. O(1).
+  SupportPlacer(const PolygonWithHoles& object, const Settings& settings);
 
   // The contact of a support at the edge, or its place with the edge `beneath` (chords.h). Nothing
-  // if it is outside the object by more than the snap distance; whether it is inside is decided
-  // exactly. O(n).
+  // if it is outside the outline by more than the snap distance, or in a hole; whether it is inside
+  // is decided exactly. O(n).
   std::optional<LiftingPoint> place(const Vec2& support) const;
 
   // The distance of a point from the outline. O(n).
   double distance(const Vec2& point) const;
 
  private:
-  const Polygon& polygon_;
+  const PolygonWithHoles& object_;
   double snap_;
 };
 
-// The places of all supports in the settings, in order. An error if a support is outside the object
+// The places of all supports in the settings, in order. An error if a support is outside the object or in a hole,
 // or a coordinate is below min_coordinate in size and not 0; its place names the support, counted from 0,
 // as "supports[3]". O(n) for each.
-Result<std::vector<LiftingPoint>> place_supports(const Polygon& polygon, const Settings& settings);
+Result<std::vector<LiftingPoint>> place_supports(const PolygonWithHoles& object,
+                                                 const Settings& settings);
 
 // The place on the outline where one more robot adds most to the area of the lifting base: a vertex,
 // the first of equal ones. If none adds anything, the middle of the edge that is farthest from all

@@ -29,7 +29,7 @@
 #include "evenlift/candidates.h"
 #include "evenlift/closure.h"
 #include "evenlift/document.h"
-#include "evenlift/polygon.h"
+#include "evenlift/polygon_with_holes.h"
 #include "evenlift/result.h"
 
 namespace evenlift {
@@ -55,7 +55,7 @@ std::optional<HoldKey> better_by(const HoldKeys& a, const HoldKeys& b);
 // The keys of the teams on the candidates `taken`, at most most_swapped_teams. With `stands` the
 // robots have a size, and hold the object where they touch it. O(n log n + K log n), and O(n) for
 // each corner of H at worst.
-HoldKeys hold_keys(const Polygon& polygon, const Vec2& centre,
+HoldKeys hold_keys(const PolygonWithHoles& object, const Vec2& centre,
                    const std::vector<Candidate>& candidates,
                    const std::vector<std::uint32_t>& taken, const HoldRequirements& firm,
                    const Stands* stands = nullptr);
@@ -94,13 +94,13 @@ std::optional<InputError> check_swaps(std::size_t candidates, std::size_t teams,
 // robots do not collide are tried. For t teams among K candidates at most 4 t rounds of O(t K)
 // swaps, few of which need more than a bound; and where the level stays below 3, the same again for
 // t - 1 teams, and so on, so that there are O(t^2) rounds at worst. check_swaps() must allow them.
-SwapHistory swap_teams(const Polygon& polygon, const Vec2& centre,
+SwapHistory swap_teams(const PolygonWithHoles& object, const Vec2& centre,
                        const std::vector<Candidate>& candidates, std::vector<std::uint32_t> start,
                        const HoldRequirements& firm, const Stands* stands = nullptr);
 
 // The best swap of one given team; nothing if none makes the choice better. Like one round of
 // swap_teams(), but for one team.
-std::optional<Swap> best_swap_of(const Polygon& polygon, const Vec2& centre,
+std::optional<Swap> best_swap_of(const PolygonWithHoles& object, const Vec2& centre,
                                  const std::vector<Candidate>& candidates,
                                  const std::vector<std::uint32_t>& taken, std::uint32_t team,
                                  const HoldRequirements& firm, const Stands* stands = nullptr);
@@ -108,7 +108,7 @@ std::optional<Swap> best_swap_of(const Polygon& polygon, const Vec2& centre,
 // The teams for these settings, whose method must choose among candidates. They are selected
 // (selection.h) and, if the goal is to hold, swapped; in that case check_swaps() must allow the
 // swaps. Returns indices into `candidates`.
-std::vector<std::uint32_t> choose_candidates(const Polygon& polygon, const Vec2& centre,
+std::vector<std::uint32_t> choose_candidates(const PolygonWithHoles& object, const Vec2& centre,
                                              const std::vector<Candidate>& candidates,
                                              const Settings& settings, std::size_t teams,
                                              const Stands* stands = nullptr);

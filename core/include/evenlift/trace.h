@@ -131,8 +131,10 @@ struct Step {
 inline constexpr std::uint32_t max_trace_steps = 1u << 20;
 
 struct Trace {
+  const PolygonWithHoles& object() const { return placement.object; }
+  const Polygon& polygon() const { return placement.polygon(); }
+
   Placement placement;
-  Polygon polygon;
   Vec2 centre = Vec2::Zero();  // the placement's centre of mass
   Units units;                 // for captions; they change no number
 

@@ -32,14 +32,14 @@ Points row_of(const Points& polygon, double from, double to) {
 
 }  // namespace
 
-CoarseCover::CoarseCover(const Polygon& polygon, const Vec2& centre) {
-  const Box box = bounding_box(polygon.vertices());
+CoarseCover::CoarseCover(const PolygonWithHoles& object, const Vec2& centre) {
+  const Box box = bounding_box(object.outline().vertices());
   low_ = box.low - centre;
   scale_ = static_cast<double>(cells) * box.size().cwiseInverse();
   Points in_cells;
-  for (const Vec2& v : polygon.vertices())
+  for (const Vec2& v : object.boundary())
     in_cells.push_back((v - centre - low_).cwiseProduct(scale_));
-  const double whole = polygon.area() * scale_.x() * scale_.y();
+  const double whole = object.area() * scale_.x() * scale_.y();
   for (std::size_t row = 0; row < cells; ++row) {
     const auto y = static_cast<double>(row);
     const Points part = row_of(in_cells, y, y + 1);

@@ -1,4 +1,4 @@
-// An upper bound of the coverage, from the part of P in each cell of a grid. Nearly all sets are
+// An upper bound of the coverage, from the part of the object in each cell of a grid. Nearly all sets are
 // worse than the best one by more than the error of this bound, and need no exact coverage.
 #pragma once
 
@@ -6,14 +6,14 @@
 #include <cstddef>
 
 #include "balanced/small_hull.h"
-#include "evenlift/polygon.h"
+#include "evenlift/polygon_with_holes.h"
 
 namespace evenlift::balanced {
 
 class CoarseCover {
  public:
   // O(n) for each row of the grid.
-  CoarseCover(const Polygon& polygon, const Vec2& centre);
+  CoarseCover(const PolygonWithHoles& object, const Vec2& centre);
 
   // An upper bound of the coverage of H: each cell that H meets counts in full. O(h) and the rows.
   double most(const SmallHull& hull) const;
@@ -30,7 +30,7 @@ class CoarseCover {
   static void widen(Rows& rows, const Vec2& a, const Vec2& b);
 
   Vec2 low_, scale_;  // relative to C; cells per unit of length
-  // The part of P in the cells of a row before each column, as a share of P.
+  // The part of the object in the cells of a row before each column, as a share of it.
   std::array<std::array<double, cells + 1>, cells> before_{};
 };
 

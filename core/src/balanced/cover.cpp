@@ -7,14 +7,14 @@
 
 namespace evenlift::balanced {
 
-// The intersection of P and H has the area of a closed curve: the outline of P, with all parts
+// The intersection of the object and H has the area of a closed curve: the boundary of the object, with all parts
 // outside H pulled along the rays to C onto the boundary of H. A part inside H adds the triangle
 // that it spans with C. A part outside adds the sector of H between the directions of its ends. All
 // points are relative to C.
 class Cover::Sum {
  public:
   Sum(const Cover& cover, const SmallHull& hull)
-      : cover_(cover), polygon_(cover.polygon_), hull_(hull) {
+      : cover_(cover), boundary_(cover.object_.boundary()), hull_(hull) {
     for (std::size_t i = 0; i < hull.size; ++i) {
       const Vec2 &a = hull.corners[i], along = next_corner(i) - a;
       normals_[i] = {along.y(), -along.x()};
@@ -42,7 +42,7 @@ class Cover::Sum {
     return hull_.corners[i + 1 == hull_.size ? 0 : i + 1];
   }
 
-  Vec2 vertex(std::size_t i) const { return polygon_.vertex(i) - cover_.centre_; }
+  Vec2 vertex(std::size_t i) const { return boundary_[i] - cover_.centre_; }
 
   Side side_of(const Box& box) const {
     const Vec2 middle = (box.low + box.high) / 2 - cover_.centre_, half = (box.high - box.low) / 2;
@@ -76,7 +76,9 @@ class Cover::Sum {
       add_edge(vertex(edge), end_of(edge));
   }
 
-  Vec2 end_of(std::uint32_t edge) const { return vertex(polygon_.next(edge)); }
+  Vec2 end_of(std::uint32_t edge) const {
+    return vertex(edge + 1 == boundary_.size() ? 0 : edge + 1);
+  }
 
   // The part of the edge in H is from a + enter (b - a) to a + leave (b - a).
   void add_edge(const Vec2& a, const Vec2& b) {
@@ -120,7 +122,7 @@ class Cover::Sum {
   }
 
   const Cover& cover_;
-  const Polygon& polygon_;
+  const Points& boundary_;
   const SmallHull& hull_;
   std::array<Vec2, most_robots> normals_;  // of the sides of H, outward
   std::array<double, most_robots> bounds_{};
@@ -130,17 +132,16 @@ class Cover::Sum {
   double before_last_ = 0;
 };
 
-Cover::Cover(const Polygon& polygon, const Vec2& centre)
-    : polygon_(polygon), centre_(centre), tree_(polygon), doubled_areas_{0} {
-  for (std::size_t edge = 0; edge < polygon.size(); ++edge)
-    doubled_areas_.push_back(doubled_areas_.back() + cross(polygon.edge_start(edge) - centre,
-                                                           polygon.edge_end(edge) - centre));
+Cover::Cover(const PolygonWithHoles& object, const Vec2& centre)
+    : object_(object), centre_(centre), tree_(edges_of(object.boundary())), doubled_areas_{0} {
+  for (const LineEnds& edge : edges_of(object.boundary()))
+    doubled_areas_.push_back(doubled_areas_.back() + cross(edge.start - centre, edge.end - centre));
 }
 
 double Cover::of(const SmallHull& hull) const {
   Sum sum(*this, hull);
   if (!sum.is_sound()) return 0;
-  return std::clamp(sum.area() / polygon_.area(), 0.0, 1.0);
+  return std::clamp(sum.area() / object_.area(), 0.0, 1.0);
 }
 
 }  // namespace evenlift::balanced

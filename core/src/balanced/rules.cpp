@@ -26,16 +26,17 @@ int compare_places(const std::vector<double>& a, const std::vector<double>& b, d
 
 // The stands for the settings. If no robot fits, or an edge does not exist, place() has already
 // reported the error.
-std::shared_ptr<const Stands> room_of(const Polygon& polygon, const Settings& settings) {
-  auto room = make_stands(polygon, settings);
+std::shared_ptr<const Stands> room_of(const PolygonWithHoles& object, const Settings& settings) {
+  auto room = make_stands(object, settings);
   return room ? *std::move(room) : nullptr;
 }
 
 // The work of a completion. On a winding outline, the coverage of a set is summed along the whole
 // outline.
-std::uint64_t work_on(const Polygon& polygon, const EvenChords& chords, const Vec2& centre) {
+std::uint64_t work_on(const PolygonWithHoles& object, const EvenChords& chords,
+                      const Vec2& centre) {
   constexpr std::size_t few_vertices = 1000, most_counted = 100'000, for_one = 100;
-  if (polygon.size() <= few_vertices) return 0;
+  if (object.boundary().size() <= few_vertices) return 0;
   return 1 + chords.count_about(centre, most_counted) / for_one;
 }
 
@@ -51,24 +52,24 @@ void RatedSet::begin(std::uint32_t pairs) {
   places.reset();
 }
 
-Rules::Rules(Polygon polygon, const Vec2& centre, const Settings& settings)
-    : polygon_(std::move(polygon)),
+Rules::Rules(PolygonWithHoles object, const Vec2& centre, const Settings& settings)
+    : object_(std::move(object)),
       centre_(centre),
       robots_(settings.robots),
       holds_(goal_of(settings) == Goal::hold),
-      firm_(hold_requirements(polygon_, centre, settings)),
+      firm_(hold_requirements(object_, centre, settings)),
       survive_(static_cast<int>(settings.survive)),
-      room_(room_of(polygon_, settings)),
-      outline_(polygon_, centre),
+      room_(room_of(object_, settings)),
+      outline_(object_, centre),
       stands_(outline_.stands(room_.get())),
       triples_(triples_of(settings.robots)),
-      chords_(polygon_, room_.get(), outline_.edges()),
-      work_of_completion_(work_on(polygon_, chords_, centre)),
-      coarse_cover_(polygon_, centre),
-      cover_(polygon_, centre),
-      margins_(polygon_, centre, firm_.clear) {
-  const double apart = settings.apart.value_or(usual_apart * farthest_vertex(polygon_, centre));
-  const double near = std::max(0.0, apart - near_distance(polygon_.diameter()));
+      chords_(polygon(), room_.get(), outline_.edges()),
+      work_of_completion_(work_on(object_, chords_, centre)),
+      coarse_cover_(object_, centre),
+      cover_(object_, centre),
+      margins_(object_, centre, firm_.clear) {
+  const double apart = settings.apart.value_or(usual_apart * farthest_vertex(object_, centre));
+  const double near = std::max(0.0, apart - near_distance(polygon().diameter()));
   near_square_ = near * near;
 }
 
@@ -98,7 +99,7 @@ std::uint32_t Rules::near_pairs(const std::vector<LiftingPoint>& robots) const {
 int Rules::steady(RatedSet& set) const {
   if (!set.steady)
     set.steady = std::min(survive_, failures_steady(positions(set.robots), centre_,
-                                                    polygon_.diameter(), firm_.clear));
+                                                    polygon().diameter(), firm_.clear));
   return *set.steady;
 }
 
@@ -117,7 +118,7 @@ const SmallHull& Rules::hull(RatedSet& set) const {
 // Whether the coverage is certainly below a bound.
 bool Rules::covers_less(RatedSet& set, double bound) const {
   constexpr double rounding = 1 + 1e-12;
-  return rounding * hull(set).area / polygon_.area() < bound ||
+  return rounding * hull(set).area / object_.area() < bound ||
          coarse_cover_.most(hull(set)) < bound || coverage(set) < bound;
 }
 

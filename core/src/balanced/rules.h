@@ -36,11 +36,11 @@ struct RatedSet {
 
 class Rules {
  public:
-  Rules(Polygon polygon, const Vec2& centre, const Settings& settings);
+  Rules(PolygonWithHoles object, const Vec2& centre, const Settings& settings);
   Rules(const Rules&) = delete;
   Rules& operator=(const Rules&) = delete;
 
-  const Polygon& polygon() const { return polygon_; }
+  const Polygon& polygon() const { return object_.outline(); }
   const Vec2& centre() const { return centre_; }
   std::uint32_t robots() const { return robots_; }
   const EvenChords& chords() const { return chords_; }
@@ -104,7 +104,7 @@ class Rules {
   };
   Decision decide(RatedSet& a, RatedSet& b) const;
 
-  Polygon polygon_;
+  PolygonWithHoles object_;
   Vec2 centre_;
   std::uint32_t robots_;
   bool holds_;  // whether the goal is hold

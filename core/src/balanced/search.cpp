@@ -55,8 +55,9 @@ BalancedSearch ended(const Rules& rules, BalancedSearch search) {
 
 }  // namespace
 
-BalancedProblem::BalancedProblem(Polygon polygon, const Vec2& centre, const Settings& settings)
-    : rules_(std::make_shared<const Rules>(std::move(polygon), centre, settings)) {}
+BalancedProblem::BalancedProblem(PolygonWithHoles object, const Vec2& centre,
+                                 const Settings& settings)
+    : rules_(std::make_shared<const Rules>(std::move(object), centre, settings)) {}
 
 BalancedKeys balanced_keys(const BalancedProblem& problem,
                            const std::vector<LiftingPoint>& robots) {

@@ -2,6 +2,12 @@
 
 namespace evenlift {
 
+double total_weight(const Settings& settings) {
+  double weight = settings.weight;
+  for (const Cargo& item : settings.cargo) weight += item.weight;
+  return weight;
+}
+
 std::string_view name(Method method) {
   switch (method) {
     case Method::area:

@@ -24,11 +24,11 @@ double segment_tipping_force(const Points& hull, const Vec2& centre, double weig
   return std::numeric_limits<double>::infinity();
 }
 
-// Coordinates are relative to a corner of H, so that a polygon far from the origin loses no digits.
-Points relative_to(const Vec2& origin, const Polygon& polygon) {
+// Coordinates are relative to a corner of H, so that an object far from the origin loses no digits.
+Points relative_to(const Vec2& origin, const PolygonWithHoles& object) {
   Points ring;
-  ring.reserve(polygon.size());
-  for (const Vec2& v : polygon.vertices()) ring.push_back(v - origin);
+  ring.reserve(object.boundary().size());
+  for (const Vec2& v : object.boundary()) ring.push_back(v - origin);
   return ring;
 }
 
@@ -52,16 +52,16 @@ Points lifting_base(const Polygon& polygon, const std::vector<LiftingPoint>& poi
   return convex_hull(positions(points), near_distance(polygon.diameter()));
 }
 
-double coverage(const Polygon& polygon, const Points& hull) {
+double coverage(const PolygonWithHoles& object, const Points& hull) {
   if (hull.size() < 3) return 0;
   const Vec2& origin = hull.front();
-  return share_of(polygon.area(), part_within(relative_to(origin, polygon), hull, origin));
+  return share_of(object.area(), part_within(relative_to(origin, object), hull, origin));
 }
 
-CoverageWithin::CoverageWithin(const Polygon& polygon, const Points& outer)
+CoverageWithin::CoverageWithin(const PolygonWithHoles& object, const Points& outer)
     : origin_(outer.front()),
-      part_(part_within(relative_to(origin_, polygon), outer, origin_)),
-      area_(polygon.area()) {}
+      part_(part_within(relative_to(origin_, object), outer, origin_)),
+      area_(object.area()) {}
 
 double CoverageWithin::of(const Points& hull) const {
   return hull.size() < 3 ? 0 : share_of(area_, part_within(part_, hull, origin_));

@@ -50,9 +50,9 @@ struct Absence {
   }
   std::string operator()(const at::Vertex& address) const {
     const std::string vertex = std::to_string(address.vertex + 1);
-    if (address.vertex >= trace.polygon.size())
+    if (address.vertex >= trace.polygon().size())
       return "there is no vertex " + vertex + ": the polygon has " +
-             std::to_string(trace.polygon.size()) + " vertices";
+             std::to_string(trace.polygon().size()) + " vertices";
     return "there is no ray from vertex " + vertex + " with these settings";
   }
   std::string operator()(const at::Edges& address) const {

@@ -29,9 +29,9 @@ std::vector<LiftingPoint> robots_of(const std::vector<Candidate>& candidates,
   return robots;
 }
 
-double coverage_of(const Polygon& polygon, const std::vector<Candidate>& candidates,
+double coverage_of(const PolygonWithHoles& object, const std::vector<Candidate>& candidates,
                    const std::vector<std::uint32_t>& taken) {
-  return coverage(polygon, lifting_base(polygon, robots_of(candidates, taken)));
+  return coverage(object, lifting_base(object, robots_of(candidates, taken)));
 }
 
 // The chords of the ends, filled up to `teams` chords: first from the start, then with any others.
@@ -52,9 +52,9 @@ std::vector<std::uint32_t> chords_of(const Triangles& triangles, const Ring& rin
 
 class Widest {
  public:
-  Widest(const Polygon& polygon, const std::vector<Candidate>& candidates, std::size_t teams,
-         std::vector<std::uint32_t> start, const Stands* stands)
-      : polygon_(polygon),
+  Widest(const PolygonWithHoles& object, const std::vector<Candidate>& candidates,
+         std::size_t teams, std::vector<std::uint32_t> start, const Stands* stands)
+      : object_(object),
         candidates_(candidates),
         teams_(teams),
         start_(std::move(start)),
@@ -67,7 +67,7 @@ class Widest {
     if (start_.size() >= candidates_.size() || teams_ == 0) {
       best_.bound = best_.coverage;
     } else if (candidates_.size() <= most_candidates_bounded) {
-      bound_by_rings(Triangles(polygon_, centre, candidates_), stop);
+      bound_by_rings(Triangles(object_, centre, candidates_), stop);
     }
     best_.proved = best_.coverage >= best_.bound - coverage_tie;
   }
@@ -77,7 +77,7 @@ class Widest {
  private:
   void take(std::vector<std::uint32_t> chords) {
     if (stands_ && stands_->any_collide(robots_of(candidates_, chords))) return;
-    const double covers = coverage_of(polygon_, candidates_, chords);
+    const double covers = coverage_of(object_, candidates_, chords);
     if (!best_.taken.empty() && covers <= best_.coverage) return;
     std::sort(chords.begin(), chords.end());
     best_.taken = std::move(chords);
@@ -88,7 +88,7 @@ class Widest {
   void bound_by_all() {
     std::vector<std::uint32_t> all;
     for (std::uint32_t i = 0; i < candidates_.size(); ++i) all.push_back(i);
-    best_.bound = coverage_of(polygon_, candidates_, all) + rounding;
+    best_.bound = coverage_of(object_, candidates_, all) + rounding;
   }
 
   void bound_by_rings(const Triangles& triangles, const Stop& stop) {
@@ -108,7 +108,7 @@ class Widest {
     best_.bound = std::max(best_.bound, best_.coverage);
   }
 
-  const Polygon& polygon_;
+  const PolygonWithHoles& object_;
   const std::vector<Candidate>& candidates_;
   std::size_t teams_;
   std::vector<std::uint32_t> start_;
@@ -143,14 +143,15 @@ std::uint64_t count_choices(std::size_t all, std::size_t size, std::uint64_t lim
 // Searches for the best choice by all keys.
 class Firmest {
  public:
-  Firmest(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
-          const HoldRequirements& firm, const Stands* stands)
-      : polygon_(polygon),
+  Firmest(const PolygonWithHoles& object, const Vec2& centre,
+          const std::vector<Candidate>& candidates, const HoldRequirements& firm,
+          const Stands* stands)
+      : object_(object),
         centre_(centre),
         candidates_(candidates),
         firm_(firm),
         stands_(stands),
-        choices_(polygon, centre, candidates, firm, stands) {}
+        choices_(object, centre, candidates, firm, stands) {}
 
   HoldKeys keys_of(const std::vector<std::uint32_t>& taken) const {
     return choices_.keys_of(choices_.part_of(taken));
@@ -190,7 +191,7 @@ class Firmest {
     if (widest.taken.size() == best.taken.size()) starts.push_back(widest.taken);
     for (const std::vector<std::uint32_t>& start : starts) {
       if (check_swaps(candidates_.size(), start.size(), stands_)) continue;
-      const SwapHistory history = swap_teams(polygon_, centre_, candidates_, start, firm_, stands_);
+      const SwapHistory history = swap_teams(object_, centre_, candidates_, start, firm_, stands_);
       const HoldKeys keys = keys_of(history.taken());
       if (better_by(keys, best.keys)) {
         best.taken = history.taken();
@@ -217,12 +218,12 @@ class Firmest {
     std::vector<std::uint32_t> all;
     for (std::uint32_t i = 0; i < candidates_.size(); ++i) all.push_back(i);
     const auto touching = contact_points(stands_, robots_of(candidates_, all));
-    const auto counted = clear_contacts(polygon_, contacts(polygon_, touching), firm_.clear);
-    const auto margin = analyse_hold(polygon_, centre_, counted).margin;
+    const auto counted = clear_contacts(object_, contacts(object_, touching), firm_.clear);
+    const auto margin = analyse_hold(object_, centre_, counted).margin;
     return margin ? std::optional(*margin + tau) : std::nullopt;
   }
 
-  const Polygon& polygon_;
+  const PolygonWithHoles& object_;
   Vec2 centre_;
   const std::vector<Candidate>& candidates_;
   HoldRequirements firm_;
@@ -232,23 +233,23 @@ class Firmest {
 
 }  // namespace
 
-Optimum widest_choice(const Polygon& polygon, const Vec2& centre,
+Optimum widest_choice(const PolygonWithHoles& object, const Vec2& centre,
                       const std::vector<Candidate>& candidates, std::size_t teams,
                       const std::vector<std::uint32_t>& start, const Stop& stop,
                       const Stands* stands) {
-  Widest widest(polygon, candidates, std::min(teams, candidates.size()), start, stands);
+  Widest widest(object, candidates, std::min(teams, candidates.size()), start, stands);
   widest.search(centre, stop);
   return std::move(widest).result();
 }
 
-std::optional<FirmestChoice> firmest_choice(const Polygon& polygon, const Vec2& centre,
+std::optional<FirmestChoice> firmest_choice(const PolygonWithHoles& object, const Vec2& centre,
                                             const std::vector<Candidate>& candidates,
                                             std::size_t teams,
                                             const std::vector<std::uint32_t>& start,
                                             const HoldRequirements& firm, const Optimum& widest,
                                             const Stands* stands, std::uint64_t most) {
   if (start.empty() || start.size() > most_swapped_teams) return std::nullopt;
-  Firmest firmest(polygon, centre, candidates, firm, stands);
+  Firmest firmest(object, centre, candidates, firm, stands);
   FirmestChoice best;
   best.taken = start;
   best.keys = firmest.keys_of(start);

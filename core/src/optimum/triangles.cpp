@@ -16,11 +16,11 @@ double area_within(const Points& ring, const Vec2& a, const Vec2& b) {
 
 }  // namespace
 
-Triangles::Triangles(const Polygon& polygon, const Vec2& centre,
+Triangles::Triangles(const PolygonWithHoles& object, const Vec2& centre,
                      const std::vector<Candidate>& candidates)
     : chords_(static_cast<std::uint32_t>(candidates.size())) {
   Points ring, ends(2 * candidates.size());
-  for (const Vec2& v : polygon.vertices()) ring.push_back(v - centre);
+  for (const Vec2& v : object.boundary()) ring.push_back(v - centre);
   for (std::uint32_t i = 0; i < chords_; ++i) {
     ends[i] = candidates[i].chord.r2.position - centre;
     ends[chords_ + i] = candidates[i].chord.r1.position - centre;
@@ -29,7 +29,7 @@ Triangles::Triangles(const Polygon& polygon, const Vec2& centre,
   for (std::uint32_t from = 0; from < ends.size(); ++from)
     for (std::uint32_t steps = 1; steps < chords_; ++steps)
       shares_[from * (chords_ + std::size_t{1}) + steps] =
-          area_within(ring, ends[from], ends[(from + steps) % ends.size()]) / polygon.area();
+          area_within(ring, ends[from], ends[(from + steps) % ends.size()]) / object.area();
 }
 
 }  // namespace evenlift::optimum

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "evenlift/candidates.h"
-#include "evenlift/polygon.h"
+#include "evenlift/polygon_with_holes.h"
 
 namespace evenlift::optimum {
 
@@ -14,7 +14,8 @@ namespace evenlift::optimum {
 class Triangles {
  public:
   // O(n K^2).
-  Triangles(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates);
+  Triangles(const PolygonWithHoles& object, const Vec2& centre,
+            const std::vector<Candidate>& candidates);
 
   std::uint32_t chords() const { return chords_; }
   std::uint32_t ends() const { return 2 * chords_; }

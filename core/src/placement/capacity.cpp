@@ -44,8 +44,8 @@ class Growing {
 };
 
 CapacityPlan plan_by_candidates(const Placement& placement, double capacity) {
-  Growing growing(placement.settings.weight, capacity);
-  Selector selector(placement.polygon, placement.centre_of_mass, placement.candidates,
+  Growing growing(placement.weight(), capacity);
+  Selector selector(placement.object, placement.centre_of_mass, placement.candidates,
                     *metric_of(placement.settings.method), most_teams_for_capacity,
                     first_team(placement.settings.positions), placement.stands.get());
   while (growing.plan().tried < most_teams_for_capacity && selector.take_next())
@@ -60,7 +60,7 @@ std::uint32_t most_with_room(const Placement& placement) {
       std::min<std::size_t>(placement.candidates.size(), most_teams_tried(placement.settings));
   if (!placement.stands) return static_cast<std::uint32_t>(most);
   return static_cast<std::uint32_t>(
-      select_teams(placement.polygon, placement.centre_of_mass, placement.candidates,
+      select_teams(placement.object, placement.centre_of_mass, placement.candidates,
                    *metric_of(placement.settings.method), most,
                    first_team(placement.settings.positions), placement.stands.get())
           .size());
@@ -68,14 +68,14 @@ std::uint32_t most_with_room(const Placement& placement) {
 
 // With swaps, each number of teams needs its own choice.
 CapacityPlan plan_by_swap(const Placement& placement, double capacity) {
-  const double weight = placement.settings.weight;
+  const double weight = placement.weight();
   const auto& candidates = placement.candidates;
   const std::uint32_t most = most_with_room(placement);
   // A robot of even teams carries weight / (2 teams), so fewer teams are never enough.
   for (std::uint32_t teams = number_of_teams(weight / (2 * capacity)); teams <= most; ++teams) {
     if (check_swaps(candidates.size(), teams)) return {false, 0, 0, teams - 1, 2};
     const std::vector<std::uint32_t> chosen =
-        choose_candidates(placement.polygon, placement.centre_of_mass, candidates,
+        choose_candidates(placement.object, placement.centre_of_mass, candidates,
                           placement.settings, teams, placement.stands.get());
     double greatest = 0;
     for (const std::uint32_t i : chosen)
@@ -87,11 +87,11 @@ CapacityPlan plan_by_swap(const Placement& placement, double capacity) {
 
 CapacityPlan plan_at_random(const Placement& placement, double capacity) {
   const Settings& settings = placement.settings;
-  Growing growing(settings.weight, capacity);
+  Growing growing(total_weight(settings), capacity);
   // No robot carries more than its team, so this number is enough if it can be placed.
-  const std::uint32_t enough = number_of_teams(settings.weight / capacity + 1);
+  const std::uint32_t enough = number_of_teams(total_weight(settings) / capacity + 1);
   for (const Chord& chord :
-       random_teams(placement.polygon, placement.centre_of_mass, enough, settings.seed))
+       random_teams(placement.polygon(), placement.centre_of_mass, enough, settings.seed))
     if (growing.add(chord)) break;
   return growing.plan();
 }
@@ -112,9 +112,9 @@ CapacityPlan plan_among(const EqualAngles& angles, double weight, double capacit
 }
 
 CapacityPlan plan_at_equal_angles(const Placement& placement, double capacity) {
-  const EqualAngles angles(placement.polygon, placement.centre_of_mass);
+  const EqualAngles angles(placement.polygon(), placement.centre_of_mass);
   if (!angles.has_chords()) return {};
-  const double weight = placement.settings.weight;
+  const double weight = placement.weight();
   // A robot of even teams carries weight / (2 teams), so fewer teams are never enough. One sweep
   // tries several numbers at once. It begins with few, so that few beyond the least are tried.
   std::uint32_t first = number_of_teams(weight / (2 * capacity)), numbers = 8;
@@ -128,7 +128,7 @@ CapacityPlan plan_at_equal_angles(const Placement& placement, double capacity) {
 
 CapacityPlan plan_balanced(const Settings& settings, double capacity) {
   std::uint32_t robots = settings.survive > 0 ? 2 * settings.survive + 3 : least_robots;
-  const auto load = [&] { return settings.weight / robots; };
+  const auto load = [&] { return total_weight(settings) / robots; };
   while (robots < most_robots && load() > capacity) ++robots;
   if (load() > capacity) return {false, 0, 0, 1, most_robots};
   return {true, 1, load(), 1, robots};
@@ -184,10 +184,11 @@ std::vector<bool> overloads_after(const ShownPlacement& of,
 bool same_plan(const Placement& a, const Placement& b) {
   const Settings &s = a.settings, &t = b.settings;
   return s.method == t.method && s.min_ratio == t.min_ratio && s.weight == t.weight &&
-         s.seed == t.seed && s.survive == t.survive && s.positions == t.positions &&
-         goal_of(s) == goal_of(t) && s.min_margin == t.min_margin && s.clear == t.clear &&
-         s.apart == t.apart && s.robot == t.robot && s.no_go == t.no_go &&
-         a.centre_of_mass == b.centre_of_mass && a.vertices() == b.vertices();
+         s.cargo == t.cargo && s.seed == t.seed && s.survive == t.survive &&
+         s.positions == t.positions && goal_of(s) == goal_of(t) && s.min_margin == t.min_margin &&
+         s.clear == t.clear && s.apart == t.apart && s.robot == t.robot && s.no_go == t.no_go &&
+         a.centre_of_mass == b.centre_of_mass && a.vertices() == b.vertices() &&
+         a.object.rings_of_holes() == b.object.rings_of_holes();
 }
 
 std::uint32_t most_teams_tried(const Settings& settings) {

@@ -25,10 +25,11 @@ class Placer {
     std::vector<Chord> chords;
     switch (settings.method) {
       case Method::distributed:
-        chords = distributed_teams(placement_.polygon, placement_.centre_of_mass, number);
+        chords = distributed_teams(placement_.polygon(), placement_.centre_of_mass, number);
         break;
       case Method::random:
-        chords = random_teams(placement_.polygon, placement_.centre_of_mass, number, settings.seed);
+        chords =
+            random_teams(placement_.polygon(), placement_.centre_of_mass, number, settings.seed);
         break;
       case Method::balanced:
         return balanced(robots);
@@ -40,25 +41,25 @@ class Placer {
         chords = chords_of(placement_.candidates, chosen(number));
     }
     if (chords.size() < number) return {};
-    return distribute_weight(chords, settings.weight);
+    return distribute_weight(chords, total_weight(settings));
   }
 
  private:
   std::vector<Team> balanced(std::uint32_t robots) const {
     Settings settings = placement_.settings;
     settings.robots = robots;
-    const BalancedProblem problem(placement_.polygon, placement_.centre_of_mass, settings);
+    const BalancedProblem problem(placement_.object, placement_.centre_of_mass, settings);
     auto search = start_balanced(problem);
     if (!search) return {};
     return {share_evenly(finish_search(problem, *std::move(search)).robots,
-                         placement_.centre_of_mass, settings.weight)};
+                         placement_.centre_of_mass, total_weight(settings))};
   }
 
   // Without swaps, a smaller choice is the beginning of a larger one.
   std::vector<std::uint32_t> chosen(std::size_t number) {
     const bool swapped = swaps_teams(placement_.settings);
     if (swapped || chosen_.size() < number)
-      chosen_ = choose_candidates(placement_.polygon, placement_.centre_of_mass,
+      chosen_ = choose_candidates(placement_.object, placement_.centre_of_mass,
                                   placement_.candidates, placement_.settings,
                                   swapped ? number : 2 * number, placement_.stands.get());
     return {chosen_.begin(),
@@ -80,7 +81,7 @@ std::optional<double> greatest_of_all(const Placement& placement, const std::vec
     Points others = all;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(failed));
     const auto springs = spring_loads(others, placement.centre_of_mass,
-                                      placement.polygon.diameter(), placement.settings.weight);
+                                      placement.polygon().diameter(), placement.weight());
     if (!springs) return std::nullopt;
     greatest = std::max(greatest, *std::max_element(springs->loads.begin(), springs->loads.end()));
   }
@@ -89,7 +90,7 @@ std::optional<double> greatest_of_all(const Placement& placement, const std::vec
 
 // Robots that share the weight equally after one failure carry weight / (robots - 1).
 std::uint32_t least_that_may_do(const Settings& settings, double capacity, std::uint32_t most) {
-  const double number = std::ceil(settings.weight / capacity) + 1;
+  const double number = std::ceil(total_weight(settings) / capacity) + 1;
   const auto by_weight = static_cast<std::uint32_t>(std::clamp(number, 3.0, most + 1.0));
   const bool balanced = settings.method == Method::balanced;
   if (balanced && settings.survive > 0) return std::max(by_weight, 2 * settings.survive + 3);

@@ -46,7 +46,7 @@ EdgePoint edge_point(const Polygon& polygon, std::uint32_t edge, const Vec2& at)
 // --- Balanced robots
 
 LiftingPoint lifting_point(const Placement& placement, const EdgePoint& contact) {
-  const LiftingPoint touched{position_of(placement.polygon, contact), contact.edge};
+  const LiftingPoint touched{position_of(placement.polygon(), contact), contact.edge};
   return placement.stands ? placement.stands->lifting_point(touched) : touched;
 }
 
@@ -55,7 +55,7 @@ std::optional<InputError> check_balanced(const Placement& placement,
   Vec2 sum = Vec2::Zero();
   for (const LiftingPoint& robot : robots) sum += robot.position - placement.centre_of_mass;
   if (length(sum) >
-      near_distance(placement.polygon.diameter()) * static_cast<double>(robots.size()))
+      near_distance(placement.polygon().diameter()) * static_cast<double>(robots.size()))
     return refused("the centroid of the robots is not the centre of mass");
   const Stands* stands = placement.stands.get();
   if (!stands) return std::nullopt;
@@ -76,7 +76,7 @@ std::optional<InputError> move_balanced(Placement& placement,
     robots.push_back(lifting_point(placement, contact));
   }
   if (auto error = check_balanced(placement, robots)) return error;
-  placement.teams = {share_evenly(robots, placement.centre_of_mass, placement.settings.weight)};
+  placement.teams = {share_evenly(robots, placement.centre_of_mass, placement.weight())};
   placement.search_ended = true;
   return std::nullopt;
 }
@@ -141,8 +141,8 @@ std::optional<Turned> next_chord(const Placement& placement, const Turned& now,
   constexpr double rounding = 1e-12;
   double best = closeness(now.on_a - centre, direction) + rounding;
   std::optional<Turned> next;
-  const EdgesAt at_a = edges_at(placement.polygon, now.a, now.on_a),
-                at_b = edges_at(placement.polygon, now.b, now.on_b);
+  const EdgesAt at_a = edges_at(placement.polygon(), now.a, now.on_a),
+                at_b = edges_at(placement.polygon(), now.b, now.on_b);
   for (std::size_t i = 0; i < at_a.count; ++i)
     for (std::size_t k = 0; k < at_b.count; ++k) {
       auto turned = towards(placement, at_a.edges[i], at_b.edges[k], direction);
@@ -156,7 +156,7 @@ std::optional<Turned> next_chord(const Placement& placement, const Turned& now,
 
 // The record of a team's new chord. Its point is on the edge of the moved robot.
 MovedTeam kept(const Placement& placement, std::size_t team, const Turned& turned) {
-  return {static_cast<std::uint32_t>(team), edge_point(placement.polygon, turned.a, turned.on_a),
+  return {static_cast<std::uint32_t>(team), edge_point(placement.polygon(), turned.a, turned.on_a),
           turned.b};
 }
 
@@ -172,7 +172,7 @@ std::optional<InputError> move_team(const Placement& placement, const MovedTeam&
   std::optional<Turned> turned;
   if (length(direction) > 0 && moved.end.edge != moved.opposite)
     turned = towards(placement, moved.end.edge, moved.opposite, direction);
-  if (!turned || length(turned->on_a - at) > near_distance(placement.polygon.diameter()))
+  if (!turned || length(turned->on_a - at) > near_distance(placement.polygon().diameter()))
     return refused(numbered("team", moved.team) + " is outside its range there");
   chords[moved.team] = turned->chord;
   return std::nullopt;
@@ -185,7 +185,7 @@ std::optional<InputError> move_teams(Placement& placement, const std::vector<Mov
   for (const Team& team : placement.teams) chords.push_back(chord_of(team));
   for (const MovedTeam& moved : teams)
     if (auto error = move_team(placement, moved, chords)) return error;
-  placement.teams = distribute_weight(chords, placement.settings.weight);
+  placement.teams = distribute_weight(chords, placement.weight());
   if (placement.stands && placement.stands->any_collide(lifting_points(placement.teams)))
     return refused("two robots collide");
   placement.team_candidates.clear();
@@ -202,13 +202,13 @@ bool can_move_teams(const Placement& placement) {
 std::optional<Moved> moved_along_outline(const Placement& placement, std::size_t robot,
                                          const LiftingPoint& to) {
   if (placement.settings.method != Method::balanced || placement.teams.empty()) return std::nullopt;
-  const BalancedProblem problem(placement.polygon, placement.centre_of_mass, placement.settings);
+  const BalancedProblem problem(placement.object, placement.centre_of_mass, placement.settings);
   const auto robots = move_robot(problem, lifting_points(placement.teams), robot, to);
   if (!robots) return std::nullopt;
   Moved moved;
   for (const LiftingPoint& each : *robots)
     moved.robots.push_back(
-        edge_point(placement.polygon, each.edge,
+        edge_point(placement.polygon(), each.edge,
                    placement.stands ? placement.stands->contact(each) : each.position));
   return moved;
 }

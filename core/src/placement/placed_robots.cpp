@@ -11,7 +11,7 @@ Points positions_of_all(const Placement& placement) {
   return positions(lifting_points(placement.teams));
 }
 
-double diameter(const Placement& placement) { return placement.polygon.diameter(); }
+double diameter(const Placement& placement) { return placement.polygon().diameter(); }
 
 // The object's boundary, for the directions that robots face.
 class Outline {
@@ -95,7 +95,7 @@ std::vector<PlacedRobot> placed_robots(const Placement& placement) {
 std::optional<ModelLoads> model_loads(const Placement& placement) {
   const Points robots = positions_of_all(placement);
   const Vec2& centre = placement.centre_of_mass;
-  const double size = diameter(placement), weight = placement.settings.weight;
+  const double size = diameter(placement), weight = placement.weight();
   const auto springs = spring_loads(robots, centre, size, weight);
   const auto best = best_load(robots, centre, size, weight);
   const auto worst = worst_loads(robots, centre, size, weight);
@@ -127,7 +127,7 @@ bool loads_are_determined(const Placement& placement) {
 
 std::vector<Misfit> misfits(const Placement& placement) {
   if (placement.settings.method != Method::given) return {};
-  return misfits(placement.polygon, placement.stands.get(), lifting_points(placement.teams));
+  return misfits(placement.polygon(), placement.stands.get(), lifting_points(placement.teams));
 }
 
 Robustness robustness(const Placement& placement) {
@@ -140,12 +140,12 @@ Robustness robustness(const Placement& placement) {
 }
 
 std::vector<std::optional<RestOfRobots>> single_failures(const Placement& placement) {
-  return single_failures(placement.polygon, placement.centre_of_mass, placement.settings.weight,
+  return single_failures(placement.object, placement.centre_of_mass, placement.weight(),
                          placement.teams, hold_requirements(placement).clear);
 }
 
 std::optional<RestOfRobots> single_failure(const Placement& placement, std::size_t robot) {
-  return single_failure(placement.polygon, placement.centre_of_mass, placement.settings.weight,
+  return single_failure(placement.object, placement.centre_of_mass, placement.weight(),
                         placement.teams, robot, hold_requirements(placement).clear);
 }
 
@@ -153,8 +153,8 @@ std::optional<SpringLoads> springs_without(const Placement& placement, std::size
   Points others = positions_of_all(placement);
   const auto place = static_cast<std::ptrdiff_t>(robot);
   others.erase(others.begin() + place);
-  auto springs = spring_loads(others, placement.centre_of_mass, diameter(placement),
-                              placement.settings.weight);
+  auto springs =
+      spring_loads(others, placement.centre_of_mass, diameter(placement), placement.weight());
   if (!springs) return std::nullopt;
   springs->loads.insert(springs->loads.begin() + place, 0.0);
   springs->per_length.insert(springs->per_length.begin() + place, 0.0);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "evenlift/balanced.h"
+#include "evenlift/centre_of_mass.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/selection.h"
 #include "evenlift/settings.h"
@@ -23,10 +24,9 @@ bool reaches_goal(const Placement& placement) {
 
 // Fills in all values of a placement that follow from the lifting points.
 void describe_grasp(Placement& placement, const std::vector<LiftingPoint>& points) {
-  const Polygon& polygon = placement.polygon;
-  placement.lifting_base = lifting_base(polygon, points);
-  placement.coverage = coverage(polygon, placement.lifting_base);
-  placement.closure = analyse_closure(polygon, placement.centre_of_mass,
+  placement.lifting_base = lifting_base(placement.polygon(), points);
+  placement.coverage = coverage(placement.object, placement.lifting_base);
+  placement.closure = analyse_closure(placement.polygon(), placement.centre_of_mass,
                                       contact_points(placement.stands.get(), points));
   placement.goal_reached = reaches_goal(placement);
 }
@@ -52,19 +52,19 @@ LoadSummary summarize_others(const Placement& placement, std::size_t robot) {
   summary.min = summary.max;
   for (std::size_t i = 0; i < loads.size(); ++i)
     if (i != robot) summary.min = std::min(summary.min, loads[i]);
-  summary.mean = placement.settings.weight / static_cast<double>(loads.size() - 1);
+  summary.mean = placement.weight() / static_cast<double>(loads.size() - 1);
   summary.spread = summary.max - summary.min;
   return summary;
 }
 
 // The one team that contains all balanced robots.
 Team team_of(const Placement& placement, const std::vector<LiftingPoint>& robots) {
-  return share_evenly(robots, placement.centre_of_mass, placement.settings.weight);
+  return share_evenly(robots, placement.centre_of_mass, placement.weight());
 }
 
 // Places balanced robots, if a set exists.
 void place_balanced(Placement& placement, Effort effort) {
-  const BalancedProblem problem(placement.polygon, placement.centre_of_mass, placement.settings);
+  const BalancedProblem problem(placement.object, placement.centre_of_mass, placement.settings);
   placement.search_ended = effort == Effort::whole || is_quick_to_start(problem);
   if (!placement.search_ended) return;
   auto search = start_balanced(problem);
@@ -76,13 +76,13 @@ void place_balanced(Placement& placement, Effort effort) {
 
 // Places the supports. They share the weight like springs, since nobody plans their loads.
 std::optional<InputError> place_given(Placement& placement) {
-  auto robots = place_supports(placement.polygon, placement.settings);
+  auto robots = place_supports(placement.object, placement.settings);
   if (!robots) return robots.error();
   if (placement.stands)
     for (LiftingPoint& robot : *robots) robot = placement.stands->lifting_point(robot);
   placement.teams = {team_of(placement, *robots)};
   const auto springs = spring_loads(positions(*robots), placement.centre_of_mass,
-                                    placement.polygon.diameter(), placement.settings.weight);
+                                    placement.polygon().diameter(), placement.weight());
   take_loads(placement, springs ? springs->loads : std::vector<double>(robots->size(), 0));
   return std::nullopt;
 }
@@ -102,7 +102,7 @@ std::uint32_t requested_teams(const Placement& placement) {
 
 // Chooses the teams, and stores the candidates that they use.
 std::optional<InputError> choose_teams(Placement& placement, Effort effort) {
-  const Polygon& polygon = placement.polygon;
+  const Polygon& polygon = placement.polygon();
   const Vec2& centre = placement.centre_of_mass;
   const Settings& settings = placement.settings;
   const std::size_t teams = placement.requested_teams;
@@ -111,8 +111,8 @@ std::optional<InputError> choose_teams(Placement& placement, Effort effort) {
     case Method::area:
     case Method::circle:
     case Method::distance:
-      placement.team_candidates = choose_candidates(polygon, centre, placement.candidates, settings,
-                                                    teams, placement.stands.get());
+      placement.team_candidates = choose_candidates(placement.object, centre, placement.candidates,
+                                                    settings, teams, placement.stands.get());
       chords = chords_of(placement.candidates, placement.team_candidates);
       break;
     case Method::distributed:
@@ -127,7 +127,7 @@ std::optional<InputError> choose_teams(Placement& placement, Effort effort) {
     case Method::given:
       return place_given(placement);
   }
-  placement.teams = distribute_weight(chords, settings.weight);
+  placement.teams = distribute_weight(chords, placement.weight());
   return std::nullopt;
 }
 
@@ -173,13 +173,13 @@ void describe_grasp(Placement& placement) {
 }
 
 HoldRequirements hold_requirements(const Placement& placement) {
-  return hold_requirements(placement.polygon, placement.centre_of_mass, placement.settings);
+  return hold_requirements(placement.polygon(), placement.centre_of_mass, placement.settings);
 }
 
 bool hold_clearly(const Placement& placement) {
   const Closure& closure = placement.closure;
   return closure.form_closure &&
-         is_clear(placement.polygon, closure.clearance, hold_requirements(placement).clear);
+         is_clear(placement.polygon(), closure.clearance, hold_requirements(placement).clear);
 }
 
 std::vector<LiftingPoint> contact_points(const Placement& placement) {
@@ -208,29 +208,30 @@ std::optional<InputError> check_settings(const Settings& settings, const Shown& 
 
 Result<Placement> place(const Document& document, Effort effort) {
   if (auto error = check_settings(document.settings, document.shown)) return *error;
-  auto polygon = Polygon::create(document.vertices);
-  if (!polygon) return polygon.error();
-  return place(*std::move(polygon), document.centre_of_mass, document.settings, effort,
+  auto object = object_of(document);
+  if (!object) return object.error();
+  return place(*std::move(object), document.centre_of_mass, document.settings, effort,
                document.moved);
 }
 
-Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_mass,
+Result<Placement> place(PolygonWithHoles object, const std::optional<Vec2>& own_centre,
                         const Settings& settings, Effort effort, const Moved& moved) {
   if (auto error = check_settings(settings)) return *error;
-  const auto centre = check_centre_of_mass(polygon, centre_of_mass);
+  const auto centre = centre_of_mass(object, own_centre, settings);
   if (!centre) return centre.error();
-  auto stands = make_stands(polygon, settings);
+  auto stands = make_stands(object, settings);
   if (!stands) return stands.error();
-  auto candidates = candidates_of(polygon, *centre, settings, stands->get());
+  auto candidates = candidates_of(object, centre->all, settings, stands->get());
   if (!candidates) return candidates.error();
   if (swaps_teams(settings))
     if (auto error =
             check_swaps(candidates->size(), settings.teams.value_or(max_teams), stands->get()))
       return *error;
 
-  Placement placement(std::move(polygon));
+  Placement placement(std::move(object));
   placement.stands = *std::move(stands);
-  placement.centre_of_mass = *centre;
+  placement.own_centre = centre->own;
+  placement.centre_of_mass = centre->all;
   placement.settings = settings;
   placement.candidates = std::move(*candidates);
   placement.requested_teams = requested_teams(placement);
@@ -247,13 +248,13 @@ Result<Placement> place(Polygon polygon, const std::optional<Vec2>& centre_of_ma
 
 Result<std::vector<Candidate>> candidates_of(const Document& document) {
   if (auto error = check_settings(document.settings, document.shown)) return *error;
-  const auto polygon = Polygon::create(document.vertices);
-  if (!polygon) return polygon.error();
-  const auto centre = check_centre_of_mass(*polygon, document.centre_of_mass);
+  const auto object = object_of(document);
+  if (!object) return object.error();
+  const auto centre = centre_of_mass(*object, document.centre_of_mass, document.settings);
   if (!centre) return centre.error();
-  const auto stands = make_stands(*polygon, document.settings);
+  const auto stands = make_stands(*object, document.settings);
   if (!stands) return stands.error();
-  return candidates_of(*polygon, *centre, document.settings, stands->get());
+  return candidates_of(*object, centre->all, document.settings, stands->get());
 }
 
 Result<Document> with_even_supports(const Document& document) {
@@ -266,7 +267,7 @@ Result<Document> with_even_supports(const Document& document) {
   if (robots.size() > most_evened)
     return bad_setting(option, "at most 64 supports can be evened out");
   const auto even = even_out(
-      BalancedProblem(placement->polygon, placement->centre_of_mass, placement->settings), robots);
+      BalancedProblem(placement->object, placement->centre_of_mass, placement->settings), robots);
   if (!even)
     return bad_setting(
         option,
@@ -292,15 +293,15 @@ std::vector<PairRange> ranges_of(const Placement& placement, const Chord& chord)
   const double min_ratio = placement.settings.min_ratio;
   const Vec2& centre = placement.centre_of_mass;
   if (placement.stands)
-    return standing_ranges(placement.polygon, centre, chord.r1.edge, chord.r2.edge, min_ratio,
+    return standing_ranges(placement.polygon(), centre, chord.r1.edge, chord.r2.edge, min_ratio,
                            *placement.stands);
-  if (const auto range = range_of(placement.polygon, centre, chord, min_ratio)) return {*range};
+  if (const auto range = range_of(placement.polygon(), centre, chord, min_ratio)) return {*range};
   return {};
 }
 
 Placement with_choice(Placement placement, std::vector<std::uint32_t> candidates) {
   placement.teams =
-      distribute_weight(chords_of(placement.candidates, candidates), placement.settings.weight);
+      distribute_weight(chords_of(placement.candidates, candidates), placement.weight());
   placement.team_candidates = std::move(candidates);
   placement.moved = {};
   describe_grasp(placement);

@@ -19,15 +19,15 @@ Box box_of(const std::vector<LineEnds>& lines, std::uint32_t begin, std::uint32_
 
 }  // namespace
 
-std::vector<LineEnds> edges_of(const Polygon& polygon) {
+std::vector<LineEnds> edges_of(const Points& ring) {
   std::vector<LineEnds> lines;
-  lines.reserve(polygon.size());
-  for (std::size_t edge = 0; edge < polygon.size(); ++edge)
-    lines.push_back({polygon.edge_start(edge), polygon.edge_end(edge)});
+  lines.reserve(ring.size());
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    lines.push_back({ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]});
   return lines;
 }
 
-EdgeTree::EdgeTree(const Polygon& polygon) : EdgeTree(edges_of(polygon)) {}
+EdgeTree::EdgeTree(const Polygon& polygon) : EdgeTree(edges_of(polygon.vertices())) {}
 
 EdgeTree::EdgeTree(const std::vector<LineEnds>& lines) {
   nodes_.reserve(2 * lines.size() / edges_of_leaf + 2);

@@ -37,7 +37,7 @@ class EdgeTree {
   std::vector<Node> nodes_;
 };
 
-// The edges of a polygon, in their order. O(n).
-std::vector<LineEnds> edges_of(const Polygon& polygon);
+// The edges of a closed ring, in their order. O(n).
+std::vector<LineEnds> edges_of(const Points& ring);
 
 }  // namespace evenlift

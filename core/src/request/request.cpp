@@ -37,6 +37,8 @@ const char* name(ErrorCode code) {
       return "centre_outside_hull";
     case ErrorCode::bad_setting:
       return "bad_setting";
+    case ErrorCode::hole_outside:
+      return "hole_outside";
     case ErrorCode::too_many_edge_pairs:
       return "too_many_edge_pairs";
     case ErrorCode::bad_syntax:
@@ -55,20 +57,32 @@ const char* name(ErrorCode code) {
   return "";
 }
 
-// One or two vertices or edges, counted from 0.
+// One or two vertices or edges, counted from 0, and the rings of both if they are not the outline's.
 std::string place_json(const Place& place) {
   const std::string index = std::to_string(place.index), other = std::to_string(place.other);
   const bool two = place.other != 0 && place.other != place.index;
-  const std::string both = json::array(two ? std::vector{index, other} : std::vector{index});
+  const bool in_holes = place.ring != 0 || place.other_ring != 0;
+  const bool pair = two || place.ring != place.other_ring;
+  const auto both = [&](const char* name) {
+    std::vector<json::Member> members{
+        {name, json::array(pair ? std::vector{index, other} : std::vector{index})}};
+    const std::string ring = std::to_string(place.ring), second = std::to_string(place.other_ring);
+    if (in_holes)
+      members.push_back(
+          {"rings", json::array(pair ? std::vector{ring, second} : std::vector{ring})});
+    return json::object(members);
+  };
   switch (place.kind) {
     case Place::Kind::nowhere:
       break;
     case Place::Kind::line:
       return json::object({{"line", index}, {"column", other}});
     case Place::Kind::vertex:
-      return json::object({{"vertices", both}});
+      return both("vertices");
     case Place::Kind::edge:
-      return json::object({{"edges", both}});
+      return both("edges");
+    case Place::Kind::hole:
+      return json::object({{"rings", json::array({std::to_string(place.ring)})}});
     case Place::Kind::centre_of_mass:
       return json::object({{"centre_of_mass", "true"}});
     case Place::Kind::option:

@@ -15,24 +15,24 @@ namespace {
 // The robots of all teams, and the values that do not depend on which robot fails.
 class Crew {
  public:
-  Crew(const Polygon& polygon, const Vec2& centre, double weight, const std::vector<Team>& teams,
-       double inside)
-      : polygon_(polygon),
+  Crew(const PolygonWithHoles& object, const Vec2& centre, double weight,
+       const std::vector<Team>& teams, double inside)
+      : object_(object),
         centre_(centre),
         weight_(weight),
         inside_(inside),
         teams_(teams),
-        contacts_(contacts(polygon, lifting_points(teams))),
+        contacts_(contacts(object, lifting_points(teams))),
         positions_(positions(lifting_points(teams))) {
     const Points hull = convex_hull(positions_, near());
-    if (hull.size() >= 3) coverage_.emplace(polygon, hull);
+    if (hull.size() >= 3) coverage_.emplace(object, hull);
   }
 
   std::optional<RestOfRobots> without(std::size_t robot) const;
 
  private:
   double near() const {
-    return near_distance(known_size(positions_, centre_, polygon_.diameter()));
+    return near_distance(known_size(positions_, centre_, object_.outline().diameter()));
   }
 
   Points positions_without(std::size_t robot) const {
@@ -63,7 +63,7 @@ class Crew {
     return weight_ * (greatest / borne);
   }
 
-  const Polygon& polygon_;
+  const PolygonWithHoles& object_;
   Vec2 centre_;
   double weight_, inside_;
   const std::vector<Team>& teams_;
@@ -74,12 +74,12 @@ class Crew {
 
 std::optional<RestOfRobots> Crew::without(std::size_t robot) const {
   const Points others = positions_without(robot);
-  const double diameter = polygon_.diameter();
+  const double diameter = object_.outline().diameter();
   const auto springs = spring_loads(others, centre_, diameter, weight_);
   const auto best = best_load(others, centre_, diameter, weight_);
   if (!springs || !best) return std::nullopt;
   const Points hull = convex_hull(others, near());
-  const Hold hold = analyse_hold(polygon_, centre_, contacts_without(robot));
+  const Hold hold = analyse_hold(object_, centre_, contacts_without(robot));
   RestOfRobots rest;
   rest.tipping_distance = tipping_distance(hull, centre_, diameter);
   rest.steady = rest.tipping_distance > 0;
@@ -97,21 +97,21 @@ std::optional<RestOfRobots> Crew::without(std::size_t robot) const {
 
 }  // namespace
 
-std::vector<std::optional<RestOfRobots>> single_failures(const Polygon& polygon, const Vec2& centre,
-                                                         double weight,
+std::vector<std::optional<RestOfRobots>> single_failures(const PolygonWithHoles& object,
+                                                         const Vec2& centre, double weight,
                                                          const std::vector<Team>& teams,
                                                          double inside) {
-  const Crew crew(polygon, centre, weight, teams, inside);
+  const Crew crew(object, centre, weight, teams, inside);
   std::vector<std::optional<RestOfRobots>> failures;
   for (std::size_t robot = 0; robot < count_robots(teams); ++robot)
     failures.push_back(crew.without(robot));
   return failures;
 }
 
-std::optional<RestOfRobots> single_failure(const Polygon& polygon, const Vec2& centre,
+std::optional<RestOfRobots> single_failure(const PolygonWithHoles& object, const Vec2& centre,
                                            double weight, const std::vector<Team>& teams,
                                            std::size_t robot, double inside) {
-  return Crew(polygon, centre, weight, teams, inside).without(robot);
+  return Crew(object, centre, weight, teams, inside).without(robot);
 }
 
 }  // namespace evenlift

@@ -47,13 +47,14 @@ double inscribed_circle_area(const Vec2& a, const Vec2& b, const Vec2& c) {
 
 }  // namespace
 
-Surroundings::Surroundings(const Polygon& polygon, const Vec2& centre)
-    : convex(polygon.convex()), diameter(polygon.diameter()) {
-  boundary.reserve(polygon.size());
+Surroundings::Surroundings(const PolygonWithHoles& object, const Vec2& centre)
+    : convex(object.convex()), diameter(object.outline().diameter()) {
+  const Polygon& polygon = object.outline();
+  boundary.reserve(object.boundary().size());
+  for (const Vec2& v : object.boundary()) boundary.push_back(v - centre);
   vertices.reserve(polygon.size());
   for (const Vec2& v : polygon.vertices()) {
     const Vec2 relative = v - centre;
-    boundary.push_back(relative);
     if (v != centre) vertices.push_back({relative, pseudo_angle(relative)});
   }
   if (!polygon.counter_clockwise()) std::reverse(boundary.begin(), boundary.end());

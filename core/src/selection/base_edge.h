@@ -6,23 +6,23 @@
 #include <vector>
 
 #include "evenlift/document.h"
-#include "evenlift/polygon.h"
+#include "evenlift/polygon_with_holes.h"
 #include "selection/gain_bounds.h"
 
 namespace evenlift {
 
-// The polygon as seen from C. All wedges share one.
+// The object as seen from C. All wedges share one.
 struct Surroundings {
-  Surroundings(const Polygon& polygon, const Vec2& centre);  // O(n log n)
+  Surroundings(const PolygonWithHoles& object, const Vec2& centre);  // O(n log n)
 
   struct Seen {
     Vec2 position;  // relative to C
     double pseudo_angle;
   };
-  Points boundary;             // P relative to C, counter-clockwise
-  std::vector<Seen> vertices;  // other than C, by pseudo-angle
-  bool convex = false;
-  double diameter = 0;  // L
+  Points boundary;  // of the object, relative to C, counter-clockwise (polygon_with_holes.h)
+  std::vector<Seen> vertices;  // of the outline, other than C, by pseudo-angle
+  bool convex = false;         // and without holes
+  double diameter = 0;         // L
 };
 
 // The gain of one end of a chord: the exact value, or an upper bound that costs less.

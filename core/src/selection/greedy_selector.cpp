@@ -27,16 +27,16 @@ double floor_of(double size, Metric metric, const Points& hull) {
 
 }  // namespace
 
-Selector::Selector(const Polygon& polygon, const Vec2& centre,
+Selector::Selector(const PolygonWithHoles& object, const Vec2& centre,
                    const std::vector<Candidate>& candidates, Metric metric, std::size_t most_teams,
                    FirstTeam first, const Stands* stands)
     : candidates_(candidates),
-      surroundings_(polygon, centre),
+      surroundings_(object, centre),
       metric_(metric),
       most_teams_(most_teams),
       first_(first),
-      near_(near_distance(polygon.diameter())),
-      floor_(floor_of(polygon.diameter(), metric, {})),
+      near_(near_distance(object.outline().diameter())),
+      floor_(floor_of(object.outline().diameter(), metric, {})),
       stands_(stands),
       states_(candidates.size(), State::open) {
   ends_.reserve(2 * candidates.size());

@@ -24,9 +24,10 @@ class Selector {
  public:
   // `most_teams` bounds the number of teams to take. With `stands`, which must outlive the
   // selector, candidates that collide with a taken team drop out.
-  Selector(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
-           Metric metric, std::size_t most_teams = ~std::size_t{0},
-           FirstTeam first = FirstTeam::even, const Stands* stands = nullptr);
+  Selector(const PolygonWithHoles& object, const Vec2& centre,
+           const std::vector<Candidate>& candidates, Metric metric,
+           std::size_t most_teams = ~std::size_t{0}, FirstTeam first = FirstTeam::even,
+           const Stands* stands = nullptr);
 
   // Takes the best candidate as the next team. Returns false if no candidate is left.
   bool take_next();

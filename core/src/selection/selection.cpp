@@ -17,19 +17,19 @@ Chord make_chord(const RayCaster::Hit& ahead, const RayCaster::Hit& behind, cons
 
 }  // namespace
 
-std::vector<std::uint32_t> select_teams(const Polygon& polygon, const Vec2& centre,
+std::vector<std::uint32_t> select_teams(const PolygonWithHoles& object, const Vec2& centre,
                                         const std::vector<Candidate>& candidates, Metric metric,
                                         std::size_t teams, FirstTeam first, const Stands* stands) {
-  Selector selector(polygon, centre, candidates, metric, teams, first, stands);
+  Selector selector(object, centre, candidates, metric, teams, first, stands);
   while (selector.taken().size() < teams && selector.take_next()) {
   }
   return selector.taken();
 }
 
-std::vector<double> scores(const Polygon& polygon, const Vec2& centre,
+std::vector<double> scores(const PolygonWithHoles& object, const Vec2& centre,
                            const std::vector<Candidate>& candidates,
                            const std::vector<std::uint32_t>& selected, Metric metric) {
-  Selector selector(polygon, centre, candidates, metric);
+  Selector selector(object, centre, candidates, metric);
   for (const std::uint32_t candidate : selected) selector.take(candidate);
   std::vector<double> scores(candidates.size());
   for (std::uint32_t i = 0; i < candidates.size(); ++i) scores[i] = selector.score(i);

@@ -32,15 +32,15 @@ bool stands_anywhere(const Settings& settings) {
   return settings.robot == RobotSize{} && settings.no_go.empty();
 }
 
-Result<std::shared_ptr<const Stands>> make_stands(const Polygon& polygon,
+Result<std::shared_ptr<const Stands>> make_stands(const PolygonWithHoles& object,
                                                   const Settings& settings) {
   if (stands_anywhere(settings)) return std::shared_ptr<const Stands>();
   for (const EdgePart& part : settings.no_go)
-    if (part.edge >= polygon.size())
+    if (part.edge >= object.outline().size())
       return setting_error(Setting::no_go, "there is no edge " + std::to_string(part.edge + 1) +
                                                "; the polygon has " +
-                                               std::to_string(polygon.size()));
-  auto stands = std::make_shared<const Stands>(polygon, settings.robot, settings.no_go);
+                                               std::to_string(object.outline().size()));
+  auto stands = std::make_shared<const Stands>(object, settings.robot, settings.no_go);
   if (!stands->any() && settings.method != Method::given) return no_room(settings);
   return std::shared_ptr<const Stands>(std::move(stands));
 }

@@ -1,10 +1,11 @@
-// Finds the edges near an edge, with a tree of boxes over the outline.
+// Finds the edges near an edge, with a tree of boxes.
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
-#include "evenlift/polygon.h"
+#include "evenlift/plane.h"
 #include "polygon/edge_tree.h"
 
 namespace evenlift {
@@ -17,11 +18,13 @@ struct Surrounding {
 
 class NearEdges {
  public:
-  // The polygon must outlive it. O(n).
-  explicit NearEdges(const Polygon& polygon) : polygon_(polygon), tree_(polygon) {}
+  // Neighbours among the edges should be near each other. O(n).
+  explicit NearEdges(std::vector<LineEnds> edges) : edges_(std::move(edges)), tree_(edges_) {}
+
+  const LineEnds& edge(std::uint32_t i) const { return edges_[i]; }
 
   // Calls visit(edge) for each edge whose box meets the rectangle, and perhaps a few others, by
-  // ascending edge. O(log n) for each edge that meets it, if the outline does not wind much.
+  // ascending edge. O(log n) for each edge that meets it, if they do not wind much.
   template <class Visit>
   void for_each(const Surrounding& around, Visit&& visit) const {
     descend(around, 0, visit);
@@ -34,8 +37,7 @@ class NearEdges {
     if (!meets(around, node.box)) return;
     if (node.is_leaf()) {
       for (std::uint32_t edge = node.begin; edge < node.end; ++edge)
-        if (meets(around, bounding_box({polygon_.edge_start(edge), polygon_.edge_end(edge)})))
-          visit(edge);
+        if (meets(around, bounding_box({edges_[edge].start, edges_[edge].end}))) visit(edge);
       return;
     }
     descend(around, node.left, visit);
@@ -44,7 +46,7 @@ class NearEdges {
 
   static bool meets(const Surrounding& around, const Box& box);
 
-  const Polygon& polygon_;
+  std::vector<LineEnds> edges_;
   EdgeTree tree_;
 };
 

@@ -35,6 +35,8 @@ std::string_view name(WhyUnusable why) {
       return "corner";
     case WhyUnusable::hand:
       return "hand";
+    case WhyUnusable::hole:
+      return "hole";
     case WhyUnusable::near_no_go:
       return "near_no_go";
     case WhyUnusable::narrow:
@@ -43,9 +45,11 @@ std::string_view name(WhyUnusable why) {
   return {};
 }
 
-Stands::Stands(const Polygon& polygon, const RobotSize& robot, const std::vector<EdgePart>& no_go)
-    : robot_(robot), near_(near_distance(polygon.diameter())) {
-  const Surveyor surveyor(polygon, robot, no_go);
+Stands::Stands(const PolygonWithHoles& object, const RobotSize& robot,
+               const std::vector<EdgePart>& no_go)
+    : robot_(robot), near_(near_distance(object.outline().diameter())) {
+  const Polygon& polygon = object.outline();
+  const Surveyor surveyor(object, robot, no_go);
   const std::vector<char> forbidden = forbidden_vertices(polygon, no_go, near_);
   // The clearance at a vertex where no robot may stand.
   const auto margin_at = [&](std::size_t vertex) {

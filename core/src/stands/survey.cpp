@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "evenlift/tolerance.h"
@@ -11,6 +12,31 @@ namespace evenlift {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::vector<LineEnds> edges_of_holes(const PolygonWithHoles& object) {
+  std::vector<LineEnds> edges;
+  for (const Polygon& hole : object.holes()) {
+    const std::vector<LineEnds> more = edges_of(hole.vertices());
+    edges.insert(edges.end(), more.begin(), more.end());
+  }
+  return edges;
+}
+
+// A line as seen from an edge (SeenObstacle).
+SeenObstacle seen_from(const EdgeFrame& frame, const LineEnds& line) {
+  const auto seen = [&](const Vec2& p) {
+    const Vec2 offset = p - frame.start;
+    return Vec2(dot(offset, frame.along), dot(offset, frame.outward));
+  };
+  return {seen(line.start), seen(line.end)};
+}
+
+// A hand that meets no edge is beyond them, not within the object, if an odd number of edges
+// separates it from the contact.
+void add_parted(std::vector<double> parted, WhyUnusable why, Losses& losses) {
+  std::sort(parted.begin(), parted.end());
+  for (std::size_t i = 0; i < parted.size(); i += 2) losses.add(why, {parted[i], parted[i + 1]});
+}
 
 }  // namespace
 
@@ -22,13 +48,14 @@ EdgeFrame frame_of(const Polygon& polygon, std::uint32_t edge) {
           polygon.counter_clockwise() ? Vec2(-left_normal(along)) : left_normal(along), size};
 }
 
-Surveyor::Surveyor(const Polygon& polygon, const RobotSize& robot,
+Surveyor::Surveyor(const PolygonWithHoles& object, const RobotSize& robot,
                    const std::vector<EdgePart>& no_go)
-    : polygon_(polygon),
+    : polygon_(object.outline()),
       robot_(robot),
-      near_(near_distance(polygon.diameter())),
-      edges_(polygon),
-      corners_(polygon),
+      near_(near_distance(polygon_.diameter())),
+      edges_(edges_of(polygon_.vertices())),
+      holes_(edges_of_holes(object)),
+      corners_(polygon_),
       no_go_(no_go) {
   std::sort(no_go_.begin(), no_go_.end(), [](const EdgePart& a, const EdgePart& b) {
     return std::array{double(a.edge), a.from, a.to} < std::array{double(b.edge), b.from, b.to};
@@ -96,20 +123,26 @@ void Surveyor::add_obstacles(std::uint32_t edge, const EdgeFrame& frame, Losses&
     if (const auto stretch = parted_from_hand(obstacle, robot_, near_))
       parted.insert(parted.end(), {stretch->from, stretch->to});
   });
-  // A hand that meets no edge is outside the object if an odd number of edges separates it from the
-  // contact.
-  std::sort(parted.begin(), parted.end());
-  for (std::size_t i = 0; i < parted.size(); i += 2)
-    losses.add(WhyUnusable::hand, {parted[i], parted[i + 1]});
+  add_parted(std::move(parted), WhyUnusable::hand, losses);
+  add_holes(around, frame, losses);
+}
+
+// Only a hand can reach a hole.
+void Surveyor::add_holes(const Surrounding& around, const EdgeFrame& frame, Losses& losses) const {
+  std::vector<double> parted;
+  holes_.for_each(around, [&](std::uint32_t edge) {
+    const SeenObstacle obstacle = evenlift::seen_from(frame, holes_.edge(edge));
+    if (const auto lost = lost_to_hand(obstacle, robot_, near_))
+      losses.add(WhyUnusable::hole, *lost);
+    if (const auto stretch = parted_from_hand(obstacle, robot_, near_))
+      parted.insert(parted.end(), {stretch->from, stretch->to});
+  });
+  add_parted(std::move(parted), WhyUnusable::hole, losses);
 }
 
 SeenObstacle Surveyor::seen_from(std::uint32_t edge, const EdgeFrame& frame,
                                  std::uint32_t other) const {
-  const auto seen = [&](const Vec2& p) {
-    const Vec2 offset = p - frame.start;
-    return Vec2(dot(offset, frame.along), dot(offset, frame.outward));
-  };
-  SeenObstacle obstacle{seen(polygon_.edge_start(other)), seen(polygon_.edge_end(other))};
+  SeenObstacle obstacle = evenlift::seen_from(frame, edges_.edge(other));
   // Set the shared vertex exactly; its projection would be rounded.
   if (other == polygon_.next(edge)) obstacle.p = {frame.length, 0};
   if (other == polygon_.previous(edge)) obstacle.q = {0, 0};

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "evenlift/document.h"
-#include "evenlift/polygon.h"
+#include "evenlift/polygon_with_holes.h"
 #include "polygon/corners.h"
 #include "stands/losses.h"
 #include "stands/near_edges.h"
@@ -18,8 +18,9 @@ EdgeFrame frame_of(const Polygon& polygon, std::uint32_t edge);
 
 class Surveyor {
  public:
-  // The polygon must outlive it. O(n), and O(p log p) for p parts.
-  Surveyor(const Polygon& polygon, const RobotSize& robot, const std::vector<EdgePart>& no_go);
+  // The object must outlive it. O(n), and O(p log p) for p parts.
+  Surveyor(const PolygonWithHoles& object, const RobotSize& robot,
+           const std::vector<EdgePart>& no_go);
 
   // O(log n) for each edge near enough to obstruct a robot.
   Losses survey(std::uint32_t edge, const EdgeFrame& frame) const;
@@ -29,13 +30,14 @@ class Surveyor {
   void add_no_go(std::uint32_t edge, double size, Losses& losses) const;
   void add_corners(std::uint32_t edge, const EdgeFrame& frame, Losses& losses) const;
   void add_obstacles(std::uint32_t edge, const EdgeFrame& frame, Losses& losses) const;
+  void add_holes(const Surrounding& around, const EdgeFrame& frame, Losses& losses) const;
   SeenObstacle seen_from(std::uint32_t edge, const EdgeFrame& frame, std::uint32_t other) const;
   void add_obstacle(const SeenObstacle& obstacle, Losses& losses) const;
 
   const Polygon& polygon_;
   RobotSize robot_;
   double near_;
-  NearEdges edges_;
+  NearEdges edges_, holes_;
   Corners corners_;
   std::vector<EdgePart> no_go_;  // in order
 };

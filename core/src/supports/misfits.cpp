@@ -14,6 +14,7 @@ Misfit::Why why_misfit(WhyUnusable why, const RobotSize& robot) {
     case WhyUnusable::arm:
       return Misfit::Why::arm;
     case WhyUnusable::hand:
+    case WhyUnusable::hole:
       return Misfit::Why::hand;
     case WhyUnusable::corner:
       return robot.depth > 0 || robot.width > 0 ? Misfit::Why::hand : Misfit::Why::outside;

@@ -8,10 +8,10 @@
 #include "evenlift/hull.h"
 #include "evenlift/numbers.h"
 #include "evenlift/plane.h"
-#include "evenlift/predicates.h"
 #include "evenlift/settings.h"
 #include "evenlift/tolerance.h"
 #include "numbers/number_text.h"
+#include "polygon/coordinates.h"
 
 namespace evenlift {
 namespace {
@@ -26,21 +26,6 @@ Vec2 or_vertex(const Polygon& polygon, std::uint32_t edge, const Vec2& point) {
 
 // A point on the outline is as near to it as this, in the doubles that it has: it stays as given.
 double rounding_of(const Vec2& point) { return 0x1p-50 * point.cwiseAbs().maxCoeff(); }
-
-// Whether p is strictly inside: the ray from p to the right crosses the outline an odd number of
-// times. Exact, for points that are not on the outline.
-bool is_inside(const Polygon& polygon, const Vec2& p) {
-  bool odd = false;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 &a = polygon.edge_start(i), &b = polygon.edge_end(i);
-    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-    const double side = orient(a, b, p);
-    if (b.y() > a.y() ? side > 0 : side < 0) odd = !odd;
-  }
-  return odd;
-}
-
-bool is_too_near_to_0(double value) { return value != 0 && std::fabs(value) < min_coordinate; }
 
 // The distance with three significant digits, for a message.
 std::string in_brief(double distance) {
@@ -58,33 +43,43 @@ InputError error_at(std::size_t number, std::string why) {
                      std::move(why));
 }
 
+std::string why_refused(const PolygonWithHoles& object, const SupportPlacer& placer,
+                        const Vec2& support) {
+  const std::string at = "(" + shortest(support.x()) + ", " + shortest(support.y()) + ") is ";
+  if (const auto hole = object.hole_around(support))
+    return at + "in hole " + std::to_string(*hole + 1);
+  return at + in_brief(placer.distance(support)) + " outside the object";
+}
+
 }  // namespace
 
 double snap_distance(const Polygon& polygon, const Settings& settings) {
   return settings.snap.value_or(usual_snap * polygon.diameter());
 }
 
-SupportPlacer::SupportPlacer(const Polygon& polygon, const Settings& settings)
-    : polygon_(polygon), snap_(snap_distance(polygon, settings)) {}
+SupportPlacer::SupportPlacer(const PolygonWithHoles& object, const Settings& settings)
+    : object_(object), snap_(snap_distance(object, settings)) {}
 
 double SupportPlacer::distance(const Vec2& point) const {
+  const Polygon& outline = object_.outline();
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < polygon_.size(); ++i)
-    least =
-        std::min(least, distance_to_segment(polygon_.edge_start(i), polygon_.edge_end(i), point));
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    least = std::min(least, distance_to_segment(outline.edge_start(i), outline.edge_end(i), point));
   return least;
 }
 
 std::optional<LiftingPoint> SupportPlacer::place(const Vec2& support) const {
+  const Polygon& outline = object_.outline();
   const double least = distance(support);
   if (least > snap_)
-    return is_inside(polygon_, support) ? std::optional(LiftingPoint{support, beneath})
-                                        : std::nullopt;
-  const double near = near_distance(polygon_.diameter());
-  for (std::uint32_t i = 0; i < polygon_.size(); ++i) {
-    const Vec2 at = nearest_on_segment(polygon_.edge_start(i), polygon_.edge_end(i), support);
+    return is_inside(outline, support) && !object_.hole_around(support)
+               ? std::optional(LiftingPoint{support, beneath})
+               : std::nullopt;
+  const double near = near_distance(outline.diameter());
+  for (std::uint32_t i = 0; i < outline.size(); ++i) {
+    const Vec2 at = nearest_on_segment(outline.edge_start(i), outline.edge_end(i), support);
     if (length(support - at) > least + near) continue;
-    return LiftingPoint{or_vertex(polygon_, i, least <= rounding_of(support) ? support : at), i};
+    return LiftingPoint{or_vertex(outline, i, least <= rounding_of(support) ? support : at), i};
   }
   return std::nullopt;  // not reached: some edge is at the least distance
 }
@@ -114,18 +109,17 @@ Vec2 widest_addition(const Polygon& polygon, const Points& robots) {
   return widest.value_or(loneliest);
 }
 
-Result<std::vector<LiftingPoint>> place_supports(const Polygon& polygon, const Settings& settings) {
-  const SupportPlacer placer(polygon, settings);
+Result<std::vector<LiftingPoint>> place_supports(const PolygonWithHoles& object,
+                                                 const Settings& settings) {
+  const SupportPlacer placer(object, settings);
   std::vector<LiftingPoint> points;
   points.reserve(settings.supports.size());
   for (std::size_t i = 0; i < settings.supports.size(); ++i) {
     const Vec2& support = settings.supports[i];
-    if (is_too_near_to_0(support.x()) || is_too_near_to_0(support.y()))
+    if (is_too_near_to_0(support))
       return error_at(i, "a coordinate is below 1e-100 in size but not 0");
     const auto point = placer.place(support);
-    if (!point)
-      return error_at(i, "(" + shortest(support.x()) + ", " + shortest(support.y()) + ") is " +
-                             in_brief(placer.distance(support)) + " outside the object");
+    if (!point) return error_at(i, why_refused(object, placer, support));
     points.push_back(*point);
   }
   return points;

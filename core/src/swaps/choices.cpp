@@ -24,17 +24,17 @@ void append(const Chord& chord, std::vector<LiftingPoint>& robots) {
 
 }  // namespace
 
-Choices::Choices(const Polygon& polygon, const Vec2& centre,
+Choices::Choices(const PolygonWithHoles& object, const Vec2& centre,
                  const std::vector<Candidate>& candidates, const HoldRequirements& firm,
                  const Stands* stands)
-    : polygon_(polygon),
+    : object_(object),
       candidates_(candidates),
       stands_(stands),
       centre_(centre),
       bounds_(level_bounds(firm.min_margin)),
-      coarse_cover_(polygon, centre),
-      cover_(polygon, centre),
-      margins_(polygon, centre, firm.clear) {
+      coarse_cover_(object, centre),
+      cover_(object, centre),
+      margins_(object, centre, firm.clear) {
   parts_.reserve(candidates.size());
   for (std::uint32_t i = 0; i < candidates.size(); ++i) parts_.push_back(part_of({i}));
   for (const int x : {-1, 0, 1})
@@ -85,8 +85,7 @@ const std::vector<LiftingPoint>& Choices::robots_of(const Trial& trial) const {
 Trial Choices::trial(std::uint32_t candidate, std::uint32_t other) const {
   constexpr double rounding = 1 + 1e-12;
   Trial trial{candidate, other};
-  trial.coverage =
-      rounding * balanced::small_hull(robots_of(trial), centre_).area / polygon_.area();
+  trial.coverage = rounding * balanced::small_hull(robots_of(trial), centre_).area / object_.area();
   return trial;
 }
 

@@ -33,8 +33,9 @@ struct Trial {
 class Choices {
  public:
   // The polygon, the candidates and the stands must outlive it. O(K log n).
-  Choices(const Polygon& polygon, const Vec2& centre, const std::vector<Candidate>& candidates,
-          const HoldRequirements& firm, const Stands* stands = nullptr);
+  Choices(const PolygonWithHoles& object, const Vec2& centre,
+          const std::vector<Candidate>& candidates, const HoldRequirements& firm,
+          const Stands* stands = nullptr);
 
   // The teams on these candidates, except the team with the number `without`.
   Part part_of(const std::vector<std::uint32_t>& taken,
@@ -76,7 +77,7 @@ class Choices {
   const std::vector<LiftingPoint>& robots_of(const Trial& trial) const;
   void know(const Wrench& direction);
 
-  const Polygon& polygon_;
+  const PolygonWithHoles& object_;
   const std::vector<Candidate>& candidates_;
   const Stands* stands_;  // of robots with a size, or null
   Vec2 centre_;

@@ -144,11 +144,11 @@ std::optional<HoldKey> better_by(const HoldKeys& a, const HoldKeys& b) {
   return a.ratios > b.ratios + tau ? std::optional(HoldKey::ratios) : std::nullopt;
 }
 
-HoldKeys hold_keys(const Polygon& polygon, const Vec2& centre,
+HoldKeys hold_keys(const PolygonWithHoles& object, const Vec2& centre,
                    const std::vector<Candidate>& candidates,
                    const std::vector<std::uint32_t>& taken, const HoldRequirements& firm,
                    const Stands* stands) {
-  const Choices choices(polygon, centre, candidates, firm, stands);
+  const Choices choices(object, centre, candidates, firm, stands);
   return choices.keys_of(choices.part_of(taken));
 }
 
@@ -168,26 +168,26 @@ std::optional<InputError> check_swaps(std::size_t candidates, std::size_t teams,
   return std::nullopt;
 }
 
-SwapHistory swap_teams(const Polygon& polygon, const Vec2& centre,
+SwapHistory swap_teams(const PolygonWithHoles& object, const Vec2& centre,
                        const std::vector<Candidate>& candidates, std::vector<std::uint32_t> start,
                        const HoldRequirements& firm, const Stands* stands) {
   if (start.size() == candidates.size() || start.empty()) {
     SwapHistory history;
     if (!start.empty() && start.size() <= most_swapped_teams)
-      history.keys = hold_keys(polygon, centre, candidates, start, firm, stands);
+      history.keys = hold_keys(object, centre, candidates, start, firm, stands);
     history.start = std::move(start);
     history.settled = true;
     return history;
   }
-  Choices choices(polygon, centre, candidates, firm, stands);
+  Choices choices(object, centre, candidates, firm, stands);
   return Swapper(choices, std::move(start)).run();
 }
 
-std::optional<Swap> best_swap_of(const Polygon& polygon, const Vec2& centre,
+std::optional<Swap> best_swap_of(const PolygonWithHoles& object, const Vec2& centre,
                                  const std::vector<Candidate>& candidates,
                                  const std::vector<std::uint32_t>& taken, std::uint32_t team,
                                  const HoldRequirements& firm, const Stands* stands) {
-  Choices choices(polygon, centre, candidates, firm, stands);
+  Choices choices(object, centre, candidates, firm, stands);
   const HoldKeys now = choices.keys_of(choices.part_of(taken));
   choices.set_parts({choices.part_of(taken, team)});
   const auto best = swaps::best_trial(choices, trials_with_others(choices, taken), now);
@@ -197,16 +197,16 @@ std::optional<Swap> best_swap_of(const Polygon& polygon, const Vec2& centre,
   return swap;
 }
 
-std::vector<std::uint32_t> choose_candidates(const Polygon& polygon, const Vec2& centre,
+std::vector<std::uint32_t> choose_candidates(const PolygonWithHoles& object, const Vec2& centre,
                                              const std::vector<Candidate>& candidates,
                                              const Settings& settings, std::size_t teams,
                                              const Stands* stands) {
   std::vector<std::uint32_t> taken =
-      select_teams(polygon, centre, candidates, *metric_of(settings.method), teams,
+      select_teams(object, centre, candidates, *metric_of(settings.method), teams,
                    first_team(settings.positions), stands);
   if (!swaps_teams(settings)) return taken;
-  return swap_teams(polygon, centre, candidates, std::move(taken),
-                    hold_requirements(polygon, centre, settings), stands)
+  return swap_teams(object, centre, candidates, std::move(taken),
+                    hold_requirements(object, centre, settings), stands)
       .taken();
 }
 

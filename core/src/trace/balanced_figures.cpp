@@ -18,7 +18,7 @@ void StepFigures::add_arms() {
 void StepFigures::lever() {
   const std::vector<LiftingPoint>& robots = detail_.balanced->robots;
   add(FigureKind::lever, positions(robots));
-  add_balanced(placement_.settings.weight / 2);
+  add_balanced(placement_.weight() / 2);
 }
 
 void StepFigures::three() {
@@ -27,7 +27,7 @@ void StepFigures::three() {
   add(FigureKind::side, Points{robots[0].position, robots[1].position});
   add(FigureKind::lever, Points{robots[2].position, middle});
   add(FigureKind::middle, Points{middle});
-  add_balanced(placement_.settings.weight / 3);
+  add_balanced(placement_.weight() / 3);
 }
 
 // The arms, and next to them the same arms end to end, each divided by the number of robots.
@@ -39,7 +39,7 @@ void StepFigures::many() {
     sum.push_back(sum.back() + (robots[i].position - trace_.centre) / number);
   add_arms();
   add(FigureKind::sum, std::move(sum));
-  add_balanced(placement_.settings.weight / number);
+  add_balanced(placement_.weight() / number);
 }
 
 void StepFigures::rest() {
@@ -52,7 +52,7 @@ void StepFigures::rest() {
 void StepFigures::mirror() {
   const Vec2& middle = detail_.balanced->middle;
   Points turned;
-  for (const Vec2& vertex : trace_.polygon.vertices()) turned.push_back(2 * middle - vertex);
+  for (const Vec2& vertex : trace_.polygon().vertices()) turned.push_back(2 * middle - vertex);
   add(FigureKind::mirrored, std::move(turned));
   add_even_chords();
   rest();

@@ -10,7 +10,7 @@ void StepNumbers::lever() {
   const BalancedDetail& balanced = *detail_.balanced;
   add("arm1", length(balanced.robots[0].position - trace_.centre));
   add("arm2", length(balanced.robots[1].position - trace_.centre));
-  add("load", placement_.settings.weight / 2);
+  add("load", placement_.weight() / 2);
 }
 
 void StepNumbers::three() {
@@ -18,13 +18,13 @@ void StepNumbers::three() {
   const Vec2 middle = (robots[0].position + robots[1].position) / 2;
   add("arm", length(robots[2].position - trace_.centre));
   add("arm_of_two", length(middle - trace_.centre));
-  add("load", placement_.settings.weight / 3);
+  add("load", placement_.weight() / 3);
 }
 
 void StepNumbers::many() {
   const std::size_t robots = detail_.balanced->robots.size();
   count("robots", robots);
-  add("load", placement_.settings.weight / static_cast<double>(robots));
+  add("load", placement_.weight() / static_cast<double>(robots));
 }
 
 void StepNumbers::rest() {

@@ -146,11 +146,11 @@ void look_at_exchange(const Trace& trace, std::size_t move, BalancedDetail& deta
 void look_at_failure(const Trace& trace, StepDetail& detail, BalancedDetail& balanced) {
   balanced.failed = detail.step.item;
   const auto failed = static_cast<std::ptrdiff_t>(detail.step.item);
-  detail.base_before = lifting_base(trace.polygon, balanced.robots);
+  detail.base_before = lifting_base(trace.polygon(), balanced.robots);
   balanced.robots.erase(balanced.robots.begin() + failed);
   balanced.numbers.erase(balanced.numbers.begin() + failed);
   if (auto springs = spring_loads(positions(balanced.robots), trace.centre,
-                                  trace.polygon.diameter(), trace.placement.settings.weight))
+                                  trace.polygon().diameter(), trace.placement.weight()))
     balanced.loads = std::move(springs->loads);
 }
 
@@ -158,7 +158,7 @@ void look_at_failures(const Trace& trace, StepDetail& detail, BalancedDetail& ba
   balanced.rest_of = single_failures(trace.placement);
   if (detail.step.kind == StepKind::failure) look_at_failure(trace, detail, balanced);
   if (detail.step.kind != StepKind::pairs) return;
-  detail.base_before = lifting_base(trace.polygon, balanced.robots);
+  detail.base_before = lifting_base(trace.polygon(), balanced.robots);
   balanced.robots = lifting_points(trace.in_pairs->teams);
   balanced.numbers.clear();
   for (std::uint32_t i = 0; i < balanced.robots.size(); ++i) balanced.numbers.push_back(i / 2);
@@ -171,7 +171,7 @@ std::optional<Placement> place_in_pairs(const Trace& trace) {
   settings.method = Method::area;
   settings.teams = settings.robots / 2;
   settings.goal.reset();
-  Result<Placement> pairs = place(trace.polygon, trace.centre, settings);
+  Result<Placement> pairs = place(trace.object(), trace.placement.own_centre, settings);
   if (!pairs || pairs->teams.size() < *settings.teams) return std::nullopt;
   return *std::move(pairs);
 }
@@ -199,7 +199,7 @@ bool has_base(const Step& step) {
 
 std::optional<InputError> trace_search(Trace& trace, HistoryLength length) {
   Placement& placement = trace.placement;
-  trace.problem.emplace(trace.polygon, trace.centre, placement.settings);
+  trace.problem.emplace(trace.object(), trace.centre, placement.settings);
   if (length == HistoryLength::whole && !is_quick_to_finish(*trace.problem))
     return InputError{
         ErrorCode::unsupported,
@@ -253,12 +253,12 @@ void look_at_balanced(const Trace& trace, StepDetail& detail) {
   if (completes(step.kind)) look_at_completion(trace, *set, balanced);
   if (step.kind == StepKind::exchange) {
     look_at_exchange(trace, step.item, balanced);
-    detail.base_before = lifting_base(trace.polygon, robots_before(trace, step.item));
+    detail.base_before = lifting_base(trace.polygon(), robots_before(trace, step.item));
   }
-  if (step.kind == StepKind::start) detail.base_before = lifting_base(trace.polygon, set->kept);
+  if (step.kind == StepKind::start) detail.base_before = lifting_base(trace.polygon(), set->kept);
   if (step.chapter == Chapter::failures) look_at_failures(trace, detail, balanced);
   if (has_base(step))
-    detail.base = lifting_base(trace.polygon,
+    detail.base = lifting_base(trace.polygon(),
                                step.chapter == Chapter::failures ? balanced.robots : set->robots);
   // These steps show the set before two more robots complete it.
   if (step.kind == StepKind::rest || step.kind == StepKind::mirror) {

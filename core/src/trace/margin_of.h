@@ -14,9 +14,10 @@ namespace evenlift {
 inline std::optional<double> margin_of(const Trace& trace,
                                        const std::vector<LiftingPoint>& robots) {
   const Placement& placement = trace.placement;
-  const auto touching = contacts(trace.polygon, contact_points(placement.stands.get(), robots));
+  const auto touching = contacts(trace.polygon(), contact_points(placement.stands.get(), robots));
   const double clear = hold_requirements(placement).clear;
-  return analyse_hold(trace.polygon, trace.centre, clear_contacts(trace.polygon, touching, clear))
+  return analyse_hold(trace.polygon(), trace.centre,
+                      clear_contacts(trace.polygon(), touching, clear))
       .margin;
 }
 

@@ -34,8 +34,8 @@ StandsDetail look_at_stands(const Trace& trace) {
   const Stands& stands = *trace.placement.stands;
   const std::vector<UnusablePart>& parts = stands.unusable();
   StandsDetail detail;
-  for (std::uint32_t edge = 0; edge < trace.polygon.size(); ++edge) {
-    detail.boundary += length(trace.polygon.edge_end(edge) - trace.polygon.edge_start(edge));
+  for (std::uint32_t edge = 0; edge < trace.polygon().size(); ++edge) {
+    detail.boundary += length(trace.polygon().edge_end(edge) - trace.polygon().edge_start(edge));
     for (const Stretch& stretch : stands.usable(edge)) detail.usable += size_of(stretch);
   }
   std::array<std::uint32_t, why_unusable_count> longest;
@@ -47,12 +47,13 @@ StandsDetail look_at_stands(const Trace& trace) {
       longest[why] = i;
   }
   if (!stands.has_body()) return detail;
-  detail.fits = roomiest(trace.polygon, stands);
+  detail.fits = roomiest(trace.polygon(), stands);
   for (const WhyUnusable why : {WhyUnusable::body, WhyUnusable::arm, WhyUnusable::corner,
-                                WhyUnusable::hand, WhyUnusable::near_no_go}) {
+                                WhyUnusable::hand, WhyUnusable::hole, WhyUnusable::near_no_go}) {
     const std::uint32_t part = longest[static_cast<std::size_t>(why)];
     if (part == no_index) continue;
-    detail.misfits.push_back({part, contact_at(trace.polygon, parts[part].edge, parts[part].part)});
+    detail.misfits.push_back(
+        {part, contact_at(trace.polygon(), parts[part].edge, parts[part].part)});
   }
   return detail;
 }
@@ -70,8 +71,8 @@ void StepNumbers::stands() {
 void StepFigures::stands() {
   const std::vector<UnusablePart>& parts = placement_.stands->unusable();
   for (std::uint32_t i = 0; i < parts.size(); ++i) {
-    const Vec2 &p = trace_.polygon.edge_start(parts[i].edge),
-               &q = trace_.polygon.edge_end(parts[i].edge);
+    const Vec2 &p = trace_.polygon().edge_start(parts[i].edge),
+               &q = trace_.polygon().edge_end(parts[i].edge);
     const Vec2 along = (q - p) / length(q - p);
     add(FigureKind::unusable, Points{p + parts[i].part.from * along, p + parts[i].part.to * along},
         i);
@@ -84,8 +85,8 @@ void StepFigures::add_body(const LiftingPoint& contact, std::optional<std::uint3
   const RobotSize& robot = placement_.stands->robot();
   const LiftingPoint lifting = placement_.stands->lifting_point(contact);
   const Vec2 stand = placement_.stands->stand(lifting);
-  const Vec2 &p = trace_.polygon.edge_start(contact.edge),
-             &q = trace_.polygon.edge_end(contact.edge);
+  const Vec2 &p = trace_.polygon().edge_start(contact.edge),
+             &q = trace_.polygon().edge_end(contact.edge);
   const Vec2 aside = robot.width / 2 / length(q - p) * (q - p);
   if (robot.reach > 0) add(FigureKind::hand, Points{stand, contact.position}, part);
   if (robot.depth > 0 && robot.width > 0)

@@ -20,24 +20,24 @@ void StepFigures::add(FigureKind kind, const Chord& chord, std::optional<std::ui
 }
 
 void StepFigures::add_edge(FigureKind kind, std::uint32_t edge) {
-  add(kind, Points{trace_.polygon.edge_start(edge), trace_.polygon.edge_end(edge)}, edge);
+  add(kind, Points{trace_.polygon().edge_start(edge), trace_.polygon().edge_end(edge)}, edge);
 }
 
 // --- The object ----------------------------------------------------------------------------------
 
-void StepFigures::polygon() { add(FigureKind::object, trace_.polygon.vertices()); }
+void StepFigures::polygon() { add(FigureKind::object, trace_.polygon().vertices()); }
 
 // A fan of triangles from vertex 1. Triangles that fold back are subtracted.
 void StepFigures::centroid() {
-  const Points& v = trace_.polygon.vertices();
-  const double whole = (trace_.polygon.counter_clockwise() ? 2 : -2) * trace_.polygon.area();
+  const Points& v = trace_.polygon().vertices();
+  const double whole = (trace_.polygon().counter_clockwise() ? 2 : -2) * trace_.object().area();
   for (std::size_t i = 1; i + 1 < v.size(); ++i)
     add(FigureKind::triangle, Points{v[0], v[i], v[i + 1]}, static_cast<std::uint32_t>(i),
         cross(v[i] - v[0], v[i + 1] - v[0]) / whole);
   centre();
 }
 
-void StepFigures::centre() { add(FigureKind::centroid, Points{trace_.polygon.centroid()}); }
+void StepFigures::centre() { add(FigureKind::centroid, Points{trace_.object().centroid()}); }
 
 // --- Chords from the vertices --------------------------------------------------------------------
 
@@ -48,8 +48,8 @@ void StepFigures::radial() {
 void StepFigures::ray() {
   const Trace::Rays& rays = trace_.rays;
   const std::uint32_t vertex = rays.vertices[item_];
-  const Vec2 &from = trace_.polygon.vertex(vertex), away = trace_.centre - from;
-  const Vec2 end = trace_.centre + trace_.polygon.diagonal() / length(away) * away;
+  const Vec2 &from = trace_.polygon().vertex(vertex), away = trace_.centre - from;
+  const Vec2 end = trace_.centre + trace_.polygon().diagonal() / length(away) * away;
   add(FigureKind::ray, Points{from, end}, vertex);
   for (std::uint32_t i = rays.begins[item_]; i < rays.begins[item_ + 1]; ++i) add_vertex_chord(i);
   add(FigureKind::vertex, Points{from}, vertex);
@@ -92,7 +92,7 @@ void StepFigures::opposite() {
   const OppositeDetail& opposite = *detail_.opposite;
   add(FigureKind::chosen, opposite.chord, opposite.candidate, opposite.chord.ratio);
   for (const std::uint32_t vertex : {opposite.vertices.v, opposite.vertices.w})
-    add(FigureKind::vertex, Points{trace_.polygon.vertex(vertex)}, vertex);
+    add(FigureKind::vertex, Points{trace_.polygon().vertex(vertex)}, vertex);
 }
 
 void StepFigures::candidates() {
@@ -206,7 +206,8 @@ void StepFigures::cut() {
   add_regions(detail_.clockwise, detail_.counterclockwise);
   add_contacts(item_);
   add_edge(FigureKind::edge, contact.edge);
-  const Vec2 reach = 100 * trace_.polygon.diagonal() * inward_normal(trace_.polygon, contact.edge);
+  const Vec2 reach =
+      100 * trace_.polygon().diagonal() * inward_normal(trace_.polygon(), contact.edge);
   add(FigureKind::normal, Points{contact.position - reach, contact.position + reach}, item_);
   add(FigureKind::contact, Points{contact.position}, item_);
 }
@@ -215,7 +216,7 @@ void StepFigures::slide() {
   add_contacts(trace_.contacts.size());
   if (const auto& way = placement_.closure.translation)
     add(FigureKind::translation,
-        Points{trace_.centre, trace_.centre + 0.25 * trace_.polygon.diagonal() * *way});
+        Points{trace_.centre, trace_.centre + 0.25 * trace_.polygon().diagonal() * *way});
 }
 
 void StepFigures::closure() {

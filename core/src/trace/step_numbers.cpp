@@ -14,15 +14,15 @@ void StepNumbers::point(std::string_view x, std::string_view y, const Vec2& p) {
 }
 
 void StepNumbers::polygon() {
-  count("vertices", trace_.polygon.size());
-  add("area", trace_.polygon.area());
+  count("vertices", trace_.polygon().size());
+  add("area", trace_.object().area());
 }
 
-void StepNumbers::centroid() { point("centroid_x", "centroid_y", trace_.polygon.centroid()); }
+void StepNumbers::centroid() { point("centroid_x", "centroid_y", trace_.object().centroid()); }
 
 void StepNumbers::centre() {
   point("x", "y", trace_.centre);
-  add("moved_by", length(trace_.centre - trace_.polygon.centroid()));
+  add("moved_by", length(trace_.centre - trace_.object().centroid()));
 }
 
 void StepNumbers::radial() { count("edges", trace_.radial_edges.size()); }
@@ -79,7 +79,7 @@ void StepNumbers::candidates() {
 }
 
 void StepNumbers::directions() {
-  add("open_degrees", 180 / pi * open_directions_rad(trace_.polygon, trace_.centre));
+  add("open_degrees", 180 / pi * open_directions_rad(trace_.polygon(), trace_.centre));
 }
 
 void StepNumbers::scores() {
@@ -138,8 +138,8 @@ void StepNumbers::base() {
   count("team", item_ + 1);
   count("corners_before", detail_.base_before.size());
   count("corners", detail_.base.size());
-  add("coverage_before", evenlift::coverage(trace_.polygon, detail_.base_before));
-  add("coverage", evenlift::coverage(trace_.polygon, detail_.base));
+  add("coverage_before", evenlift::coverage(trace_.object(), detail_.base_before));
+  add("coverage", evenlift::coverage(trace_.object(), detail_.base));
 }
 
 void StepNumbers::fewer() {

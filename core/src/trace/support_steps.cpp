@@ -67,7 +67,7 @@ void StepNumbers::support() {
 
 void StepNumbers::equations() {
   count("robots", count_robots(placement_.teams));
-  add("weight", placement_.settings.weight);
+  add("weight", placement_.weight());
 }
 
 void StepNumbers::each_load() {
@@ -105,7 +105,7 @@ void StepFigures::support() {
 void StepFigures::add_base_of(FigureKind kind, std::size_t supports) {
   std::vector<LiftingPoint> points = lifting_points(placement_.teams);
   points.resize(supports);
-  if (!points.empty()) add(kind, lifting_base(trace_.polygon, points));
+  if (!points.empty()) add(kind, lifting_base(trace_.polygon(), points));
 }
 
 void StepFigures::equations() {
@@ -126,7 +126,7 @@ void StepFigures::by_areas() {
   const Points places = first_places(placement_, 3);
   for (std::uint32_t i = 0; i < 3; ++i)
     add(FigureKind::share, Points{trace_.centre, places[(i + 1) % 3], places[(i + 2) % 3]}, i,
-        placement_.teams[0].robots[i].load / placement_.settings.weight);
+        placement_.teams[0].robots[i].load / placement_.weight());
   add_supports(true);
 }
 
@@ -135,8 +135,8 @@ void StepFigures::by_areas() {
 void StepFigures::by_springs() {
   constexpr int lines = 7;
   const Sinking sinking = sinking_of(placement_);
-  const double steep = length(sinking.slope), size = trace_.polygon.diameter();
-  if (steep * size > tau * placement_.settings.weight) {
+  const double steep = length(sinking.slope), size = trace_.polygon().diameter();
+  if (steep * size > tau * placement_.weight()) {
     const Vec2 down = sinking.slope / steep, across = left_normal(down) * (size / 2);
     for (int i = 0; i < lines; ++i) {
       const double ahead = (i - lines / 2) * size / lines;

@@ -199,9 +199,10 @@ std::optional<InputError> collect_candidates(Trace& trace) {
   const Positions positions = trace.placement.settings.positions;
   const Stands* stands = trace.placement.stands.get();
   const double clear = hold_requirements(trace.placement).clear;
-  auto traced = stands ? standing_candidates(trace.polygon, trace.centre, min_ratio, *stands,
-                                             positions, clear)
-                       : trace_candidates(trace.polygon, trace.centre, min_ratio, positions, clear);
+  auto traced =
+      stands
+          ? standing_candidates(trace.polygon(), trace.centre, min_ratio, *stands, positions, clear)
+          : trace_candidates(trace.polygon(), trace.centre, min_ratio, positions, clear);
   if (!traced) return traced.error();
   trace.candidate_of_source = std::move(traced->of_source);
   for (std::uint32_t source = 0; source < traced->ranges_of_source.size(); ++source) {
@@ -223,32 +224,32 @@ std::optional<InputError> collect_candidates(Trace& trace) {
 
 // The results of the stages before the selection.
 std::optional<InputError> collect(Trace& trace) {
-  if (auto error = check_steps(2 * count_edge_pairs(trace.polygon, trace.centre))) return error;
-  auto chords = vertex_chords(trace.polygon, trace.centre);
+  if (auto error = check_steps(2 * count_edge_pairs(trace.polygon(), trace.centre))) return error;
+  auto chords = vertex_chords(trace.polygon(), trace.centre);
   if (!chords) return chords.error();
-  auto pairs = edge_pairs(trace.polygon, trace.centre);
+  auto pairs = edge_pairs(trace.polygon(), trace.centre);
   if (!pairs) return pairs.error();
-  auto opposite = opposite_vertices(trace.polygon, trace.centre);
+  auto opposite = opposite_vertices(trace.polygon(), trace.centre);
   if (!opposite) return opposite.error();
-  trace.rays = make_rays(trace.polygon, trace.centre, *chords);
+  trace.rays = make_rays(trace.polygon(), trace.centre, *chords);
   trace.pairs = *std::move(pairs);
   trace.opposite = *std::move(opposite);
-  const std::vector<bool> radial = radial_edges(trace.polygon, trace.centre);
+  const std::vector<bool> radial = radial_edges(trace.polygon(), trace.centre);
   for (std::uint32_t edge = 0; edge < radial.size(); ++edge)
     if (radial[edge]) trace.radial_edges.push_back(edge);
   return collect_candidates(trace);
 }
 
 std::vector<Team> teams_on(const Placement& placement, const std::vector<std::uint32_t>& taken) {
-  return distribute_weight(chords_of(placement.candidates, taken), placement.settings.weight);
+  return distribute_weight(chords_of(placement.candidates, taken), placement.weight());
 }
 
 // Repeats the swaps.
 void trace_swaps(Trace& trace) {
   const Placement& placement = trace.placement;
   const Settings& settings = placement.settings;
-  trace.swaps = swap_teams(trace.polygon, trace.centre, placement.candidates,
-                           select_teams(trace.polygon, trace.centre, placement.candidates,
+  trace.swaps = swap_teams(trace.object(), trace.centre, placement.candidates,
+                           select_teams(trace.object(), trace.centre, placement.candidates,
                                         trace.metric(), placement.requested_teams,
                                         first_team(settings.positions), placement.stands.get()),
                            hold_requirements(placement), placement.stands.get());
@@ -262,14 +263,13 @@ void trace_swaps(Trace& trace) {
 Result<Trace> make_trace(const Placement& placement, HistoryLength length, const Units& units) {
   // The steps show the teams where the method placed them.
   if (!placement.moved.teams.empty()) {
-    const auto found = place(placement.polygon, placement.centre_of_mass, placement.settings);
+    const auto found = place(placement.object, placement.own_centre, placement.settings);
     if (!found) return found.error();
     Result<Trace> trace = make_trace(*found, length, units);
     if (trace) trace->moved = placement;
     return trace;
   }
   Trace trace{.placement = placement,
-              .polygon = placement.polygon,
               .centre = placement.centre_of_mass,
               .units = units,
               .rays = {},
@@ -297,7 +297,7 @@ Result<Trace> make_trace(const Placement& placement, HistoryLength length, const
     if (auto error = collect(trace)) return *error;
   // During a drag the page does not swap teams, so the trace does not either.
   if (swaps_teams(placement.settings) && placement.search_ended) trace_swaps(trace);
-  trace.contacts = contacts(trace.polygon, contact_points(trace.placement));
+  trace.contacts = contacts(trace.polygon(), contact_points(trace.placement));
   if (auto error = check_steps(write_blocks(trace))) return *error;
   return trace;
 }
@@ -400,7 +400,7 @@ Points lifting_base(const Trace& trace, const Progress& known) {
   const std::vector<Team>& teams = teams_at(trace, known);
   const auto number =
       static_cast<std::ptrdiff_t>(std::min<std::size_t>(known.base_teams, teams.size()));
-  return lifting_base(trace.polygon, lifting_points({teams.begin(), teams.begin() + number}));
+  return lifting_base(trace.polygon(), lifting_points({teams.begin(), teams.begin() + number}));
 }
 
 // The sweep turns left from the direction of the x axis, but slopes rise from just after the
@@ -409,7 +409,7 @@ std::vector<std::uint32_t> chords_by_slope(const Trace& trace) {
   std::vector<std::uint32_t> falling, others;
   for (std::uint32_t i = 0; i < trace.rays.vertices.size(); ++i) {
     const std::uint32_t vertex = trace.rays.vertices[i];
-    const Vec2 u = trace.polygon.vertex(vertex) - trace.centre;
+    const Vec2 u = trace.polygon().vertex(vertex) - trace.centre;
     const bool falls = u.x() * u.y() < 0 && !is_vertical(u);
     for (std::uint32_t c = trace.rays.begins[i]; c < trace.rays.begins[i + 1]; ++c) {
       // Otherwise an earlier ray lists it.

@@ -12,11 +12,11 @@ void cut_regions(const Trace& trace, std::uint32_t contacts, StepDetail& detail)
   const auto some = [&](std::uint32_t number) {
     return std::vector<Contact>(trace.contacts.data(), trace.contacts.data() + number);
   };
-  FreeRegions after = free_regions(trace.polygon, trace.centre, some(contacts));
+  FreeRegions after = free_regions(trace.polygon(), trace.centre, some(contacts));
   detail.clockwise = std::move(after.clockwise);
   detail.counterclockwise = std::move(after.counterclockwise);
   if (contacts < 2) return;
-  const FreeRegions before = free_regions(trace.polygon, trace.centre, some(contacts - 1));
+  const FreeRegions before = free_regions(trace.polygon(), trace.centre, some(contacts - 1));
   detail.clockwise_before = before.clockwise.exists;
   detail.counterclockwise_before = before.counterclockwise.exists;
 }
@@ -45,8 +45,8 @@ void look_at_bases_of_swap(const Trace& trace, StepDetail& detail) {
 bool centre_is_outside(const Trace& trace) {
   const Vec2& c = trace.centre;
   bool outside = true;
-  for (std::size_t i = 0; i < trace.polygon.size(); ++i) {
-    const Vec2 &p = trace.polygon.edge_start(i), &q = trace.polygon.edge_end(i);
+  for (std::size_t i = 0; i < trace.polygon().size(); ++i) {
+    const Vec2 &p = trace.polygon().edge_start(i), &q = trace.polygon().edge_end(i);
     const double side = orient(p, q, c);
     const bool within_x = (p.x() <= c.x()) == (c.x() <= q.x());
     const bool within_y = (p.y() <= c.y()) == (c.y() <= q.y());

@@ -33,8 +33,8 @@ class GainScene {
   }
 
   void add_part(const EndGain& end) {
-    Points part = trace_.polygon.vertices();
-    if (!trace_.polygon.counter_clockwise()) std::reverse(part.begin(), part.end());
+    Points part = trace_.object().boundary();
+    if (!trace_.polygon().counter_clockwise()) std::reverse(part.begin(), part.end());
     part = clip_left(part, end.h2, end.h1);  // beyond the edge of H
     part = clip_left(part, end.h1, end.p);
     part = clip_left(part, end.p, end.h2);
@@ -51,7 +51,7 @@ class GainScene {
   }
 
   void add_arms(const EndGain& end) {
-    const Surroundings surroundings(trace_.polygon, trace_.centre);
+    const Surroundings surroundings(trace_.object(), trace_.centre);
     const Vec2 h1 = end.h1 - trace_.centre, h2 = end.h2 - trace_.centre, p = end.p - trace_.centre;
     const Wedge wedge(surroundings, Metric::distance, h1, h2);
     for (const Wedge::Arm& arm : wedge.arms(p)) {

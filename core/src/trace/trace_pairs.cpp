@@ -23,7 +23,7 @@ Outcome outcome_of(const PairVerdict& verdict) {
 
 // Adjusts a pair's candidate to robots with a size.
 void find_standing(const Trace& trace, PairDetail& detail) {
-  const double near = near_distance(trace.polygon.diameter());
+  const double near = near_distance(trace.polygon().diameter());
   if (!detail.candidate) {
     detail.standing = Standing::nowhere;
     return;
@@ -54,7 +54,7 @@ std::string_view name(Outcome outcome) {
 }
 
 PairDetail look_at_pair(const Trace& trace, std::uint32_t index) {
-  const Polygon& polygon = trace.polygon;
+  const Polygon& polygon = trace.polygon();
   const Vec2& centre = trace.centre;
   PairDetail detail;
   detail.pair = trace.pairs[index];
@@ -91,11 +91,11 @@ RangeDetail look_at_range(const Trace& trace, std::uint32_t index) {
   detail.pair = trace.pairs[trace.ranges[index]];
   const double min_ratio = trace.placement.settings.min_ratio;
   if (const Stands* stands = trace.placement.stands.get()) {
-    const auto ranges = standing_ranges(trace.polygon, trace.centre, detail.pair.a, detail.pair.b,
+    const auto ranges = standing_ranges(trace.polygon(), trace.centre, detail.pair.a, detail.pair.b,
                                         min_ratio, *stands);
-    detail.range = ranges[longest_range(ranges, near_distance(trace.polygon.diameter()))];
+    detail.range = ranges[longest_range(ranges, near_distance(trace.polygon().diameter()))];
   } else {
-    detail.range = *range_of(trace.polygon, trace.centre, detail.pair, min_ratio);
+    detail.range = *range_of(trace.polygon(), trace.centre, detail.pair, min_ratio);
   }
   detail.ends = {chord_at(trace.centre, detail.range, detail.range.first),
                  chord_at(trace.centre, detail.range, detail.range.last)};
@@ -107,7 +107,7 @@ OppositeDetail look_at_opposite(const Trace& trace, std::uint32_t index) {
   const auto source = static_cast<std::uint32_t>(trace.pairs.size()) + index;
   OppositeDetail detail;
   detail.vertices = trace.opposite[index];
-  detail.chord = opposite_chord(trace.polygon, trace.centre, detail.vertices).chord;
+  detail.chord = opposite_chord(trace.polygon(), trace.centre, detail.vertices).chord;
   detail.candidate = candidate_of(trace, source);
   detail.stands = detail.candidate && trace.source_of_candidate[*detail.candidate] == source;
   return detail;

@@ -120,8 +120,8 @@ OtherSwap compare_swap(const Trace& trace, const StepDetail& detail, const Quest
   OtherSwap other;
   if (question.kind == QuestionKind::leaving_team) {
     other.team = choice;
-    const auto best = best_swap_of(trace.polygon, trace.centre, placement.candidates, taken, choice,
-                                   firm, stands);
+    const auto best = best_swap_of(trace.object(), trace.centre, placement.candidates, taken,
+                                   choice, firm, stands);
     if (!best) return other;
     other.candidate = best->taken[choice];
     other.keys = best->keys;
@@ -130,7 +130,7 @@ OtherSwap compare_swap(const Trace& trace, const StepDetail& detail, const Quest
   other.team = detail.swap->teams[0];
   other.candidate = choice;
   taken[other.team] = choice;
-  other.keys = hold_keys(trace.polygon, trace.centre, placement.candidates, taken, firm, stands);
+  other.keys = hold_keys(trace.object(), trace.centre, placement.candidates, taken, firm, stands);
   return other;
 }
 

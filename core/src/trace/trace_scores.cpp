@@ -80,7 +80,7 @@ void score_first_team(const std::vector<Candidate>& candidates, FirstTeam first,
 double score_further_team(const Trace& trace, TeamScores& scores) {
   const Placement& placement = trace.placement;
   const std::vector<Candidate>& candidates = placement.candidates;
-  Selector selector(trace.polygon, trace.centre, candidates, trace.metric(), ~std::size_t{0},
+  Selector selector(trace.object(), trace.centre, candidates, trace.metric(), ~std::size_t{0},
                     FirstTeam::even, placement.stands.get());
   for (std::uint32_t i = 0; i < scores.team; ++i) {
     const std::uint32_t taken = trace.selected()[i];
@@ -90,7 +90,7 @@ double score_further_team(const Trace& trace, TeamScores& scores) {
   for (std::uint32_t i = 0; i < candidates.size(); ++i)
     scores.of_candidate[i].collides = selector.dropped_out(i);
   selector.compare();
-  const bool all = std::uint64_t{candidates.size()} * trace.polygon.size() <= exact_score_budget;
+  const bool all = std::uint64_t{candidates.size()} * trace.polygon().size() <= exact_score_budget;
   for (const Vec2& corner : selector.base()) scores.base.push_back(trace.centre + corner);
   for (std::uint32_t i = 0; i < candidates.size(); ++i) {
     Score& score = scores.of_candidate[i];

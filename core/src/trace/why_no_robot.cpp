@@ -67,7 +67,7 @@ SetComparison compare(const Trace& trace, const std::vector<LiftingPoint>& robot
 
 WhyNoRobot why_no_robot(const Trace& trace, std::uint32_t k, const Vec2& at, double reach) {
   WhyNoRobot answer;
-  answer.place = nearest_on_boundary(trace.polygon, at);
+  answer.place = nearest_on_boundary(trace.polygon(), at);
   const BalancedSet* set = balanced_set_at(trace, trace.step(k));
   if (!set || set->robots.size() < 3) set = balanced_set_at(trace, {StepKind::result});
   if (!set || set->robots.size() < 3) return answer;

@@ -21,9 +21,9 @@ std::uint32_t team_at(const Trace& trace, std::uint32_t k) {
 // Whether a lifting point is on an edge: its own, or the one that meets it at a vertex.
 bool lies_on(const Trace& trace, const LiftingPoint& point, std::uint32_t edge) {
   if (point.edge == edge) return true;
-  const double near = near_distance(trace.polygon.diameter());
-  return length(point.position - trace.polygon.edge_start(edge)) <= near ||
-         length(point.position - trace.polygon.edge_end(edge)) <= near;
+  const double near = near_distance(trace.polygon().diameter());
+  return length(point.position - trace.polygon().edge_start(edge)) <= near ||
+         length(point.position - trace.polygon().edge_end(edge)) <= near;
 }
 
 bool lies_on(const Trace& trace, const Chord& chord, const EdgePair& pair) {
@@ -34,7 +34,7 @@ bool lies_on(const Trace& trace, const Chord& chord, const EdgePair& pair) {
 }
 
 bool is_same(const Trace& trace, const Chord& a, const Chord& b) {
-  return same_chord(a, b, near_distance(trace.polygon.diameter()));
+  return same_chord(a, b, near_distance(trace.polygon().diameter()));
 }
 
 // The candidate with this chord.
@@ -81,7 +81,7 @@ constexpr std::size_t most_chords_through = 256;
 std::vector<Chord> chords_through(const Trace& trace, const Vec2& direction) {
   std::vector<Chord> chords;
   if (!(length(direction) > 0)) return chords;
-  const RayCaster rays(trace.polygon, trace.centre);
+  const RayCaster rays(trace.polygon(), trace.centre);
   const auto ahead = rays.hits(direction), behind = rays.hits(-direction);
   for (const RayCaster::Hit& a : ahead) {
     for (const RayCaster::Hit& b : behind) {
@@ -137,7 +137,7 @@ std::optional<Chord> chord_at(const Trace& trace, const Vec2& point) {
   for (const Chord& chord : chords_through(trace, direction)) {
     // The arm of the end on the point's side.
     const double arm = points_right(direction) ? chord.arm2 : chord.arm1;
-    const bool reaches_it = arm >= wanted - near_distance(trace.polygon.diameter());
+    const bool reaches_it = arm >= wanted - near_distance(trace.polygon().diameter());
     const double size = chord.arm1 + chord.arm2, best_size = best ? best->arm1 + best->arm2 : 0;
     if (!best || (reaches_it && !reaches) ||
         (reaches_it == reaches && (reaches ? size < best_size : size > best_size))) {

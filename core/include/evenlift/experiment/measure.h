@@ -8,7 +8,7 @@
 
 #include "evenlift/candidates.h"
 #include "evenlift/document.h"
-#include "evenlift/polygon.h"
+#include "evenlift/polygon_with_holes.h"
 #include "evenlift/result.h"
 
 namespace evenlift::experiment {
@@ -38,7 +38,7 @@ std::optional<InputError> check_settings(const ExperimentSettings& settings);
 
 // A polygon ready to be measured.
 struct Subject {
-  Polygon polygon;
+  PolygonWithHoles object;
   Vec2 centre = Vec2::Zero();
   std::vector<Candidate> candidates;  // their number is the greatest number of teams
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "evenlift/centre_of_mass.h"
 #include "evenlift/closure.h"
 #include "evenlift/hull.h"
 #include "evenlift/loads.h"
@@ -18,7 +19,9 @@ namespace {
 class Growing {
  public:
   Growing(const Subject& subject, double weight)
-      : subject_(subject), weight_(weight), near_(near_distance(subject.polygon.diameter())) {}
+      : subject_(subject),
+        weight_(weight),
+        near_(near_distance(subject.object.outline().diameter())) {}
 
   void add(const Chord& chord) {
     for (const LiftingPoint& end : {chord.r1, chord.r2}) points_.push_back(end);
@@ -35,7 +38,7 @@ class Growing {
   Measurement measured() {
     Measurement m;
     m.robots = static_cast<std::uint32_t>(points_.size());
-    if (!coverage_) coverage_ = coverage(subject_.polygon, hull_);
+    if (!coverage_) coverage_ = coverage(subject_.object, hull_);
     m.coverage = *coverage_;
     const LoadSummary loads = *summarize_loads(distribute_weight(chords_, weight_));
     m.load_min = loads.min;
@@ -51,7 +54,7 @@ class Growing {
     const Vec2 &p = chord.r1.position, &q = chord.r2.position;
     if (hull_.size() >= 3) return widen_hull(hull_, p, q, near_);
     // While H is a segment, points beside it within tolerance are not among its corners.
-    return lifting_base(subject_.polygon, points_);
+    return lifting_base(subject_.object, points_);
   }
 
   const Subject& subject_;
@@ -73,7 +76,7 @@ std::vector<Measurement> measure_selected(const Subject& subject, Method method,
                                           const ExperimentSettings& settings) {
   std::vector<Measurement> rows;
   Growing placement(subject, settings.weight);
-  for (const std::uint32_t i : select_teams(subject.polygon, subject.centre, subject.candidates,
+  for (const std::uint32_t i : select_teams(subject.object, subject.centre, subject.candidates,
                                             *metric_of(method), most_teams(subject, settings))) {
     placement.add(subject.candidates[i].chord);
     Measurement m = placement.measured();
@@ -90,7 +93,7 @@ std::vector<Measurement> measure_distributed(const Subject& subject,
                                              const ExperimentSettings& settings) {
   std::vector<Measurement> rows;
   for (std::size_t teams = 1; teams <= most_teams(subject, settings); ++teams) {
-    const std::vector<Chord> chords = distributed_teams(subject.polygon, subject.centre, teams);
+    const std::vector<Chord> chords = distributed_teams(subject.object, subject.centre, teams);
     if (chords.size() < teams) break;
     Growing placement(subject, settings.weight);
     for (const Chord& chord : chords) placement.add(chord);
@@ -107,12 +110,12 @@ std::vector<Measurement> measure_distributed(const Subject& subject,
 std::size_t first_passing(const Subject& subject, const std::vector<LiftingPoint>& points,
                           Test test) {
   std::size_t fails = 0, passes = points.size() / 2 + 1;
-  if (!test(subject.polygon, subject.centre, points)) return passes;
+  if (!test(subject.object, subject.centre, points)) return passes;
   --passes;
   while (passes - fails > 1) {
     const std::size_t middle = fails + (passes - fails) / 2;
     const auto end = points.begin() + static_cast<std::ptrdiff_t>(2 * middle);
-    const bool passed = test(subject.polygon, subject.centre, {points.begin(), end});
+    const bool passed = test(subject.object, subject.centre, {points.begin(), end});
     (passed ? passes : fails) = middle;
   }
   return passes;
@@ -150,7 +153,7 @@ std::vector<Measurement> measure_random(const Subject& subject,
   none.max_share = 0;
   std::vector<Measurement> sums(teams, none);
   for (std::uint32_t seed = 1; seed <= settings.samples; ++seed)
-    add_sample(subject, settings.weight, random_teams(subject.polygon, subject.centre, teams, seed),
+    add_sample(subject, settings.weight, random_teams(subject.object, subject.centre, teams, seed),
                sums);
   for (std::size_t t = 0; t < teams; ++t) {
     Measurement& m = sums[t];
@@ -180,13 +183,13 @@ std::optional<InputError> check_settings(const ExperimentSettings& settings) {
 }
 
 Result<Subject> prepare(const Document& document, double min_ratio) {
-  auto polygon = Polygon::create(document.vertices);
-  if (!polygon) return polygon.error();
-  const auto centre = check_centre_of_mass(*polygon, document.centre_of_mass);
+  auto object = object_of(document);
+  if (!object) return object.error();
+  const auto centre = centre_of_mass(*object, document.centre_of_mass, document.settings);
   if (!centre) return centre.error();
-  auto candidates = find_candidates(*polygon, *centre, min_ratio);
+  auto candidates = find_candidates(*object, centre->all, min_ratio);
   if (!candidates) return candidates.error();
-  return Subject{*std::move(polygon), *centre, *std::move(candidates)};
+  return Subject{*std::move(object), centre->all, *std::move(candidates)};
 }
 
 std::uint32_t teams_of(Method method, std::uint32_t robots) {

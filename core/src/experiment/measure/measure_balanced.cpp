@@ -15,7 +15,7 @@ std::vector<LiftingPoint> find_balanced(const Subject& subject, std::uint32_t ro
   Settings settings;
   settings.method = Method::balanced;
   settings.robots = robots;
-  const BalancedProblem problem(subject.polygon, subject.centre, settings);
+  const BalancedProblem problem(subject.object, subject.centre, settings);
   std::optional<BalancedSearch> search = start_balanced(problem);
   if (!search) return {};
   return finish_search(problem, *std::move(search)).robots;
@@ -26,7 +26,7 @@ Measurement measured(const Subject& subject, const std::vector<LiftingPoint>& po
   Measurement m;
   m.method = Method::balanced;
   m.robots = static_cast<std::uint32_t>(points.size());
-  m.coverage = coverage(subject.polygon, lifting_base(subject.polygon, points));
+  m.coverage = coverage(subject.object, lifting_base(subject.object, points));
   const LoadSummary loads = *summarize_loads({share_evenly(points, subject.centre, weight)});
   m.load_min = loads.min;
   m.load_mean = loads.mean;
@@ -46,9 +46,9 @@ bool holds_clearly(const Polygon& polygon, const Vec2& centre,
 }
 
 void test_closure(const Subject& subject, const std::vector<LiftingPoint>& points, Measurement& m) {
-  m.form_closure = in_form_closure(subject.polygon, subject.centre, points) ? 1 : 0;
-  m.no_area = no_region_has_area(subject.polygon, subject.centre, points) ? 1 : 0;
-  m.held_clear = holds_clearly(subject.polygon, subject.centre, points) ? 1 : 0;
+  m.form_closure = in_form_closure(subject.object, subject.centre, points) ? 1 : 0;
+  m.no_area = no_region_has_area(subject.object, subject.centre, points) ? 1 : 0;
+  m.held_clear = holds_clearly(subject.object, subject.centre, points) ? 1 : 0;
 }
 
 std::vector<Measurement> measure_balanced(const Subject& subject,

@@ -127,8 +127,8 @@ PolygonResult result_of(const std::string& set, const std::string& polygon,
   PolygonResult result;
   result.set = set;
   result.polygon = polygon;
-  result.vertices = static_cast<std::uint32_t>(subject.polygon.size());
-  result.convex = subject.polygon.convex();
+  result.vertices = static_cast<std::uint32_t>(subject.object.outline().size());
+  result.convex = subject.object.outline().convex();
   result.candidates = static_cast<std::uint32_t>(subject.candidates.size());
   return result;
 }

@@ -118,7 +118,7 @@ void add_moved(std::vector<json::Member>& members, const Moved& moved) {
 // Parts of edges: edges counted from 1, with positions from 0 to 1 along each.
 std::string unusable_json(const Placement& placement) {
   std::vector<std::string> items;
-  const Polygon& polygon = placement.polygon;
+  const Polygon& polygon = placement.polygon();
   for (const UnusablePart& part : placement.stands->unusable()) {
     const double size = length(polygon.edge_end(part.edge) - polygon.edge_start(part.edge));
     items.push_back(json::array({std::to_string(part.edge + 1), json::number(part.part.from / size),

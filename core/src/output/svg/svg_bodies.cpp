@@ -55,7 +55,7 @@ Points extent(const Placement& placement, const std::vector<PlacedRobot>& robots
 std::string unusable_boundary(const Placement& placement, const Paper& paper) {
   if (!placement.stands) return "";
   std::string out;
-  const Polygon& polygon = placement.polygon;
+  const Polygon& polygon = placement.polygon();
   for (const UnusablePart& part : placement.stands->unusable()) {
     const Vec2 &a = polygon.edge_start(part.edge), &b = polygon.edge_end(part.edge);
     const Vec2 along = (b - a) / length(b - a);

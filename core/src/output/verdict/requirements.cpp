@@ -142,9 +142,9 @@ double slack(Unit unit, const Placement& placement) {
     case Unit::share:
       return tau;
     case Unit::weight:
-      return tau * placement.settings.weight;
+      return tau * placement.weight();
     case Unit::length:
-      return tau * placement.polygon.diameter();
+      return tau * placement.polygon().diameter();
     case Unit::none:
       break;
   }

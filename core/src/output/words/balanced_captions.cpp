@@ -11,7 +11,7 @@ namespace evenlift {
 namespace {
 
 Piece load_of_each(const Trace& trace, std::size_t robots) {
-  const double load = trace.placement.settings.weight / static_cast<double>(robots);
+  const double load = trace.placement.weight() / static_cast<double>(robots);
   return weight_text(trace, load, load);
 }
 
@@ -51,7 +51,7 @@ std::string StepFormulas::lever() const {
   const double arm = length(robots[1].position - trace_.centre),
                whole_length = length(robots[1].position - robots[0].position);
   return fill("W1 = W × |C r2| / |r1 r2| = # × # / # = #",
-              {exact(placement_.settings.weight), length_text(trace_, arm),
+              {exact(placement_.weight()), length_text(trace_, arm),
                length_text(trace_, whole_length), load_of_each(trace_, 2)});
 }
 
@@ -64,7 +64,7 @@ std::string StepFormulas::three() const {
   const Vec2 middle = (robots[0].position + robots[1].position) / 2;
   const double arm = length(middle - trace_.centre);
   return fill("W3 = W × |C M| / |r3 M| = # × # / # = #",
-              {exact(placement_.settings.weight), length_text(trace_, arm),
+              {exact(placement_.weight()), length_text(trace_, arm),
                length_text(trace_, length(robots[2].position - middle)), load_of_each(trace_, 3)});
 }
 

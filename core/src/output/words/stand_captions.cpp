@@ -32,6 +32,8 @@ std::string lost_in_words(WhyUnusable why, double share, const RobotSize& robot,
                   {lost, size(robot.width)});
     case WhyUnusable::hand:
       return fill("at # a hand of depth # would stick out", {lost, size(robot.depth)});
+    case WhyUnusable::hole:
+      return fill("at # a hand of depth # would reach into a hole", {lost, size(robot.depth)});
     case WhyUnusable::near_no_go:
       return fill("at # a hand of width # would reach a no-go part", {lost, size(robot.width)});
     case WhyUnusable::narrow:

@@ -21,11 +21,11 @@ Piece StepCaptions::least() const { return exact(placement_.settings.min_ratio);
 
 std::string StepCaptions::polygon() const {
   std::size_t reflex = 0;
-  const std::size_t n = trace_.polygon.size();
-  for (std::size_t i = 0; i < n; ++i) reflex += trace_.polygon.turn(i) == Turn::reflex;
-  const double size = trace_.polygon.diagonal();
+  const std::size_t n = trace_.polygon().size();
+  for (std::size_t i = 0; i < n; ++i) reflex += trace_.polygon().turn(i) == Turn::reflex;
+  const double size = trace_.polygon().diagonal();
   return fill("The object: a polygon with # and an area of #. ",
-              {counted(n, "vertex"), number(trace_.polygon.area(), 0.1 * size * size)}) +
+              {counted(n, "vertex"), number(trace_.object().area(), 0.1 * size * size)}) +
          (reflex == 0 ? "It is convex."
                       : fill("It is not convex: # of its corners point#inwards.",
                              {whole(reflex), reflex == 1 ? "s " : " "})) +
@@ -37,11 +37,11 @@ std::string StepCaptions::polygon() const {
 std::string StepCaptions::centroid() const {
   return fill(
       "The centroid is the point where the area balances. Cut the polygon into triangles that share vertex 1 and average their centroids, weighted by area; triangles that fold back count as negative. The centroid is #.",
-      {point_text(trace_, trace_.polygon.centroid())});
+      {point_text(trace_, trace_.object().centroid())});
 }
 
 std::string StepCaptions::what_c_is() const {
-  const double moved = length(trace_.centre - trace_.polygon.centroid());
+  const double moved = length(trace_.centre - trace_.object().centroid());
   std::string text =
       moved == 0
           ? fill("The centre of mass C is the centroid, #.", {point_text(trace_, trace_.centre)})
@@ -107,7 +107,8 @@ std::string StepCaptions::ray() const {
 }
 
 Vec2 StepCaptions::far_end(const Chord& chord, std::uint32_t vertex) const {
-  return chord.r1.position == trace_.polygon.vertex(vertex) ? chord.r2.position : chord.r1.position;
+  return chord.r1.position == trace_.polygon().vertex(vertex) ? chord.r2.position
+                                                              : chord.r1.position;
 }
 
 std::string StepCaptions::slopes() const {
@@ -260,7 +261,7 @@ std::string StepCaptions::candidates() const {
 std::string StepCaptions::directions() const {
   return fill(
       "Lines through C that meet the boundary on both sides of C span #° of 180°. The teams divide these directions equally.",
-      {with_decimals(180 / pi * open_directions_rad(trace_.polygon, trace_.centre), 1)});
+      {with_decimals(180 / pi * open_directions_rad(trace_.polygon(), trace_.centre), 1)});
 }
 
 // "Candidate 6 has 571.7, candidate 5 has 520.6, candidate 2 has 394.9."
@@ -332,8 +333,8 @@ std::string StepCaptions::team() const {
                           ratio_text(b.chord.ratio, a.chord.ratio)});
     case DecidedBy::length:
       return text + fill(": it ties with candidate # but is longer, # against #.",
-                         {other, number_unlike(a.length, b.length, trace_.polygon.diagonal()),
-                          number_unlike(b.length, a.length, trace_.polygon.diagonal())});
+                         {other, number_unlike(a.length, b.length, trace_.polygon().diagonal()),
+                          number_unlike(b.length, a.length, trace_.polygon().diagonal())});
     case DecidedBy::order:
       return text +
              fill(": it ties with candidate # in everything but comes first in order of slope.",
@@ -370,7 +371,7 @@ std::string StepCaptions::team_without_candidates() const {
 std::string StepCaptions::base() const {
   if (detail_.base == detail_.base_before)
     return "The lifting base H, the convex hull of all robots, does not change.";
-  const Piece covers = percent(evenlift::coverage(trace_.polygon, detail_.base));
+  const Piece covers = percent(evenlift::coverage(trace_.object(), detail_.base));
   if (detail_.base_before.empty())
     return "The lifting base H is the convex hull of all robots: so far, the segment between the two.";
   if (detail_.base.size() < 3)
@@ -390,14 +391,14 @@ std::string StepCaptions::fewer() const {
 std::string StepCaptions::share() const {
   const Team& team = placement_.teams[item_];
   const Piece item = counted_from_1(item_);
-  const Piece all = load(placement_.settings.weight / static_cast<double>(placement_.teams.size()));
+  const Piece all = load(placement_.weight() / static_cast<double>(placement_.teams.size()));
   const double first = team.robots[0].load, second = team.robots[1].load;
   if (is_even(chord_of(team)))
     return fill("Team # carries #, its share of #. Equal arms, equal loads: # for each robot.",
-                {item, all, exact(placement_.settings.weight), load(first)});
+                {item, all, exact(placement_.weight()), load(first)});
   return fill(
       "Team # carries #, its share of #. By the law of the lever, the robot nearer to C carries more: # and #.",
-      {item, all, exact(placement_.settings.weight), load(std::max(first, second)),
+      {item, all, exact(placement_.weight()), load(std::max(first, second)),
        load(std::min(first, second))});
 }
 

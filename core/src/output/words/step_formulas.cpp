@@ -63,12 +63,12 @@ std::string StepFormulas::score(const TeamScores& scores) const {
 
 std::string StepFormulas::polygon() const {
   return fill("area = |x1·y2 − x2·y1 + x2·y3 − …| / 2 = #",
-              {area_text(trace_, trace_.polygon.area())});
+              {area_text(trace_, trace_.object().area())});
 }
 
 std::string StepFormulas::centroid() const {
   return fill("sum of area × centroid / sum of areas = #",
-              {point_text(trace_, trace_.polygon.centroid())});
+              {point_text(trace_, trace_.object().centroid())});
 }
 
 // The ratio of the most even chord of a ray.
@@ -101,7 +101,7 @@ std::string StepFormulas::duplicates() const {
 }
 
 std::string StepFormulas::directions() const {
-  const double open = 180 / pi * open_directions_rad(trace_.polygon, trace_.centre);
+  const double open = 180 / pi * open_directions_rad(trace_.polygon(), trace_.centre);
   return fill("team k at (k − 1/2) / # × #°",
               {whole(placement_.requested_teams), with_decimals(open, 1)});
 }
@@ -123,7 +123,7 @@ std::string StepFormulas::base() const {
 
 std::string StepFormulas::share() const {
   const Team& team = placement_.teams[item_];
-  const Piece weight = exact(placement_.settings.weight);
+  const Piece weight = exact(placement_.weight());
   const Chord chord = chord_of(team);
   const double load1 = team.robots[0].load, load2 = team.robots[1].load;
   return fill(
@@ -135,19 +135,19 @@ std::string StepFormulas::share() const {
 std::string StepFormulas::loads() const {
   return fill(
       "mean = # / # = #, greatest − least = #",
-      {exact(placement_.settings.weight), whole(count_robots(placement_.teams)),
+      {exact(placement_.weight()), whole(count_robots(placement_.teams)),
        weight_text(trace_, placement_.loads->mean), weight_text(trace_, placement_.loads->spread)});
 }
 
 std::string StepFormulas::coverage() const {
   return fill("area of P in H / area of P = # / # = #",
-              {area_text(trace_, placement_.coverage * trace_.polygon.area()),
-               area_text(trace_, trace_.polygon.area()), with_decimals(placement_.coverage, 3)});
+              {area_text(trace_, placement_.coverage * trace_.object().area()),
+               area_text(trace_, trace_.object().area()), with_decimals(placement_.coverage, 3)});
 }
 
 std::string StepFormulas::cut() const {
   const Contact& contact = trace_.contacts[item_];
-  const Vec2 n = inward_normal(trace_.polygon, contact.edge);
+  const Vec2 n = inward_normal(trace_.polygon(), contact.edge);
   return fill("normal n = (#, #) at #", {with_decimals(n.x(), 3), with_decimals(n.y(), 3),
                                          point_text(trace_, contact.position)});
 }

@@ -73,15 +73,15 @@ std::string StepCaptions::falls() const {
 std::string StepFormulas::equations() const {
   const Vec2& centre = trace_.centre;
   return fill("Σ Wi = W = #, Σ Wi xi = W × #, Σ Wi yi = W × #",
-              {exact(placement_.settings.weight), number(centre.x(), trace_.polygon.diameter()),
-               number(centre.y(), trace_.polygon.diameter())});
+              {exact(placement_.weight()), number(centre.x(), trace_.polygon().diameter()),
+               number(centre.y(), trace_.polygon().diameter())});
 }
 
 std::string StepFormulas::by_lever() const {
   const std::vector<Robot>& robots = placement_.teams[0].robots;
   const double whole = robots[0].arm + robots[1].arm;
   return fill("W1 = W |C p2| / |p1 p2| = # × # / # = #",
-              {exact(placement_.settings.weight), length_text(trace_, robots[1].arm),
+              {exact(placement_.weight()), length_text(trace_, robots[1].arm),
                length_text(trace_, whole), load(robots[0].load)});
 }
 

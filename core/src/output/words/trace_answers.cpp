@@ -50,8 +50,8 @@ std::string behind(const Trace& trace, const WhyNot& answer) {
                    ratio_text(a.chord.ratio, b.chord.ratio)});
     case DecidedBy::length:
       return fill("For team #, candidate # ties with candidate #, which is longer, # against #.",
-                  {team, own, winner, number_unlike(b.length, a.length, trace.polygon.diagonal()),
-                   number_unlike(a.length, b.length, trace.polygon.diagonal())});
+                  {team, own, winner, number_unlike(b.length, a.length, trace.polygon().diagonal()),
+                   number_unlike(a.length, b.length, trace.polygon().diagonal())});
     case DecidedBy::order:
       return fill(
           "For team #, candidate # ties in everything with candidate #, which comes first in order of slope.",

@@ -114,15 +114,15 @@ Piece percent(double share) { return {Piece::Kind::percent, share}; }
 Piece ratio_text(double ratio, double other) { return {Piece::Kind::ratio, ratio, other}; }
 
 Piece length_text(const Trace& trace, double value) {
-  return number(value, trace.polygon.diagonal());
+  return number(value, trace.polygon().diagonal());
 }
 
 Piece area_text(const Trace& trace, double value) {
-  return number(value, 0.1 * trace.polygon.diagonal() * trace.polygon.diagonal());
+  return number(value, 0.1 * trace.polygon().diagonal() * trace.polygon().diagonal());
 }
 
 Piece point_text(const Trace& trace, const Vec2& point) {
-  return {Piece::Kind::point, point.x(), point.y(), trace.polygon.diagonal()};
+  return {Piece::Kind::point, point.x(), point.y(), trace.polygon().diagonal()};
 }
 
 Piece load_text(const Trace& trace, double value) {
@@ -165,7 +165,7 @@ MetricWords words_of(Metric metric) {
 
 Piece score_text(const Trace& trace, Rule rule, double value, double other) {
   if (rule == Rule::most_even) return ratio_text(value, other);
-  const double size = trace.polygon.diagonal();
+  const double size = trace.polygon().diagonal();
   const bool is_length =
       rule == Rule::longest_even || rule == Rule::longest || scores_are_lengths(trace.metric());
   return number_unlike(value, other, is_length ? size : 0.1 * size * size);

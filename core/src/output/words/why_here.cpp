@@ -36,7 +36,7 @@ std::string lead(const Trace& trace, const TeamScores& scores) {
   const std::uint32_t winner = scores.ranking[0], second = scores.ranking[1];
   const Candidate &a = trace.placement.candidates[winner], &b = trace.placement.candidates[second];
   const Units& units = trace.units;
-  const double size = trace.polygon.diagonal();
+  const double size = trace.polygon().diagonal();
   switch (scores.decided_by) {
     case DecidedBy::ratio:
       return fill(

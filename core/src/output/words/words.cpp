@@ -137,7 +137,7 @@ std::string loads_in_words(const ShownPlacement& of, LoadModel shown,
                                                          : "No team can be placed.";
   if (!placement.loads) return fall_in_words(of);
   const Units& units = of.shown.units;
-  const std::string in_all = " (" + given_weight(placement.settings.weight, units) + " in all).";
+  const std::string in_all = " (" + given_weight(placement.weight(), units) + " in all).";
   const double com_radius = of.shown.com_radius;
   const LoadSummary& loads = *placement.loads;
   const bool given = placement.settings.method == Method::given;
@@ -195,6 +195,8 @@ std::string unusable_in_words(WhyUnusable why, const RobotSize& robot, const Uni
                              : "no robot stands at a corner";
     case WhyUnusable::hand:
       return "a hand of depth " + size(robot.depth) + " would stick out here";
+    case WhyUnusable::hole:
+      return "a hand of depth " + size(robot.depth) + " would reach into a hole here";
     case WhyUnusable::near_no_go:
       return "a hand of width " + size(robot.width) + " would reach a no-go part";
     case WhyUnusable::narrow:

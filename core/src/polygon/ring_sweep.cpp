@@ -1,4 +1,4 @@
-#include "polygon/simplicity.h"
+#include "polygon/ring_sweep.h"
 
 #include <algorithm>
 #include <set>
@@ -39,30 +39,35 @@ bool meet_improperly(const Segment& s, const Segment& t) {
 
 class Sweep {
  public:
-  explicit Sweep(const Points& vertices) : vertices_(vertices), active_(Below{this}) {
-    const Index n = vertices.size();
+  explicit Sweep(const Rings& rings) : rings_(rings), active_(Below{this}) {
+    const Index n = rings.vertices.size();
+    ring_of_.reserve(n);
+    for (Index ring = 0; ring < rings.size(); ++ring)
+      ring_of_.insert(ring_of_.end(), rings.ends[ring] - rings.begin(ring), ring);
     segments_.reserve(n);
     for (Index i = 0; i < n; ++i) {
-      const Vec2& p = vertices[i];
-      const Vec2& q = vertices[i + 1 == n ? 0 : i + 1];
+      const Vec2& p = rings.vertices[i];
+      const Vec2& q = rings.vertices[next(i)];
       segments_.push_back(lexicographically_before(p, q) ? Segment{p, q} : Segment{q, p});
     }
     where_.resize(n);
+    sweep_.around.resize(rings.size());
+    seen_.resize(rings.size());
   }
 
-  std::optional<Pair> run(const SortedIndices& order) {
-    const Index n = vertices_.size();
+  RingSweep run(const SortedIndices& order) {
     for (const Index v : order) {
-      const Index incident[] = {v == 0 ? n - 1 : v - 1, v};
+      const Index incident[] = {previous(v), v};
       for (const Index edge : incident) {
-        if (segments_[edge].right == vertices_[v]) end(edge);
+        if (segments_[edge].right == rings_.vertices[v]) end(edge);
       }
       for (const Index edge : incident) {
-        if (segments_[edge].left == vertices_[v]) begin(edge);
+        if (segments_[edge].left == rings_.vertices[v]) begin(edge);
       }
-      if (found_) return found_;
+      if (sweep_.crossing) break;
+      if (!seen_[ring_of_[v]]) find_around(v);
     }
-    return std::nullopt;
+    return std::move(sweep_);
   }
 
  private:
@@ -93,15 +98,15 @@ class Sweep {
   }
 
   void note(Index a, Index b) {
-    if (!found_) found_ = std::minmax(a, b);
+    if (!sweep_.crossing) sweep_.crossing = std::minmax(a, b);
   }
 
   void check(Index a, Index b) {
-    if (!found_ && meet_improperly(segments_[a], segments_[b])) note(a, b);
+    if (!sweep_.crossing && meet_improperly(segments_[a], segments_[b])) note(a, b);
   }
 
   void begin(Index edge) {
-    if (found_) return;
+    if (sweep_.crossing) return;
     const auto place = active_.insert(edge).first;
     where_[edge] = place;
     if (place != active_.begin()) check(*std::prev(place), edge);
@@ -109,23 +114,45 @@ class Sweep {
   }
 
   void end(Index edge) {
-    if (found_) return;
+    if (sweep_.crossing) return;
     const auto next = active_.erase(where_[edge]);
     if (next != active_.begin() && next != active_.end()) check(*std::prev(next), *next);
   }
 
-  const Points& vertices_;
+  Index next(Index i) const {
+    const Index ring = ring_of_[i];
+    return i + 1 == rings_.ends[ring] ? rings_.begin(ring) : i + 1;
+  }
+  Index previous(Index i) const {
+    const Index ring = ring_of_[i];
+    return i == rings_.begin(ring) ? rings_.ends[ring] - 1 : i - 1;
+  }
+
+  // At the first vertex of a ring in sweep order: the ring lies within the ring of the edge below
+  // the vertex if that ring's inside is above the edge, and beside that ring otherwise.
+  void find_around(Index v) {
+    const Index ring = ring_of_[v];
+    seen_[ring] = true;
+    auto place = where_[v];
+    if (place != active_.begin() && *std::prev(place) == previous(v)) --place;
+    if (place == active_.begin()) return;
+    const Index below = *std::prev(place), other = ring_of_[below];
+    const bool to_the_right = segments_[below].left == rings_.vertices[below];
+    sweep_.around[ring] = to_the_right == rings_.counter_clockwise[other] ? std::optional(other)
+                                                                          : sweep_.around[other];
+  }
+
+  const Rings& rings_;
+  std::vector<Index> ring_of_;  // by vertex
   std::vector<Segment> segments_;
   std::set<Index, Below> active_;
   std::vector<std::set<Index, Below>::iterator> where_;
-  std::optional<Pair> found_;
+  std::vector<bool> seen_;  // by ring
+  RingSweep sweep_;
 };
 
 }  // namespace
 
-std::optional<std::pair<std::size_t, std::size_t>> find_crossing(const Points& vertices,
-                                                                 const SortedIndices& order) {
-  return Sweep(vertices).run(order);
-}
+RingSweep sweep(const Rings& rings, const SortedIndices& order) { return Sweep(rings).run(order); }
 
 }  // namespace evenlift

@@ -1,0 +1,25 @@
+// The centre of mass of the object alone, and with the cargo that is fixed to it.
+#pragma once
+
+#include <optional>
+
+#include "evenlift/document.h"
+#include "evenlift/polygon_with_holes.h"
+#include "evenlift/result.h"
+
+namespace evenlift {
+
+struct CentreOfMass {
+  Vec2 own = Vec2::Zero();  // C0, of the object alone
+  Vec2 all = Vec2::Zero();  // C, with its cargo; C0 if there is none
+};
+
+// C0 is the given point, or else the centroid of the object without its holes. With W0 its weight
+// and cargo of weights w at q, C = (W0 C0 + sum w q) / (W0 + sum w). An error if C is not strictly
+// inside the convex hull of the outline, which is decided exactly, or if a coordinate of C0 is not
+// finite, exceeds max_coordinate in size or, unless it is 0, is below min_coordinate. C0 and the
+// cargo may lie anywhere. O(items + h) for h corners of the hull.
+Result<CentreOfMass> centre_of_mass(const PolygonWithHoles& object,
+                                    const std::optional<Vec2>& given, const Settings& settings);
+
+}  // namespace evenlift

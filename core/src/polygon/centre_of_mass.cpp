@@ -1,0 +1,70 @@
+#include "evenlift/centre_of_mass.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "evenlift/predicates.h"
+#include "polygon/coordinates.h"
+
+namespace evenlift {
+namespace {
+
+InputError at_centre(ErrorCode code, std::string message) {
+  return {code, std::move(message), {Place::Kind::centre_of_mass, 0, 0, {}}};
+}
+
+std::optional<InputError> check_coordinates(const Vec2& centre) {
+  if (!centre.allFinite())
+    return at_centre(ErrorCode::bad_coordinate,
+                     "a coordinate of the centre of mass is not a finite number");
+  if (centre.cwiseAbs().maxCoeff() > max_coordinate)
+    return at_centre(ErrorCode::bad_coordinate,
+                     "a coordinate of the centre of mass exceeds 1e9 in size");
+  if (is_too_near_to_0(centre))
+    return at_centre(ErrorCode::bad_coordinate,
+                     "a coordinate of the centre of mass is below 1e-100 in size but not 0");
+  return std::nullopt;
+}
+
+bool is_strictly_in_hull(const Polygon& polygon, const Vec2& point) {
+  const Points& hull = polygon.hull();
+  for (std::size_t i = 0; i < hull.size(); ++i)
+    if (orient(hull[i], hull[(i + 1) % hull.size()], point) <= 0) return false;
+  return true;
+}
+
+Vec2 with_cargo(const Vec2& own, const Settings& settings) {
+  Vec2 moments = Vec2::Zero();  // about C0
+  for (const Cargo& item : settings.cargo) moments += item.weight * (item.at - own);
+  return own + moments / total_weight(settings);
+}
+
+}  // namespace
+
+Result<Vec2> check_centre_of_mass(const Polygon& polygon, const std::optional<Vec2>& given) {
+  if (given)
+    if (auto error = check_coordinates(*given)) return *std::move(error);
+  const Vec2 centre = given.value_or(polygon.centroid());
+  if (!is_strictly_in_hull(polygon, centre))
+    return at_centre(ErrorCode::centre_outside_hull,
+                     "the centre of mass is not inside the convex hull of the polygon");
+  return centre;
+}
+
+Result<CentreOfMass> centre_of_mass(const PolygonWithHoles& object,
+                                    const std::optional<Vec2>& given, const Settings& settings) {
+  if (given)
+    if (auto error = check_coordinates(*given)) return *std::move(error);
+  const Vec2 own = given.value_or(object.centroid());
+  const Vec2 all = settings.cargo.empty() ? own : with_cargo(own, settings);
+  if (!is_strictly_in_hull(object, all))
+    return at_centre(ErrorCode::centre_outside_hull,
+                     settings.cargo.empty()
+                         ? "the centre of mass is not inside the convex hull of the polygon"
+                         : "with its cargo the centre of mass is not inside the convex hull of the "
+                           "polygon");
+  return CentreOfMass{own, all};
+}
+
+}  // namespace evenlift
