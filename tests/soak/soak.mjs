@@ -2,11 +2,12 @@
 //
 //   node tests/soak/soak.mjs [MINUTES] [SEED]
 //
-// Prints every failure with the command that repeats it, and a table at the end. The exit status is 0 if nothing
-// failed.
+// Searches run side by side, one for each processor, for MINUTES in all. Prints every failure with the command that
+// repeats it, and a table at the end. The exit status is 0 if nothing failed.
 import { randomBytes } from "node:crypto";
 import { existsSync } from "node:fs";
 import { mkdir, rm } from "node:fs/promises";
+import { cpus } from "node:os";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 
@@ -90,6 +91,24 @@ const searches = [
   ...Object.keys(fuzzers).map((name) => ({ part: 1, search: fuzz(name) })),
 ];
 
+// Runs all searches, `together` at a time, in about this many seconds. Returns their rows, in the order of the table.
+async function runAll(seconds, seed, together) {
+  const parts = searches.reduce((sum, { part }) => sum + part, 0);
+  const rows = [];
+  let next = 0;
+  async function runSome() {
+    while (next < searches.length) {
+      const at = next++;
+      const { part, search } = searches[at];
+      const began = performance.now();
+      const result = await search(Math.min(seconds, (seconds * together * part) / parts), seed);
+      rows[at] = { ...result, seed, seconds: (performance.now() - began) / 1000 };
+    }
+  }
+  await Promise.all(Array.from({ length: together }, runSome));
+  return rows;
+}
+
 function numberFrom(text, what, least, most) {
   const value = Number(text);
   if (/^\d+(\.\d+)?$/.test(text) && value >= least && value <= most) return value;
@@ -115,13 +134,7 @@ async function main(argv) {
   console.log(`evenlift: soaking for ${minutes} minutes, seed ${seed}`);
   await rm(found, { recursive: true, force: true });
   await mkdir(found, { recursive: true });
-  const parts = searches.reduce((sum, { part }) => sum + part, 0);
-  const rows = [];
-  for (const { part, search } of searches) {
-    const began = performance.now();
-    const result = await search((minutes * 60 * part) / parts, seed);
-    rows.push({ ...result, seed, seconds: (performance.now() - began) / 1000 });
-  }
+  const rows = await runAll(minutes * 60, seed, Math.max(1, cpus().length));
   console.log(table(rows));
   // A search that tried nothing proves nothing.
   const failures = rows.reduce((sum, { failures }) => sum + failures, 0);
