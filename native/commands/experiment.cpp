@@ -172,7 +172,7 @@ void cmd_experiment(const Arguments& arguments) {
       "Measures every method with every number of robots on many polygons, as in chapter 5 of the\n"
       "thesis, and writes tables and a report with its figures.",
       "PATH is a polygon's file or a folder of polygons; each folder is a set with its own\n"
-      "averages. Measurements are kept in DIR/parts, so an interrupted run continues where\n"
+      "averages. Of a file with several shapes, all are measured. Measurements are kept in DIR/parts, so an interrupted run continues where\n"
       "it stopped.\n\n"
       "Examples:\n"
       "  evenlift experiment assets/polygons --out report\n"

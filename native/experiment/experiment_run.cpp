@@ -4,7 +4,6 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
-#include <filesystem>
 #include <mutex>
 #include <numeric>
 
@@ -12,7 +11,7 @@
 #include <thread>
 #endif
 
-#include "input/files.h"
+#include "experiment/measured_polygons.h"
 #include "print/progress.h"
 
 namespace evenlift::native {
@@ -24,11 +23,11 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-experiment::Part measured(const PolygonFile& file, const experiment::Subject& subject,
+experiment::Part measured(const MeasuredPolygon& polygon, const experiment::Subject& subject,
                           const experiment::ExperimentSettings& settings) {
   experiment::Part part;
   part.settings = settings;
-  part.result = experiment::result_of(file.set, file.name, subject);
+  part.result = experiment::result_of(polygon.set, polygon.name, subject);
   for (const Method method : all_methods) {
     const Clock::time_point start = Clock::now();
     for (const experiment::Measurement& m : experiment::measure(subject, method, settings))
@@ -38,63 +37,56 @@ experiment::Part measured(const PolygonFile& file, const experiment::Subject& su
   return part;
 }
 
-// The result for one file.
+// The result for one polygon.
 struct Work {
   experiment::ShardList::Entry entry;
   bool resumed = false;
   std::optional<Failure> refused;
 };
 
-Work refuse(const PolygonFile& file, const Failure& failure,
+Work refuse(const MeasuredPolygon& polygon, const Failure& failure,
             const experiment::ExperimentSettings& settings, const ExperimentFolder& folder) {
   experiment::Part part;
   part.settings = settings;
   part.fingerprint = experiment::refused_fingerprint;
-  part.result.set = file.set;
-  part.result.polygon = file.name;
+  part.result.set = polygon.set;
+  part.result.polygon = polygon.name;
   // The file's path is removed, since it differs between machines.
-  const std::size_t path = failure.where.rfind(file.path, 0) == 0 ? file.path.size() : 0;
-  const std::string place = failure.where.substr(std::min(path + 2, failure.where.size()));
-  part.result.problem = (path == 0 || place.empty() ? "" : place + ": ") + failure.what;
+  const std::size_t source =
+      failure.where.rfind(polygon.source, 0) == 0 ? polygon.source.size() : 0;
+  const std::string place = failure.where.substr(std::min(source + 2, failure.where.size()));
+  part.result.problem = (source == 0 || place.empty() ? "" : place + ": ") + failure.what;
   folder.keep(part);
-  return {{file.set, file.name, part.fingerprint}, false, failure};
+  return {{polygon.set, polygon.name, part.fingerprint}, false, failure};
 }
 
-Work work_on(const PolygonFile& file, const experiment::ExperimentSettings& settings,
+Work work_on(const MeasuredPolygon& polygon, const experiment::ExperimentSettings& settings,
              const ExperimentFolder& folder) {
-  try {
-    const Input input = read_input(file.path);
-    const std::string id = experiment::fingerprint(input.document, settings);
-    const experiment::ShardList::Entry entry{file.set, file.name, id};
-    if (folder.find(entry, settings)) return {entry, true, {}};
-    const Clock::time_point start = Clock::now();
-    const Result<experiment::Subject> subject =
-        experiment::prepare(input.document, settings.min_ratio);
-    const double seconds = seconds_since(start);
-    if (!subject) return refuse(file, bad_input(file.path, subject.error()), settings, folder);
-    experiment::Part part = measured(file, *subject, settings);
-    part.fingerprint = id;
-    part.times.insert(part.times.begin(), {"candidates", seconds});
-    folder.keep(part);
-    return {entry, false, {}};
-  } catch (const Failure& failure) {
-    if (failure.status != bad_input_status) throw;
-    return refuse(file, failure, settings, folder);
-  }
+  if (polygon.refused) return refuse(polygon, *polygon.refused, settings, folder);
+  const std::string id = experiment::fingerprint(polygon.document, settings);
+  const experiment::ShardList::Entry entry{polygon.set, polygon.name, id};
+  if (folder.find(entry, settings)) return {entry, true, {}};
+  const Clock::time_point start = Clock::now();
+  const Result<experiment::Subject> subject =
+      experiment::prepare(polygon.document, settings.min_ratio);
+  const double seconds = seconds_since(start);
+  if (!subject)
+    return refuse(polygon, bad_input(polygon.source, subject.error()), settings, folder);
+  experiment::Part part = measured(polygon, *subject, settings);
+  part.fingerprint = id;
+  part.times.insert(part.times.begin(), {"candidates", seconds});
+  folder.keep(part);
+  return {entry, false, {}};
 }
 
 // The largest polygons come first, so that the threads end at about the same time.
-std::vector<std::size_t> by_size(const std::vector<PolygonFile>& files) {
-  std::vector<std::uintmax_t> sizes;
-  for (const PolygonFile& file : files) {
-    std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(file.path, error);
-    sizes.push_back(error ? 0 : size);
-  }
-  std::vector<std::size_t> order(files.size());
+std::vector<std::size_t> by_size(const std::vector<MeasuredPolygon>& polygons) {
+  std::vector<std::size_t> order(polygons.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return sizes[a] != sizes[b] ? sizes[a] > sizes[b] : a < b;
+    const std::size_t size_a = polygons[a].document.vertices.size(),
+                      size_b = polygons[b].document.vertices.size();
+    return size_a != size_b ? size_a > size_b : a < b;
   });
   return order;
 }
@@ -136,19 +128,20 @@ RunOutcome run_experiment(const std::vector<PolygonFile>& all, const experiment:
   std::vector<PolygonFile> files;
   for (std::size_t i = shard.i - 1; i < all.size(); i += shard.n) files.push_back(all[i]);
 
-  std::vector<Work> works(files.size());
+  const std::vector<MeasuredPolygon> polygons = read_polygons(files);
+  std::vector<Work> works(polygons.size());
   {
-    const std::vector<std::size_t> order = by_size(files);
-    Progress progress(files.size());
-    in_threads(files.size(), jobs, [&](std::size_t turn) {
+    const std::vector<std::size_t> order = by_size(polygons);
+    Progress progress(polygons.size());
+    in_threads(polygons.size(), jobs, [&](std::size_t turn) {
       const std::size_t i = order[turn];
-      works[i] = work_on(files[i], settings, folder);
-      progress.done(files[i].name);
+      works[i] = work_on(polygons[i], settings, folder);
+      progress.done(polygons[i].name);
     });
   }
   RunOutcome outcome;
   experiment::ShardList list{shard, settings, {}};
-  outcome.polygons = files.size();
+  outcome.polygons = polygons.size();
   for (const Work& work : works) {
     list.entries.push_back(work.entry);
     outcome.resumed += work.resumed;

@@ -15,8 +15,8 @@ struct RunOutcome {
   std::vector<Failure> refused;  // the polygons that could not be read
 };
 
-// Measures this shard's files, every n-th of all, the largest first, in `jobs` threads (one after
-// another in WebAssembly). Skips polygons that the folder already contains with the same settings.
+// Measures all shapes of this shard's files, every n-th of all, the largest shapes first, in `jobs`
+// threads (one after another in WebAssembly). Skips polygons that the folder already contains with the same settings.
 // Finally writes the shard's list. Throws Failure if the folder cannot be written.
 RunOutcome run_experiment(const std::vector<PolygonFile>& all, const experiment::Shard& shard,
                           const experiment::ExperimentSettings& settings, unsigned jobs,

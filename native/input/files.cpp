@@ -33,13 +33,34 @@ std::string read_all(std::FILE* file, const std::string& source) {
   return text;
 }
 
-Input parsed(const std::string& text, const std::string& source, const ShapeOptions& options) {
-  return {source, choose_shape(text, source, options)};
-}
-
 bool exists(const std::string& path) {
   struct stat info;
   return stat(path.c_str(), &info) == 0;
+}
+
+// A file may be called "1.dat", so any existing path counts as a file.
+bool names_link(const std::string& file) {
+  return file != "-" && !exists(file) &&
+         (looks_like_link(file) || file.find('#') != std::string::npos);
+}
+
+Document linked(const std::string& link) {
+  Result<Document> document = decode_link(link);
+  if (!document) throw bad_input("link", document.error());
+  return *std::move(document);
+}
+
+// A text and its name in errors.
+struct Source {
+  std::string name, text;
+};
+
+Source read_source(const std::string& file) {
+  if (file.empty()) throw Failure{bad_input_status, "FILE", "its name is empty"};
+  if (file == "-") return {"standard input", read_all(stdin, "standard input")};
+  const File opened(std::fopen(file.c_str(), "rb"));
+  if (!opened) throw Failure{bad_input_status, file, system_error()};
+  return {file, read_all(opened.get(), file)};
 }
 
 // Whether both are the same regular file. A pipe may be both read and written.
@@ -55,17 +76,15 @@ void write_all(std::FILE* file, std::string_view text, const std::string& name) 
 }  // namespace
 
 Input read_input(const std::string& file, const ShapeOptions& options) {
-  if (file.empty()) throw Failure{bad_input_status, "FILE", "its name is empty"};
-  if (file == "-") return parsed(read_all(stdin, "standard input"), "standard input", options);
-  // A file may be called "1.dat", so any existing path counts as a file.
-  if (!exists(file) && (looks_like_link(file) || file.find('#') != std::string::npos)) {
-    Result<Document> document = decode_link(file);
-    if (!document) throw bad_input("link", document.error());
-    return {"link", *std::move(document)};
-  }
-  const File opened(std::fopen(file.c_str(), "rb"));
-  if (!opened) throw Failure{bad_input_status, file, system_error()};
-  return parsed(read_all(opened.get(), file), file, options);
+  if (names_link(file)) return {"link", linked(file)};
+  const Source source = read_source(file);
+  return {source.name, choose_shape(source.text, source.name, options)};
+}
+
+InputShapes read_all_shapes(const std::string& file, const ShapeOptions& options) {
+  if (names_link(file)) return {"link", {{linked(file), {}, "", "polygon", {}}}};
+  const Source source = read_source(file);
+  return {source.name, all_shapes(source.text, source.name, options)};
 }
 
 std::optional<std::string> read_file(const std::string& path) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "evenlift/document.h"
 #include "input/shapes.h"
@@ -15,7 +16,14 @@ struct Input {
   std::string source;  // its name in errors: the path, "standard input" or "link"
   Document document;
 };
-Input read_input(const std::string& file, const ShapeOptions& options = {});
+Input read_input(const std::string& file, const ShapeOptions& options);
+
+// All shapes in FILE, one or more; a link has one. Throws Failure.
+struct InputShapes {
+  std::string source;
+  std::vector<ImportedShape> shapes;
+};
+InputShapes read_all_shapes(const std::string& file, const ShapeOptions& options = {});
 
 // The contents of a file, cut off after max_text_bytes + 1; nothing if it cannot be read.
 std::optional<std::string> read_file(const std::string& path);

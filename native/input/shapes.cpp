@@ -36,16 +36,17 @@ std::vector<std::string> listed(const std::vector<ImportedShape>& shapes) {
   return lines;
 }
 
-std::size_t only_shape(const Import& import, const std::string& source,
-                       const ShapeOptions& options) {
+// Why a person should choose among the shapes.
+std::string why_asked(const Import& import) {
+  if (!import.doubtful) return "it has " + std::to_string(import.shapes.size()) + " shapes";
+  return "what does not close is larger than the largest shape" +
+         (import.notes.empty() ? std::string() : " (" + import.notes[0] + ")");
+}
+
+std::size_t only_shape(const Import& import, const std::string& source) {
   if (import.shapes.size() == 1 && !import.doubtful) return 0;
-  const std::string count =
-      import.doubtful ? "what does not close is larger than the largest shape" +
-                            std::string(import.notes.empty() ? "" : " (" + import.notes[0] + ")")
-                      : "it has " + std::to_string(import.shapes.size()) + " shapes";
-  if (!options.offered)
-    throw Failure{bad_input_status, source, count + ", but only one is allowed here"};
-  throw Failure{bad_input_status, source, count + "; --shape N selects one", listed(import.shapes)};
+  throw Failure{bad_input_status, source, why_asked(import) + "; --shape N selects one",
+                listed(import.shapes)};
 }
 
 std::size_t named_shape(const Import& import, const std::string& typed) {
@@ -69,6 +70,27 @@ std::size_t named_shape(const Import& import, const std::string& typed) {
                 listed(shapes)};
 }
 
+Import read_text(const std::string& text, const std::string& source, const ShapeOptions& options) {
+  Result<Import> read = read_shapes(text, import_options(options));
+  if (!read) throw bad_input(source, read.error());
+  return std::move(read).value();
+}
+
+// Prints a line on standard error that is no failure.
+void say(const std::string& source, const std::string& what) {
+  print_failure({0, source, what, {}});
+}
+
+// Prints the notes, and the distance between edges and curves.
+void report(const Import& import, const std::optional<double>& tolerance, const std::string& source,
+            const ShapeOptions& options) {
+  for (const std::string& note : import.notes) say(source, note);
+  if (!tolerance) return;
+  const bool may_change = options.offered && !options.flatten;
+  say(source, "curves were flattened to within " + shortest(*tolerance) +
+                  (may_change ? "; --flatten T changes this" : ""));
+}
+
 }  // namespace
 
 void ShapeOptions::declare(CommandLine& line) {
@@ -82,20 +104,24 @@ void ShapeOptions::declare(CommandLine& line) {
 
 Document choose_shape(const std::string& text, const std::string& source,
                       const ShapeOptions& options) {
-  Result<Import> read = read_shapes(text, import_options(options));
-  if (!read) throw bad_input(source, read.error());
-  Import import = std::move(read).value();
+  const Import import = read_text(text, source, options);
   const std::size_t chosen =
-      options.shape ? named_shape(import, *options.shape) : only_shape(import, source, options);
+      options.shape ? named_shape(import, *options.shape) : only_shape(import, source);
   const ImportedShape& shape = import.shapes[chosen];
-  for (const std::string& note : import.notes) print_failure({0, source, note, {}});
-  if (shape.tolerance)
-    print_failure({0,
-                   source,
-                   "curves were flattened to within " + shortest(*shape.tolerance) +
-                       (options.flatten || !options.offered ? "" : "; --flatten T changes this"),
-                   {}});
+  report(import, shape.tolerance, source, options);
   return shape.document;
+}
+
+std::vector<ImportedShape> all_shapes(const std::string& text, const std::string& source,
+                                      const ShapeOptions& options) {
+  Import import = read_text(text, source, options);
+  std::optional<double> tolerance;  // the greatest
+  for (const ImportedShape& shape : import.shapes)
+    if (shape.tolerance) tolerance = std::max(tolerance.value_or(0), *shape.tolerance);
+  report(import, tolerance, source, options);
+  if (!options.offered && (import.shapes.size() > 1 || import.doubtful))
+    say(source, why_asked(import) + "; all shapes are taken");
+  return std::move(import.shapes);
 }
 
 }  // namespace evenlift::native

@@ -1,8 +1,9 @@
-// Selects a shape of a file, and sets the distance between its edges and curves.
+// Selects the shapes of a file, and says how they are read.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "evenlift/import.h"
 #include "input/command_line.h"
@@ -22,5 +23,10 @@ struct ShapeOptions {
 // shapes, it lists them.
 Document choose_shape(const std::string& text, const std::string& source,
                       const ShapeOptions& options);
+
+// Reads the text and returns all its shapes, whatever was left out. Reports the same, and, where no
+// option asked for all of several shapes, that all are taken. Throws Failure.
+std::vector<ImportedShape> all_shapes(const std::string& text, const std::string& source,
+                                      const ShapeOptions& options);
 
 }  // namespace evenlift::native

@@ -218,6 +218,40 @@ class Runs(Case):
         names = [row["polygon"] for row in results.table(self.folder / "out", "polygons.csv")]
         self.assertEqual(names, sorted([name for name in SOME if name != "star"] + ["a", "b", "c", 'deep, "er"/2/star']))
 
+    def test_all_shapes_of_a_file_are_measured_under_its_name_and_their_numbers(self):
+        shapes = [[(0, 0), (40, 0), (40, 20), (0, 20)], [(90, 0), (94, 4), (94, 0), (90, 3)], [(100, 0), (109, 0), (100, 9)]]
+        one, many = self.folder / "one" / "set", self.folder / "many" / "set"
+        one.mkdir(parents=True)
+        many.mkdir(parents=True)
+        texts = ["".join(f"{x},{y}\n" for x, y in shape) for shape in shapes]
+        (many / "plates.txt").write_text("\n".join(texts))
+        for number, text in enumerate(texts, 1):
+            (one / f"plates {number}.txt").write_text(text)
+        done = self.experiment("many-out", inputs=many, status=1)
+        errors = done.stderr.splitlines()
+        self.assertEqual(errors[1], f"evenlift: {many}/plates.txt: it has 3 shapes; all shapes are taken")
+        self.assertEqual(errors[2], f"evenlift: {many}/plates.txt: shape 2: edges 1 and 3: the edges cross, touch or overlap")
+        self.assertEqual(errors[3], "evenlift: experiment: 1 of 3 polygons could not be read and were left out")
+        self.experiment("one-out", inputs=one, status=1)
+        self.assert_same("many-out", results.contents(self.folder / "one-out"))
+        again = self.experiment("many-out", inputs=many, status=1)
+        self.assertIn("2 of 3 polygons were already measured", again.stdout)
+        for i in (1, 2):
+            self.experiment("shards", "--shard", f"{i}/2", inputs=many, status=1 if i == 1 else 0)
+        self.assertEqual(run("experiment", "--merge", "--out", self.folder / "shards").returncode, 1)
+        self.assert_same("shards", results.contents(self.folder / "one-out"))
+        (many / "plates 2.txt").write_text(texts[0])
+        done = self.experiment("many-out", inputs=many, status=2)
+        self.assertEqual(done.stderr.splitlines()[-1], f"evenlift: {many}/plates 2.txt: would have the same name, plates 2, as "
+                         f"{many}/plates.txt: shape 2; rename one of the files")
+
+    def test_a_drawing_of_which_much_stays_open_is_measured_with_a_message(self):
+        drawing = self.folder / "plate.svg"
+        drawing.write_text("<svg stroke='black'><circle cx='60' cy='40' r='5'/><path d='M0 0H120V80H0'/><path d='M0 80L-9 90'/></svg>")
+        done = self.experiment("out", "--max-teams", 2, inputs=drawing)
+        self.assertRegex(done.stderr.splitlines()[-1], r"plate\.svg: what does not close is larger than the largest shape \(.*\); all shapes are taken$")
+        self.assertEqual([row["polygon"] for row in results.table(self.folder / "out", "polygons.csv")], ["plate"])
+
     def test_balanced_robots_are_measured_up_to_the_number_asked_for(self):
         self.experiment("out", "--max-balanced", 5)
         rows = results.measurements(self.folder / "out", "polygons")
