@@ -1,6 +1,8 @@
 #include <algorithm>
 
 #include "commands/commands.h"
+#include "commands/place_all.h"
+#include "commands/place_options.h"
 #include "evenlift/link.h"
 #include "evenlift/output/json.h"
 #include "evenlift/output/markup.h"
@@ -9,9 +11,6 @@
 #include "evenlift/output/verdict.h"
 #include "evenlift/output/words.h"
 #include "evenlift/placement.h"
-#include "evenlift/settings.h"
-#include "input/options.h"
-#include "input/pose_options.h"
 #include "print/progress.h"
 #include "print/robustness_text.h"
 #include "print/table.h"
@@ -149,30 +148,6 @@ std::string for_people(const ShownPlacement& of, bool with_candidates,
   return sentences + "\n" + tables + facts(of, known.robustness);
 }
 
-// The typed options of `evenlift place`.
-struct PlaceOptions {
-  InputOptions input;
-  RobustnessOptions robustness;
-  bool as_json = false, candidates = false, even_out = false;
-  std::optional<std::string> require;
-  std::optional<std::string> svg;
-  PoseFileOptions poses;
-
-  void declare(CommandLine& line) {
-    input.declare(line);
-    input.settings.declare(line, OptionGroup::uncertainty);
-    input.settings.declare(line, OptionGroup::units);
-    robustness.declare(line);
-    line.flag(even_out, "--even-out", "move given supports to the nearest places with equal loads");
-    line.value(require, "--require", "\"CONDITION, ...\"",
-               "such as \"held, coverage>=0.8, max<=20\"; exit status 3 if one is not kept");
-    line.flag(as_json, "--json", "one JSON object instead of a table");
-    line.flag(candidates, "--candidates", "also list the candidates, and show them in the picture");
-    line.value(svg, "--svg", "OUT", "also write a picture as SVG");
-    poses.declare(line);
-  }
-};
-
 // The picture as SVG, with the share link in it; too large a polygon has no link.
 std::string picture(const Placement& placement, const Document& document, bool with_candidates) {
   Shown shown = document.shown;
@@ -194,13 +169,6 @@ void check_outputs(const PlaceOptions& options, const std::optional<PosesAsked>&
       (*options.svg == poses->file || is_same_file(*options.svg, poses->file)))
     throw Failure{bad_input_status, "--poses",
                   "would overwrite " + poses->file + ", which --svg writes"};
-}
-
-std::vector<Condition> conditions_of(const PlaceOptions& options) {
-  if (!options.require) return {};
-  Result<std::vector<Condition>> conditions = read_conditions(*options.require);
-  if (!conditions) throw Failure{bad_input_status, "--require", conditions.error().message};
-  return *std::move(conditions);
 }
 
 Document evened(const Input& input, const PlaceOptions& options) {
@@ -246,19 +214,21 @@ void cmd_place(const Arguments& arguments) {
       "already stand.",
       "FILE is a path, - for standard input, or a share link. Its format is recognised by its content:\n"
       "the thesis's text, columns of numbers (CSV), SVG, DXF, WKT POLYGON, GeoJSON, or a result\n"
-      "of --json. If it has several shapes, --shape selects one.\n\n"
+      "of --json. If it has several shapes, --shape selects one, or all.\n\n"
       "Examples:\n"
       "  evenlift place table.txt --teams 4 --svg table.svg\n"
       "  evenlift place drawing.dxf --shape 2\n"
+      "  evenlift place drawing.dxf --shape all\n"
       "  evenlift place table.txt --metric circle --com 120,80 --json\n"
       "  evenlift place table.txt --metric balanced --robots 5\n"
       "  evenlift place table.txt --supports \"0,0 160,0 80,90\" --require \"stands, max<=40\"\n");
   PlaceOptions options;
   options.declare(line);
   if (!line.parse(arguments)) return;
+  if (options.input.shapes.selects_all()) return place_all(options);
 
   Input input = options.input.read();
-  const std::vector<Condition> conditions = conditions_of(options);
+  const std::vector<Condition> conditions = options.conditions();
   const std::optional<PosesAsked> pose_file = options.poses.asked();
   check_outputs(options, pose_file);
   const RobustnessAsked asked(options.robustness, input.document.shown);

@@ -132,6 +132,12 @@ Input InputOptions::read() const {
   return input;
 }
 
+InputShapes InputOptions::read_all() const {
+  InputShapes input = read_all_shapes(file, shapes);
+  for (ImportedShape& shape : input.shapes) settings.apply(shape.document);
+  return input;
+}
+
 Failure SettingOptions::failure(const std::string& source, const InputError& error) const {
   if (error.place.kind == Place::Kind::option)
     return {bad_input_status, as_typed(error.place.option), error.message};

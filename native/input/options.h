@@ -60,6 +60,8 @@ struct InputOptions {
 
   // The document in the file, with the typed settings. Throws Failure.
   Input read() const;
+  // All shapes in the file, each with the typed settings. Throws Failure.
+  InputShapes read_all() const;
 };
 
 }  // namespace evenlift::native

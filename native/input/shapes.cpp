@@ -95,7 +95,8 @@ void report(const Import& import, const std::optional<double>& tolerance, const 
 
 void ShapeOptions::declare(CommandLine& line) {
   offered = true;
-  line.value(shape, "--shape", "N", "number or name of a shape, if the file has several");
+  line.value(shape, "--shape", "N",
+             "number or name of a shape, if the file has several; place also takes all");
   line.value(flatten, "--flatten", "T",
              "greatest distance of edges from curves (default about 1/1000 of the shape)");
   line.value(join, "--join", "D",

@@ -16,6 +16,8 @@ struct ShapeOptions {
   bool offered = false;  // the command has these options
 
   void declare(CommandLine& line);
+  // Only `evenlift place` takes all shapes; elsewhere the word is a shape's name.
+  bool selects_all() const { return shape == "all"; }
 };
 
 // Reads the text and returns the selected shape, or the only one. Omissions and decisions are

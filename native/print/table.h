@@ -9,6 +9,8 @@ namespace evenlift::native {
 using Row = std::vector<std::string>;
 
 // Right-aligned columns, two spaces apart and as wide as necessary; the first row has the headings.
-std::string table(const std::vector<Row>& rows);
+// A row may have fewer cells, and then a remark after them: the text at its place in `remarks`, or
+// none.
+std::string table(const std::vector<Row>& rows, const std::vector<std::string>& remarks = {});
 
 }  // namespace evenlift::native

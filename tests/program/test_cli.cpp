@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "evenlift/output/json_text.h"
 #include "kit/corpus.h"
 
 using namespace evenlift;
@@ -201,6 +202,71 @@ TEST_CASE("several shapes are listed, and one is taken by its number or name", "
     const Outcome finer = run(folder, line + " --shape lid --flatten 0.001");
     CHECK(finer.errors == "evenlift: shapes.svg: curves were flattened to within 0.001\n");
     CHECK(finer.output != outcome.output);
+  }
+}
+
+TEST_CASE("--shape all places every shape, whatever becomes of the others", "[cli][slow]") {
+  const Folder folder("all-shapes");
+  corpus::write_file(folder.path() / "square.txt", square);
+  corpus::write_file(folder.path() / "good.svg",
+                     "<svg><rect id='table' width='40' height='20'/>"
+                     "<rect x='90' width='4' height='4'/></svg>\n");
+  corpus::write_file(folder.path() / "mixed.svg",
+                     "<svg><rect id='table' width='40' height='20'/>"
+                     "<polygon id='crossed' points='90,0 94,4 94,0 90,3'/></svg>\n");
+  SECTION("as a table, with a row for each") {
+    const Outcome good = run(folder, "evenlift place good.svg --shape all --capacity 15");
+    CHECK(good.status == 0);
+    CHECK(good.errors.empty());
+    CHECK(
+        good.output ==
+        "  shape       name  vertices  robots  greatest load  least load  coverage  held  overloaded\n"
+        "      1      table         4       6           16.7        16.7     100\u00A0%    no           6\n"
+        "      2  rectangle         4       6           16.7        16.7     100\u00A0%    no           6\n");
+    const Outcome mixed = run(folder, "evenlift place mixed.svg --shape all");
+    CHECK(mixed.status == 2);
+    CHECK(mixed.errors == "evenlift: mixed.svg: 1 of 2 shapes was refused\n");
+    CHECK(
+        mixed.output.find("      2  crossed         4  Edges 1 and 3 cross, touch or overlap\n") !=
+        std::string::npos);
+    const Outcome falls = run(folder, "evenlift place square.txt --shape all --supports '0,0 1,0'");
+    CHECK(falls.status == 0);
+    CHECK(falls.output.find(
+              "      1  polygon         4       2              -           -         -     -\n") !=
+          std::string::npos);
+  }
+  SECTION("as JSON, with a line for each that is the result of this shape alone") {
+    const std::string options = " --json --candidates --require 'coverage>=0.5'";
+    const Outcome lines = run(folder, "evenlift place mixed.svg --shape all" + options);
+    CHECK(lines.status == 2);
+    const std::size_t end = lines.output.find('\n');
+    Outcome alone = run(folder, "evenlift place mixed.svg --shape 1" + options);
+    std::string expected = json::on_one_line(alone.output);
+    expected.insert(1, R"("shape": 1, "name": "table", )");
+    CHECK(lines.output.substr(0, end) == expected);
+    CHECK(lines.output.substr(end + 1) ==
+          R"({"shape": 2, "name": "crossed", "error": {"code": "edges_cross", )"
+          R"("message": "Edges 1 and 3 cross, touch or overlap", "place": {"edges": [0, 2]}}})"
+          "\n");
+    CHECK(run(folder,
+              "evenlift place mixed.svg --shape all --json | head -n 1 > line.json; "
+              "evenlift place line.json --json")
+              .output == run(folder, "evenlift place mixed.svg --shape 1 --json").output);
+  }
+  SECTION("a condition that a shape does not keep is a status of its own") {
+    const Outcome outcome = run(folder, "evenlift place good.svg --shape all --require held");
+    CHECK(outcome.status == 3);
+    CHECK(outcome.errors.empty());
+    CHECK(outcome.output.find("held  kept\n") != std::string::npos);
+    CHECK(run(folder, "evenlift place good.svg --shape all --require stands").status == 0);
+    CHECK(run(folder, "evenlift place mixed.svg --shape all --require held").status == 2);
+  }
+  SECTION("a drawing of which much stays open is not asked about") {
+    corpus::write_file(folder.path() / "open.svg",
+                       "<svg stroke='black'><circle cx='60' cy='40' r='5'/>"
+                       "<path d='M0 0H120V80H0'/><path d='M0 80L-9 90'/></svg>\n");
+    CHECK(run(folder, "evenlift place open.svg").status == 2);
+    CHECK(run(folder, "evenlift place open.svg --shape all").status == 0);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "evenlift/generate.h"
 #include "evenlift/output/json.h"
+#include "evenlift/output/json_text.h"
 #include "evenlift/placement.h"
 #include "exact/bits.h"
 #include "kit/corpus.h"
@@ -30,6 +31,17 @@ bool same_bits(const ordered_json& json, const Points& points) {
 }
 
 }  // namespace
+
+TEST_CASE("JSON on one line has the same items", "[json]") {
+  CHECK(json::on_one_line("") == "");
+  CHECK(json::on_one_line("{\n  \"a  \\n\": [\n    [1, 2],\n    3\n  ],\n  \"b\": []\n}\n") ==
+        R"({"a  \n": [[1, 2], 3], "b": []})");
+  const std::string text = placement_json(placed(corpus::polygon("thesis-sample")), true);
+  const std::string line = json::on_one_line(text);
+  CHECK(line.find('\n') == std::string::npos);
+  CHECK(line.find(",\"") == std::string::npos);
+  CHECK(ordered_json::parse(line) == ordered_json::parse(text));
+}
 
 TEST_CASE("the JSON of a placement has cli.md's shape", "[json]") {
   using Names = std::vector<std::string>;

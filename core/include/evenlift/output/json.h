@@ -1,5 +1,5 @@
-// A placement as JSON, in the format that `evenlift place --json` and `window.evenlift.state()`
-// promise.
+// Placements, documents and errors as JSON. A placement has the format that `evenlift place --json`
+// and `window.evenlift.state()` promise.
 #pragma once
 
 #include <optional>
@@ -10,6 +10,7 @@
 #include "evenlift/document.h"
 #include "evenlift/output/requirements.h"
 #include "evenlift/placement.h"
+#include "evenlift/result.h"
 
 namespace evenlift {
 
@@ -39,5 +40,8 @@ std::string candidates_json(const std::vector<Candidate>& candidates);
 // The content of a link, in the layout of placement_json: the polygon, the centre of mass (null if
 // it is the centroid) and the settings. read_shapes() (import.h) reads it back. O(output).
 std::string document_json(const Document& document);
+
+// {"code", "message", "place"} on one line, as docs/requests.md describes errors. O(1).
+std::string error_json(const InputError& error);
 
 }  // namespace evenlift

@@ -30,6 +30,10 @@ std::string object(std::initializer_list<Member> members);
 std::string long_array(const std::vector<std::string>& items, int depth);
 std::string long_object(const std::vector<Member>& members, int depth);
 
+// The same JSON on one line. Line breaks are only between its items, since text() escapes them.
+// O(bytes).
+std::string on_one_line(std::string_view text);
+
 // Points, one per line.
 std::string points(const Points& points, int depth);
 

@@ -1,5 +1,7 @@
 #include "evenlift/output/json_text.h"
 
+#include <algorithm>
+
 #include "evenlift/numbers.h"
 
 namespace evenlift::json {
@@ -95,6 +97,20 @@ std::string long_array(const std::vector<std::string>& items, int depth) {
 
 std::string long_object(const std::vector<Member>& members, int depth) {
   return spread('{', members, '}', depth);
+}
+
+std::string on_one_line(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] != '\n') {
+      out += text[at];
+      continue;
+    }
+    if (!out.empty() && out.back() == ',') out += ' ';
+    at = std::min(text.find_first_not_of(' ', at + 1), text.size()) - 1;
+  }
+  return out;
 }
 
 std::string points(const Points& points, int depth) {

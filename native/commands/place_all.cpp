@@ -1,0 +1,164 @@
+#include "commands/place_all.h"
+
+#include <algorithm>
+
+#include "evenlift/capacity.h"
+#include "evenlift/output/json.h"
+#include "evenlift/output/json_text.h"
+#include "evenlift/output/words.h"
+#include "evenlift/placement.h"
+#include "print/progress.h"
+#include "print/table.h"
+
+namespace evenlift::native {
+namespace {
+
+// What is printed of a shape.
+struct ShapeResult {
+  std::string name;  // or its kind
+  std::size_t vertices = 0;
+  std::string refusal;  // a sentence; empty if it was placed
+  std::size_t robots = 0;
+  bool stands = false;  // on robots; otherwise the members below have no meaning
+  LoadRange loads;      // the least and the greatest of all robots
+  double coverage = 0;
+  bool held = false;
+  std::optional<std::size_t> overloaded;  // robots, if any has a capacity
+  bool kept = true;                       // all conditions
+  std::string json;                       // with --json only
+};
+
+void check_options(const PlaceOptions& options) {
+  const auto refuse = [](const char* option, const char* why) {
+    throw Failure{bad_input_status, option, why};
+  };
+  constexpr char one_file[] = "writes a file for one shape, so --shape must select one";
+  constexpr char one_table[] = "applies to --shape all only with --json";
+  if (options.svg) refuse("--svg", one_file);
+  if (options.poses.file) refuse("--poses", one_file);
+  options.poses.asked();  // refuses --frame and --origin without --poses
+  if (options.candidates && !options.as_json) refuse("--candidates", one_table);
+  if (options.robustness.failures && !options.as_json) refuse("--failures", one_table);
+}
+
+Result<Placement> placed(Document& document, const PlaceOptions& options) {
+  if (options.even_out) {
+    Result<Document> even = with_even_supports(document);
+    if (!even) return even.error();
+    document = *std::move(even);
+  }
+  return place(document);
+}
+
+// A JSON object on one line, after the members that identify the shape.
+std::string json_line(std::size_t number, const std::string& name, const std::string& object) {
+  return "{\"shape\": " + std::to_string(number) + ", \"name\": " + json::text(name) + ", " +
+         json::on_one_line(object).substr(1) + "\n";
+}
+
+// Fills in the loads and what follows from them.
+void summarize(const ShownPlacement& of, const RobustnessAsked& asked, ShapeResult& result) {
+  const Placement& placement = of.placement;
+  for (const Team& team : placement.teams) result.robots += team.robots.size();
+  result.stands = result.robots > 0 && placement.loads.has_value();
+  if (!result.stands) return;
+  const ShownLoads shown = shown_loads(placement, RobustnessKnown(placement, asked));
+  result.loads = shown.ranges.front();
+  for (const LoadRange& range : shown.ranges)
+    result.loads = {std::min(result.loads.least, range.least),
+                    std::max(result.loads.greatest, range.greatest)};
+  result.coverage = placement.coverage;
+  result.held = is_held(placement);
+  if (has_capacities(of)) result.overloaded = overloaded_robots(of, shown.greatest).size();
+}
+
+// Throws Failure if an option is invalid.
+ShapeResult result_of(std::size_t number, const ImportedShape& shape, const PlaceOptions& options,
+                      const std::vector<Condition>& conditions) {
+  ShapeResult result;
+  result.name = shape.name.empty() ? shape.kind : shape.name;
+  result.vertices = shape.document.vertices.size();
+  const RobustnessAsked asked(options.robustness, shape.document.shown);
+  Document document = shape.document;
+  const Result<Placement> placement = placed(document, options);
+  if (!placement) {
+    result.refusal = sentence(placement.error());
+    if (options.as_json)
+      result.json =
+          json_line(number, shape.name, json::object({{"error", error_json(placement.error())}}));
+    return result;
+  }
+  const ShownPlacement of(*placement, document.shown);
+  const std::vector<Requirement> requirements = check_conditions(of, conditions);
+  result.kept = std::all_of(requirements.begin(), requirements.end(),
+                            [](const Requirement& each) { return each.kept; });
+  if (options.as_json) {
+    result.json = json_line(
+        number, shape.name,
+        placement_json(of, options.candidates, capacity_in_json(of), asked.failures, requirements));
+  } else {
+    summarize(of, asked, result);
+  }
+  return result;
+}
+
+std::string yes_or_no(bool value) { return value ? "yes" : "no"; }
+
+std::string table_of(const std::vector<ShapeResult>& results, bool conditions) {
+  double largest = 0;
+  bool capacities = false;
+  for (const ShapeResult& result : results) {
+    largest = std::max(largest, result.loads.greatest);
+    capacities = capacities || result.overloaded;
+  }
+  std::vector<Row> rows = {
+      {"shape", "name", "vertices", "robots", "greatest load", "least load", "coverage", "held"}};
+  if (capacities) rows[0].push_back("overloaded");
+  if (conditions) rows[0].push_back("kept");
+  std::vector<std::string> remarks(1);
+  for (const ShapeResult& result : results) {
+    Row row = {std::to_string(rows.size()), result.name, std::to_string(result.vertices)};
+    const auto add = [&](const std::string& cell) { row.push_back(result.stands ? cell : "-"); };
+    remarks.push_back(result.refusal);
+    if (result.refusal.empty()) {
+      row.push_back(std::to_string(result.robots));
+      add(amount(result.loads.greatest, largest));
+      add(amount(result.loads.least, largest));
+      add(percentage(result.coverage));
+      add(yes_or_no(result.held));
+      if (capacities) add(std::to_string(result.overloaded.value_or(0)));
+      if (conditions) row.push_back(yes_or_no(result.kept));
+    }
+    rows.push_back(std::move(row));
+  }
+  return table(rows, remarks);
+}
+
+}  // namespace
+
+void place_all(const PlaceOptions& options) {
+  check_options(options);
+  const std::vector<Condition> conditions = options.conditions();
+  const InputShapes input = options.input.read_all();
+  std::vector<ShapeResult> results;
+  {
+    const Waiting waiting("placing the robots");
+    for (const ImportedShape& shape : input.shapes)
+      results.push_back(result_of(results.size() + 1, shape, options, conditions));
+  }
+  std::string lines;
+  for (const ShapeResult& result : results) lines += result.json;
+  write_output(options.as_json ? lines : table_of(results, !conditions.empty()));
+
+  const auto refused = std::count_if(results.begin(), results.end(),
+                                     [](const ShapeResult& each) { return !each.refusal.empty(); });
+  if (refused > 0)
+    throw Failure{bad_input_status, input.source,
+                  std::to_string(refused) + " of " + std::to_string(results.size()) + " shapes " +
+                      (refused == 1 ? "was" : "were") + " refused"};
+  if (std::any_of(results.begin(), results.end(),
+                  [](const ShapeResult& each) { return !each.kept; }))
+    throw Failure{not_kept_status, {}, {}, {}, true};
+}
+
+}  // namespace evenlift::native

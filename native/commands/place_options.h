@@ -1,0 +1,29 @@
+// The typed options of `evenlift place`.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "evenlift/output/requirements.h"
+#include "input/options.h"
+#include "input/pose_options.h"
+#include "print/robustness_text.h"
+
+namespace evenlift::native {
+
+struct PlaceOptions {
+  InputOptions input;
+  RobustnessOptions robustness;
+  bool as_json = false, candidates = false, even_out = false;
+  std::optional<std::string> require;
+  std::optional<std::string> svg;
+  PoseFileOptions poses;
+
+  void declare(CommandLine& line);
+
+  // The conditions of --require. Throws Failure.
+  std::vector<Condition> conditions() const;
+};
+
+}  // namespace evenlift::native
