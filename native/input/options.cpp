@@ -128,14 +128,20 @@ void InputOptions::declare(CommandLine& line, const std::string& help) {
 
 Input InputOptions::read() const {
   Input input = read_input(file, shapes);
-  settings.apply(input.document);
+  apply(input.document);
   return input;
 }
 
 InputShapes InputOptions::read_all() const {
   InputShapes input = read_all_shapes(file, shapes);
-  for (ImportedShape& shape : input.shapes) settings.apply(shape.document);
+  for (ImportedShape& shape : input.shapes) apply(shape.document);
   return input;
+}
+
+void InputOptions::apply(Document& document) const {
+  settings.apply(document);
+  if (shapes.project && document.shown.units.length != LengthUnit::m)
+    throw Failure{bad_input_status, "--unit", "coordinates are in m with --project"};
 }
 
 Failure SettingOptions::failure(const std::string& source, const InputError& error) const {

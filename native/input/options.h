@@ -62,6 +62,9 @@ struct InputOptions {
   Input read() const;
   // All shapes in the file, each with the typed settings. Throws Failure.
   InputShapes read_all() const;
+
+ private:
+  void apply(Document& document) const;
 };
 
 }  // namespace evenlift::native

@@ -23,6 +23,7 @@ ImportOptions import_options(const ShapeOptions& options) {
                           "the distance between curves and edges must be a number above 0");
   import.join =
       read(options.join, "--join", "the distance of ends that are joined must be a number above 0");
+  import.project = options.project;
   return import;
 }
 
@@ -85,6 +86,7 @@ void say(const std::string& source, const std::string& what) {
 void report(const Import& import, const std::optional<double>& tolerance, const std::string& source,
             const ShapeOptions& options) {
   for (const std::string& note : import.notes) say(source, note);
+  if (import.in_degrees && options.offered) say(source, "--project converts degrees to metres");
   if (!tolerance) return;
   const bool may_change = options.offered && !options.flatten;
   say(source, "curves were flattened to within " + shortest(*tolerance) +
@@ -101,6 +103,7 @@ void ShapeOptions::declare(CommandLine& line) {
              "greatest distance of edges from curves (default about 1/1000 of the shape)");
   line.value(join, "--join", "D",
              "greatest distance of ends that are joined (default up to 1/1000 of the drawing)");
+  line.flag(project, "--project", "convert longitudes and latitudes in degrees to metres");
 }
 
 Document choose_shape(const std::string& text, const std::string& source,

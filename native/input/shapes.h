@@ -13,6 +13,7 @@ namespace evenlift::native {
 // The typed options; empty if not given.
 struct ShapeOptions {
   std::optional<std::string> shape, flatten, join;
+  bool project = false;
   bool offered = false;  // the command has these options
 
   void declare(CommandLine& line);

@@ -270,6 +270,26 @@ TEST_CASE("--shape all places every shape, whatever becomes of the others", "[cl
   }
 }
 
+TEST_CASE("--project converts degrees to metres and says so", "[cli]") {
+  const Folder folder("degrees");
+  corpus::write_file(folder.path() / "field.csv",
+                     "lon,lat\n8.5412,47.3765\n8.5422,47.3765\n8.5422,47.3773\n8.5412,47.3773\n");
+  const Outcome plain = run(folder, "evenlift place field.csv --json");
+  CHECK(plain.errors.find("degrees of longitude and latitude, not lengths") != std::string::npos);
+  CHECK(plain.errors.find("evenlift: field.csv: --project converts degrees to metres\n") !=
+        std::string::npos);
+  const Outcome projected = run(folder, "evenlift place field.csv --project --json");
+  CHECK(projected.errors ==
+        "evenlift: field.csv: the coordinates were converted from degrees to metres east and north "
+        "of 8.5417\u00B0 E, 47.3769\u00B0 N\n");
+  CHECK(projected.output.find("\"unit\": \"m\"") != std::string::npos);
+  CHECK(run(folder, "evenlift place field.csv --project --shape all --unit m").status == 0);
+  const Outcome relabelled = run(folder, "evenlift place field.csv --project --unit mm");
+  CHECK(relabelled.status == 2);
+  CHECK(relabelled.errors.find("evenlift: --unit: coordinates are in m with --project\n") !=
+        std::string::npos);
+}
+
 TEST_CASE("tables have each number under its heading, in columns as wide as their characters",
           "[cli]") {
   const Folder folder("tables");

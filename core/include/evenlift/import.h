@@ -24,6 +24,9 @@ struct ImportOptions {
   // The greatest distance of two ends of lines and curves that are joined, in the text's unit: above
   // 0 and finite. By default up to a thousandth of the drawing's larger side.
   std::optional<double> join;
+  // Converts longitudes and latitudes in degrees to metres east and north of the middle of the text's
+  // box: of all texts whose coordinates can be degrees, whatever the text says.
+  bool project = false;
 };
 
 struct ImportedShape {
@@ -41,6 +44,7 @@ struct Import {
   std::string unit;       // in words, such as "millimetres"; empty if the text names none
   bool doubtful = false;  // what was left out is larger than any shape, so a person should choose
   bool has_settings = false;  // the shape has the text's settings: evenlift wrote it
+  bool in_degrees = false;    // by the text's own words, and not converted
 };
 
 // Reads a text. The content determines the format:
@@ -106,7 +110,10 @@ struct Import {
 // thesis's format, links and results. A last vertex that repeats the first is also dropped: if it is
 // equal, or in drawings within 1/100000 of the shape's larger side. Coordinates that are degrees by
 // the text's own words (GeoJSON without another reference system, columns of longitude and latitude,
-// the reference systems of EWKT and Esri JSON) stay as they are, with a note. Files of other kinds
+// the reference systems of EWKT and Esri JSON) stay as they are, with a note, unless
+// ImportOptions::project converts them; then a note gives the origin, with at most four decimals, and
+// from 0.1 % on the greatest error of a width. It is an error if they are no degrees, reach beyond
+// latitude 85 or span the 180th meridian, and for results and links. Files of other kinds
 // that are known (meshes, STEP, IGES, G-code) are refused by name. Nothing else is checked;
 // Polygon::create does that. The result depends only on the text and numbers, on every platform.
 // Bounded by max_text_bytes, max_shapes, and max_vertices for all shapes together. O(bytes +

@@ -70,6 +70,8 @@ class Gathering {
   void add_problem(InputError error);
   // There is no room for more shapes or vertices, so a reader may stop.
   bool full() const { return full_.has_value(); }
+  // Degrees are converted once the text is read, so they need no note.
+  bool projects() const { return options_.project; }
   void note(std::string sentence);
 
   // Returns the import. Without a shape it returns the first problem, or else `nothing`.

@@ -8,8 +8,11 @@
 #include "evenlift/numbers.h"
 #include "import/gathering.h"
 #include "import/other_kinds.h"
+#include "import/projection/projection.h"
 #include "import/python_points.h"
 #include "import/readers.h"
+#include "import/ring_notes.h"
+#include "import/unit_words.h"
 #include "import/wkt_shapes.h"
 #include "numbers/text_cursor.h"
 
@@ -42,6 +45,65 @@ Result<Import> read_small(std::string_view text, const char* format) {
   return import;
 }
 
+// Reads the text with the reader of its format.
+Result<Import> read_format(std::string_view text, const ImportOptions& options) {
+  TextCursor cursor(text);
+  cursor.skip_white_space();
+  if (cursor.at_end()) return cursor.error(ErrorCode::bad_syntax, "the text is empty");
+  if (cursor.sees('<')) return read_svg(text, options);
+  if (cursor.sees('{') || cursor.sees('[')) {
+    Result<Import> json = read_json_shapes(text, options);
+    const bool other = !json && json.error().code == ErrorCode::bad_syntax;
+    return other && looks_like_python(text) ? read_python_points(text, options) : std::move(json);
+  }
+  if (cursor.sees('(') && looks_like_python(text)) return read_python_points(text, options);
+  if (cursor.sees('(')) return read_small(text, "text");
+  if (looks_like_link(text) && !read_number(text)) return read_link(text);
+  if (looks_like_dxf(text)) return read_dxf(text, options);
+  const std::string_view word = cursor.word();
+  if (same_word(word, "com")) return read_small(text, "text");
+  if (begins_wkt(cursor)) return read_wkt_shapes(text, options);
+  return read_columns(text, options);
+}
+
+// "8.5417° E".
+std::string degrees_in_words(double degrees, const char* positive, const char* negative) {
+  return shortest(std::abs(degrees)) + "\u00B0 " + (degrees < 0 ? negative : positive);
+}
+
+std::string projection_note(const Projection& projection) {
+  constexpr double unseen_error = 0.001;
+  std::string note = "the coordinates were converted from degrees to metres east and north of " +
+                     degrees_in_words(projection.origin().x(), "E", "W") + ", " +
+                     degrees_in_words(projection.origin().y(), "N", "S");
+  if (projection.error() >= unseen_error)
+    note += "; widths are off by up to " + shortest(std::ceil(1000 * projection.error()) / 10) +
+            "\u00A0%, since the shapes are so far apart or so large";
+  return note;
+}
+
+Result<Import> projected(Import import) {
+  if (import.has_settings)
+    return InputError{ErrorCode::unsupported,
+                      "a result of evenlift keeps its coordinates, which are no degrees",
+                      {}};
+  const Result<Projection> projection = Projection::about_middle(box_of(import.shapes));
+  if (!projection) return projection.error();
+  const auto convert = [&](Points& points) {
+    for (Vec2& point : points) point = projection->metres(point);
+  };
+  for (ImportedShape& shape : import.shapes) {
+    convert(shape.document.vertices);
+    for (Points& hole : shape.holes) convert(hole);
+    if (auto& centre = shape.document.centre_of_mass) centre = projection->metres(*centre);
+    if (shape.tolerance) *shape.tolerance *= projection->greatest_scale();
+    shape.document.shown.units.length = LengthUnit::m;
+  }
+  import.unit = in_full(LengthUnit::m);
+  import.notes.push_back(projection_note(*projection));
+  return import;
+}
+
 }  // namespace
 
 Result<Import> read_shapes(std::string_view text, const ImportOptions& options) {
@@ -62,24 +124,8 @@ Result<Import> read_shapes(std::string_view text, const ImportOptions& options) 
     return InputError{ErrorCode::unsupported, refusal, {}};
   if (std::any_of(text.begin(), text.end(), is_no_text))
     return InputError{ErrorCode::unsupported, joined({"this is not text: ", known_formats}), {}};
-
-  TextCursor cursor(text);
-  cursor.skip_white_space();
-  if (cursor.at_end()) return cursor.error(ErrorCode::bad_syntax, "the text is empty");
-  if (cursor.sees('<')) return read_svg(text, options);
-  if (cursor.sees('{') || cursor.sees('[')) {
-    Result<Import> json = read_json_shapes(text, options);
-    const bool other = !json && json.error().code == ErrorCode::bad_syntax;
-    return other && looks_like_python(text) ? read_python_points(text, options) : std::move(json);
-  }
-  if (cursor.sees('(') && looks_like_python(text)) return read_python_points(text, options);
-  if (cursor.sees('(')) return read_small(text, "text");
-  if (looks_like_link(text) && !read_number(text)) return read_link(text);
-  if (looks_like_dxf(text)) return read_dxf(text, options);
-  const std::string_view word = cursor.word();
-  if (same_word(word, "com")) return read_small(text, "text");
-  if (begins_wkt(cursor)) return read_wkt_shapes(text, options);
-  return read_columns(text, options);
+  Result<Import> import = read_format(text, options);
+  return import && options.project ? projected(std::move(import).value()) : std::move(import);
 }
 
 std::string describe(const ImportedShape& shape) {

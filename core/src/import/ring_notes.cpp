@@ -19,17 +19,6 @@ const char* what_is_left(bool centre_is_open) {
              : "only the outer ring defines the shape; the centre of mass is the given one";
 }
 
-Box box_of(const std::vector<ImportedShape>& shapes) {
-  Points corners;
-  for (const ImportedShape& shape : shapes) {
-    if (shape.document.vertices.empty()) continue;
-    const Box box = bounding_box(shape.document.vertices);
-    corners.push_back(box.low);
-    corners.push_back(box.high);
-  }
-  return bounding_box(corners);
-}
-
 // Numbers beyond these are no longitudes and latitudes, whatever the text says.
 bool can_be_degrees(const Box& box) {
   return box.low.x() >= -360 && box.high.x() <= 360 && box.low.y() >= -90 && box.high.y() <= 90;
@@ -66,7 +55,20 @@ void RingNotes::add_to(Gathering& gathering) const {
                    " left out");
   if (!are_degrees || gathering.import.shapes.empty()) return;
   const Box box = box_of(gathering.import.shapes);
-  if (can_be_degrees(box)) gathering.note(degrees_note(who_says_so, box));
+  if (!can_be_degrees(box) || gathering.projects()) return;
+  gathering.import.in_degrees = true;
+  gathering.note(degrees_note(who_says_so, box));
+}
+
+Box box_of(const std::vector<ImportedShape>& shapes) {
+  Points corners;
+  for (const ImportedShape& shape : shapes) {
+    if (shape.document.vertices.empty()) continue;
+    const Box box = bounding_box(shape.document.vertices);
+    corners.push_back(box.low);
+    corners.push_back(box.high);
+  }
+  return bounding_box(corners);
 }
 
 bool is_in_degrees(double code) {

@@ -26,6 +26,9 @@ struct RingNotes {
   void add_to(Gathering& gathering) const;
 };
 
+// The smallest box around all vertices. O(vertices).
+Box box_of(const std::vector<ImportedShape>& shapes);
+
 // Whether these are the codes of a reference system in degrees: WGS 84 and the national ones that
 // files most often have. O(1).
 bool is_in_degrees(double code);
