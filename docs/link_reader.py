@@ -18,7 +18,7 @@ OVERLAYS = ["candidates", "chords", "hull", "clockwise", "counterclockwise", "ti
 # What a record's payload is read as, by its tag; the other tags are those of later programs.
 RECORDS = {1: ("robots", int), 2: ("goal", str), 3: ("min_margin", float), 4: ("apart", float), 5: ("survive", int),
            6: ("positions", str), 7: ("com_radius", float), 8: ("capacity", float), 9: ("robot", str), 10: ("no_go", str),
-           11: ("units", str), 17: ("support_capacities", str), 18: ("halo", str), 19: ("moved", str), 20: ("clear", float),
+           11: ("units", str), 12: ("cargo", str), 13: ("holes", list), 17: ("support_capacities", str), 18: ("halo", str), 19: ("moved", str), 20: ("clear", float),
            21: ("supports", list), 22: ("snap", float)}
 DOUBLES = 23  # the scale that numbers every double
 
@@ -178,8 +178,19 @@ def read_supports(coder):
     return read_vertices(coder, count)[0]
 
 
+def read_holes(coder):
+    count = coder.integer(10)
+    if not 1 <= count <= 1000:
+        raise LinkError("a number of holes that no writer makes")
+    sizes = [coder.integer(16) for _ in range(count)]
+    if min(sizes) == 0 or sum(sizes) > 32768:
+        raise LinkError("a number of vertices that no writer makes")
+    vertices = iter(read_vertices(coder, sum(sizes))[0])
+    return [[next(vertices) for _ in range(size)] for size in sizes]
+
+
 def read_records(coder, settings):
-    """The settings that came with version 2, each as its text; supports as their coordinates."""
+    """What came with version 2: each setting as its text; supports and holes as their coordinates."""
     while tag := coder.integer(8):
         if tag not in RECORDS:
             raise LinkError(f"the link was made by a newer evenlift: record {tag}")
@@ -187,10 +198,13 @@ def read_records(coder, settings):
             settings["supports"] = read_supports(coder)
             settings["metric"] = "given"
             continue
+        if tag == 13:
+            settings["holes"] = read_holes(coder)
+            continue
         length = coder.integer(20)
-        if length > {9: 160, 10: 64000, 17: 32000, 19: 64000}.get(tag, 32):
+        if length > {9: 160, 10: 64000, 12: 322000, 17: 32000, 19: 64000}.get(tag, 32):
             raise LinkError("a record that is too long")
-        text = bytes(coder.uniform(256) for _ in range(length)).decode("ascii", "strict")
+        text = bytes(coder.uniform(256) for _ in range(length)).decode("utf-8" if tag == 12 else "ascii", "strict")
         name, kind = RECORDS[tag]
         try:
             settings[name] = kind(text)

@@ -62,7 +62,7 @@ const members = {
   poses: ["format", "frame", "origin"],
   link: [],
 };
-const ofPolygon = ["polygon", "text", "name", "set", "centre_of_mass"];
+const ofPolygon = ["polygon", "holes", "text", "name", "set", "centre_of_mass"];
 const ofExperiment = ["min_ratio", "samples", "max_teams", "max_balanced"];
 
 const mostVertices = 1048576;
@@ -132,6 +132,18 @@ function centreOf(point) {
   return point;
 }
 
+function holesOf(holes) {
+  if (!Array.isArray(holes) || !holes.every(Array.isArray))
+    throw refusal("bad_syntax", "The holes must be an array of arrays of points [x, y]");
+  return holes.map((hole, i) => {
+    const place = { rings: [i + 1] };
+    if (!hole.every(isPoint)) throw refusal("bad_syntax", `Hole ${i + 1}: a point must be two numbers [x, y]`, place);
+    if (!hole.flat().every(Number.isFinite))
+      throw refusal("bad_coordinate", `Hole ${i + 1}: a coordinate is not a finite number`, place);
+    return hole;
+  });
+}
+
 // The members of a request that describe the polygon.
 function shapeOf(polygon) {
   if (typeof polygon === "string") return { text: textOf(polygon) };
@@ -141,10 +153,19 @@ function shapeOf(polygon) {
   return { polygon: Array.from(polygon, vertexOf) };
 }
 
-// A support is a point, and its capacity a number, null, or a text.
-const lists = ["supports", "support_capacities"];
+// A support is a point, its capacity a number, null, or a text, and a load of the cargo an object.
+const lists = ["supports", "support_capacities", "cargo"];
+function loadOf({ at, weight, name } = {}) {
+  if (!isPoint(at) || typeof weight !== "number" || (name !== undefined && typeof name !== "string"))
+    throw badSetting("cargo", "cargo: a load must have a place [x, y], a weight and perhaps a name");
+  if (![...at, weight].every(Number.isFinite)) throw badSetting("cargo", "cargo: a number is not finite");
+  if (broken.test(name ?? "")) throw badSetting("cargo", "cargo: the name contains half a character");
+  return name ? { at, weight, name } : { at, weight };
+}
+
 function listed(name, item) {
   if (name === "support_capacities") return valueOf(name, item ?? null);
+  if (name === "cargo") return loadOf(item);
   if (!isPoint(item)) throw badSetting(name, `${name}: a support must be two numbers [x, y]`);
   if (!item.every(Number.isFinite)) throw badSetting(name, `${name}: a coordinate is not a finite number`);
   return item;
@@ -204,10 +225,15 @@ function requestOf(settingNames, command, polygon, options) {
   const request = { command, settings: {} };
   for (const [name, value] of given(options)) {
     if (name === "centre_of_mass") request.centre_of_mass = centreOf(value);
+    else if (name === "holes") request.holes = holesOf(value);
     else if (members[command].includes(name)) request[name] = memberOf(name, value);
     // The program calls the centre of mass "com", and the core also accepts that.
     else if (settingNames.includes(name) || name === "com") request.settings[name] = valueOf(name, value);
-    else throw badSetting(name, noSuch("setting", name, [...settingNames, "centre_of_mass", ...members[command]]));
+    else
+      throw badSetting(
+        name,
+        noSuch("setting", name, [...settingNames, "holes", "centre_of_mass", ...members[command]]),
+      );
   }
   return { ...request, ...shapeOf(polygon) };
 }
@@ -227,6 +253,7 @@ function measuredOf(polygon) {
   for (const [name, value] of given(polygon)) {
     if (!ofPolygon.includes(name)) throw refusal("unsupported", noSuch("member", name, ofPolygon));
     if (name === "centre_of_mass") asked[name] = centreOf(value);
+    else if (name === "holes") asked[name] = holesOf(value);
     else if (name === "name" || name === "set") asked[name] = nameOf(value);
     else if ((name === "text") === (typeof value === "string")) shapes.push(shapeOf(value));
     else

@@ -13,8 +13,20 @@ export type LengthUnit = "m" | "cm" | "mm" | "in";
 export type WeightUnit = "kg" | "t" | "N" | "lb";
 export type Overlay = "candidates" | "chords" | "hull" | "clockwise" | "counterclockwise" | "tipping" | "halo";
 
+/** A load that is fixed to the object, at its own centre of mass. */
+export interface Cargo {
+  at: readonly [x: number, y: number];
+  weight: number;
+  name?: string;
+}
+
+/** The vertices of each hole in a polygon. */
+export type Holes = readonly (readonly (readonly [x: number, y: number])[])[];
+
 /** The program's options, with the same names and defaults. */
 export interface Settings {
+  /** The holes of the polygon, in place of those of its text. */
+  holes?: Holes;
   /** The centre of mass; `null` for the centroid. */
   centre_of_mass?: readonly [x: number, y: number] | null;
   /** The number of teams, 1 to 1048576; `"max"` places every candidate (area, circle and distance only). Default 3. */
@@ -57,6 +69,8 @@ export interface Settings {
   snap?: number;
   /** The capacity of each support: `[30, null, 40]`. */
   support_capacities?: readonly (number | null)[] | string;
+  /** Loads that are fixed to the object, each at its own centre of mass, or a text such as `"8,8:24:motor"`. */
+  cargo?: readonly Cargo[] | string;
   /** The greatest load of one robot, 1e-100 to 1e100; `"none"` for no limit. */
   capacity?: number | "none";
   /** The C uncertainty: the centre of mass is known within this distance. */
@@ -222,7 +236,15 @@ export interface Capacity {
 /** The object that `evenlift place --json` prints. */
 export interface Placement {
   polygon: Point[];
+  /** Only if there are any. */
+  holes?: Point[][];
+  /** Of the object with its cargo, and without it. */
   centre_of_mass: Point;
+  own_centre_of_mass: Point;
+  /** The weight of the object with its cargo, of which all loads are. */
+  total_weight: number;
+  /** Only if there is any. */
+  cargo?: Cargo[];
   metric: Metric;
   min_ratio: number;
   weight: number;
@@ -277,7 +299,7 @@ export interface Placement {
     edge: number,
     from: number,
     to: number,
-    why: "no_go" | "body" | "arm" | "corner" | "hand" | "near_no_go" | "narrow",
+    why: "no_go" | "body" | "arm" | "corner" | "hand" | "hole" | "near_no_go" | "narrow",
   ][];
   /** Only for a link with robots that were moved by hand. */
   moved?: string;
@@ -328,8 +350,9 @@ export interface Experiment {
 /** The place of an error in a request; vertices and edges count from 0, lines, columns and characters from 1. */
 export type Place =
   | { line: number; column: number }
-  | { vertices: number[] }
-  | { edges: number[] }
+  | { vertices: number[]; rings?: number[] }
+  | { edges: number[]; rings?: number[] }
+  | { rings: number[] }
   | { centre_of_mass: true }
   | { setting: string }
   | { character: number };
@@ -363,6 +386,7 @@ export function experiment(
     name?: string;
     set?: string;
     polygon?: Exclude<Polygon, string>;
+    holes?: Holes;
     text?: string;
     centre_of_mass?: readonly [x: number, y: number] | null;
   }[],

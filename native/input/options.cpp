@@ -68,6 +68,15 @@ void supports_option(const std::string& text, Document& document) {
   document.moved = {};
 }
 
+// Adds to the cargo of the file.
+void cargo_option(const std::string& text, Document& document) {
+  Document more;
+  setting_option(Setting::cargo, text, more);
+  std::vector<Cargo>& cargo = document.settings.cargo;
+  cargo.insert(cargo.end(), more.settings.cargo.begin(), more.settings.cargo.end());
+  document.moved = {};
+}
+
 }  // namespace
 
 std::uint64_t whole_option(const std::string& option, const std::string& text, std::uint64_t most) {
@@ -101,8 +110,9 @@ void SettingOptions::declare(CommandLine& line, OptionGroup group) {
 
 void SettingOptions::apply(Document& document) const {
   for (const SettingRow& row : all_settings())
-    if (typed(row.setting) && row.setting != Setting::supports)
+    if (typed(row.setting) && row.setting != Setting::supports && row.setting != Setting::cargo)
       setting_option(row.setting, *typed(row.setting), document);
+  if (const Typed& cargo = typed(Setting::cargo)) cargo_option(*cargo, document);
   // A file of supports may need the unit. Supports bring their method; another one is refused below.
   const Method method = document.settings.method;
   if (const Typed& supports = typed(Setting::supports)) supports_option(*supports, document);

@@ -322,6 +322,8 @@ TEST_CASE("what each setting may be is said as ever", "[settings]") {
       {Setting::snap, "the snap distance must be a number from 0 to 1000000000"},
       {Setting::support_capacities,
        "the capacities of the supports must be a number greater than 0, or none, for each support, such as 30,none,40; or nothing"},
+      {Setting::cargo,
+       "the cargo must be 1 to 1000 loads X,Y:W with spaces between them, such as 8,8:24 2,3:1.5, each perhaps with its name as X,Y:W:NAME; or none"},
   };
   CHECK(std::size(sentences) == all_settings().size());
   for (const auto& [setting, sentence] : sentences) CHECK(requirement(setting) == sentence);

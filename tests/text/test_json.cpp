@@ -50,10 +50,13 @@ TEST_CASE("the JSON of a placement has cli.md's shape", "[json]") {
     document.settings.method = method;
     const Placement placement = placed(document);
     const ordered_json plain = ordered_json::parse(placement_json(placement, false));
-    CHECK(names_in(plain) == Names{"polygon", "centre_of_mass", "metric", "min_ratio", "weight",
-                                   "seed", "requested_teams", "teams", "robots", "hull", "coverage",
-                                   "loads", "closure", "goal", "goal_reached", "stands", "verdict",
-                                   "clear", "robustness"});
+    CHECK(names_in(plain) == Names{"polygon",      "centre_of_mass", "own_centre_of_mass",
+                                   "total_weight", "metric",         "min_ratio",
+                                   "weight",       "seed",           "requested_teams",
+                                   "teams",        "robots",         "hull",
+                                   "coverage",     "loads",          "closure",
+                                   "goal",         "goal_reached",   "stands",
+                                   "verdict",      "clear",          "robustness"});
     const ordered_json full = ordered_json::parse(placement_json(placement, true));
     CHECK(full.contains("candidates"));
     CHECK(names_in(full["teams"][0]) == Names{"ends", "ratio", "loads"});

@@ -753,3 +753,37 @@ TEST_CASE("any payload with a good checksum gives a document that a link can car
   }
   CHECK(documents > 1000);
 }
+
+TEST_CASE("a link keeps holes and cargo, and each is read back in every bit", "[link][cargo]") {
+  std::mt19937_64 engine(5);
+  const auto number = [&](double size) {
+    const double part = static_cast<double>(engine() >> 11) * 0x1p-53;
+    return engine() % 2 == 0 ? std::floor(size * part) : size * part;
+  };
+  for (int i = 0; i < 300; ++i) {
+    Document document = corpus::polygon(i % 2 == 0 ? "guitar" : "square");
+    for (std::uint64_t holes = engine() % 4; holes > 0; --holes) {
+      Points ring;
+      for (std::uint64_t k = 1 + engine() % 9; k > 0; --k) ring.emplace_back(number(1e3), number(-1e3));
+      document.holes.push_back(ring);
+    }
+    for (std::uint64_t items = engine() % 3; items > 0; --items)
+      document.settings.cargo.push_back(
+          {Vec2(number(1e4), number(10)), 1 + number(1e3), engine() % 2 == 0 ? "" : "Küche 1"});
+    if (i % 3 == 0) {
+      document.settings.method = Method::given;
+      document.settings.supports = {Vec2(number(5), 1), Vec2(2, number(7))};
+    }
+    const auto link = encode_link(document);
+    REQUIRE(link.ok());
+    const auto read = decode_link(*link);
+    REQUIRE(read.ok());
+    CHECK(read->holes == document.holes);
+    CHECK(read->settings.cargo == document.settings.cargo);
+    CHECK(read->settings.supports == document.settings.supports);
+    CHECK(*encode_link(*read) == *link);
+  }
+  Document document = corpus::polygon("square");
+  document.holes = {{}};
+  CHECK(encode_link(document).error().place.kind == Place::Kind::hole);
+}

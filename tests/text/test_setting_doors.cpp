@@ -99,7 +99,7 @@ const Door lists[] = {
      "has no % in Settings",
      is_asked,
      as_is,
-     {"centre_of_mass", "method"}},
+     {"centre_of_mass", "holes", "method"}},
     {"python/src/evenlift/types.py",
      "class Settings(",
      "\n\n\n",
@@ -178,7 +178,8 @@ Description described_records() {
 }
 
 bool is_of_no_setting(int record) {
-  return record == tag::units || record == tag::halo || record == tag::moved;
+  return record == tag::units || record == tag::holes || record == tag::halo ||
+         record == tag::moved;
 }
 
 void check_reserved(const SettingRow& row, int number, const std::string& name) {

@@ -7,17 +7,22 @@ import { idle } from "./work.js";
 // number nor a word is written as JSON, which every setting refuses.
 const lists = ["com", "overlays"];
 // As the program itself reads them: "r=30,reach=5", "3,5:0.25-0.75", "0,0 160,0@30", "30,none".
-const texts = ["robot", "no_go", "supports", "support_capacities"];
+const texts = ["robot", "no_go", "supports", "support_capacities", "cargo"];
 
 function word(value) {
   const other = typeof value === "object" || (typeof value === "string" && !/^[a-zA-Z]+$/.test(value));
   return other ? JSON.stringify(value) : String(value);
 }
 
+function load({ at, weight, name = "" } = {}) {
+  return `${written("com", at)}:${word(weight)}${name && `:"${String(name).replaceAll('"', '""').replaceAll(/\s/g, " ")}"`}`;
+}
+
 function written(name, value) {
   if (value === null) return name === "com" ? "centroid" : "none";
   if (Array.isArray(value) && name === "supports") return value.map((at) => written("com", at)).join(" ") || "none";
   if (Array.isArray(value) && name === "support_capacities") return value.map((load) => word(load ?? "none")).join(",");
+  if (Array.isArray(value) && name === "cargo") return value.map(load).join(" ") || "none";
   if (Array.isArray(value) && lists.includes(name)) return value.map(word).join(",") || "none";
   if (typeof value === "string" && texts.includes(name) && /^[\w=.,:+@ -]+$/.test(value)) return value;
   // JavaScript may have rounded a whole number this large.

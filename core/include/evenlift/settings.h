@@ -47,6 +47,7 @@ enum class Setting : std::uint8_t {
   supports,
   snap,
   support_capacities,
+  cargo,
   loads,
   failed,
   end_of_settings  // not a setting; keep it last: it counts the settings, and each needs a row
@@ -116,6 +117,8 @@ struct SettingRow {
     bool (*allowed)(const Document& document, const SettingRange& range);
     std::string (*kind)(const SettingRange& range);
     bool is_number = false;  // the value is a number or nothing; otherwise a word
+    // For a list: its first wrong part, if that is short enough to quote.
+    std::string_view (*refused)(std::string_view text) = nullptr;
   };
   Access access = {};
 };
@@ -149,7 +152,7 @@ InputError setting_error(Setting setting, std::string why);
 // returns the allowed values. Numbers have the syntax of read_number(), whole numbers that of
 // read_whole(): no spaces and no hexadecimal. Only the comma of `com` may have spaces and tabs
 // around it. Any other text, and any value out of range, is an error and changes nothing. The error
-// for `no_go` or `supports` quotes the first wrong part if it is short. Any setting that changes
+// for `no_go`, `supports` or `cargo` quotes the first wrong part if it is short. Any setting that changes
 // where robots stand also discards moves by hand. Supports also set the method `given`, and the
 // capacities that follow an @, such as "0,0@30 160,0". O(bytes).
 std::optional<InputError> read_setting(Setting setting, std::string_view text, Document& document);
@@ -158,10 +161,12 @@ std::optional<InputError> read_setting(Setting setting, std::string_view text, D
 // like `apart`, has no word for that. O(bytes).
 std::string text_of(Setting setting, const Document& document);
 
-// A robot's size, no-go parts and supports ("0,0 160,0 80,90") as text. O(bytes).
+// A robot's size, no-go parts, supports ("0,0 160,0 80,90") and cargo ("8,8:24 2,3:1.5:motor") as
+// text. O(bytes).
 std::string robot_text(const RobotSize& robot);
 std::string no_go_text(const std::vector<EdgePart>& no_go);
 std::string supports_text(const Points& supports);
+std::string cargo_text(const std::vector<Cargo>& cargo);
 
 // The overlays with their names in JSON and texts.
 struct NamedOverlay {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "document/cargo_settings.h"
 #include "document/stand_settings.h"
 #include "document/support_settings.h"
 #include "numbers/text_cursor.h"
@@ -114,6 +115,12 @@ std::string text_of(const Capacities& capacities, const SettingRange&) {
 bool is_within(const Capacities& capacities, const SettingRange&) {
   return are_capacities(capacities);
 }
+
+bool take(std::string_view text, const SettingRange&, CargoList& cargo) {
+  return read_cargo(text, cargo);
+}
+std::string text_of(const CargoList& cargo, const SettingRange&) { return cargo_text(cargo); }
+bool is_within(const CargoList& cargo, const SettingRange&) { return is_cargo(cargo); }
 
 }  // namespace setting_value
 

@@ -114,24 +114,28 @@ bool take(std::string_view text, const SettingRange& range, std::optional<Value>
 
 using NoGo = std::vector<EdgePart>;
 using Capacities = std::vector<std::optional<double>>;
+using CargoList = std::vector<Cargo>;
 bool take(std::string_view text, const SettingRange&, std::optional<Vec2>& centre);
 bool take(std::string_view text, const SettingRange&, Overlays& overlays);
 bool take(std::string_view text, const SettingRange&, RobotSize& robot);
 bool take(std::string_view text, const SettingRange&, NoGo& no_go);
 bool take(std::string_view text, const SettingRange&, Points& supports);
 bool take(std::string_view text, const SettingRange&, Capacities& capacities);
+bool take(std::string_view text, const SettingRange&, CargoList& cargo);
 std::string text_of(const std::optional<Vec2>& centre, const SettingRange&);
 std::string text_of(const Overlays& overlays, const SettingRange&);
 std::string text_of(const RobotSize& robot, const SettingRange&);
 std::string text_of(const NoGo& no_go, const SettingRange&);
 std::string text_of(const Points& supports, const SettingRange&);
 std::string text_of(const Capacities& capacities, const SettingRange&);
+std::string text_of(const CargoList& cargo, const SettingRange&);
 bool is_within(const std::optional<Vec2>& centre, const SettingRange&);
 bool is_within(const Overlays& overlays, const SettingRange&);
 bool is_within(const RobotSize& robot, const SettingRange&);
 bool is_within(const NoGo& no_go, const SettingRange&);
 bool is_within(const Points& supports, const SettingRange&);
 bool is_within(const Capacities& capacities, const SettingRange&);
+bool is_within(const CargoList& cargo, const SettingRange&);
 
 // --- The kind of a value in words, such as "a number from 0 to 1"
 

@@ -2,6 +2,7 @@
 
 #include <iterator>
 
+#include "document/cargo_settings.h"
 #include "document/setting_values.h"
 #include "document/stand_settings.h"
 #include "document/support_settings.h"
@@ -71,6 +72,13 @@ constexpr SettingRow::Access supports_with_capacities() {
   return access;
 }
 constexpr SettingRow::Access of_supports = supports_with_capacities();
+
+// A list that quotes the part that it refuses.
+constexpr SettingRow::Access quoting(SettingRow::Access access,
+                                     std::string_view (*refused)(std::string_view)) {
+  access.refused = refused;
+  return access;
+}
 
 constexpr SettingRow::Access of_the_view = {
     [](std::string_view, const SettingRange&, Document&) { return false; },
@@ -201,7 +209,7 @@ constexpr SettingRow rows[] = {
                 "no-go edges from 1, or parts of them from 0 to 1"},
      .record = 10,
      .in_document = Listed::always,
-     .access = of<&Settings::no_go>()},
+     .access = quoting(of<&Settings::no_go>(), refused_part)},
     {.setting = Setting::unit,
      .name = "unit",
      .subject = "the unit of lengths",
@@ -343,7 +351,7 @@ constexpr SettingRow rows[] = {
      .record = 21,
      .in_document = Listed::if_changed,
      .in_result = Listed::if_changed,
-     .access = of_supports},
+     .access = quoting(of_supports, refused_support)},
     {.setting = Setting::snap,
      .name = "snap",
      .subject = "the snap distance",
@@ -369,6 +377,18 @@ constexpr SettingRow rows[] = {
      .in_document = Listed::if_changed,
      .in_result = Listed::if_changed,
      .access = of<&Shown::support_capacities>()},
+    {.setting = Setting::cargo,
+     .name = "cargo",
+     .subject = "the cargo",
+     .edit = "the cargo",
+     .rule = "must be 1 to 1000 loads X,Y:W with spaces between them, such as 8,8:24 2,3:1.5, each "
+             "perhaps with its name as X,Y:W:NAME; or none",
+     .option = {OptionGroup::placement, "\"X,Y:W[:NAME] ...\"",
+                "loads that are fixed to the object, added to those of the file"},
+     .record = 12,
+     .in_document = Listed::if_changed,
+     .in_result = Listed::if_changed,
+     .access = quoting(of<&Settings::cargo>(), refused_cargo)},
     {.setting = Setting::loads,
      .name = "loads",
      .subject = "the load model",
@@ -454,9 +474,8 @@ InputError setting_error(Setting setting, std::string why) {
 std::optional<InputError> read_setting(Setting setting, std::string_view text, Document& document) {
   const SettingRow& row = row_of(setting);
   if (!row.access.read(text, row.range, document)) {
-    const std::string_view part = setting == Setting::no_go      ? refused_part(text)
-                                  : setting == Setting::supports ? refused_support(text)
-                                                                 : "";
+    const std::string_view part =
+        row.access.refused ? row.access.refused(text) : std::string_view();
     if (part.empty()) return setting_error(setting);
     return setting_error(setting, requirement(setting) + (", not \"" + std::string(part) + "\""));
   }

@@ -8,6 +8,7 @@
 
 #include "evenlift/lesson.h"
 #include "evenlift/numbers.h"
+#include "numbers/utf8.h"
 
 namespace evenlift {
 namespace {
@@ -17,32 +18,6 @@ std::string_view trimmed(std::string_view text) {
   while (!text.empty() && blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && blank(text.back())) text.remove_suffix(1);
   return text;
-}
-
-// Whether a line is UTF-8 without control characters other than tabs.
-bool is_readable(std::string_view line) {
-  for (std::size_t i = 0; i < line.size();) {
-    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(line[k]); };
-    const unsigned char first = byte(i);
-    if ((first < 0x20 && first != '\t' && first != '\r') || first == 0x7f) return false;
-    const std::size_t more = first < 0x80   ? 0
-                             : first < 0xc2 ? 4
-                             : first < 0xe0 ? 1
-                             : first < 0xf0 ? 2
-                             : first < 0xf5 ? 3
-                                            : 4;
-    if (more == 4 || i + more >= line.size()) return false;
-    for (std::size_t k = 1; k <= more; ++k)
-      if ((byte(i + k) & 0xc0) != 0x80) return false;
-    if (more > 1) {  // overlong, a surrogate, or beyond the last character
-      const unsigned char second = byte(i + 1);
-      if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f) ||
-          (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f))
-        return false;
-    }
-    i += more + 1;
-  }
-  return true;
 }
 
 class Reader {
@@ -74,7 +49,7 @@ class Reader {
   void refuse(std::string message) { refuse(std::move(message), line_); }
 
   void read_line(std::string_view whole_line) {
-    if (!is_readable(whole_line)) return refuse("not readable text (UTF-8)");
+    if (!is_line_of_text(whole_line)) return refuse("not readable text (UTF-8)");
     const std::string_view line = trimmed(whole_line);
     if (!line.empty() && line.front() == '#') return;
     if (!line.empty() && line.front() == '[') return begin_part(line);

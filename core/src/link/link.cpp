@@ -74,14 +74,34 @@ std::optional<InputError> check_linked_settings(Settings settings, Shown shown) 
   return check_ranges(settings, shown);
 }
 
+std::optional<InputError> check_holes(const std::vector<Points>& holes) {
+  for (std::size_t hole = 0; hole < holes.size(); ++hole) {
+    Place place{Place::Kind::hole, 0, 0, {}};
+    place.ring = place.other_ring = hole + 1;
+    if (holes[hole].empty())
+      return InputError{ErrorCode::too_few_vertices, "a link holds no hole without vertices",
+                        place};
+    for (std::size_t i = 0; i < holes[hole].size(); ++i) {
+      place.kind = Place::Kind::vertex;
+      place.index = place.other = i;
+      if (auto error = check_point(holes[hole][i], place)) return error;
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<InputError> check_linkable(const Document& document) {
-  if (document.vertices.size() > max_link_vertices) {
-    return InputError{ErrorCode::too_many_vertices, "a link holds at most 32768 vertices", {}};
+  std::size_t vertices = document.vertices.size();
+  for (const Points& hole : document.holes) vertices += hole.size();
+  if (vertices > max_link_vertices || document.holes.size() > max_holes) {
+    return InputError{
+        ErrorCode::too_many_vertices, "a link holds at most 32768 vertices and 1000 holes", {}};
   }
   for (std::size_t i = 0; i < document.vertices.size(); ++i) {
     if (auto error = check_point(document.vertices[i], {Place::Kind::vertex, i, i, {}}))
       return error;
   }
+  if (auto error = check_holes(document.holes)) return error;
   if (document.centre_of_mass) {
     const Place place{Place::Kind::centre_of_mass, 0, 0, {}};
     if (auto error = check_point(*document.centre_of_mass, place)) return error;

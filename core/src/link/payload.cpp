@@ -75,8 +75,8 @@ struct Content {
   QuantizedVertices quantized;              // the vertices, by the scale of the encoding
   std::optional<Vec2> centre_of_mass;
   LinkVersion version = LinkVersion::one;
-  Records records;         // of version 2
-  CodedSupports supports;  // of a record
+  Records records;   // of version 2
+  CodedLists lists;  // of records
 };
 
 // An encoder writes the content, with the vertices in the given encoding. A decoder reads all of
@@ -98,7 +98,7 @@ Encoding code_content(Coder& coder, Content& content, Encoding encoding) {
   if (has_centre && !coder.failed()) {
     centre = code_centre(coder, centre.value_or(Vec2::Zero()), encoding.scale, content.quantized);
   }
-  if (content.version == LinkVersion::two) code_records(coder, content.records, content.supports);
+  if (content.version == LinkVersion::two) code_records(coder, content.records, content.lists);
   return encoding;
 }
 
@@ -115,18 +115,37 @@ bool is_finite(const Document& document) {
   if (document.centre_of_mass && !document.centre_of_mass->allFinite()) return false;
   for (const Vec2& support : document.settings.supports)
     if (!support.allFinite()) return false;
+  for (const Points& hole : document.holes)
+    for (const Vec2& vertex : hole)
+      if (!vertex.allFinite()) return false;
   return std::isfinite(document.settings.weight) && std::isfinite(document.settings.min_ratio);
 }
 
-// The document that was read, without its records.
+Points values_of(const QuantizedVertices& quantized) {
+  Points points;
+  points.reserve(quantized.size());
+  for (const auto& point : quantized) points.emplace_back(point[0].value, point[1].value);
+  return points;
+}
+
+Points vertices_of_all(const std::vector<Points>& holes) {
+  Points all;
+  for (const Points& hole : holes) all.insert(all.end(), hole.begin(), hole.end());
+  return all;
+}
+
+// The document that was read, without the settings in its records.
 Document document_of(const Content& content) {
   Document document = content.settings;
   document.centre_of_mass = content.centre_of_mass;
-  document.vertices.reserve(content.quantized.size());
-  for (const auto& vertex : content.quantized)
-    document.vertices.emplace_back(vertex[0].value, vertex[1].value);
-  for (const auto& support : content.supports.quantized)
-    document.settings.supports.emplace_back(support[0].value, support[1].value);
+  document.vertices = values_of(content.quantized);
+  document.settings.supports = values_of(content.lists.supports.quantized);
+  const Points holes = values_of(content.lists.holes.quantized);
+  auto begin = holes.begin();
+  for (const std::size_t size : content.lists.hole_sizes) {
+    document.holes.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(size));
+    begin += static_cast<std::ptrdiff_t>(size);
+  }
   return document;
 }
 
@@ -138,27 +157,34 @@ LinkVersion version_for(const Document& document) {
 
 namespace {
 
-// The supports in the encodings that are worth trying: one without supports.
-std::vector<CodedSupports> encodings_of_supports(const Document& document) {
-  if (document.settings.method != Method::given || document.settings.supports.empty()) return {{}};
-  std::vector<CodedSupports> all;
-  for (QuantizedPolygon& likely : likely_encodings(document.settings.supports))
-    all.push_back({likely.encoding, std::move(likely.quantized)});
-  return all;
-}
-
-CodedSupports shortest_supports(const Encoding& encoding, Content& content,
-                                const Document& document) {
-  std::vector<CodedSupports> all = encodings_of_supports(document);
-  std::size_t shortest = 0, least = 0;
-  for (std::size_t i = 0; i < all.size() && all.size() > 1; ++i) {
-    content.supports = all[i];
-    const std::size_t size = encode_in(encoding, content).size();
-    if (i > 0 && size >= least) continue;
-    shortest = i;
+// Sets the points of a record to their shortest encoding, if there are any.
+void find_shortest(const Encoding& encoding, Content& content, CodedPoints& points,
+                   const Points& values) {
+  if (values.empty()) return;
+  CodedPoints best;
+  std::size_t least = 0;
+  std::vector<QuantizedPolygon> all = likely_encodings(values);
+  for (QuantizedPolygon& likely : all) {
+    points = {likely.encoding, std::move(likely.quantized)};
+    const std::size_t size = all.size() > 1 ? encode_in(encoding, content).size() : 0;
+    if (!best.quantized.empty() && size >= least) continue;
+    best = points;
     least = size;
   }
-  return std::move(all[shortest]);
+  points = std::move(best);
+}
+
+// The points in records, in their shortest encodings.
+CodedLists shortest_lists(const Encoding& encoding, Content& content, const Document& document) {
+  CodedLists& lists = content.lists;
+  for (const Points& hole : document.holes) lists.hole_sizes.push_back(hole.size());
+  const Points holes = vertices_of_all(document.holes);
+  const bool given = document.settings.method == Method::given;
+  const Points supports = given ? document.settings.supports : Points();
+  lists.holes.quantized = quantize(lists.holes.encoding.scale, holes);
+  find_shortest(encoding, content, lists.supports, supports);
+  find_shortest(encoding, content, lists.holes, holes);
+  return std::move(lists);
 }
 
 }  // namespace
@@ -166,13 +192,13 @@ CodedSupports shortest_supports(const Encoding& encoding, Content& content,
 Digits encode_payload(const Document& document) {
   Digits best;
   bool first = true;
-  std::optional<CodedSupports> supports;  // in the shortest encoding, which the first vertices find
+  std::optional<CodedLists> lists;  // in the shortest encodings, which the first vertices find
   for (QuantizedPolygon& candidate : likely_encodings(document.vertices)) {
     Content content{settings_of_link_1(document), std::move(candidate.quantized),
                     document.centre_of_mass,      version_for(document),
                     records_of(document),         {}};
-    if (!supports) supports = shortest_supports(candidate.encoding, content, document);
-    content.supports = *supports;
+    if (!lists) lists = shortest_lists(candidate.encoding, content, document);
+    content.lists = *lists;
     Digits digits = encode_in(candidate.encoding, content);
     if (first || digits.size() < best.size()) best = std::move(digits);
     first = false;
@@ -195,8 +221,10 @@ Payload decode_payload(LinkVersion version, std::span<const std::uint8_t> digits
   // cannot hide data.
   content.quantized = quantize(encoding.scale, document.vertices);
   content.records = records_of(document);
-  content.supports.quantized =
-      quantize(content.supports.encoding.scale, document.settings.supports);
+  for (const auto& [points, values] :
+       {std::pair(&content.lists.supports, document.settings.supports),
+        std::pair(&content.lists.holes, vertices_of_all(document.holes))})
+    points->quantized = quantize(points->encoding.scale, values);
   if (version_for(document) != version) return NoPayload{};
   const Digits again = encode_in(encoding, content);
   if (!std::equal(again.begin(), again.end(), digits.begin(), digits.end())) return NoPayload{};

@@ -11,6 +11,10 @@
 namespace evenlift {
 namespace {
 
+// Three numbers, and a name of characters of four bytes between quotes, for each item.
+constexpr std::size_t most_bytes_of_cargo = max_cargo * (3 * 26 + 4 * max_name_characters + 4);
+static_assert(most_bytes_of_cargo < 1u << widest_length);
+
 // The payload of an overlay that is shown.
 constexpr const char* shown = "shown";
 
@@ -83,8 +87,8 @@ bool take_moved(const std::string& text, Document& document) {
 }  // namespace
 
 bool is_known(Tag number) {
-  return number == tag::halo || number == tag::units || number == tag::moved ||
-         row_of_record(number);
+  return number == tag::holes || number == tag::halo || number == tag::units ||
+         number == tag::moved || row_of_record(number);
 }
 
 std::size_t longest_value(Tag number) {
@@ -92,6 +96,7 @@ std::size_t longest_value(Tag number) {
   const SettingRow* row = row_of_record(number);
   if (row && row->setting == Setting::robot) return 5 * 32;
   if (row && row->setting == Setting::support_capacities) return 32 * most_supports;
+  if (row && row->setting == Setting::cargo) return most_bytes_of_cargo;
   return row && row->setting == Setting::no_go ? 64 * most_no_go : 32;
 }
 
@@ -103,6 +108,7 @@ Records records_of(const Document& document) {
       records.push_back({row.record, row.record == tag::supports ? std::string()
                                                                  : text_of(row.setting, document)});
   const Shown& asked = document.shown;
+  if (!document.holes.empty()) records.push_back({tag::holes, {}});
   if (!(asked.units == Units{})) records.push_back({tag::units, units_text(asked.units)});
   if (asked.overlays.halo) records.push_back({tag::halo, shown});
   if (has_moved(document)) records.push_back({tag::moved, moved_text(document.moved)});
@@ -122,6 +128,8 @@ bool take_records(const Records& records, Document& document) {
       if (!take_moved(payload, document)) return false;
     } else if (number == tag::supports) {
       document.settings.method = Method::given;
+    } else if (number == tag::holes) {
+      continue;  // their points are coded like vertices
     } else {
       const Setting setting = row_of_record(number)->setting;
       if (setting == Setting::robots) document.settings.method = Method::balanced;

@@ -1,7 +1,8 @@
 // The records of share links of version 2: the settings added after version 1. Each record is a
 // tag, the number of bytes of its payload, and the payload. The payload of a setting is its text in
-// the syntax of read_setting(). The record of supports holds their number and, like the vertices,
-// their coordinates instead. Records are in the order of their tags, and tag 0 ends them.
+// the syntax of read_setting(). The records of supports and of holes hold numbers of points and, like
+// the vertices, their coordinates instead. Records are in the order of their tags, and tag 0 ends
+// them.
 #pragma once
 
 #include <cstddef>
@@ -23,6 +24,7 @@ using Tag = std::uint8_t;
 namespace tag {
 inline constexpr Tag end = 0;
 inline constexpr Tag units = 11;  // of lengths and of weights, with a comma before the latter
+inline constexpr Tag holes = 13;
 inline constexpr Tag halo = 18;   // an overlay without a setting of its own
 inline constexpr Tag moved = 19;  // robots that were moved by hand
 inline constexpr Tag supports = 21;
@@ -34,10 +36,17 @@ struct Record {
 };
 using Records = std::vector<Record>;
 
-// The supports, by the scale of their encoding.
-struct CodedSupports {
+// Points by the scale of their encoding.
+struct CodedPoints {
   Encoding encoding;
   QuantizedVertices quantized;
+};
+
+// The points in records: the supports; and the vertices of all holes, one hole after another, with
+// the number of vertices of each.
+struct CodedLists {
+  CodedPoints supports, holes;
+  std::vector<std::size_t> hole_sizes;
 };
 
 // The records that the document needs; none if version 1 can represent all of it. O(robots moved by
@@ -50,23 +59,57 @@ bool take_records(const Records& records, Document& document);
 
 // Codes the records. A decoder replaces them. It fails at a payload longer than any known setting,
 // and stops at an unknown tag, which remains as the last record. O(bytes).
-inline constexpr int widest_tag = 8, widest_length = 20, widest_supports = 10;
-static_assert(most_supports < 1u << widest_supports);
+inline constexpr int widest_tag = 8, widest_length = 20, widest_supports = 10, widest_holes = 10,
+                     widest_hole = 16;
+static_assert(most_supports < 1u << widest_supports && max_holes < 1u << widest_holes);
 bool is_known(Tag tag);
 
 // The longest payload that a writer produces, in bytes: a number has at most 24. O(1).
 std::size_t longest_value(Tag tag);
 
 template <class Coder>
-void code_supports(Coder& coder, CodedSupports& supports) {
-  const std::uint64_t count = code_integer(coder, supports.quantized.size(), widest_supports);
-  if (count == 0 || count > most_supports) return coder.fail();
-  supports.encoding =
-      code_vertices(coder, supports.encoding, supports.quantized, static_cast<std::size_t>(count));
+void code_points(Coder& coder, CodedPoints& points, std::size_t count) {
+  points.encoding = code_vertices(coder, points.encoding, points.quantized, count);
 }
 
 template <class Coder>
-void code_records(Coder& coder, Records& records, CodedSupports& supports) {
+void code_supports(Coder& coder, CodedPoints& supports) {
+  const std::uint64_t count = code_integer(coder, supports.quantized.size(), widest_supports);
+  if (count == 0 || count > most_supports) return coder.fail();
+  code_points(coder, supports, static_cast<std::size_t>(count));
+}
+
+template <class Coder>
+void code_holes(Coder& coder, CodedPoints& holes, std::vector<std::size_t>& sizes) {
+  const std::uint64_t count = code_integer(coder, sizes.size(), widest_holes);
+  if (count == 0 || count > max_holes) return coder.fail();
+  sizes.resize(static_cast<std::size_t>(count));
+  std::size_t all = 0;
+  for (std::size_t& size : sizes) {
+    size = static_cast<std::size_t>(code_integer(coder, size, widest_hole));
+    all += size;
+    if (size == 0 || all > max_link_vertices) return coder.fail();
+  }
+  if (!coder.failed()) code_points(coder, holes, all);
+}
+
+// The points of a record that holds points. Returns whether it is one. A decoder refuses a repeated
+// record, which would add to the points.
+template <class Coder>
+bool code_points_of(Coder& coder, Tag number, CodedLists& lists) {
+  if (number != tag::supports && number != tag::holes) return false;
+  CodedPoints& points = number == tag::supports ? lists.supports : lists.holes;
+  if (Coder::decoding && !points.quantized.empty())
+    coder.fail();
+  else if (number == tag::supports)
+    code_supports(coder, points);
+  else
+    code_holes(coder, points, lists.hole_sizes);
+  return true;
+}
+
+template <class Coder>
+void code_records(Coder& coder, Records& records, CodedLists& lists) {
   for (std::size_t i = 0; !coder.failed(); ++i) {
     const bool given = !Coder::decoding && i < records.size();
     const auto number = static_cast<Tag>(
@@ -74,12 +117,7 @@ void code_records(Coder& coder, Records& records, CodedSupports& supports) {
     if (number == tag::end || coder.failed()) return;
     if constexpr (Coder::decoding) records.push_back({number, {}});
     if (!is_known(number)) return;
-    if (number == tag::supports) {
-      // A repeated record would add to the supports.
-      if (Coder::decoding && !supports.quantized.empty()) return coder.fail();
-      code_supports(coder, supports);
-      continue;
-    }
+    if (code_points_of(coder, number, lists)) continue;
     std::string& payload = records[i].payload;
     const std::uint64_t length = code_integer(coder, payload.size(), widest_length);
     if (length > longest_value(number)) return coder.fail();

@@ -26,17 +26,17 @@ struct CommandEntry {
 };
 constexpr CommandEntry commands[] = {
     {"place", Command::place,
-     " polygon text centre_of_mass settings candidates failures even_out require "},
-    {"candidates", Command::candidates, " polygon text centre_of_mass settings "},
-    {"svg", Command::svg, " polygon text centre_of_mass settings candidates "},
-    {"poses", Command::poses, " polygon text centre_of_mass settings format frame origin "},
-    {"link", Command::link, " polygon text centre_of_mass settings "},
+     " polygon holes text centre_of_mass settings candidates failures even_out require "},
+    {"candidates", Command::candidates, " polygon holes text centre_of_mass settings "},
+    {"svg", Command::svg, " polygon holes text centre_of_mass settings candidates "},
+    {"poses", Command::poses, " polygon holes text centre_of_mass settings format frame origin "},
+    {"link", Command::link, " polygon holes text centre_of_mass settings "},
     {"experiment", Command::experiment, " polygons settings "},
     {"version", Command::version, " "},
 };
 constexpr const char* command_names =
     "the command must be place, candidates, svg, poses, link, experiment or version";
-constexpr std::string_view polygon_members = " name set polygon text centre_of_mass ";
+constexpr std::string_view polygon_members = " name set polygon holes text centre_of_mass ";
 
 class Reader {
  public:
@@ -57,7 +57,10 @@ class Reader {
   Result<Document> document(Index object) const;
   Result<Points> points(Index array) const;
   Result<Vec2> point(Index at) const;
+  Problem take_holes(Index array, Document& document) const;
   Problem take_settings(Index object, Document& document) const;
+  Problem take_cargo(Index array, Document& document) const;
+  Result<Cargo> cargo_item(Index at) const;
   Problem take_polygons(Request& request) const;
   Problem take_experiment_settings(Request& request) const;
 
@@ -156,6 +159,22 @@ Result<Points> Reader::points(Index array) const {
   return points;
 }
 
+// The holes, in place of those of the text.
+Problem Reader::take_holes(Index array, Document& document) const {
+  if (tree_.kind(array) != Kind::array)
+    return error(array, "\"holes\" must be an array of rings, each an array of points [x, y]");
+  document.holes.clear();
+  document.moved = {};
+  for (Index i = tree_.first(array); i != tree_.end(array); i = tree_.next(i)) {
+    if (document.holes.size() == max_holes)
+      return error(i, "the polygon has more than 1000 holes", ErrorCode::too_many_vertices);
+    Result<Points> ring = points(i);
+    if (!ring) return ring.error();
+    document.holes.push_back(std::move(ring).value());
+  }
+  return std::nullopt;
+}
+
 Result<Document> Reader::document(Index object) const {
   const auto polygon = tree_.member(object, "polygon"), text = tree_.member(object, "text");
   if (polygon.has_value() == text.has_value())
@@ -174,6 +193,8 @@ Result<Document> Reader::document(Index object) const {
     if (!read) return read.error();
     document = std::move(read).value();
   }
+  if (const auto holes = tree_.member(object, "holes"))
+    if (auto wrong = take_holes(*holes, document)) return *std::move(wrong);
   if (const auto centre = tree_.member(object, "centre_of_mass")) {
     document.moved = {};  // like any setting that determines places
     if (tree_.kind(*centre) == Kind::null) {
@@ -208,12 +229,52 @@ Problem Reader::take_settings(Index object, Document& document) const {
       const Setting setting = *setting_from_name(tree_.name(i));
       if ((setting == Setting::robot || setting == Setting::supports) != first) continue;
       if (tree_.kind(i) == Kind::null) continue;  // as if absent
+      if (setting == Setting::cargo && tree_.kind(i) == Kind::array) {
+        if (auto wrong = take_cargo(i, document)) return wrong;
+        continue;
+      }
       const bool may_be_list =
           setting == Setting::supports || setting == Setting::support_capacities;
       const bool is_list = may_be_list && tree_.kind(i) == Kind::array;
       const std::string value = is_list ? list_text(i) : value_text(i);
       if (auto wrong = read_setting(setting, value, document)) return wrong;
     }
+  return std::nullopt;
+}
+
+Result<Cargo> Reader::cargo_item(Index at) const {
+  if (tree_.kind(at) != Kind::object)
+    return error(at, "each item of cargo must be an object with \"at\" and \"weight\"");
+  if (auto wrong = check_members(at, " at weight name ")) return *std::move(wrong);
+  Cargo item;
+  const auto place = tree_.member(at, "at"), weight = tree_.member(at, "weight"),
+             name = tree_.member(at, "name");
+  if (!place) return error(at, "an item of cargo has no \"at\"");
+  const Result<Vec2> point = this->point(*place);
+  if (!point) return point.error();
+  item.at = *point;
+  if (!weight || tree_.kind(*weight) != Kind::number)
+    return error(weight.value_or(at), "the \"weight\" of an item of cargo must be a number");
+  item.weight = tree_.number(*weight);
+  if (name) {
+    const Result<std::string> text = string(*name, "the \"name\" of an item of cargo");
+    if (!text) return text.error();
+    item.name = *text;
+  }
+  return item;
+}
+
+// Replaces the cargo of the text. Its ranges are checked with the other settings.
+Problem Reader::take_cargo(Index array, Document& document) const {
+  std::vector<Cargo>& cargo = document.settings.cargo;
+  cargo.clear();
+  document.moved = {};
+  for (Index i = tree_.first(array); i != tree_.end(array); i = tree_.next(i)) {
+    if (cargo.size() == max_cargo) return setting_error(Setting::cargo);
+    const Result<Cargo> item = cargo_item(i);
+    if (!item) return item.error();
+    cargo.push_back(*item);
+  }
   return std::nullopt;
 }
 

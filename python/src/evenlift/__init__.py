@@ -47,6 +47,7 @@ __all__ = [
 def place(
     polygon: Polygon,
     *,
+    holes: Optional[Holes] = None,
     centre_of_mass: Optional[Point] = None,
     candidates: bool = False,
     failures: bool = False,
@@ -57,7 +58,7 @@ def place(
     """Places robots under the object, or judges `supports` that already stand. `candidates` also lists the candidate chords, and
     `failures` the effect of each failure. `even_out` moves two or three supports so that all carry the same load. `require` contains
     conditions such as "held, max<=20"; the result lists under `requirements` which are kept."""
-    asked = _requests.request(polygon, centre_of_mass, settings, also=("candidates", "failures", "even_out", "require"))
+    asked = _requests.request(polygon, holes, centre_of_mass, settings, also=("candidates", "failures", "even_out", "require"))
     if candidates:
         asked["candidates"] = True
     if failures:
@@ -69,15 +70,15 @@ def place(
     return Placement(asked)
 
 
-def candidates(polygon: Polygon, *, centre_of_mass: Optional[Point] = None, **settings: Unpack[Settings]) -> Candidates:
+def candidates(polygon: Polygon, *, holes: Optional[Holes] = None, centre_of_mass: Optional[Point] = None, **settings: Unpack[Settings]) -> Candidates:
     """The chords on which a team may stand, as a list of {"ends", "ratio", "kind"}. Only these settings have an effect: min_ratio,
     centre_of_mass, positions, the robots' size and no_go, and clear with positions="range"."""
-    return Candidates({"command": "candidates", **_requests.request(polygon, centre_of_mass, settings)})
+    return Candidates({"command": "candidates", **_requests.request(polygon, holes, centre_of_mass, settings)})
 
 
-def svg(polygon: Polygon, *, centre_of_mass: Optional[Point] = None, candidates: bool = False, **settings: Unpack[Settings]) -> str:
+def svg(polygon: Polygon, *, holes: Optional[Holes] = None, centre_of_mass: Optional[Point] = None, candidates: bool = False, **settings: Unpack[Settings]) -> str:
     """The placement as a picture, which also opens in evenlift's page."""
-    asked = _requests.request(polygon, centre_of_mass, settings, also=("candidates",))
+    asked = _requests.request(polygon, holes, centre_of_mass, settings, also=("candidates",))
     picture: str = ask({"command": "svg", **asked, "candidates": bool(candidates)})["svg"]
     return picture
 
@@ -88,18 +89,19 @@ def poses(
     format: PoseFormat = "json",
     frame: str = "object",
     origin: PoseOrigin = "file",
+    holes: Optional[Holes] = None,
     centre_of_mass: Optional[Point] = None,
     **settings: Unpack[Settings],
 ) -> str:
     """The robots' poses as the text of a file; YAML is a geometry_msgs/msg/PoseArray of ROS 2."""
-    asked = _requests.request(polygon, centre_of_mass, settings, also=("format", "frame", "origin"))
+    asked = _requests.request(polygon, holes, centre_of_mass, settings, also=("format", "frame", "origin"))
     text: str = ask({"command": "poses", **asked, **_requests.pose_options(format, frame, origin)})["poses"]
     return text
 
 
-def link(polygon: Polygon, *, centre_of_mass: Optional[Point] = None, **settings: Unpack[Settings]) -> str:
+def link(polygon: Polygon, *, holes: Optional[Holes] = None, centre_of_mass: Optional[Point] = None, **settings: Unpack[Settings]) -> str:
     """The share link of the polygon with its settings."""
-    fragment: str = ask({"command": "link", **_requests.request(polygon, centre_of_mass, settings)})["link"]
+    fragment: str = ask({"command": "link", **_requests.request(polygon, holes, centre_of_mass, settings)})["link"]
     return fragment
 
 

@@ -10,11 +10,11 @@ import sys
 from typing import Any, Iterable, Mapping, Optional, get_args
 
 from ._library import EvenliftError
-from .types import Place, Point, Polygon, PoseFormat, PoseOrigin, Settings
+from .types import Holes, Place, Point, Polygon, PoseFormat, PoseOrigin, Settings
 
 _most_vertices = 1048576
 _most_polygons = 10000
-_lists = ("supports", "support_capacities")
+_lists = ("supports", "support_capacities", "cargo")
 _frame = re.compile(r"[A-Za-z0-9_.-][A-Za-z0-9_./-]{0,254}")
 
 
@@ -79,6 +79,26 @@ def _vertex(point: Any, index: int) -> list[float]:
     return numbers
 
 
+def _ring(points: Any, hole: int) -> list[list[float]]:
+    """The vertices of a hole, counted from 1 in errors."""
+    try:
+        return [_numbers(point) for point in points]
+    except (TypeError, _NotTwoNumbers):
+        raise EvenliftError(f"Hole {hole}: expected points of two numbers (x, y)", "bad_syntax", {"rings": [hole]}) from None
+
+
+def _holes(rings: Any) -> list[list[list[float]]]:
+    try:
+        each = list(rings)
+    except TypeError:
+        raise EvenliftError("The holes must be a sequence of sequences of points (x, y)", "bad_syntax") from None
+    holes = [_ring(points, hole) for hole, points in enumerate(each, 1)]
+    for hole, points in enumerate(holes, 1):
+        if not all(math.isfinite(number) for point in points for number in point):
+            raise EvenliftError(f"Hole {hole}: a coordinate is not a finite number", "bad_coordinate", {"rings": [hole]})
+    return holes
+
+
 def shape(polygon: Polygon) -> dict[str, Any]:
     """The members of a request that describe the polygon."""
     if isinstance(polygon, str):
@@ -141,9 +161,35 @@ def _support(support: Any) -> list[float]:
     return numbers
 
 
+def _parts_of_load(item: Any) -> dict[str, Any]:
+    """The parts of a load by their names; of a sequence, in the order at, weight, name."""
+    names = ("at", "weight", "name")
+    if isinstance(item, Mapping):
+        return dict(item)
+    parts = list(item)
+    return dict(zip(names, parts)) if len(parts) <= len(names) else {"parts": parts}
+
+
+def _cargo(item: Any) -> dict[str, Any]:
+    """A load: (at, weight), (at, weight, name), or a mapping with these names."""
+    wrong = _bad_setting("cargo", "cargo: a load must be a place (x, y), its weight and perhaps its name")
+    try:
+        parts = _parts_of_load(item)
+        made: dict[str, Any] = {"at": _numbers(parts.pop("at")), "weight": _value("cargo", parts.pop("weight"))}
+    except (KeyError, TypeError, ValueError, _NotTwoNumbers):
+        raise wrong from None
+    name = parts.pop("name", None)
+    if parts or isinstance(made["weight"], (str, bool, type(None))):
+        raise wrong
+    if not all(map(math.isfinite, made["at"])):
+        raise _bad_setting("cargo", "cargo: a coordinate is not a finite number")
+    return {**made, "name": text("cargo", name)} if name else made
+
+
 def _list(name: str, value: Any) -> list[Any]:
-    """The places of supports, or their capacities."""
-    return [_support(item) if name == "supports" else _value(name, item) for item in value]
+    """The places of supports, their capacities, or the cargo."""
+    read = {"supports": _support, "cargo": _cargo}.get(name, lambda item: _value(name, item))
+    return [read(item) for item in value]
 
 
 def _value(name: str, value: Any) -> Any:
@@ -178,14 +224,22 @@ def _unknown(name: str, known: list[str]) -> EvenliftError:
     return _bad_setting(name, f'{message}; did you mean "{meant[0]}"?' if meant else message)
 
 
-def request(polygon: Polygon, centre_of_mass: Optional[Point], settings: Mapping[str, Any], also: tuple[str, ...] = ()) -> dict[str, Any]:
+def request(
+    polygon: Polygon,
+    holes: Optional[Holes],
+    centre_of_mass: Optional[Point],
+    settings: Mapping[str, Any],
+    also: tuple[str, ...] = (),
+) -> dict[str, Any]:
     """A request without its command. `also` contains further names for suggestions, in addition to the settings'."""
-    known = [*Settings.__annotations__, "centre_of_mass", *also]
+    known = [*Settings.__annotations__, "holes", "centre_of_mass", *also]
     for name in settings:
         # The program calls the centre of mass "com", and the core also accepts that.
         if name not in Settings.__annotations__ and name != "com":
             raise _unknown(name, known)
     made = shape(polygon)
+    if holes is not None:
+        made["holes"] = _holes(holes)
     if centre_of_mass is not None:
         made["centre_of_mass"] = _centre(centre_of_mass)
     made["settings"] = values(settings)

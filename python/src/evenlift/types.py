@@ -27,6 +27,9 @@ Point = Iterable[SupportsFloat]
 Polygon = Union[str, Iterable[Point]]
 """A text, or points: a list of pairs, or a NumPy array of two columns."""
 
+Holes = Iterable[Iterable[Point]]
+"""The vertices of each hole in a polygon."""
+
 Metric = Literal["area", "circle", "distance", "distributed", "random", "balanced", "given"]
 Goal = Literal["cover", "hold"]
 Positions = Literal["best", "range"]
@@ -35,6 +38,17 @@ WeightUnit = Literal["kg", "t", "N", "lb"]
 PoseFormat = Literal["csv", "json", "yaml"]
 PoseOrigin = Literal["file", "com"]
 Table = Literal["measurements", "aggregates", "polygons"]
+
+
+class _Load(TypedDict):
+    at: Point
+    weight: float
+
+
+class Cargo(_Load, total=False):
+    """A load that is fixed to the object, at its own centre of mass."""
+
+    name: str
 
 
 class Settings(TypedDict, total=False):
@@ -63,6 +77,7 @@ class Settings(TypedDict, total=False):
     supports: Union[str, Iterable[Point], None]  # sets the method to given
     snap: Optional[float]
     support_capacities: Union[str, Iterable[Optional[float]], None]
+    cargo: Union[str, Iterable[Union[Cargo, tuple[Point, float], tuple[Point, float, str]]], None]
     com_radius: Optional[float]
     capacity: Union[float, Literal["none"], None]
     overlays: Optional[str]
@@ -77,7 +92,7 @@ Position = list[float]
 """[x, y]"""
 
 Motion = Literal["clockwise", "counterclockwise", "translation"]
-UnusableReason = Literal["no_go", "body", "arm", "corner", "hand", "near_no_go", "narrow"]
+UnusableReason = Literal["no_go", "body", "arm", "corner", "hand", "hole", "near_no_go", "narrow"]
 
 
 class Candidate(TypedDict):
@@ -237,6 +252,8 @@ class Overlays(TypedDict):
 class _PlacementDict(TypedDict):
     polygon: list[Position]
     centre_of_mass: Position
+    own_centre_of_mass: Position
+    total_weight: float
     metric: Metric
     min_ratio: float
     weight: float
@@ -257,6 +274,8 @@ class _PlacementDict(TypedDict):
 class PlacementDict(_PlacementDict, total=False):
     """The output of `evenlift place --json`: a Placement has these members, and json.loads() of its text returns this type."""
 
+    holes: list[list[Position]]
+    cargo: list[Cargo]
     unit: LengthUnit
     weight_unit: WeightUnit
     candidates: list[Candidate]

@@ -111,6 +111,12 @@ std::string capacity_json(const ShownPlacement& of, const CapacityInJson& capaci
        {"if_one_fails", failure_plan_json(capacity.if_one_fails)}});
 }
 
+void add_holes(std::vector<json::Member>& members, const std::vector<Points>& holes) {
+  std::vector<std::string> rings;
+  for (const Points& hole : holes) rings.push_back(json::points(hole, 2));
+  if (!holes.empty()) members.push_back({"holes", json::long_array(rings, 1)});
+}
+
 void add_moved(std::vector<json::Member>& members, const Moved& moved) {
   if (moved.any()) members.push_back({"moved", json::text(moved_text(moved))});
 }
@@ -209,10 +215,11 @@ std::string placement_json(const ShownPlacement& of, bool with_candidates,
   const bool robots = !placement.teams.empty();
   const std::optional<ModelLoads> models = robots ? model_loads(placement) : std::nullopt;
   const bool given = settings.method == Method::given;
-  std::vector<json::Member> members = {
-      {"polygon", json::points(placement.vertices(), 1)},
-      {"centre_of_mass", json::pair(placement.centre_of_mass)},
-  };
+  std::vector<json::Member> members = {{"polygon", json::points(placement.vertices(), 1)}};
+  add_holes(members, placement.object.rings_of_holes());
+  members.push_back({"centre_of_mass", json::pair(placement.centre_of_mass)});
+  members.push_back({"own_centre_of_mass", json::pair(placement.own_centre)});
+  members.push_back({"total_weight", json::number(placement.weight())});
   json::add_settings(members, asked, &SettingRow::in_result, Setting::teams, Setting::weight_unit);
   if (with_candidates) members.push_back({"candidates", candidate_list(placement.candidates)});
   members.push_back({"requested_teams", std::to_string(placement.requested_teams)});
@@ -242,9 +249,10 @@ std::string placement_json(const ShownPlacement& of, bool with_candidates,
 }
 
 std::string document_json(const Document& document) {
-  std::vector<json::Member> members = {
-      {"polygon", json::points(document.vertices, 1)},
-      {"centre_of_mass", document.centre_of_mass ? json::pair(*document.centre_of_mass) : "null"}};
+  std::vector<json::Member> members = {{"polygon", json::points(document.vertices, 1)}};
+  add_holes(members, document.holes);
+  members.push_back(
+      {"centre_of_mass", document.centre_of_mass ? json::pair(*document.centre_of_mass) : "null"});
   json::add_settings(members, document, &SettingRow::in_document, Setting::teams, Setting::failed);
   add_moved(members, document.moved);
   return json::long_object(members, 0) + "\n";

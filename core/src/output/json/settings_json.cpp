@@ -17,6 +17,16 @@ std::string capacities(const std::vector<std::optional<double>>& given) {
   return array(items);
 }
 
+std::string cargo(const std::vector<Cargo>& cargo) {
+  std::vector<std::string> items;
+  for (const Cargo& item : cargo) {
+    std::vector<Member> members{{"at", pair(item.at)}, {"weight", number(item.weight)}};
+    if (!item.name.empty()) members.push_back({"name", text(item.name)});
+    items.push_back(object(members));
+  }
+  return long_array(items, 1);
+}
+
 std::string value(const SettingRow& row, const Document& document) {
   switch (row.setting) {
     case Setting::overlays:
@@ -27,6 +37,8 @@ std::string value(const SettingRow& row, const Document& document) {
       return text(name(goal_of(document.settings)));
     case Setting::supports:
       return points(document.settings.supports, 1);
+    case Setting::cargo:
+      return cargo(document.settings.cargo);
     case Setting::support_capacities:
       return capacities(document.shown.support_capacities);
     default:

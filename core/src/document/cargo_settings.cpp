@@ -1,0 +1,123 @@
+#include "document/cargo_settings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "document/stand_settings.h"
+#include "evenlift/numbers.h"
+#include "evenlift/settings.h"
+#include "numbers/utf8.h"
+
+namespace evenlift {
+namespace {
+
+constexpr std::string_view spaces = " \t\r\n";
+
+// The end of the item at the beginning of a text: the first space that is not between quotes.
+std::size_t end_of_item(std::string_view text) {
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') quoted = !quoted;
+    if (!quoted && spaces.find(text[i]) != std::string_view::npos) return i;
+  }
+  return text.size();
+}
+
+// Calls read(item) for each item until it refuses one. Returns whether it accepts all.
+template <class Read>
+bool for_each_item(std::string_view text, Read read) {
+  while (true) {
+    text.remove_prefix(std::min(text.find_first_not_of(spaces), text.size()));
+    if (text.empty()) return true;
+    const std::size_t end = end_of_item(text);
+    if (!read(text.substr(0, end))) return false;
+    text.remove_prefix(end);
+  }
+}
+
+// A name as it is, or between quotes with each of its quotes doubled.
+std::optional<std::string> read_name(std::string_view text) {
+  if (text.empty()) return std::nullopt;
+  if (text.find('"') == std::string_view::npos) return std::string(text);
+  if (text.size() < 2 || text.front() != '"' || text.back() != '"') return std::nullopt;
+  std::string name;
+  for (std::size_t i = 1; i + 1 < text.size(); ++i) {
+    if (text[i] == '"' && (++i + 1 == text.size() || text[i] != '"')) return std::nullopt;
+    name += text[i];
+  }
+  return name;
+}
+
+std::string name_text(const std::string& name) {
+  if (name.find_first_of(" \"") == std::string::npos) return name;
+  std::string text = "\"";
+  for (const char c : name) text += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return text + '"';
+}
+
+bool is_name(std::string_view name) {
+  return count_characters(name) <= max_name_characters && is_line_of_text(name) &&
+         name.find_first_of("\t\r") == std::string_view::npos;
+}
+
+bool is_item(const Cargo& item) {
+  return item.at.allFinite() && item.at.cwiseAbs().maxCoeff() <= max_coordinate &&
+         item.weight >= min_weight && item.weight <= max_weight && is_name(item.name);
+}
+
+std::optional<Cargo> read_item(std::string_view text) {
+  const std::size_t comma = text.find(','), colon = std::min(text.find(':'), text.size());
+  if (comma > colon || colon == text.size()) return std::nullopt;
+  const std::size_t end = std::min(text.find(':', colon + 1), text.size());
+  const auto x = read_number(text.substr(0, comma)),
+             y = read_number(text.substr(comma + 1, colon - comma - 1)),
+             weight = read_number(text.substr(colon + 1, end - colon - 1));
+  const std::optional<std::string> name =
+      end == text.size() ? std::string() : read_name(text.substr(end + 1));
+  if (!x || !y || !weight || !name) return std::nullopt;
+  Cargo item{Vec2(*x, *y), *weight, *name};
+  return is_item(item) ? std::optional(std::move(item)) : std::nullopt;
+}
+
+}  // namespace
+
+bool read_cargo(std::string_view text, std::vector<Cargo>& cargo) {
+  std::vector<Cargo> read;
+  const bool good = text == "none" || for_each_item(text, [&](std::string_view word) {
+                      std::optional<Cargo> item = read_item(word);
+                      if (!item || read.size() == max_cargo) return false;
+                      read.push_back(*std::move(item));
+                      return true;
+                    });
+  if (!good || (read.empty() && text != "none")) return false;
+  cargo = std::move(read);
+  return true;
+}
+
+std::string_view refused_cargo(std::string_view text) {
+  std::string_view refused;
+  for_each_item(text, [&](std::string_view word) {
+    if (read_item(word)) return true;
+    refused = word;
+    return false;
+  });
+  return is_quotable(refused) ? refused : std::string_view();
+}
+
+std::string cargo_text(const std::vector<Cargo>& cargo) {
+  std::string text;
+  for (const Cargo& item : cargo) {
+    text += (text.empty() ? "" : " ") + shortest(item.at.x()) + ',' + shortest(item.at.y()) + ':' +
+            shortest(item.weight);
+    if (!item.name.empty()) text += ':' + name_text(item.name);
+  }
+  return text.empty() ? "none" : text;
+}
+
+bool is_cargo(const std::vector<Cargo>& cargo) {
+  return cargo.size() <= max_cargo && std::all_of(cargo.begin(), cargo.end(), is_item);
+}
+
+}  // namespace evenlift

@@ -1,0 +1,25 @@
+// The cargo, from text and to text (cargo_text() of settings.h).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "evenlift/document.h"
+
+namespace evenlift {
+
+// Reads "8,8:24 2,3:1.5:motor 0,0:3:\"a box\"", or "none", with spaces, tabs and line ends between
+// the items. In quotes, a quote is doubled. Returns whether the text is valid, and changes the cargo
+// only then. O(bytes).
+bool read_cargo(std::string_view text, std::vector<Cargo>& cargo);
+
+// The first part that is not an item. Empty if there is none, or if it is too long or strange to
+// quote. O(bytes).
+std::string_view refused_cargo(std::string_view text);
+
+// Whether there are at most max_cargo items, each at a place within max_coordinate, with its weight
+// in its range and a name. O(bytes of names).
+bool is_cargo(const std::vector<Cargo>& cargo);
+
+}  // namespace evenlift
