@@ -7,6 +7,7 @@
 #include "evenlift/random.h"
 #include "evenlift/settings.h"
 #include "kit/catch.h"
+#include "kit/corpus.h"
 #include "kit/data_table.h"
 #include "kit/link_checksum.h"
 #include "kit/random_documents.h"
