@@ -765,7 +765,8 @@ TEST_CASE("a link keeps holes and cargo, and each is read back in every bit", "[
     Document document = corpus::polygon(i % 2 == 0 ? "guitar" : "square");
     for (std::uint64_t holes = engine() % 4; holes > 0; --holes) {
       Points ring;
-      for (std::uint64_t k = 1 + engine() % 9; k > 0; --k) ring.emplace_back(number(1e3), number(-1e3));
+      for (std::uint64_t k = 1 + engine() % 9; k > 0; --k)
+        ring.emplace_back(number(1e3), number(-1e3));
       document.holes.push_back(ring);
     }
     for (std::uint64_t items = engine() % 3; items > 0; --items)

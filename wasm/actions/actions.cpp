@@ -8,6 +8,7 @@
 #include "actions/when.h"
 #include "state/method.h"
 #include "tools/drawing.h"
+#include "tools/handles.h"
 #include "tools/transform.h"
 #include "walkthrough/timeline.h"
 
@@ -114,15 +115,14 @@ void redo(const AppState& s, Commands& out) {
 
 template <int by>
 void select_vertex(const AppState& s, Commands& out) {
-  const std::size_t n = s.work.document().vertices.size();
+  const std::size_t n = count_handles(s.work.document());
   const std::size_t now = s.view.selected.value_or(by > 0 ? n - 1 : 0);
   out.push_back(SelectVertex{by > 0 ? (now + 1) % n : (now + n - 1) % n});
 }
 
 void insert_vertex(const AppState& s, Commands& out) {
-  const Points& vertices = s.work.document().vertices;
-  const Vec2 &a = vertices[*s.view.selected],
-             &b = vertices[(*s.view.selected + 1) % vertices.size()];
+  const Vec2 a = place_of(s.work.document(), *s.view.selected),
+             b = after(s.work.document(), *s.view.selected);
   out.push_back(InsertVertex{*s.view.selected, a + (b - a) / 2});
 }
 
@@ -268,16 +268,16 @@ const std::vector<Action> table = {
     {ActionId::take_back, Group::editing, Icon::none, "Remove the last vertex", "Backspace", {{"Backspace"}}, when::can_take_back, ask<TakePointBack>},
     {ActionId::type_edge, Group::editing, Icon::none, "Type the length of the next edge", "Digits",
      {{"0"}, {"1"}, {"2"}, {"3"}, {"4"}, {"5"}, {"6"}, {"7"}, {"8"}, {"9"}, {"."}, {","}}, when::can_take_back, type_edge},
-    {ActionId::next_vertex, Group::editing, Icon::none, "Select the next vertex", "V", {{"v"}}, when::on_parts, select_vertex<1>},
-    {ActionId::previous_vertex, Group::editing, Icon::none, "Select the previous vertex", "Shift+V", {{"V"}}, when::on_parts, select_vertex<-1>},
-    {ActionId::insert_vertex, Group::editing, Icon::none, "Add a vertex after the selected one", "I", {{"i"}}, when::on_vertex, insert_vertex},
-    {ActionId::remove_vertex, Group::editing, Icon::close, "Remove the selected vertex", "Delete", {{"Delete"}, {"Backspace"}}, when::on_vertex,
+    {ActionId::next_vertex, Group::editing, Icon::none, "Select the next vertex or weight", "V", {{"v"}}, when::on_parts, select_vertex<1>},
+    {ActionId::previous_vertex, Group::editing, Icon::none, "Select the previous vertex or weight", "Shift+V", {{"V"}}, when::on_parts, select_vertex<-1>},
+    {ActionId::insert_vertex, Group::editing, Icon::none, "Add a vertex after the selected one", "I", {{"i"}}, when::on_ring, insert_vertex},
+    {ActionId::remove_vertex, Group::editing, Icon::close, "Remove the selected vertex or weight", "Delete", {{"Delete"}, {"Backspace"}}, when::on_vertex,
      [](const AppState& s, Commands& out) { out.push_back(RemoveVertex{*s.view.selected}); }},
     {ActionId::left_finely, Group::editing, Icon::none, "Move the drawing cursor by a pixel", "Shift+arrows", {{"ArrowLeft", false, true}}, when::drawing, move_cursor_finely<-1, 0>},
     {ActionId::right_finely, Group::editing, Icon::none, "Move the cursor to the right by a pixel", "", {{"ArrowRight", false, true}}, when::drawing, move_cursor_finely<1, 0>},
     {ActionId::up_finely, Group::editing, Icon::none, "Move the cursor up by a pixel", "", {{"ArrowUp", false, true}}, when::drawing, move_cursor_finely<0, 1>},
     {ActionId::down_finely, Group::editing, Icon::none, "Move the cursor down by a pixel", "", {{"ArrowDown", false, true}}, when::drawing, move_cursor_finely<0, -1>},
-    {ActionId::left, Group::editing, Icon::none, "Move the selected vertex, the robot whose card is open, the shape, or the drawing cursor", "Arrows", {{"ArrowLeft"}}, when::can_nudge, nudge_by<-1, 0>},
+    {ActionId::left, Group::editing, Icon::none, "Move the selected vertex or weight, the robot whose card is open, the shape, or the drawing cursor", "Arrows", {{"ArrowLeft"}}, when::can_nudge, nudge_by<-1, 0>},
     {ActionId::right, Group::editing, Icon::none, "Move to the right", "", {{"ArrowRight"}}, when::can_nudge, nudge_by<1, 0>},
     {ActionId::up, Group::editing, Icon::none, "Move up", "", {{"ArrowUp"}}, when::can_nudge, nudge_by<0, 1>},
     {ActionId::down, Group::editing, Icon::none, "Move down", "", {{"ArrowDown"}}, when::can_nudge, nudge_by<0, -1>},
@@ -357,7 +357,7 @@ const Action& action(ActionId id) {
 
 std::string tip(const Action& action, const AppState& state) {
   std::string text = action.label;
-  if (state.view.tool != Tool::draw) {  // in that tool it removes a vertex, visibly
+  if (!draws(state.view.tool)) {  // in that tool it removes a vertex, visibly
     if (action.id == ActionId::undo && state.work.history.can_undo())
       text += std::string(": ") + in_words(state.work.history.undoes());
     if (action.id == ActionId::redo && state.work.history.can_redo())

@@ -3,6 +3,7 @@
 #include "actions/when.h"
 #include "state/layout.h"
 #include "tools/drawing.h"
+#include "tools/handles.h"
 #include "tools/transform.h"
 
 namespace evenlift::view {
@@ -37,7 +38,7 @@ void nudge(const AppState& s, Commands& out, int x, int y) {
     return out.push_back(EndEdit{});
   }
   const double step = grid_step(s.view.camera) / (s.view.snap.grid ? 1 : 10);
-  const Vec2 to = s.work.document().vertices[*s.view.selected] + Vec2(x * step, y * step);
+  const Vec2 to = place_of(s.work.document(), *s.view.selected) + Vec2(x * step, y * step);
   out.push_back(MoveVertex{*s.view.selected, s.view.snap.grid
                                                  ? nearest_dot(s.view.camera, to)
                                                  : rounded_to_pixels(s.view.camera, to)});

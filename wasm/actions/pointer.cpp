@@ -5,6 +5,7 @@
 #include "evenlift/stands.h"
 #include "tools/brush.h"
 #include "tools/drawing.h"
+#include "tools/handles.h"
 #include "tools/pick.h"
 #include "tools/transform.h"
 #include "walkthrough/under_pointer.h"
@@ -33,12 +34,15 @@ void press_parts(const AppState& state, const Pointer& pointer, Commands& comman
   // A finger cannot hover, so a press also counts as hovering.
   if (pointer.touch) commands.push_back(SetHover{under});
   const bool grip = under.kind == Pick::Kind::vertex || under.kind == Pick::Kind::centre ||
-                    under.kind == Pick::Kind::uncertainty || can_take_robot(state, under);
+                    under.kind == Pick::Kind::cargo || under.kind == Pick::Kind::uncertainty ||
+                    can_take_robot(state, under);
   if (!grip) under.kind = Pick::Kind::ground;
   // From now on `at` is the offset from the pointer to the held part, so that nothing jumps.
   under.at = grip ? Vec2(state.view.camera.to_screen(under.at) - pointer.at) : pointer.at;
   commands.push_back(SetHeld{under});
   if (under.kind == Pick::Kind::vertex) commands.push_back(SelectVertex{under.index});
+  if (under.kind == Pick::Kind::cargo)
+    commands.push_back(SelectVertex{count_vertices(state.work.document()) + under.index});
 }
 
 // A press on a robot grabs it; elsewhere a click adds one.
@@ -51,11 +55,24 @@ void press_robot(const AppState& state, const Pointer& pointer, Commands& comman
   commands.push_back(SetHeld{under});
 }
 
+// A press on a weight grabs it; elsewhere a click adds one.
+void press_weight(const AppState& state, const Pointer& pointer, Commands& commands) {
+  Pick under = weight_at(state, pointer.at);
+  if (under.kind != Pick::Kind::cargo)
+    under = {Pick::Kind::ground, 0, 0, pointer.at};
+  else
+    under.at = state.view.camera.to_screen(under.at) - pointer.at;
+  commands.push_back(SetHeld{under});
+  if (under.kind == Pick::Kind::cargo)
+    commands.push_back(SelectVertex{count_vertices(state.work.document()) + under.index});
+}
+
 void press(const AppState& state, const Pointer& pointer, Commands& commands) {
   if (state.view.tool == Tool::parts) return press_parts(state, pointer, commands);
   if (state.view.tool == Tool::robot) return press_robot(state, pointer, commands);
+  if (state.view.tool == Tool::weight) return press_weight(state, pointer, commands);
   Pick held{Pick::Kind::ground, 0, 0, pointer.at};
-  if (state.view.tool == Tool::draw) {
+  if (draws(state.view.tool)) {
     if (const auto placed = placed_at(state, pointer.at)) {
       const Vec2 at = state.view.camera.to_screen(state.view.drawing.points[*placed]);
       held = {Pick::Kind::vertex, *placed, 0, at - pointer.at};
@@ -90,8 +107,7 @@ void drag_brush(const AppState& state, const Pointer& pointer, Commands& command
 void drag_ground(const AppState& state, const Pointer& pointer, Commands& commands) {
   const Pick& held = state.view.held;
   // A slightly shaky click still places a vertex or a robot.
-  if ((state.view.tool == Tool::draw || state.view.tool == Tool::robot) && pointer.moved < still)
-    return;
+  if ((draws(state.view.tool) || adds_by_click(state.view.tool)) && pointer.moved < still) return;
   if (!(length(pointer.at - held.at) > 0)) return;
   commands.push_back(SetCamera{pan(state.view.camera, pointer.at - held.at)});
   Pick moved = held;
@@ -113,7 +129,7 @@ void drag(const AppState& state, const Pointer& pointer, Commands& commands) {
   const Pick& held = state.view.held;
   if (held.kind == Pick::Kind::ground) return drag_ground(state, pointer, commands);
   if (pointer.moved < still && !state.work.edit_open) return;
-  if (state.view.tool == Tool::draw) return drag_placed(state, pointer, commands);
+  if (draws(state.view.tool)) return drag_placed(state, pointer, commands);
   if (state.view.tool == Tool::mark) return drag_brush(state, pointer, commands);
   if (held.kind == Pick::Kind::frame) {
     commands.push_back(
@@ -122,11 +138,15 @@ void drag(const AppState& state, const Pointer& pointer, Commands& commands) {
   }
   const Vec2 to = state.view.camera.to_world(pointer.at + held.at);
   if (held.kind == Pick::Kind::vertex) {
-    const Points& vertices = state.work.document().vertices;
-    commands.push_back(
-        MoveVertex{held.index, snapped(state, to, neighbour(vertices, held.index, false),
-                                       neighbour(vertices, held.index, true))});
+    const Document& document = state.work.document();
+    if (held.index < count_vertices(document))
+      commands.push_back(MoveVertex{held.index, snapped(state, to, before(document, held.index),
+                                                        after(document, held.index))});
   }
+  if (held.kind == Pick::Kind::cargo)
+    commands.push_back(MoveVertex{count_vertices(state.work.document()) + held.index,
+                                  state.view.snap.grid ? nearest_dot(state.view.camera, to)
+                                                       : rounded_to_pixels(state.view.camera, to)});
   if (held.kind == Pick::Kind::uncertainty)
     commands.push_back(showing(state, &Shown::com_radius,
                                uncertainty_for_grip(state, pointer.at + held.at), true));
@@ -136,7 +156,7 @@ void drag(const AppState& state, const Pointer& pointer, Commands& commands) {
     commands.push_back(MoveRobot{held.index * in_team + static_cast<std::size_t>(held.end), to});
   }
   if (held.kind == Pick::Kind::centre) {
-    const Vec2 centroid = centroid_of(state.work.document().vertices).value_or(to);
+    const Vec2 centroid = own_centroid(state).value_or(to);
     const double away =
         length(state.view.camera.to_screen(to) - state.view.camera.to_screen(centroid));
     if (away <= (state.view.snap.grid || state.view.snap.axis ? 12 : 6))
@@ -177,12 +197,18 @@ void release(const AppState& state, const Pointer& pointer, Commands& commands) 
   else if (state.derived().explanation)
     commands.push_back(Explain{});
   if (asked.kind == Pick::Kind::none && clicked && failing(state)) commands.push_back(Fail{});
-  if (state.view.tool == Tool::draw) {
+  if (draws(state.view.tool)) {
     const bool on_placed = still_there && state.view.held.kind == Pick::Kind::vertex;
     if (clicked || (on_placed && closes(state, pointer.at)))
       click_drawing(state, pointer, commands);
   } else if (state.view.tool == Tool::robot) {
     if (clicked) commands.push_back(AddRobot{state.view.camera.to_world(pointer.at)});
+  } else if (state.view.tool == Tool::weight) {
+    const Vec2 at = state.view.camera.to_world(pointer.at);
+    if (clicked)
+      commands.push_back(AddWeight{state.view.snap.grid
+                                       ? nearest_dot(state.view.camera, at)
+                                       : rounded_to_pixels(state.view.camera, at)});
   } else if (state.view.tool == Tool::mark && state.view.held.kind == Pick::Kind::edge &&
              still_there)
     commands.push_back(
@@ -232,8 +258,7 @@ void hover_drawing(const AppState& state, const Pointer& pointer, bool none, Com
 
 void hover(const AppState& state, const Pointer& pointer, Commands& commands) {
   const bool none = !pointer.present || pointer.over_panel;
-  if (state.view.tool == Tool::draw)
-    return hover_drawing(state, pointer, none || pointer.touch, commands);
+  if (draws(state.view.tool)) return hover_drawing(state, pointer, none || pointer.touch, commands);
   // The part that a finger pressed counts as hovered until the finger presses another.
   if (pointer.touch && !none) return;
   if (none && pointer.touch && state.view.hover.kind == Pick::Kind::object) return;

@@ -2,6 +2,7 @@
 
 #include "evenlift/moved.h"
 #include "tools/drawing.h"
+#include "tools/handles.h"
 #include "walkthrough/timeline.h"
 
 namespace evenlift::view::when {
@@ -10,15 +11,21 @@ bool always(const AppState&) { return true; }
 
 bool editing(const AppState& s) { return !s.session.screen.embed; }
 
-bool drawing(const AppState& s) { return s.view.tool == Tool::draw; }
+bool drawing(const AppState& s) { return draws(s.view.tool); }
 
 bool in_walkthrough(const AppState& s) { return walkthrough_is_open(s); }
 
 bool transforming(const AppState& s) { return editing(s) && s.view.tool == Tool::transform; }
 
-bool on_parts(const AppState& s) { return editing(s) && s.view.tool == Tool::parts; }
+bool on_parts(const AppState& s) {
+  return editing(s) && (s.view.tool == Tool::parts || s.view.tool == Tool::weight);
+}
 
 bool on_vertex(const AppState& s) { return on_parts(s) && s.view.selected.has_value(); }
+
+bool on_ring(const AppState& s) {
+  return on_vertex(s) && *s.view.selected < count_vertices(s.work.document());
+}
 
 bool on_robot(const AppState& s) {
   return on_parts(s) && s.derived().explanation && s.derived().explanation->robot &&
@@ -66,7 +73,7 @@ bool can_redo(const AppState& s) {
 }
 
 bool can_teach(const AppState& s) {
-  return s.derived().placement && !s.derived().refusal && s.view.tool != Tool::draw;
+  return s.derived().placement && !s.derived().refusal && !draws(s.view.tool);
 }
 
 bool can_present(const AppState& s) { return editing(s) && (in_walkthrough(s) || can_teach(s)); }

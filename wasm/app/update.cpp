@@ -24,6 +24,7 @@
 #include "state/notice.h"
 #include "state/screen.h"
 #include "state/seen.h"
+#include "tools/transform.h"
 #include "walkthrough/ask_why.h"
 #include "walkthrough/playing.h"
 #include "walkthrough/questions.h"
@@ -61,12 +62,7 @@ struct Applier {
     state.work.aside = std::move(aside);
     (*this)(SetSettings{std::move(changed)});
   }
-  void operator()(const MoveVertex& c) const {
-    if (c.vertex >= state.work.document().vertices.size() ||
-        state.work.document().vertices[c.vertex] == c.to)
-      return;
-    edit(state, true, Edit::vertex_moved).vertices[c.vertex] = c.to;
-  }
+  void operator()(const MoveVertex& c) const { move_handle(state, c.vertex, c.to); }
   void operator()(const MoveCentre& c) const {
     if (state.work.document().centre_of_mass == c.to) return;
     edit(state, true, Edit::centre_moved).centre_of_mass = c.to;
@@ -76,13 +72,17 @@ struct Applier {
     edit(state, false, Edit::centre_released).centre_of_mass.reset();
   }
   void operator()(const InsertVertex& c) const { insert_vertex(state, c.edge, c.at); }
-  void operator()(const RemoveVertex& c) const { remove_vertex(state, c.vertex); }
+  void operator()(const RemoveVertex& c) const { remove_handle(state, c.vertex); }
+  void operator()(const AddWeight& c) const { add_weight(state, c.at); }
+  void operator()(const SetCargo& c) const { set_weight(state, c.item, c.cargo); }
   void operator()(OpenDocument& c) const { open(state, std::move(c.opened)); }
   void operator()(const SetPolygon& c) const {
-    if (c.vertices == state.work.document().vertices) return;
+    if (c.shape.vertices == state.work.document().vertices) return;
     Document& document = edit(state, c.live, Edit::whole);
-    document.vertices = c.vertices;
-    document.centre_of_mass = c.centre_of_mass;
+    document.vertices = c.shape.vertices;
+    document.centre_of_mass = c.shape.centre_of_mass;
+    document.holes = c.shape.holes;
+    document.settings.cargo = c.shape.cargo;
   }
   void operator()(const EndEdit&) const {
     state.view.away.reset();
@@ -127,9 +127,7 @@ struct Applier {
                                          ". The numbers stay the same."});
   }
   void operator()(const SetTool& c) const { take_tool(state, c.tool); }
-  void operator()(const GripPolygon&) const {
-    state.view.grip = {state.work.document().vertices, state.work.document().centre_of_mass};
-  }
+  void operator()(const GripPolygon&) const { state.view.grip = grip_of(state.work.document()); }
   void operator()(const AddPoint& c) const { add_point(state, c.at); }
   void operator()(const MovePoint& c) const { move_point(state, c.point, c.to); }
   void operator()(const TakePointBack&) const { take_point_back(state); }
@@ -296,7 +294,7 @@ struct Applier {
   }
   void operator()(const KeepMotion& c) const { state.view.motion = c.on; }
   void operator()(const KeepComparison& c) const {
-    const bool drawn = state.view.tool == Tool::draw;
+    const bool drawn = draws(state.view.tool);
     if (c.method != settings(state).method && !state.work.second_method && !drawn)
       state.work.second_method = c.method;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "canvas/canvas_walkthrough.h"
 #include "canvas/hint.h"
@@ -11,6 +12,7 @@
 #include "marks/tool_marks.h"
 #include "picture/canvas_view.h"
 #include "picture/painter.h"
+#include "tools/handles.h"
 #include "tools/pick.h"
 
 namespace evenlift::view {
@@ -167,26 +169,26 @@ void draw_picture(const Painter& painter, const CanvasView& view) {
 
 // The outline of a refused document, and the place of its fault.
 void draw_refused(const Painter& painter, const AppState& state, const Theme& theme) {
-  const Points& vertices = state.work.document().vertices;
-  painter.outline(vertices, theme.amber, 2);
-  if (vertices.empty()) return;
+  const Document& document = state.work.document();
+  for_each_ring(document,
+                [&](const Points& ring, std::size_t) { painter.outline(ring, theme.amber, 2); });
   const Place& place = state.derived().refusal->place;
-  const auto mark_edge = [&](std::size_t edge) {
-    painter.line(vertices[edge % vertices.size()], vertices[(edge + 1) % vertices.size()],
-                 theme.amber, 5);
-  };
+  if (document.vertices.empty() || place.ring > document.holes.size() ||
+      place.other_ring > document.holes.size())
+    return;
   if (place.kind == Place::Kind::edge) {
     std::vector<NumberedEdge> numbered;
-    for (const std::size_t edge : {place.index, place.other}) {
-      mark_edge(edge);
-      numbered.push_back(
-          {vertices[edge % vertices.size()], vertices[(edge + 1) % vertices.size()], edge});
+    for (const auto& [in, edge] :
+         {std::pair(place.ring, place.index), std::pair(place.other_ring, place.other)}) {
+      const Points& ring = ring_of(document, in);
+      numbered.push_back({ring[edge % ring.size()], ring[(edge + 1) % ring.size()], edge});
+      painter.line(numbered.back().a, numbered.back().b, theme.amber, 5);
     }
     draw_edge_numbers(painter, theme, theme.amber, numbered);
   }
-  if (place.kind == Place::Kind::vertex && place.index < vertices.size()) {
-    painter.list().AddCircle(painter.at(vertices[place.index]), 11, theme.amber.packed(), 32, 3);
-  }
+  const Points& ring = ring_of(document, place.ring);
+  if (place.kind == Place::Kind::vertex && place.index < ring.size())
+    painter.list().AddCircle(painter.at(ring[place.index]), 11, theme.amber.packed(), 32, 3);
 }
 
 void draw_view(ImDrawList& list, const CanvasView& view) {
@@ -249,6 +251,8 @@ void draw_canvas(const AppState& state, const Scene& scene, const Scene& second,
     draw_both(list, view, second, layout);
   else
     draw_view(list, view);
+  if (state.view.tool == Tool::hole)
+    draw_drawing(Painter(list, state.view.camera, state.session.screen.area()), state, colours);
   draw_hint(list, state, layout, colours);
 }
 

@@ -6,6 +6,7 @@
 #include "marks/boxed_text.h"
 #include "marks/stands.h"
 #include "tools/drawing.h"
+#include "tools/handles.h"
 #include "tools/pick.h"
 #include "ui/vec.h"
 
@@ -23,24 +24,32 @@ std::string hint_of_walkthrough(const AppState& state) {
 
 // A drag moves the vertex even if a robot stands on it, unless the robot's card is open.
 std::string hint_of_vertex(const AppState& state, std::size_t i) {
-  const Points& vertices = state.work.document().vertices;
-  if (i >= vertices.size()) return {};
-  const Pick robot = pick_explained(state, state.view.camera.to_screen(vertices[i]), false);
-  return "Vertex " + std::to_string(i + 1) + " " + given_point(vertices[i]) +
-         " · drag to move, Delete to remove" +
+  const Document& document = state.work.document();
+  if (i >= count_vertices(document)) return {};
+  const Vec2 at = place_of(document, i);
+  const Pick robot = pick_explained(state, state.view.camera.to_screen(at), false);
+  return name_of(document, i) + " " + given_point(at) + " · drag to move, Delete to remove" +
          (can_take_robot(state, robot) ? " · press it once, then drag to move the robot" : "");
 }
 
 bool on_centroid(const AppState& state) {
-  const std::optional<Vec2> centroid = centroid_of(state.work.document().vertices);
+  const std::optional<Vec2> centroid = own_centroid(state);
   return centroid &&
          state.work.document().centre_of_mass == rounded_finely(state.view.camera, *centroid);
 }
 
+std::string hint_of_weight(const AppState& state, std::size_t i) {
+  const std::vector<Cargo>& cargo = settings(state).cargo;
+  if (i >= cargo.size()) return {};
+  return name_of(state.work.document(), count_vertices(state.work.document()) + i) + " · " +
+         with_weight_unit(plain(cargo[i].weight), shown(state).units) + " at " +
+         given_point(cargo[i].at) + " · drag to move, Delete to remove";
+}
+
 std::string hint_of_centre(const AppState& state) {
-  return "Centre of mass " +
-         point_in_words(centre_of_mass(state),
-                        coordinate_decimals(state.work.document().vertices)) +
+  const bool cargo = !settings(state).cargo.empty();
+  return (cargo ? "Centre of mass of the object alone " : "Centre of mass ") +
+         point_in_words(own_centre(state), coordinate_decimals(state.work.document().vertices)) +
          (on_centroid(state) ? " · on the centroid" : " · drag to move");
 }
 
@@ -132,6 +141,8 @@ std::string hint_of_pick(const AppState& state, const Pick& at) {
       return hint_of_team(current_placement(state, at.second), at.index, shown(state).units);
     case Pick::Kind::candidate:
       return hint_of_candidate(current_placement(state, at.second), at.index);
+    case Pick::Kind::cargo:
+      return hint_of_weight(state, at.index);
     case Pick::Kind::object:
     case Pick::Kind::frame:
     case Pick::Kind::none:
@@ -145,13 +156,15 @@ std::string hint_of_pick(const AppState& state, const Pick& at) {
 
 std::string hint(const AppState& state) {
   if (state.session.screen.embed) return {};
-  if (state.view.tool == Tool::draw) return hint_of_drawing(state);
+  if (draws(state.view.tool)) return hint_of_drawing(state);
   if (state.view.tool == Tool::transform)
     return "Drag inside to move, a corner to scale, the knob to turn · arrow keys, [ ] and { } do the same";
   if (state.view.tool == Tool::mark)
     return "Drag along the boundary to mark no-go parts, over a mark to erase it · click an edge to mark all of it";
   if (state.view.tool == Tool::robot)
     return "Click the outline or the object to add a robot · drag a robot to move it · Esc ends it";
+  if (state.view.tool == Tool::weight)
+    return "Click to put a weight there · drag a weight to move it · type its weight above · Esc ends it";
   const bool holds =
       state.view.held.kind != Pick::Kind::none && state.view.held.kind != Pick::Kind::ground;
   const Pick& at = holds ? state.view.held : state.view.hover;

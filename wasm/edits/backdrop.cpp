@@ -47,7 +47,7 @@ void scale_drawing(AppState& state, const Scaled& scaled) {
 
 void lay_behind(AppState& state, const Vec2& low, const Vec2& high) {
   state.work.backdrop = Backdrop{low, high, ++state.work.pictures};
-  if (state.view.tool != Tool::draw) take_tool(state, Tool::draw);
+  if (!draws(state.view.tool)) take_tool(state, Tool::draw);
   show_all_of_it(state);
 }
 
@@ -56,8 +56,8 @@ void take_picture_away(AppState& state) { state.work.backdrop.reset(); }
 std::string scale_picture(AppState& state, double width) {
   if (!state.work.backdrop) return {};
   const Scaled scaled{state.work.backdrop->low, width / state.work.backdrop->width()};
-  const bool draws = state.view.tool == Tool::draw, traced = !draws && state.work.backdrop->traced;
-  Points corners = draws    ? state.view.drawing.points
+  const bool drawing = draws(state.view.tool), traced = !drawing && state.work.backdrop->traced;
+  Points corners = drawing  ? state.view.drawing.points
                    : traced ? state.work.document().vertices
                             : Points();
   corners.push_back(state.work.backdrop->high);
@@ -66,9 +66,11 @@ std::string scale_picture(AppState& state, double width) {
   Document* document = traced ? &edit(state, false, Edit::whole) : nullptr;
   state.work.backdrop->high = scaled(state.work.backdrop->high);
   state.work.backdrop->low = Vec2(0, 0);
-  if (draws) scale_drawing(state, scaled);
+  if (drawing) scale_drawing(state, scaled);
   if (document) {
     scaled(document->vertices);
+    for (Points& hole : document->holes) scaled(hole);
+    for (Cargo& item : document->settings.cargo) item.at = scaled(item.at);
     scaled(document->centre_of_mass);
   }
   show_all_of_it(state);

@@ -4,10 +4,11 @@
 #include <string>
 #include <utility>
 
+#include "edits/editing.h"
 #include "edits/open_document.h"
 #include "edits/sight.h"
 #include "evenlift/output/words.h"
-#include "evenlift/polygon.h"
+#include "evenlift/polygon_with_holes.h"
 #include "state/layout.h"
 #include "state/notice.h"
 #include "state/opened.h"
@@ -32,6 +33,15 @@ void check_drawing(Drawing& drawing) {
   if (!polygon) drawing.refusal = polygon.error();
 }
 
+// The document with the drawn hole as its last, or why there can be none.
+Result<Document> with_hole(const Document& document, const Points& hole) {
+  Document with = document;
+  with.holes.push_back(hole);
+  const Result<PolygonWithHoles> object = object_of(with);
+  if (!object) return object.error();
+  return with;
+}
+
 }  // namespace
 
 void renew_drawing(AppState& state) {
@@ -45,7 +55,7 @@ void renew_drawing(AppState& state) {
 }
 
 void take_tool(AppState& state, Tool tool) {
-  if (tool == Tool::draw && walkthrough_is_open(state)) close_walkthrough(state);
+  if (draws(tool) && walkthrough_is_open(state)) close_walkthrough(state);
   state.view.tool = tool;
   emit(state, SummaryChanged{});
   state.view.card.ask(std::nullopt);
@@ -53,10 +63,13 @@ void take_tool(AppState& state, Tool tool) {
   state.view.drawing = {};
   state.view.selected.reset();
   state.view.hover = state.view.held = {};
-  if (tool == Tool::draw) state.work.second_method.reset();
+  if (draws(tool)) state.work.second_method.reset();
   show(state, {});
   if (tool == Tool::robot)
     announce(state, "Click the outline or the object to add a robot there; Esc ends it.");
+  if (tool == Tool::hole)
+    announce(state, "Draw a hole in the object, vertex by vertex; Esc ends it.");
+  if (tool == Tool::weight) announce(state, "Click the object to put a weight there; Esc ends it.");
   if (tool == Tool::mark)
     announce(
         state,
@@ -142,14 +155,28 @@ void withdraw_edge(AppState& state) {
   emit(state, SummaryChanged{});
 }
 
+namespace {
+
+void refuse_drawing(AppState& state, const InputError& error) {
+  state.view.drawing.checked = true;
+  state.view.drawing.refusal = error;
+  show(state, {Notice::Kind::problem, sentence(error) + "."});
+}
+
+void finish_hole(AppState& state) {
+  const Result<Document> with = with_hole(state.work.document(), state.view.drawing.points);
+  if (!with) return refuse_drawing(state, with.error());
+  edit(state, false, Edit::hole_drawn).holes = with->holes;
+  take_tool(state, Tool::parts);
+  announce(state, "Hole " + std::to_string(with->holes.size()) + " drawn.");
+}
+
+}  // namespace
+
 void finish_drawing(AppState& state) {
+  if (state.view.tool == Tool::hole) return finish_hole(state);
   Result<Opened> polygon = opened_after({state.view.drawing.points, {}}, state.work.document());
-  if (!polygon) {
-    state.view.drawing.checked = true;
-    state.view.drawing.refusal = polygon.error();
-    show(state, {Notice::Kind::problem, sentence(polygon.error()) + "."});
-    return;
-  }
+  if (!polygon) return refuse_drawing(state, polygon.error());
   open(state, std::move(polygon).value(), Edit::drawn);
   if (state.work.backdrop) state.work.backdrop->traced = true;
 }

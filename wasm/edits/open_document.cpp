@@ -11,7 +11,7 @@ namespace {
 
 // Forgets everything about the former document.
 void forget_former(AppState& state) {
-  if (state.view.tool == Tool::draw) state.view.tool = Tool::parts;
+  if (draws(state.view.tool)) state.view.tool = Tool::parts;
   state.view.drawing = {};
   state.view.selected.reset();
   state.work.aside = {};

@@ -46,7 +46,7 @@ void frame_view(AppState& state) {
   // A polygon must not move while the user draws it; a picture may move until its first vertex is
   // traced.
   const bool drawn =
-      state.view.tool == Tool::draw && !(state.work.backdrop && state.view.drawing.points.empty());
+      draws(state.view.tool) && !(state.work.backdrop && state.view.drawing.points.empty());
   if (!state.view.camera_follows || state.work.edit_open || drawn) return;
   const Rect room = layout(state).room;
   if (!state.view.fit_due && room == state.view.fitted) return;

@@ -8,6 +8,7 @@
 #include "edits/sight.h"
 #include "state/notice.h"
 #include "state/seen.h"
+#include "tools/handles.h"
 #include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
@@ -23,8 +24,7 @@ void recall_backdrop(AppState& state, const std::optional<Backdrop>& picture) {
 
 // Shows a document of the history in place of the open one.
 void show_recalled(AppState& state, History::Recalled recalled) {
-  const bool other_shape =
-      recalled.document.vertices.size() != state.work.document().vertices.size();
+  const bool other_shape = count_handles(recalled.document) != count_handles(state.work.document());
   state.work.edit_open = false;
   show(state, {});
   state.given = {};
@@ -78,11 +78,15 @@ void tell_of_return(AppState& state, bool edited) {
 }  // namespace
 
 void drop_stale_picks(AppState& state) {
-  const std::size_t count = state.work.document().vertices.size();
-  if (state.view.selected && *state.view.selected >= count) state.view.selected.reset();
+  const Document& document = state.work.document();
+  const std::size_t count = count_vertices(document);
+  if (state.view.selected && *state.view.selected >= count_handles(document))
+    state.view.selected.reset();
   for (Pick* pick : {&state.view.hover, &state.view.held}) {
     const bool of_polygon = pick->kind == Pick::Kind::vertex || pick->kind == Pick::Kind::edge;
     if (of_polygon && pick->index >= count) *pick = {};
+    if (pick->kind == Pick::Kind::cargo && pick->index >= document.settings.cargo.size())
+      *pick = {};
   }
 }
 

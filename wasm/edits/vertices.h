@@ -1,4 +1,5 @@
-// Adds and removes vertices of the polygon.
+// Moves, adds and removes what the user grabs on the object: vertices of the outline and of holes, and
+// weights. Numbers are those of handles (handles.h).
 #pragma once
 
 #include <cstddef>
@@ -7,8 +8,18 @@
 
 namespace evenlift::view {
 
+void move_handle(AppState& state, std::size_t number, const Vec2& to);
+
 // Inserts a vertex on an edge, and selects it.
 void insert_vertex(AppState& state, std::size_t edge, const Vec2& at);
-void remove_vertex(AppState& state, std::size_t vertex);
+
+// Removes a vertex or a weight; a hole of three vertices goes with any of them.
+void remove_handle(AppState& state, std::size_t number);
+
+// Puts a weight of a tenth of the object's own on the object, and selects it.
+void add_weight(AppState& state, const Vec2& at);
+
+// Replaces one weight.
+void set_weight(AppState& state, std::size_t item, const Cargo& cargo);
 
 }  // namespace evenlift::view

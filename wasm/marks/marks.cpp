@@ -17,6 +17,7 @@
 #include "marks/stands.h"
 #include "marks/tool_marks.h"
 #include "marks/walkthrough_robots.h"
+#include "tools/handles.h"
 #include "tools/pick.h"
 #include "tools/shorter_way.h"
 #include "tools/support_spots.h"
@@ -26,26 +27,26 @@
 namespace evenlift::view {
 namespace {
 
-// A ring as a grip, or a dot; nothing if they would be so close that they hide the shape.
-void draw_vertices(const Painter& painter, const CanvasView& view) {
+// The vertices of the outline or of a hole: each a ring as a grip, or a dot; nothing if they would be
+// so close that they hide the shape.
+void draw_ring(const Painter& painter, const CanvasView& view, const Points& ring,
+               std::size_t first) {
   const AppState& state = view.state;
   const Theme& theme = view.theme;
-  if (state.view.tool == Tool::transform) return;  // the frame has the grips
-  const Points& vertices = state.work.document().vertices;
-  const std::size_t n = vertices.size();
+  const std::size_t n = ring.size();
   const Colour outline = state.derived().refusal ? theme.amber : theme.object_outline;
   ImDrawList& list = painter.list();
   for (std::size_t i = 0; i < n; ++i) {
-    const ImVec2 at = painter.at(vertices[i]);
-    if (is_hovered(state, Pick::Kind::vertex, i) || state.view.selected == i) {
+    const ImVec2 at = painter.at(ring[i]);
+    if (is_hovered(state, Pick::Kind::vertex, first + i) || state.view.selected == first + i) {
       list.AddCircleFilled(at, 18, theme.accent.at(0.22f).packed(), 36);
       list.AddCircleFilled(at, 6, theme.panel.packed(), 24);
       list.AddCircle(at, 6, theme.accent.packed(), 24, 2);
       continue;
     }
     if (n > 1000 || state.session.screen.embed) continue;
-    const double before = length(vertices[i] - vertices[i == 0 ? n - 1 : i - 1]);
-    const double after = length(vertices[i] - vertices[i + 1 == n ? 0 : i + 1]);
+    const double before = length(ring[i] - ring[i == 0 ? n - 1 : i - 1]);
+    const double after = length(ring[i] - ring[i + 1 == n ? 0 : i + 1]);
     const double room = std::min(before, after) * state.view.camera.scale;
     if (n <= 40 && room >= 18) {
       list.AddCircleFilled(at, 4, theme.panel.packed(), 24);
@@ -54,6 +55,13 @@ void draw_vertices(const Painter& painter, const CanvasView& view) {
       list.AddCircleFilled(at, 2.5f, outline.packed(), 12);
     }
   }
+}
+
+void draw_vertices(const Painter& painter, const CanvasView& view) {
+  if (view.state.view.tool == Tool::transform) return;  // the frame has the grips
+  for_each_ring(view.state.work.document(), [&](const Points& ring, std::size_t first) {
+    draw_ring(painter, view, ring, first);
+  });
 }
 
 void draw_edge_offer(const Painter& painter, const CanvasView& view) {
@@ -143,19 +151,26 @@ void draw_push(const Painter& painter, const CanvasView& view) {
 // Writes why a polygon is refused at the place of the fault.
 void draw_reason(const Painter& painter, const CanvasView& view) {
   const InputError& error = *view.state.derived().refusal;
-  const Points& vertices = view.state.work.document().vertices;
-  const std::size_t n = vertices.size();
+  const Document& document = view.state.work.document();
+  const Place& place = error.place;
+  const auto is_there = [&](std::size_t ring, std::size_t index) {
+    return ring <= document.holes.size() && index < ring_of(document, ring).size();
+  };
   Vec2 spot;
-  if (error.place.kind == Place::Kind::vertex && error.place.index < n) {
-    spot = vertices[error.place.index];
-  } else if (error.place.kind == Place::Kind::edge && error.place.index < n &&
-             error.place.other < n) {
-    const Vec2 &a = vertices[error.place.index], &b = vertices[(error.place.index + 1) % n];
-    const Vec2 &c = vertices[error.place.other], &d = vertices[(error.place.other + 1) % n];
+  if (place.kind == Place::Kind::vertex && is_there(place.ring, place.index)) {
+    spot = ring_of(document, place.ring)[place.index];
+  } else if (place.kind == Place::Kind::hole && is_there(place.ring, 0)) {
+    spot = ring_of(document, place.ring)[0];
+  } else if (place.kind == Place::Kind::edge && is_there(place.ring, place.index) &&
+             is_there(place.other_ring, place.other)) {
+    const Points &first = ring_of(document, place.ring),
+                 &second = ring_of(document, place.other_ring);
+    const Vec2 &a = first[place.index], &b = first[(place.index + 1) % first.size()];
+    const Vec2 &c = second[place.other], &d = second[(place.other + 1) % second.size()];
     const double turn = cross(b - a, d - c);
     const double share = turn != 0 ? std::clamp(cross(c - a, d - c) / turn, 0.0, 1.0) : 0.5;
     spot = a + (b - a) * share;
-  } else if (error.place.kind == Place::Kind::centre_of_mass) {
+  } else if (place.kind == Place::Kind::centre_of_mass) {
     spot = centre_of_mass(view.state);
   } else {
     return;

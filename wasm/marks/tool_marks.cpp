@@ -135,7 +135,7 @@ void draw_drawing(const Painter& painter, const AppState& state, const Theme& th
     numbered.push_back({ring[edge % ring.size()], ring[(edge + 1) % ring.size()], edge});
   }
   draw_edge_numbers(painter, theme, theme.amber, numbered);
-  if (crossed.empty()) draw_centroid(painter, theme, chain);
+  if (crossed.empty() && state.view.tool == Tool::draw) draw_centroid(painter, theme, chain);
   if (!drawing.cursor) return;
   const Vec2 spot = state.view.camera.to_screen(*drawing.cursor);
   const Rect window = layout(state).free;

@@ -28,6 +28,7 @@
 #include "page/hand_over.h"
 #include "page/page_api.h"
 #include "state/history.h"
+#include "tools/handles.h"
 
 namespace evenlift::view {
 namespace {
@@ -137,22 +138,34 @@ EMSCRIPTEN_KEEPALIVE const char* page_origin() {
 
 // --- Coordinates of the document, also while it is refused
 
+// Of the outline and of all holes, in the order of handles.h.
 EMSCRIPTEN_KEEPALIVE int page_vertex_count() {
-  return static_cast<int>(app().state.work.document().vertices.size());
+  return static_cast<int>(count_vertices(app().state.work.document()));
 }
 
 // The vertices from `first` on: [[x, y], …].
 EMSCRIPTEN_KEEPALIVE const char* page_vertices(int first, int count) {
-  const evenlift::Points& vertices = app().state.work.document().vertices;
+  evenlift::Points vertices;
+  for_each_ring(app().state.work.document(), [&](const evenlift::Points& ring, std::size_t) {
+    vertices.insert(vertices.end(), ring.begin(), ring.end());
+  });
   const auto [from, to] = part_of(vertices.size(), first, count);
   return hand_over(points_json(vertices, from, to));
+}
+
+// "12", or "H2 · 3" for the third vertex of the second hole.
+EMSCRIPTEN_KEEPALIVE const char* page_vertex_name(int vertex) {
+  const auto handle = handle_of(app().state.work.document(), static_cast<std::size_t>(vertex));
+  if (vertex < 0 || !handle) return hand_over({});
+  const std::string index = std::to_string(handle->index + 1);
+  return hand_over(handle->ring == 0 ? index : "H" + std::to_string(handle->ring) + " · " + index);
 }
 
 // The centre of mass [x, y]: the given one, or the last centroid; and whether it was given.
 EMSCRIPTEN_KEEPALIVE const char* page_centre() {
   const AppState& state = app().state;
   return hand_over(json::pair(
-      state.work.document().centre_of_mass.value_or(state.derived().placement->centre_of_mass)));
+      state.work.document().centre_of_mass.value_or(state.derived().placement->own_centre)));
 }
 EMSCRIPTEN_KEEPALIVE int page_centre_is_given() {
   return app().state.work.document().centre_of_mass ? 1 : 0;
@@ -168,15 +181,14 @@ EMSCRIPTEN_KEEPALIVE const char* page_refusal() {
 // and 1 for y.
 EMSCRIPTEN_KEEPALIVE const char* page_set_coordinate(int vertex, int axis, const char* text) {
   const AppState& state = app().state;
-  const evenlift::Points& vertices = state.work.document().vertices;
+  const evenlift::Document& document = state.work.document();
   std::string problem;
   const std::optional<double> value = coordinate(text, problem);
   if (!value) return hand_over(std::move(problem));
-  if (vertex >= static_cast<int>(vertices.size())) return hand_over("This vertex no longer exists");
-  Vec2 to =
-      vertex < 0
-          ? state.work.document().centre_of_mass.value_or(state.derived().placement->centre_of_mass)
-          : vertices[static_cast<std::size_t>(vertex)];
+  if (vertex >= static_cast<int>(count_vertices(document)))
+    return hand_over("This vertex no longer exists");
+  Vec2 to = vertex < 0 ? document.centre_of_mass.value_or(state.derived().placement->own_centre)
+                       : place_of(document, static_cast<std::size_t>(vertex));
   to[axis] = *value;
   if (vertex < 0)
     carry_out({EndEdit{}, MoveCentre{to}, EndEdit{}});
@@ -203,7 +215,7 @@ EMSCRIPTEN_KEEPALIVE int page_robots_are_points() {
 }
 
 // Whether a polygon is being drawn.
-EMSCRIPTEN_KEEPALIVE int page_is_drawing() { return app().state.view.tool == Tool::draw ? 1 : 0; }
+EMSCRIPTEN_KEEPALIVE int page_is_drawing() { return draws(app().state.view.tool) ? 1 : 0; }
 
 // The unit of coordinates and distances; "none" without one.
 EMSCRIPTEN_KEEPALIVE const char* page_length_unit() {
@@ -212,10 +224,10 @@ EMSCRIPTEN_KEEPALIVE const char* page_length_unit() {
 
 // Inserts a vertex in the middle of the edge that begins at this one.
 EMSCRIPTEN_KEEPALIVE void page_insert_vertex(int after) {
-  const evenlift::Points& vertices = app().state.work.document().vertices;
-  if (after < 0 || after >= static_cast<int>(vertices.size())) return;
+  const evenlift::Document& document = app().state.work.document();
+  if (after < 0 || after >= static_cast<int>(count_vertices(document))) return;
   const auto edge = static_cast<std::size_t>(after);
-  const Vec2 middle = vertices[edge] / 2 + vertices[(edge + 1) % vertices.size()] / 2;
+  const Vec2 middle = place_of(document, edge) / 2 + evenlift::view::after(document, edge) / 2;
   carry_out({InsertVertex{edge, middle}});
 }
 
@@ -235,6 +247,72 @@ EMSCRIPTEN_KEEPALIVE int page_hovered_vertex() {
   const AppState& state = app().state;
   const Pick& pick = state.view.held.kind != Pick::Kind::none ? state.view.held : state.view.hover;
   return pick.kind == Pick::Kind::vertex ? static_cast<int>(pick.index) : -1;
+}
+
+// --- The weights on the object
+
+EMSCRIPTEN_KEEPALIVE int page_weight_count() {
+  return static_cast<int>(settings(app().state).cargo.size());
+}
+
+// The weights from `first` on: [[x, y, weight, name], …].
+EMSCRIPTEN_KEEPALIVE const char* page_weights(int first, int count) {
+  const std::vector<evenlift::Cargo>& cargo = settings(app().state).cargo;
+  const auto [from, to] = part_of(cargo.size(), first, count);
+  std::vector<std::string> rows;
+  for (std::size_t i = from; i < to; ++i)
+    rows.push_back(json::array({json::number(cargo[i].at.x()), json::number(cargo[i].at.y()),
+                                json::number(cargo[i].weight), json::text(cargo[i].name)}));
+  return hand_over(json::array(rows));
+}
+
+// Sets one part of a weight: x, y, the weight or, as `column` 3, the name.
+EMSCRIPTEN_KEEPALIVE const char* page_set_weight(int item, int column, const char* text) {
+  const std::vector<evenlift::Cargo>& cargo = settings(app().state).cargo;
+  if (item < 0 || item >= static_cast<int>(cargo.size()))
+    return hand_over("This weight no longer exists");
+  evenlift::Cargo changed = cargo[static_cast<std::size_t>(item)];
+  std::string problem;
+  const std::optional<double> value = column < 3 ? coordinate(text, problem) : std::nullopt;
+  if (column < 3 && !value) return hand_over(std::move(problem));
+  if (column < 2)
+    changed.at[column] = *value;
+  else if (column == 2)
+    changed.weight = *value;
+  else
+    changed.name = text;
+  evenlift::Document trial;
+  if (const auto error =
+          evenlift::read_setting(evenlift::Setting::cargo, evenlift::cargo_text({changed}), trial))
+    return hand_over(column == 3
+                         ? "A name has at most 60 characters"
+                         : "A weight must be a number greater than 0, at a place within 1e9");
+  carry_out({EndEdit{}, SetCargo{static_cast<std::size_t>(item), changed}, EndEdit{}});
+  return hand_over({});
+}
+
+// In the middle of the object.
+EMSCRIPTEN_KEEPALIVE void page_add_weight() {
+  carry_out({AddWeight{own_centre(app().state)}, EndEdit{}});
+}
+
+EMSCRIPTEN_KEEPALIVE void page_remove_weight(int item) {
+  const std::size_t first = count_vertices(app().state.work.document());
+  if (item >= 0) carry_out({RemoveVertex{first + static_cast<std::size_t>(item)}});
+}
+
+EMSCRIPTEN_KEEPALIVE void page_select_weight(int item) {
+  SelectVertex select;
+  const std::size_t first = count_vertices(app().state.work.document());
+  if (item >= 0) select.vertex = first + static_cast<std::size_t>(item);
+  carry_out({select});
+}
+
+// -1 without one.
+EMSCRIPTEN_KEEPALIVE int page_hovered_weight() {
+  const AppState& state = app().state;
+  const Pick& pick = state.view.held.kind != Pick::Kind::none ? state.view.held : state.view.hover;
+  return pick.kind == Pick::Kind::cargo ? static_cast<int>(pick.index) : -1;
 }
 
 // --- The robots, as supports (edits/supports.h), with their planned loads
@@ -273,7 +351,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_set_robot(int robot, int axis, const char*
   to[axis] = *value;
   evenlift::Settings moved = settings(state);
   moved.supports = {to};
-  const auto placed = place_supports(state.derived().placement->polygon(), moved);
+  const auto placed = place_supports(state.derived().placement->object, moved);
   if (!placed) return hand_over(placed.error().message);
   carry_out({EndEdit{}, PutRobot{static_cast<std::size_t>(robot), to}, EndEdit{}});
   return hand_over({});

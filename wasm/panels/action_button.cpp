@@ -13,7 +13,7 @@ namespace {
 
 // Whether the action's tool or state is active; nothing for other actions.
 std::optional<bool> is_on(ActionId id, const AppState& state) {
-  if (id == ActionId::draw) return state.view.tool == Tool::draw;
+  if (id == ActionId::draw) return draws(state.view.tool) || state.view.tool == Tool::weight;
   if (id == ActionId::transform) return state.view.tool == Tool::transform;
   if (id == ActionId::add_robots) return state.view.tool == Tool::robot;
   if (id == ActionId::mark) return state.view.tool == Tool::mark;

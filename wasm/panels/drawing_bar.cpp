@@ -7,6 +7,7 @@
 #include "evenlift/output/words.h"
 #include "panels/panels.h"
 #include "tools/drawing.h"
+#include "tools/handles.h"
 #include "widgets/buttons.h"
 #include "widgets/cards.h"
 #include "widgets/dropdown.h"
@@ -80,11 +81,57 @@ bool is_roomy(const Ui& ui) {
 
 void run(const Ui& ui, ActionId id) { action(id).run(ui.state, ui.commands); }
 
+// What is drawn: a new shape, a hole in the object, or weights on it. The open object must be good
+// for the latter two.
+void draw_choice_of_drawn(const Ui& ui) {
+  if (!ui.state.derived().placement || ui.state.derived().refusal) return;
+  constexpr std::pair<const char*, Tool> all[] = {
+      {"Shape", Tool::draw}, {"Hole", Tool::hole}, {"Weight", Tool::weight}};
+  for (const auto& [label, tool] : all) {
+    if (switch_chip(ui, label, ui.state.view.tool == tool) && ui.state.view.tool != tool)
+      ui.push(SetTool{tool});
+    ImGui::SameLine(0, gap);
+  }
+  ImGui::NewLine();
+}
+
+// The selected weight, which can be typed.
+void draw_weight_field(const Ui& ui) {
+  const std::optional<Handle> handle =
+      ui.state.view.selected ? handle_of(ui.state.work.document(), *ui.state.view.selected)
+                             : std::nullopt;
+  if (!handle || !handle->is_weight) return;
+  Cargo item = settings(ui.state).cargo[handle->index];
+  const Asked typed = typed_field(ui, {"cargo weight", "Weight"},
+                                  with_weight_unit(plain(item.weight), shown(ui.state).units), 96);
+  if (!typed.moved || !(*typed.moved >= min_weight && *typed.moved <= max_weight)) return;
+  item.weight = *typed.moved;
+  ui.push(SetCargo{handle->index, item});
+}
+
+void draw_weight_bar(const Ui& ui) {
+  draw_choice_of_drawn(ui);
+  if (word_button(ui, "Done", true, true)) ui.push(SetTool{Tool::parts});
+  const bool selected = ui.state.view.selected.has_value();
+  ImGui::SameLine(0, gap);
+  if (word_button(ui, ui.layout.wide ? "Remove weight" : "Remove", selected))
+    ui.push(RemoveVertex{*ui.state.view.selected});
+  if (!selected) return;
+  ImGui::SameLine(0, 12);
+  draw_weight_field(ui);
+}
+
 void draw_drawing_bar(const Ui& ui) {
+  draw_choice_of_drawn(ui);
+  const bool hole = ui.state.view.tool == Tool::hole;
   const bool some = !ui.state.view.drawing.points.empty();
   const bool closes = ui.state.view.drawing.points.size() >= 3 && !ui.state.view.drawing.refusal;
   const bool roomy = is_roomy(ui);
-  if (word_button(ui, roomy || !ui.layout.wide ? "Close the shape" : "Close", closes, true))
+  if (word_button(ui,
+                  hole                       ? "Close the hole"
+                  : roomy || !ui.layout.wide ? "Close the shape"
+                                             : "Close",
+                  closes, true))
     ui.push(FinishDrawing{});
   ImGui::SameLine(0, gap);
   if (word_button(ui, roomy ? "Remove last" : "Back", some)) ui.push(TakePointBack{});
@@ -196,8 +243,12 @@ bool vertex_is_over_panel(const AppState& state) {
 }  // namespace
 
 void draw_vertex_buttons(const Ui& ui) {
-  constexpr const char *remove = "Remove vertex", *add = "Add one after";
-  const bool can_remove = ui.state.work.document().vertices.size() > 3;
+  const std::optional<Handle> handle =
+      handle_of(ui.state.work.document(), ui.state.view.selected.value_or(0));
+  const bool weight = handle && handle->is_weight;
+  const char *remove = weight ? "Remove weight" : "Remove vertex", *add = "Add one after";
+  const bool of_outline = handle && !weight && handle->ring == 0;
+  const bool can_remove = !of_outline || ui.state.work.document().vertices.size() > 3;
   const bool fills_row = vertex_is_on_sheet(ui.state) || vertex_is_over_panel(ui.state);
   const float half = (ImGui::GetContentRegionAvail().x - gap) / 2;
   const auto width = [&](const char* label) {
@@ -205,6 +256,7 @@ void draw_vertex_buttons(const Ui& ui) {
   };
   if (flat_button(ui, remove, remove, width(remove), can_remove)) run(ui, ActionId::remove_vertex);
   ImGui::SameLine(0, gap);
+  if (weight) return draw_weight_field(ui);
   if (flat_button(ui, add, add, width(add))) run(ui, ActionId::insert_vertex);
 }
 
@@ -220,8 +272,8 @@ bool has_tool_bar(const AppState& state) {
 }
 
 bool snaps_in_menu(const Ui& ui) {
-  const bool little_room = ui.layout.low || (!ui.layout.wide && ui.state.view.tool != Tool::draw);
-  return little_room && ui.state.view.tool != Tool::mark && ui.state.view.tool != Tool::robot &&
+  const bool little_room = ui.layout.low || (!ui.layout.wide && !draws(ui.state.view.tool));
+  return little_room && ui.state.view.tool != Tool::mark && !adds_by_click(ui.state.view.tool) &&
          (has_tool_bar(ui.state) || vertex_is_on_sheet(ui.state));
 }
 
@@ -242,7 +294,7 @@ void draw_tool_bar(const Ui& ui) {
       below_toolbar{at.left, at.bottom + 8, at.right, at.bottom + 160};
   begin_card(ui, "tool bar", over_panel ? foot : below_toolbar,
              {.fixed_width = over_panel, .padding = 8});
-  if (state.view.tool == Tool::draw)
+  if (draws(state.view.tool))
     draw_drawing_bar(ui);
   else if (state.view.tool == Tool::transform)
     draw_whole_bar(ui);
@@ -250,6 +302,8 @@ void draw_tool_bar(const Ui& ui) {
     return draw_marking_bar(ui), end_card(ui);
   else if (state.view.tool == Tool::robot)
     return draw_robot_bar(ui), end_card(ui);
+  else if (state.view.tool == Tool::weight)
+    return draw_weight_bar(ui), end_card(ui);
   else
     draw_vertex_buttons(ui);
   const double end = static_cast<double>(ImGui::GetItemRectMax().x + snap_chips_width()) + 12 + 8;

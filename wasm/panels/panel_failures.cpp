@@ -76,8 +76,7 @@ void draw_signs(const Ui& ui, const RowOfPlaces& row, std::size_t count) {
 
 // The number of robots with a sign: 0 for too many robots, and while the result is not shown.
 std::size_t signs(const AppState& state) {
-  if (!state.derived().placement || state.derived().refusal || state.view.tool == Tool::draw)
-    return 0;
+  if (!state.derived().placement || state.derived().refusal || draws(state.view.tool)) return 0;
   const std::size_t count = count_robots(state.derived().placement->teams);
   return count == state.derived().failures.size() || state.derived().failures_due ? count : 0;
 }
@@ -85,7 +84,7 @@ std::size_t signs(const AppState& state) {
 const char* caption(const AppState& state, std::size_t count) {
   if (count > 0) return "If one robot fails";
   const bool many = state.derived().placement && !state.derived().refusal &&
-                    state.view.tool != Tool::draw && !state.derived().placement->teams.empty();
+                    !draws(state.view.tool) && !state.derived().placement->teams.empty();
   return many ? "If one robot fails: too many robots to check each" : "";
 }
 

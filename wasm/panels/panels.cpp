@@ -56,7 +56,7 @@ void draw_sections(const Ui& ui, std::size_t first) {
     if (panels[i].shown && !panels[i].shown(ui.state)) continue;
     // Beside a shape that is being drawn, the results of the former one would be mistaken for its
     // own.
-    if (panels[i].of_result && ui.state.view.tool == Tool::draw) continue;
+    if (panels[i].of_result && draws(ui.state.view.tool)) continue;
     if (i > first) rule(ui);
     ImGui::PushID(panels[i].name);
     const ImVec2 from = ImGui::GetCursorScreenPos();
@@ -183,7 +183,7 @@ void draw_step_and_row(const Ui& ui) {
 // drawing its buttons would cover it.
 void draw_row_below_verdict(const Ui& ui) {
   if (vertex_is_on_sheet(ui.state)) return draw_vertex_buttons(ui);
-  if (ui.state.view.tool != Tool::draw || ui.state.view.drawing.points.empty())
+  if (!draws(ui.state.view.tool) || ui.state.view.drawing.points.empty())
     return draw_teams_stepper(ui);
   const float labels = text_size(Face::label, "Length").x + text_size(Face::label, "Angle").x;
   const float width = (ImGui::GetContentRegionAvail().x - labels - 20) / 2;

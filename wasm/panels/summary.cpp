@@ -168,7 +168,7 @@ std::string need_in_words(const AppState& state) {
 
 std::string overload_in_brief(const AppState& state) {
   const bool wanted = state.derived().placement && !state.derived().refusal &&
-                      state.view.tool != Tool::draw && !failing(state) && is_overloaded(state);
+                      !draws(state.view.tool) && !failing(state) && is_overloaded(state);
   if (!wanted) return {};
   return has_own_capacities(of(state))
              ? "A robot carries more than its capacity. "
@@ -209,7 +209,7 @@ std::string failure_words(const AppState& state, std::size_t robot) {
 
 Verdict verdict(const AppState& state) {
   if (state.view.measuring) return of_measuring(state);
-  if (state.view.tool == Tool::draw) return of_drawing(state);
+  if (draws(state.view.tool)) return of_drawing(state);
   if (state.derived().refusal) {
     return {Mood::refused, sentence(*state.derived().refusal) + ".",
             state.derived().placement ? "The last result is shown dimmed." : ""};
@@ -230,7 +230,7 @@ Verdict verdict(const AppState& state) {
 
 std::string presumed_in_words(const AppState& state) {
   const bool shown = state.derived().placement && !state.derived().refusal &&
-                     !state.view.measuring && state.view.tool != Tool::draw &&
+                     !state.view.measuring && !draws(state.view.tool) &&
                      !state.derived().placement->teams.empty();
   if (!shown) return {};
   if (failing(state))
@@ -275,7 +275,7 @@ std::string weight_unit(const AppState& state) {
 }
 
 std::string link_lacks_in_words(const AppState& state) {
-  if (state.view.tool == Tool::draw && !state.view.drawing.points.empty())
+  if (draws(state.view.tool) && !state.view.drawing.points.empty())
     return "The shape that you are drawing is not closed yet: the link holds the previous one.";
   if (state.derived().refusal)
     return "The shape on the screen is refused: the link holds the last valid one.";
@@ -298,7 +298,7 @@ std::string news(const AppState& state) {
   if (state.view.tool == Tool::transform)
     lines +=
         "The whole shape is selected: arrow keys move it, [ and ] turn it, { and } scale it.\n";
-  if (state.view.tool == Tool::draw) lines += news_of_drawing(state);
+  if (draws(state.view.tool)) lines += news_of_drawing(state);
   // Elsewhere a notice reports it.
   const bool bar = state.view.tool != Tool::parts || state.view.selected;
   if (bar && state.view.snap.grid) lines += "Points snap to the grid.\n";

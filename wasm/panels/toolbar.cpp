@@ -171,8 +171,7 @@ void draw_view_tools(const Ui& ui) {
 
 // The button back to an object that was moved out of the window, or that surrounds it completely.
 void draw_way_back(const Ui& ui) {
-  if (ui.state.view.camera_follows || ui.state.view.tool == Tool::draw ||
-      !ui.state.derived().placement)
+  if (ui.state.view.camera_follows || draws(ui.state.view.tool) || !ui.state.derived().placement)
     return;
   if (!ui.layout.wide && ui.state.view.sheet == Sheet::full) return;  // it covers the drawing
   if (outline_is_seen(ui.state)) return;

@@ -24,27 +24,33 @@ struct SetMethod {
   Method method;
 };
 struct MoveVertex {
-  std::size_t vertex;
+  std::size_t vertex;  // or a weight: the number of a handle (handles.h)
   Vec2 to;
 };
 struct MoveCentre {
   Vec2 to;
 };
 struct ReleaseCentre {};  // the centre of mass is the centroid again
-// Inserts a vertex on an edge, and selects it.
+// Inserts a vertex on an edge of the outline or of a hole, and selects it.
 struct InsertVertex {
   std::size_t edge;
   Vec2 at;
 };
-struct RemoveVertex {
-  std::size_t vertex;
+struct RemoveVertex {  // the last three of a hole go with the hole
+  std::size_t vertex;  // or a weight: the number of a handle
+};
+struct AddWeight {  // on the object, and selects it
+  Vec2 at;
+};
+struct SetCargo {  // one weight, as typed
+  std::size_t item;
+  Cargo cargo;
 };
 struct OpenDocument {
   Opened opened;  // applying the command moves it out
 };
 struct SetPolygon {
-  Points vertices;
-  std::optional<Vec2> centre_of_mass;
+  PolygonGrip shape;
   bool live = false;
 };
 struct EndEdit {};
@@ -293,17 +299,17 @@ struct AddStep {
 
 using AnyCommand = std::variant<
     SetSettings, SetMethod, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex,
-    OpenDocument, SetPolygon, EndEdit, MoveRobot, PlaceYourself, SetChallenge, AddRobot, PutRobot,
-    RemoveRobot, EvenOut, ResetRobots, Undo, Redo, SetShown, SetTool, GripPolygon, AddPoint,
-    MovePoint, TakePointBack, PutPointBack, FinishDrawing, SetDrawCursor, TypeEdge, WithdrawEdge,
-    SetSnap, Compare, Fail, SetLoadModel, SetMotion, OpenWalkthrough, CloseWalkthrough, GoToStep,
-    MoveSteps, MoveChapters, SetPlaying, SetSpeed, SetPredict, Guess, PointAtChoice, AskWhy,
-    Measure, HoverFigure, Explain, ShowInLesson, LeaveScript, ShowAllSteps, SetPresenting,
-    SelectVertex, SetHover, SetHeld, SetCamera, FitView, ZoomView, SetPanelOpen, SetMoreOpen,
-    SetRobotOpen, SetErases, ListIsOpen, CloseList, SetSheet, MeasureSheet, MeasureNotice, CopyLink,
-    TypeValue, OpenDialog, OpenPage, LayOutAgain, TakeRobots, ShowNotice, EndNotice, SetCanvas,
-    SetPreferences, SetTouch, CoverScreen, MakeRoom, LayPicture, TakePictureAway, SetMeasuring,
-    KeepMotion, KeepComparison, ForgetSteps, AddStep>;
+    AddWeight, SetCargo, OpenDocument, SetPolygon, EndEdit, MoveRobot, PlaceYourself, SetChallenge,
+    AddRobot, PutRobot, RemoveRobot, EvenOut, ResetRobots, Undo, Redo, SetShown, SetTool,
+    GripPolygon, AddPoint, MovePoint, TakePointBack, PutPointBack, FinishDrawing, SetDrawCursor,
+    TypeEdge, WithdrawEdge, SetSnap, Compare, Fail, SetLoadModel, SetMotion, OpenWalkthrough,
+    CloseWalkthrough, GoToStep, MoveSteps, MoveChapters, SetPlaying, SetSpeed, SetPredict, Guess,
+    PointAtChoice, AskWhy, Measure, HoverFigure, Explain, ShowInLesson, LeaveScript, ShowAllSteps,
+    SetPresenting, SelectVertex, SetHover, SetHeld, SetCamera, FitView, ZoomView, SetPanelOpen,
+    SetMoreOpen, SetRobotOpen, SetErases, ListIsOpen, CloseList, SetSheet, MeasureSheet,
+    MeasureNotice, CopyLink, TypeValue, OpenDialog, OpenPage, LayOutAgain, TakeRobots, ShowNotice,
+    EndNotice, SetCanvas, SetPreferences, SetTouch, CoverScreen, MakeRoom, LayPicture,
+    TakePictureAway, SetMeasuring, KeepMotion, KeepComparison, ForgetSteps, AddStep>;
 // One command of any kind. Its special members are compiled once (command.cpp): written out in every
 // file that makes a command, they were half of the time of compiling the panels.
 class Command {

@@ -24,7 +24,8 @@ struct Pick {
     object,
     frame,
     ground,
-    uncertainty  // the grip of the ring that shows the C uncertainty
+    uncertainty,  // the grip of the ring that shows the C uncertainty
+    cargo         // a weight on the object
   };
   Kind kind = Kind::none;
   std::size_t index = 0;   // of the vertex, edge, team or candidate, or of the frame's grip

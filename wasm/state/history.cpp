@@ -36,7 +36,13 @@ constexpr What edits[] = {"opened a polygon",
                           Setting::no_go,
                           "moved robots by hand",
                           "put the robots back",
-                          "opened a lesson"};
+                          "opened a lesson",
+                          "drew a hole",
+                          "removed a hole",
+                          "added a weight",
+                          "moved a weight",
+                          "changed a weight",
+                          "removed a weight"};
 static_assert(std::size(edits) == edit_count);
 
 // A number that only another version of the page knows is described as a change of some settings.

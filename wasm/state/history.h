@@ -44,9 +44,15 @@ enum class Edit : std::uint32_t {
   marks,
   robots_moved,
   robots_reset,
-  lesson_opened
+  lesson_opened,
+  hole_drawn,
+  hole_removed,
+  weight_added,
+  weight_moved,
+  weight_changed,
+  weight_removed
 };
-inline constexpr std::size_t edit_count = 26, edit_of_records = 100;
+inline constexpr std::size_t edit_count = 32, edit_of_records = 100;
 
 // "moved a vertex". O(settings).
 std::string in_words(Edit edit);

@@ -153,7 +153,7 @@ Layout wide(const AppState& state) {
   if (walkthrough_is_open(state))
     seat_player(l, l.panel.left - l.margin, (l.low ? 1 : 2) * l.control + 24);
   if (state.view.tool == Tool::transform) l.free.top += tool_bar_height(l) + knob;
-  if ((state.view.tool == Tool::mark || state.view.tool == Tool::robot) &&
+  if ((state.view.tool == Tool::mark || adds_by_click(state.view.tool)) &&
       (l.low || state.work.second_method))
     l.free.top += tool_bar_height(l);  // the boundary must be visible, and so must captions
   // The corners of a frame are farther out than robots, and clear of the view tools.
@@ -173,7 +173,7 @@ double closed_sheet_height(const AppState& state) {
 }
 
 bool has_bar(const AppState& state) {
-  return state.view.tool != Tool::parts && state.view.tool != Tool::draw;
+  return state.view.tool != Tool::parts && !draws(state.view.tool);
 }
 
 // A card at the drawing's foot, a bar above it, or a second picture takes part of the space.
@@ -356,7 +356,7 @@ Camera camera_of_backdrop(const Backdrop& picture, const Layout& l) {
 
 Camera fitting_camera(const AppState& state) {
   const Layout l = layout(state);
-  if (state.work.backdrop && state.view.tool == Tool::draw)
+  if (state.work.backdrop && draws(state.view.tool))
     return camera_of_backdrop(*state.work.backdrop, l);
   const Rect& room = l.room;
   const Points& vertices = state.work.document().vertices;

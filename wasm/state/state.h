@@ -38,7 +38,7 @@ inline bool in_lesson(const AppState& state) {
 // refused, show none. O(1).
 inline const Failure* failing(const AppState& state) {
   const bool shown = state.derived().failure && !state.derived().refusal &&
-                     state.view.tool != Tool::draw && !walkthrough_is_open(state);
+                     !draws(state.view.tool) && !walkthrough_is_open(state);
   return shown ? &*state.derived().failure : nullptr;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "evenlift/chords.h"
+#include "evenlift/document.h"
 #include "evenlift/load_models.h"
 #include "evenlift/result.h"
 #include "state/camera.h"
@@ -18,10 +19,17 @@ namespace evenlift::view {
 enum class Sheet : std::uint8_t { closed, half, full };
 
 // The effect of a press on the drawing: grabs a vertex or the centre of mass, places a vertex,
-// grabs the whole polygon, marks a no-go part, or adds a robot.
-enum class Tool : std::uint8_t { parts, draw, transform, mark, robot };
+// grabs the whole polygon, marks a no-go part, adds a robot, places a vertex of a hole, or puts a
+// weight on the object.
+enum class Tool : std::uint8_t { parts, draw, transform, mark, robot, hole, weight };
 
-// The polygon being drawn, vertex by vertex.
+// Whether the tool draws a shape or a hole, vertex by vertex.
+constexpr bool draws(Tool tool) { return tool == Tool::draw || tool == Tool::hole; }
+
+// Whether a click with the tool adds a robot or a weight.
+constexpr bool adds_by_click(Tool tool) { return tool == Tool::robot || tool == Tool::weight; }
+
+// The polygon or the hole being drawn, vertex by vertex.
 struct Drawing {
   Points points;
   Points undone;                    // redo brings back its last point first
@@ -38,6 +46,8 @@ struct Drawing {
 struct PolygonGrip {
   Points vertices;
   std::optional<Vec2> centre_of_mass;
+  std::vector<Points> holes;
+  std::vector<Cargo> cargo;
 };
 
 // The snap targets of points that are dragged or drawn.
@@ -65,7 +75,7 @@ struct View {
   Drawing drawing;
   PolygonGrip grip;
   Snap snap;
-  std::optional<std::size_t> selected;  // vertex
+  std::optional<std::size_t> selected;  // handle (handles.h)
   Pick hover, held;
   std::optional<LiftingPoint>
       closed_to;  // where the dragged robot should go, if the others cannot follow

@@ -26,7 +26,7 @@ Cursor over_frame(FrameGrip grip, bool held) {
 
 Cursor cursor(const AppState& state) {
   const bool holds = state.view.held.kind != Pick::Kind::none;
-  if (state.view.tool == Tool::draw) {
+  if (draws(state.view.tool)) {
     if (state.view.held.kind == Pick::Kind::vertex) return Cursor::grabbing;
     return state.view.hover.kind == Pick::Kind::vertex ? Cursor::grab : Cursor::crosshair;
   }
@@ -34,6 +34,7 @@ Cursor cursor(const AppState& state) {
   switch (at.kind) {
     case Pick::Kind::vertex:
     case Pick::Kind::centre:
+    case Pick::Kind::cargo:
     case Pick::Kind::uncertainty:
       return holds ? Cursor::grabbing : Cursor::grab;
     case Pick::Kind::frame:

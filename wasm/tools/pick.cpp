@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include "evenlift/centre_of_mass.h"
 #include "evenlift/moved.h"
 #include "evenlift/output/picture.h"
 #include "evenlift/plane.h"
+#include "tools/handles.h"
 
 namespace evenlift::view {
 namespace {
@@ -23,17 +25,25 @@ struct Nearest {
   }
 };
 
+void offer_weights(const AppState& state, const Vec2& screen, Nearest& nearest) {
+  const std::vector<Cargo>& cargo = state.work.document().settings.cargo;
+  for (std::size_t i = 0; i < cargo.size(); ++i)
+    nearest.offer(distance(state.view.camera.to_screen(cargo[i].at), screen),
+                  {Pick::Kind::cargo, i, 0, cargo[i].at});
+}
+
 Pick part_at(const AppState& state, const Vec2& screen) {
   Nearest nearest{state.session.screen.touch ? 24.0 : 12.0};
-  const Points& vertices = state.work.document().vertices;
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    nearest.offer(distance(state.view.camera.to_screen(vertices[i]), screen),
-                  {Pick::Kind::vertex, i, 0, vertices[i]});
-  }
+  for_each_ring(state.work.document(), [&](const Points& ring, std::size_t first) {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      nearest.offer(distance(state.view.camera.to_screen(ring[i]), screen),
+                    {Pick::Kind::vertex, first + i, 0, ring[i]});
+  });
+  offer_weights(state, screen, nearest);
   if (const std::optional<Vec2> grip = uncertainty_grip(state))
     nearest.offer(distance(*grip, screen),
                   {Pick::Kind::uncertainty, 0, 0, state.view.camera.to_world(*grip)});
-  const Vec2 centre = centre_of_mass(state);
+  const Vec2 centre = own_centre(state);
   nearest.offer(distance(state.view.camera.to_screen(centre), screen),
                 {Pick::Kind::centre, 0, 0, centre});
   return nearest.pick;
@@ -55,13 +65,14 @@ Pick robot_at(const AppState& state, const Placement& placement, const Vec2& scr
 
 Pick edge_at(const AppState& state, const Vec2& screen) {
   Nearest nearest{state.session.screen.touch ? 16.0 : 8.0};
-  const Points& vertices = state.work.document().vertices;
   const Vec2 world = state.view.camera.to_world(screen);
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const Vec2 at =
-        nearest_on_segment(vertices[i], vertices[i + 1 == vertices.size() ? 0 : i + 1], world);
-    nearest.offer(distance(state.view.camera.to_screen(at), screen), {Pick::Kind::edge, i, 0, at});
-  }
+  for_each_ring(state.work.document(), [&](const Points& ring, std::size_t first) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 at = nearest_on_segment(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1], world);
+      nearest.offer(distance(state.view.camera.to_screen(at), screen),
+                    {Pick::Kind::edge, first + i, 0, at});
+    }
+  });
   return nearest.pick;
 }
 
@@ -145,10 +156,25 @@ std::optional<Chord> chord_of_part(const Placement& placement, const Pick& part)
   return std::nullopt;
 }
 
-Vec2 centre_of_mass(const AppState& state) {
+Vec2 own_centre(const AppState& state) {
   if (state.work.document().centre_of_mass) return *state.work.document().centre_of_mass;
-  if (state.derived().placement) return state.derived().placement->centre_of_mass;
+  if (state.derived().placement) return state.derived().placement->own_centre;
   return state.work.document().vertices.empty() ? Vec2(0, 0) : state.work.document().vertices[0];
+}
+
+Vec2 centre_of_mass(const AppState& state) {
+  return with_cargo(own_centre(state), settings(state));
+}
+
+std::optional<Vec2> own_centroid(const AppState& state) {
+  if (!state.derived().placement || state.derived().refusal) return std::nullopt;
+  return state.derived().placement->object.centroid();
+}
+
+Pick weight_at(const AppState& state, const Vec2& screen) {
+  Nearest nearest{state.session.screen.touch ? 24.0 : 14.0};
+  offer_weights(state, screen, nearest);
+  return nearest.pick;
 }
 
 const Placement* current_placement(const AppState& state, bool second) {
@@ -179,7 +205,8 @@ Pick pick(const AppState& state, const Vec2& screen, bool second) {
   if (found.kind == Pick::Kind::none && placement) found = candidate_at(state, *placement, screen);
   if (found.kind == Pick::Kind::none && placement) {
     const Vec2 world = state.view.camera.to_world(screen);
-    if (inside(placement->vertices(), world)) found = {Pick::Kind::object, 0, 0, world};
+    if (inside(placement->vertices(), world) && !placement->object.hole_around(world))
+      found = {Pick::Kind::object, 0, 0, world};
   }
   found.second = second;
   return found;

@@ -41,8 +41,16 @@ Pick marked_part(const AppState& state);
 // the placement does not have the part.
 std::optional<Chord> chord_of_part(const Placement& placement, const Pick& part);
 
-// The document's centre of mass; if it has none, the centre of mass of the last good placement.
+// The object's own centre of mass: the document's, or else that of the last good placement; and with
+// its cargo. O(items).
+Vec2 own_centre(const AppState& state);
 Vec2 centre_of_mass(const AppState& state);
+
+// The centroid of the object without its holes; nothing while the document is refused. O(1).
+std::optional<Vec2> own_centroid(const AppState& state);
+
+// The weight at `screen`; otherwise the kind is none. O(items).
+Pick weight_at(const AppState& state, const Vec2& screen);
 
 // The placement in one of the two pictures; null if the document is refused or the placement does
 // not exist.

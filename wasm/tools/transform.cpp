@@ -20,10 +20,13 @@ Vec2 pivot(const Points& polygon) {
 // The grabbed polygon with every point mapped.
 template <class Map>
 SetPolygon mapped(const PolygonGrip& grip, Map map) {
-  SetPolygon polygon;
-  polygon.vertices.reserve(grip.vertices.size());
-  for (const Vec2& p : grip.vertices) polygon.vertices.push_back(map(p));
-  if (grip.centre_of_mass) polygon.centre_of_mass = map(*grip.centre_of_mass);
+  SetPolygon polygon{grip};
+  PolygonGrip& shape = polygon.shape;
+  for (Vec2& p : shape.vertices) p = map(p);
+  for (Points& hole : shape.holes)
+    for (Vec2& p : hole) p = map(p);
+  for (Cargo& item : shape.cargo) item.at = map(item.at);
+  if (shape.centre_of_mass) shape.centre_of_mass = map(*shape.centre_of_mass);
   return polygon;
 }
 
@@ -63,9 +66,7 @@ Vec2 knob_place(const AppState& state, const Rect& frame) {
   return {x, std::max(top, frame.top) + stalk};
 }
 
-PolygonGrip now(const AppState& state) {
-  return {state.work.document().vertices, state.work.document().centre_of_mass};
-}
+PolygonGrip now(const AppState& state) { return grip_of(state.work.document()); }
 
 Vec2 opposite_corner(const Box& box, FrameGrip grip) {
   const bool at_left = grip == FrameGrip::low_left || grip == FrameGrip::high_left;
@@ -74,6 +75,10 @@ Vec2 opposite_corner(const Box& box, FrameGrip grip) {
 }
 
 }  // namespace
+
+PolygonGrip grip_of(const Document& document) {
+  return {document.vertices, document.centre_of_mass, document.holes, document.settings.cargo};
+}
 
 Rect transform_frame(const AppState& state) {
   const Box box = bounding_box(state.work.document().vertices);

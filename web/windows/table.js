@@ -1,4 +1,4 @@
-// The coordinates of the vertices, or of the robots, as a table beside the canvas. Typing in the table changes the
+// The coordinates of the vertices, of the robots or of the weights, as a table beside the canvas. Typing in the table changes the
 // drawing, and dragging changes the table.
 import { makeRoom, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el } from "../kit/elements.js";
@@ -9,8 +9,8 @@ import { underWay } from "../page/under_way.js";
 const name = "table";
 const most = 500; // rows on a page
 
-// What the table lists, and the page's functions for it. Robots have a load in a column of its own; typing a place
-// makes them robots placed by hand.
+// What the table lists, and the page's functions for it; `typed` are the columns that can be typed. Robots have a load in
+// a column of its own; typing a place makes them robots placed by hand. Vertices of holes have a name of their own.
 const lists = {
   vertices: {
     one: "Vertex",
@@ -20,7 +20,9 @@ const lists = {
     remove: "page_remove_vertex",
     pointed: "page_hovered_vertex",
     select: "page_select_vertex",
+    label: "page_vertex_name",
     columns: ["x", "y"],
+    typed: ["x", "y"],
     digits: 9,
     least: 3,
   },
@@ -32,9 +34,25 @@ const lists = {
     remove: "page_remove_robot",
     pointed: "page_hovered_robot",
     select: "page_point_at_robot",
+    add: "page_add_robot",
     columns: ["x", "y", "Load"],
+    typed: ["x", "y"],
     digits: 6,
     least: 1,
+  },
+  weights: {
+    one: "Weight",
+    count: "page_weight_count",
+    read: "page_weights",
+    write: "page_set_weight",
+    remove: "page_remove_weight",
+    pointed: "page_hovered_weight",
+    select: "page_select_weight",
+    add: "page_add_weight",
+    columns: ["x", "y", "Weight", "Name"],
+    typed: ["x", "y", "weight", "name"],
+    digits: 5,
+    least: 0,
   },
 };
 
@@ -79,17 +97,17 @@ class Table {
       "div",
       { class: "row lists", role: "group", "aria-label": "What the table lists" },
       ...Object.entries(lists).map(([key, list]) =>
-        button(key === "vertices" ? "Vertices" : "Robots", {
+        button(`${key[0].toUpperCase()}${key.slice(1)}`, {
           class: "button bare",
           "aria-pressed": "false",
           onclick: () => this.#take(list),
         }),
       ),
     );
-    this.more = button("Add a robot", {
+    this.more = button("", {
       onclick: () => {
-        this.#program.call("page_add_robot");
-        this.#go(this.#program.number("page_robot_count") - 1);
+        this.#program.call(this.#list.add);
+        this.#go(this.#program.number(this.#list.count) - 1);
       },
     });
     this.whole = button("Edit as text", {
@@ -140,7 +158,7 @@ class Table {
     return this.#page.program;
   }
 
-  // Lists the vertices or the robots.
+  // Lists the vertices, the robots or the weights.
   #take(list) {
     this.#list = list;
     this.#rows = [];
@@ -155,6 +173,7 @@ class Table {
     this.whole.hidden = !vertices;
     this.centre.row.hidden = !vertices;
     this.more.hidden = vertices;
+    this.more.textContent = `Add a ${list.one.toLowerCase()}`;
     this.problem.say("");
     this.#refresh();
   }
@@ -168,11 +187,11 @@ class Table {
 
   // --- Rows --------------------------------------------------------------------------------------
 
-  #inputs(what) {
-    return ["x", "y"].map((axis) =>
+  #inputs(what, columns = ["x", "y"]) {
+    return columns.map((axis) =>
       el("input", {
         class: "field",
-        inputmode: "decimal",
+        inputmode: axis === "name" ? "text" : "decimal",
         autocomplete: "off",
         spellcheck: "false",
         "aria-label": `${what}, ${axis}`,
@@ -181,8 +200,9 @@ class Table {
   }
 
   #row(vertex) {
-    const { one, remove: removes, count, columns } = this.#list;
-    const inputs = this.#inputs(`${one} ${vertex + 1}`);
+    const { one, remove: removes, count, columns, typed, label } = this.#list;
+    const name = label ? this.#program.text(label, vertex) : String(vertex + 1);
+    const inputs = this.#inputs(`${one} ${name}`, typed);
     const act = (label, picture, run) =>
       button("", { class: "button bare", "aria-label": `${label} ${vertex + 1}`, title: label, onclick: run }, picture);
     const insert = act("Insert a vertex after", "plus", () => {
@@ -193,19 +213,19 @@ class Table {
     const remove = act(`Delete ${one.toLowerCase()}`, "close", () => {
       this.#program.call(removes, vertex);
       this.#refresh();
-      const acts = this.#list === lists.vertices ? 3 : 2;
+      const acts = typed.length + (this.#list === lists.vertices ? 1 : 0);
       this.#go(Math.min(vertex, this.#program.number(count) - 1), acts);
     });
-    const load = columns.length > 2 ? [el("td", { class: "load" })] : [];
+    const load = columns.length > typed.length ? [el("td", { class: "load" })] : [];
     const row = el(
       "tr",
       {},
-      el("th", { scope: "row" }, String(vertex + 1)),
+      el("th", { scope: "row" }, name),
       ...inputs.map((input) => el("td", {}, input)),
       ...load,
-      el("td", { class: "acts" }, ...(load.length ? [] : [insert]), remove),
+      el("td", { class: "acts" }, ...(this.#list === lists.vertices ? [insert] : []), remove),
     );
-    return { row, inputs, remove, load: load[0], vertex };
+    return { row, inputs, remove, load: load[0], vertex, name };
   }
 
   #centreRow() {
@@ -267,8 +287,12 @@ class Table {
     if (moved && selected >= 0) this.#from = this.#pageOf(selected);
     this.#from = Math.max(Math.min(this.#from, this.#pageOf(count - 1)), 0);
     const shown = Math.min(most, count - this.#from);
-    if (this.#rows.length !== shown || this.#rows[0]?.vertex !== this.#from) {
-      const kept = this.#rows.filter(({ vertex }) => vertex >= this.#from && vertex < this.#from + shown);
+    const nameOf = (vertex) => (list.label ? program.text(list.label, vertex) : String(vertex + 1));
+    const renamed = this.#rows.some(({ vertex, name }) => vertex < count && name !== nameOf(vertex));
+    if (renamed || this.#rows.length !== shown || this.#rows[0]?.vertex !== this.#from) {
+      const kept = renamed
+        ? []
+        : this.#rows.filter(({ vertex }) => vertex >= this.#from && vertex < this.#from + shown);
       this.#rows = Array.from(
         { length: shown },
         (_, i) => (kept[0]?.vertex === this.#from && kept[i]) || this.#row(this.#from + i),
@@ -276,10 +300,10 @@ class Table {
       this.body.replaceChildren(...this.#rows.map(({ row }) => row));
     }
     const pointed = program.number(list.pointed);
-    program.json(list.read, this.#from, shown).forEach(([x, y, weight], i) => {
+    program.json(list.read, this.#from, shown).forEach((values, i) => {
       const { row, inputs, remove, load, vertex } = this.#rows[i];
-      write(inputs, [x, y], list.digits);
-      if (load) load.textContent = weight;
+      write(inputs, values.slice(0, inputs.length), list.digits);
+      if (load) load.textContent = values[inputs.length];
       row.className = vertex === selected ? "selected" : vertex === pointed ? "hovered" : "";
       remove.disabled = count <= list.least;
     });
@@ -310,13 +334,14 @@ class Table {
     if (input.value === input.dataset.is || input.value === input.dataset.shown) return this.#accept(input);
     const unit = this.#program.text("page_length_unit"),
       own = unit === "none" ? "" : unit;
+    const isName = this.#list.typed[axis] === "name";
     const problem =
-      typedProblem(input.value, "", own, true) ||
+      (!isName && typedProblem(input.value, "", own, true)) ||
       this.#program.text(
         vertex < 0 ? "page_set_coordinate" : this.#list.write,
         vertex,
         axis,
-        settingValue(input.value, "", own),
+        isName ? input.value : settingValue(input.value, "", own),
       );
     if (problem) {
       input.setAttribute("aria-invalid", "true");
@@ -380,7 +405,9 @@ class Table {
 
 // A field shows at most this number of digits until it gets the focus; its value stays exact.
 const rounded = (value, digits) =>
-  value.length > digits + 2 ? String(Number(Number(value).toPrecision(digits - 1))) : value;
+  value.length > digits + 2 && Number.isFinite(Number(value))
+    ? String(Number(Number(value).toPrecision(digits - 1)))
+    : value;
 
 // Writes a point into two fields, but not into one that is being typed in.
 function write(inputs, point, digits) {

@@ -14,6 +14,9 @@ struct CentreOfMass {
   Vec2 all = Vec2::Zero();  // C, with its cargo; C0 if there is none
 };
 
+// C of an object whose own centre of mass is `own`. O(items).
+Vec2 with_cargo(const Vec2& own, const Settings& settings);
+
 // C0 is the given point, or else the centroid of the object without its holes. With W0 its weight
 // and cargo of weights w at q, C = (W0 C0 + sum w q) / (W0 + sum w). An error if C is not strictly
 // inside the convex hull of the outline, which is decided exactly, or if a coordinate of C0 is not

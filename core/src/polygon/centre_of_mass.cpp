@@ -34,13 +34,14 @@ bool is_strictly_in_hull(const Polygon& polygon, const Vec2& point) {
   return true;
 }
 
+}  // namespace
+
 Vec2 with_cargo(const Vec2& own, const Settings& settings) {
+  if (settings.cargo.empty()) return own;
   Vec2 moments = Vec2::Zero();  // about C0
   for (const Cargo& item : settings.cargo) moments += item.weight * (item.at - own);
   return own + moments / total_weight(settings);
 }
-
-}  // namespace
 
 Result<Vec2> check_centre_of_mass(const Polygon& polygon, const std::optional<Vec2>& given) {
   if (given)
@@ -57,7 +58,7 @@ Result<CentreOfMass> centre_of_mass(const PolygonWithHoles& object,
   if (given)
     if (auto error = check_coordinates(*given)) return *std::move(error);
   const Vec2 own = given.value_or(object.centroid());
-  const Vec2 all = settings.cargo.empty() ? own : with_cargo(own, settings);
+  const Vec2 all = with_cargo(own, settings);
   if (!is_strictly_in_hull(object, all))
     return at_centre(ErrorCode::centre_outside_hull,
                      settings.cargo.empty()
