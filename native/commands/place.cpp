@@ -103,6 +103,14 @@ std::string facts(const ShownPlacement& of, const Robustness& robustness) {
       lines.emplace_back("Goal", placement.goal_reached ? "hold" : "hold, not reached");
   }
   if (placement.moved.any()) lines.emplace_back("Moved by hand", moved_text(placement.moved));
+  if (!placement.object.holes().empty())
+    lines.emplace_back("Outline", outline_in_words(placement.object));
+  if (!settings.cargo.empty()) {
+    lines.emplace_back("Weight", weight_in_words(of));
+    lines.emplace_back(
+        "Centre of mass without cargo",
+        point_in_words(placement.own_centre, coordinate_decimals(placement.vertices())));
+  }
   lines.emplace_back("Centre of mass", point_in_words(placement.centre_of_mass,
                                                       coordinate_decimals(placement.vertices())));
   for (const Fact& fact : facts_in_words(of)) lines.emplace_back(fact.label, fact.value);

@@ -86,6 +86,21 @@ TEST_CASE("units are labels in words and JSON, and change no number", "[words][j
   CHECK(read->shapes[0].document.shown == document.shown);
 }
 
+TEST_CASE("holes and cargo are named only where there are any", "[words][holes][cargo]") {
+  Placement placement = three_teams();
+  CHECK(weight_in_words(placement) == "100\u00A0kg");
+  CHECK(plainly(loads_in_words(placement)) == "6 robots carry 15.2–18.1 kg each (100 kg in all).");
+  CHECK(outline_in_words(placement.object) == "4 vertices");
+  placement.settings.weight = 96;
+  placement.settings.cargo = {{{0, 0}, 20, "motor"}, {{1, 0}, 4, ""}};
+  CHECK(weight_in_words(placement) == "120\u00A0kg with its cargo of 24\u00A0kg");
+  CHECK(plainly(loads_in_words(placement)) ==
+        "6 robots carry 15.2–18.1 kg each (120 kg with its cargo of 24 kg).");
+  const Polygon plate = testing::polygon({{0, 0}, {10, 0}, {10, 10}});
+  CHECK(outline_in_words(*PolygonWithHoles::create(plate, {{{5, 1}, {6, 1}, {6, 2}}})) ==
+        "3 vertices, 1 hole");
+}
+
 TEST_CASE("with no team the reason is given, and what helps", "[words]") {
   Placement placement = nothing_placed();
   placement.requested_teams = 3;

@@ -92,7 +92,8 @@ int coordinate_decimals(const Points& vertices);  // O(n)
 // --- A placement. O(1) unless stated otherwise.
 
 // "6 robots carry 15.2–18.1 kg each (100 kg in all).", for balanced robots "6 robots carry equal
-// loads of 16.7 kg (100 kg in all).", or "No team can be placed." The loads are as planned; if
+// loads of 16.7 kg (100 kg in all).", with cargo "… (120 kg with its cargo of 24 kg).", or "No team
+// can be placed." The loads are as planned; if
 // another model is `shown`, the text begins with "As planned". If C is known only within a distance
 // and the `ranges` of the planned loads are given (loads_by), the text contains these: "6 robots
 // carry 14.9–18.4 kg each, with a C uncertainty of 3 cm (100 kg in all)." For given supports the
@@ -101,6 +102,12 @@ int coordinate_decimals(const Points& vertices);  // O(n)
 // O(m log m).
 std::string loads_in_words(const ShownPlacement& of, LoadModel shown = LoadModel::plan,
                            const std::vector<LoadRange>& ranges = {});
+
+// "120 kg with its cargo of 24 kg"; without cargo "100 kg". O(items).
+std::string weight_in_words(const ShownPlacement& of);
+
+// "4 vertices, 12 holes"; without holes "4 vertices".
+std::string outline_in_words(const PolygonWithHoles& object);
 
 // Why there are no teams, and what could help; or that there are fewer than requested; otherwise
 // empty.

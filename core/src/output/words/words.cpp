@@ -137,7 +137,8 @@ std::string loads_in_words(const ShownPlacement& of, LoadModel shown,
                                                          : "No team can be placed.";
   if (!placement.loads) return fall_in_words(of);
   const Units& units = of.shown.units;
-  const std::string in_all = " (" + given_weight(placement.weight(), units) + " in all).";
+  const std::string in_all =
+      " (" + weight_in_words(of) + (placement.settings.cargo.empty() ? " in all)." : ").");
   const double com_radius = of.shown.com_radius;
   const LoadSummary& loads = *placement.loads;
   const bool given = placement.settings.method == Method::given;
@@ -163,6 +164,21 @@ std::string loads_in_words(const ShownPlacement& of, LoadModel shown,
   if (placement.settings.method == Method::balanced)
     return robots + " carry equal loads of " + load_in_words(loads.max, loads.max, units) + in_all;
   return robots + carry + load_in_words(loads.min, loads.max, loads.max, units) + each + in_all;
+}
+
+std::string weight_in_words(const ShownPlacement& of) {
+  const Settings& settings = of.placement.settings;
+  const std::string all = given_weight(of.placement.weight(), of.shown.units);
+  if (settings.cargo.empty()) return all;
+  double cargo = 0;
+  for (const Cargo& item : settings.cargo) cargo += item.weight;
+  return all + " with its cargo of " + given_weight(cargo, of.shown.units);
+}
+
+std::string outline_in_words(const PolygonWithHoles& object) {
+  const std::string vertices = count_of(object.outline().size(), "vertex", "vertices");
+  const std::size_t holes = object.holes().size();
+  return holes == 0 ? vertices : vertices + ", " + count_of(holes, "hole", "holes");
 }
 
 std::string no_go_in_words(const std::vector<EdgePart>& no_go) {
