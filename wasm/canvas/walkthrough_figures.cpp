@@ -225,6 +225,10 @@ constexpr Look looks[] = {
     {FigureKind::share,            draw_light_area<12>, &Theme::accent, 1.5f},
     {FigureKind::level,            draw_dashes,         &Theme::chord, 1.2f},
     {FigureKind::sinks,            draw_way,            &Theme::amber_on_object, 3},
+    {FigureKind::hole,             draw_outline,        &Theme::accent, 3},
+    {FigureKind::hole_part,        draw_triangle,       &Theme::accent, 1},
+    {FigureKind::cargo,            draw_ring,           &Theme::amber_on_object},
+    {FigureKind::old_centre,       draw_ring,           &Theme::quiet},
 };
 // clang-format on
 

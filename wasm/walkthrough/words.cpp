@@ -30,6 +30,9 @@ std::string left_out_in_words(const AppState& state) {
   if (step.kind == StepKind::start)
     return number + (more == 1 ? " smaller set is" : " smaller sets are") +
            " made on the way: “All steps” shows them.";
+  if (step.kind == StepKind::cargo)
+    return number + (more == 1 ? " more item of cargo is" : " more items of cargo are") +
+           " left out here: “All steps” shows them.";
   return std::string("There ") + (more == 1 ? "is " : "are ") + number + " more " +
          (step.kind == StepKind::ray ? (more == 1 ? "ray" : "rays")
                                      : (more == 1 ? "pair" : "pairs")) +

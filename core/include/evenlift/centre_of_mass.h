@@ -1,6 +1,7 @@
 // The centre of mass of the object alone, and with the cargo that is fixed to it.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "evenlift/document.h"
@@ -24,5 +25,13 @@ Vec2 with_cargo(const Vec2& own, const Settings& settings);
 // cargo may lie anywhere. O(items + h) for h corners of the hull.
 Result<CentreOfMass> centre_of_mass(const PolygonWithHoles& object,
                                     const std::optional<Vec2>& given, const Settings& settings);
+
+// The weight and the centre of mass of the object with only the first items of its cargo: with none
+// W0 and `own`, with all W and C, bit for bit. O(items).
+struct Loaded {
+  double weight = 0;
+  Vec2 centre = Vec2::Zero();
+};
+Loaded with_cargo(const Vec2& own, const Settings& settings, std::size_t items);
 
 }  // namespace evenlift

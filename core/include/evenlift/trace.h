@@ -60,7 +60,7 @@ inline constexpr std::uint32_t chapter_count = 15;
 enum class StepKind : std::uint8_t {
   polygon,       // 1
   centroid,      // 1: how it is found
-  centre,        // 1: the centre of mass in use: the centroid, or another point
+  centre,        // 1: the centre of mass in use: the centroid, or another point; with all cargo
   radial,        // 1: edges whose line passes through C; only if there are any
   ray,           // rays: the hits on the ray from a vertex through C
   slopes,        // 1: the chords in order of slope
@@ -111,8 +111,10 @@ enum class StepKind : std::uint8_t {
   by_springs,  // 1: any other number: a board on equal springs
   extremes,    // 1, after by_springs: the loads at best and at worst
   falls,       // 1: C is outside H, in place of the loads
+  // Cargo on the object:
+  cargo,  // items of cargo, after the centroid: how each moves the centre of mass
 };
-inline constexpr std::uint32_t step_kind_count = 49;
+inline constexpr std::uint32_t step_kind_count = 50;
 inline constexpr std::uint32_t most_failing = 16;
 
 // "pairs", "first_team"; "outcome", "second_order": the names in JSON, lessons and links. O(1).
@@ -135,7 +137,7 @@ struct Trace {
   const Polygon& polygon() const { return placement.polygon(); }
 
   Placement placement;
-  Vec2 centre = Vec2::Zero();  // the placement's centre of mass
+  Vec2 centre = Vec2::Zero();  // C, the placement's centre of mass with all cargo
   Units units;                 // for captions; they change no number
 
   // Chapter vertex_chords. The chords of ray i are chords[begins[i] .. begins[i + 1]). Chords
@@ -442,10 +444,10 @@ StepDetail look_at(const Trace& trace, std::uint32_t k);
 
 // The meaning of a figure. Each comment gives its shape, item and value.
 enum class FigureKind : std::uint8_t {
-  object,       // the polygon (area)
+  object,       // the outline (area)
   triangle,     // a vertex and an edge; value: its share of the area, negative where it folds back
   centroid,     // point
-  centre,       // point: C
+  centre,       // point: C; in the step of an item of cargo, the centre of mass with it
   vertex,       // point; item: vertex
   radial_edge,  // segment; item: edge
   ray,          // from the vertex to C or to the farthest hit
@@ -471,7 +473,8 @@ enum class FigureKind : std::uint8_t {
   clockwise,  // area, segment or point: free rotation centres
   counterclockwise,
   translation,  // from C in a free direction
-  lever,        // from a robot through C to another, or to the middle of two others
+  lever,        // from a robot through C to another, or to the middle of two others; from the
+                // centre of mass before an item of cargo through that with it to the item
   side,         // between two robots
   arm,          // from C to a robot; item: its number
   sum,          // the arms laid end to end, each divided by the number of robots
@@ -491,8 +494,13 @@ enum class FigureKind : std::uint8_t {
   share,        // triangle of C and two of three robots; item: the third robot; value: its share
   level,        // line on which springs carry the same; value: that load
   sinks,        // from C in the direction in which a board on springs sinks
+  hole,         // its outline (area); item: hole
+  hole_part,    // a vertex and an edge of a hole; item: hole; value: as for `triangle`, but
+                // negative, or positive where it folds back
+  cargo,        // point; item: of cargo; value: its weight
+  old_centre,   // point: the centre of mass before an item of cargo
 };
-inline constexpr std::uint32_t figure_kind_count = 48;
+inline constexpr std::uint32_t figure_kind_count = 52;
 std::string_view name(FigureKind kind);
 
 struct Figure {

@@ -37,10 +37,7 @@ bool is_strictly_in_hull(const Polygon& polygon, const Vec2& point) {
 }  // namespace
 
 Vec2 with_cargo(const Vec2& own, const Settings& settings) {
-  if (settings.cargo.empty()) return own;
-  Vec2 moments = Vec2::Zero();  // about C0
-  for (const Cargo& item : settings.cargo) moments += item.weight * (item.at - own);
-  return own + moments / total_weight(settings);
+  return with_cargo(own, settings, settings.cargo.size()).centre;
 }
 
 Result<Vec2> check_centre_of_mass(const Polygon& polygon, const std::optional<Vec2>& given) {
@@ -66,6 +63,18 @@ Result<CentreOfMass> centre_of_mass(const PolygonWithHoles& object,
                          : "with its cargo the centre of mass is not inside the convex hull of the "
                            "polygon");
   return CentreOfMass{own, all};
+}
+
+Loaded with_cargo(const Vec2& own, const Settings& settings, std::size_t items) {
+  if (items == 0) return {settings.weight, own};
+  double weight = settings.weight;
+  Vec2 moments = Vec2::Zero();  // about C0
+  for (std::size_t i = 0; i < items; ++i) {
+    const Cargo& item = settings.cargo[i];
+    weight += item.weight;
+    moments += item.weight * (item.at - own);
+  }
+  return {weight, own + moments / weight};
 }
 
 }  // namespace evenlift

@@ -10,6 +10,7 @@ namespace {
 constexpr std::uint32_t teams_shown = 3;  // in addition to the last
 constexpr std::uint32_t swaps_shown = 3;
 constexpr std::uint32_t supports_shown = 4;
+constexpr std::uint32_t cargo_shown = 3;
 
 // The edge pair that represents all of them.
 std::uint32_t telling_pair(const Trace& trace) {
@@ -57,8 +58,10 @@ std::vector<std::uint32_t> main_steps(const Trace& trace) {
   const auto add = [&](StepKind kind, std::uint32_t item) {
     if (const auto step = trace.find(kind, item)) steps.push_back(*step);
   };
-  for (const StepKind kind :
-       {StepKind::polygon, StepKind::centre, StepKind::stands, StepKind::ray, StepKind::slopes})
+  add(StepKind::polygon, 0);
+  for (std::uint32_t i = 0; i < std::min(trace.count(StepKind::cargo), cargo_shown); ++i)
+    add(StepKind::cargo, i);
+  for (const StepKind kind : {StepKind::centre, StepKind::stands, StepKind::ray, StepKind::slopes})
     add(kind, 0);
   const std::uint32_t pair = telling_pair(trace);
   for (const StepKind kind : {StepKind::sections, StepKind::outcome}) add(kind, pair);
@@ -100,6 +103,7 @@ std::uint32_t further_like(const Trace& trace, const Step& step) {
   if (step.kind == StepKind::team && step.item + 1 == teams_shown && all > teams_shown + 1)
     return all - teams_shown - 1;
   if (step.kind == StepKind::start || step.kind == StepKind::range) return all - 1;
+  if (step.kind == StepKind::cargo && step.item + 1 == cargo_shown) return all - cargo_shown;
   if (step.kind == StepKind::swap && step.item + 1 == swaps_shown) return all - swaps_shown;
   if (step.kind == StepKind::exchange && all > swaps_shown &&
       step.item == telling_swaps(trace).back())

@@ -5,7 +5,7 @@
 namespace evenlift {
 
 std::vector<Figure> StepFigures::take() && {
-  add(FigureKind::centre, Points{trace_.centre});
+  add(FigureKind::centre, Points{centre_.value_or(trace_.centre)});
   return std::move(figures_);
 }
 
@@ -25,16 +25,29 @@ void StepFigures::add_edge(FigureKind kind, std::uint32_t edge) {
 
 // --- The object ----------------------------------------------------------------------------------
 
-void StepFigures::polygon() { add(FigureKind::object, trace_.polygon().vertices()); }
+void StepFigures::polygon() {
+  add(FigureKind::object, trace_.polygon().vertices());
+  const std::vector<Polygon>& holes = trace_.object().holes();
+  for (std::uint32_t i = 0; i < holes.size(); ++i) add(FigureKind::hole, holes[i].vertices(), i);
+}
 
-// A fan of triangles from vertex 1. Triangles that fold back are subtracted.
+// Fans of triangles, which together have the area of the object.
 void StepFigures::centroid() {
-  const Points& v = trace_.polygon().vertices();
-  const double whole = (trace_.polygon().counter_clockwise() ? 2 : -2) * trace_.object().area();
-  for (std::size_t i = 1; i + 1 < v.size(); ++i)
-    add(FigureKind::triangle, Points{v[0], v[i], v[i + 1]}, static_cast<std::uint32_t>(i),
-        cross(v[i] - v[0], v[i + 1] - v[0]) / whole);
+  const std::vector<Polygon>& holes = trace_.object().holes();
+  add_fan(trace_.polygon(), {});
+  for (std::uint32_t i = 0; i < holes.size(); ++i) add_fan(holes[i], i);
   centre();
+}
+
+// A fan of triangles from vertex 1 of the outline or of a hole. Triangles of the outline that fold
+// back are subtracted, and so are those of a hole that do not.
+void StepFigures::add_fan(const Polygon& ring, std::optional<std::uint32_t> hole) {
+  const Points& v = ring.vertices();
+  const bool adds = ring.counter_clockwise() != hole.has_value();
+  const double whole = (adds ? 2 : -2) * trace_.object().area();
+  for (std::uint32_t i = 1; i + 1 < v.size(); ++i)
+    add(hole ? FigureKind::hole_part : FigureKind::triangle, Points{v[0], v[i], v[i + 1]},
+        hole.value_or(i), cross(v[i] - v[0], v[i + 1] - v[0]) / whole);
 }
 
 void StepFigures::centre() { add(FigureKind::centroid, Points{trace_.object().centroid()}); }

@@ -60,8 +60,9 @@ class StepFigures : LookedAtStep {
   void by_springs();
   void extremes();
   void falls();
+  void cargo();
 
-  // With C in front of all others.
+  // With the centre of mass in front of all others.
   std::vector<Figure> take() &&;
 
  private:
@@ -69,6 +70,7 @@ class StepFigures : LookedAtStep {
            double value = 0);
   void add(FigureKind kind, const Chord& chord, std::optional<std::uint32_t> item, double value);
   void add_edge(FigureKind kind, std::uint32_t edge);
+  void add_fan(const Polygon& ring, std::optional<std::uint32_t> hole);
   void add_vertex_chord(std::uint32_t index);
   void add_pair(bool reflected);
   void add_team(std::uint32_t index, bool loaded);
@@ -84,6 +86,7 @@ class StepFigures : LookedAtStep {
   void add_body(const LiftingPoint& contact, std::optional<std::uint32_t> part);
 
   std::vector<Figure> figures_;
+  std::optional<Vec2> centre_;  // in place of C
 };
 
 }  // namespace evenlift

@@ -16,6 +16,9 @@ void StepNumbers::point(std::string_view x, std::string_view y, const Vec2& p) {
 void StepNumbers::polygon() {
   count("vertices", trace_.polygon().size());
   add("area", trace_.object().area());
+  if (trace_.object().holes().empty()) return;
+  count("holes", trace_.object().holes().size());
+  add("outline_area", trace_.polygon().area());
 }
 
 void StepNumbers::centroid() { point("centroid_x", "centroid_y", trace_.object().centroid()); }
@@ -23,6 +26,7 @@ void StepNumbers::centroid() { point("centroid_x", "centroid_y", trace_.object()
 void StepNumbers::centre() {
   point("x", "y", trace_.centre);
   add("moved_by", length(trace_.centre - trace_.object().centroid()));
+  if (!placement_.settings.cargo.empty()) point("own_x", "own_y", placement_.own_centre);
 }
 
 void StepNumbers::radial() { count("edges", trace_.radial_edges.size()); }

@@ -65,6 +65,7 @@ class StepNumbers : LookedAtStep {
   void by_springs();
   void extremes();
   void falls();
+  void cargo();
 
   std::vector<Number> take() && { return std::move(numbers_); }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "evenlift/centre_of_mass.h"
 #include "evenlift/trace.h"
 
 namespace evenlift {
@@ -21,6 +22,11 @@ class LookedAtStep {
  protected:
   LookedAtStep(const Trace& trace, const StepDetail& detail)
       : trace_(trace), placement_(trace.placement), detail_(detail), item_(detail.step.item) {}
+
+  // The object with the first items of its cargo.
+  Loaded with_cargo(std::size_t items) const {
+    return evenlift::with_cargo(placement_.own_centre, placement_.settings, items);
+  }
 
   const Trace& trace_;
   const Placement& placement_;

@@ -77,6 +77,7 @@ constexpr StepRow steps[] = {
     {StepKind::by_springs,   "by_springs",   &N::by_springs,   &F::by_springs},
     {StepKind::extremes,     "extremes",     &N::extremes,     &F::extremes},
     {StepKind::falls,        "falls",        &N::falls,        &F::falls},
+    {StepKind::cargo,        "cargo",        &N::cargo,        &F::cargo},
 };
 // clang-format on
 
@@ -96,7 +97,8 @@ constexpr std::string_view figure_names[] = {
     "sum",         "middle",        "stand",       "mirrored",
     "even_chord",  "left",          "way",         "range",
     "range_end",   "former",        "unusable",    "body",
-    "hand",        "share",         "level",       "sinks"};
+    "hand",        "share",         "level",       "sinks",
+    "hole",        "hole_part",     "cargo",       "old_centre"};
 static_assert(std::size(figure_names) == figure_kind_count);
 
 }  // namespace

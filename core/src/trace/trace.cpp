@@ -161,8 +161,10 @@ void write_blocks_of_method(const Trace& trace, BlockWriter& blocks) {
 std::uint64_t write_blocks(Trace& trace) {
   const Placement& placement = trace.placement;
   BlockWriter blocks(trace);
-  for (const StepKind kind : {StepKind::polygon, StepKind::centroid, StepKind::centre})
-    blocks.add(Chapter::object, {kind});
+  blocks.add(Chapter::object, {StepKind::polygon});
+  blocks.add(Chapter::object, {StepKind::centroid});
+  blocks.add(Chapter::object, {StepKind::cargo}, placement.settings.cargo.size());
+  blocks.add(Chapter::object, {StepKind::centre});
   blocks.add(Chapter::object, {StepKind::stands}, placement.stands ? 1 : 0);
   write_blocks_of_method(trace, blocks);
   if (!placement.teams.empty()) {

@@ -29,11 +29,11 @@ std::string figure_json(const Figure& figure) {
   return json::object(members);
 }
 
-// All figures except the polygon itself, which is the same in every step.
+// All figures except the outline and the holes, which are the same in every step.
 std::string objects_json(const Trace& trace, const StepDetail& detail, std::size_t& left_out) {
   std::vector<std::string> items;
   for (const Figure& figure : figures(trace, detail)) {
-    if (figure.kind == FigureKind::object) continue;
+    if (figure.kind == FigureKind::object || figure.kind == FigureKind::hole) continue;
     if (items.size() < most_objects) {
       items.push_back(figure_json(figure));
     } else {

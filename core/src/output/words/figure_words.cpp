@@ -82,6 +82,8 @@ class FigureWords {
     return text + fill(": #", {weight_text(trace_, figure_.value, largest)});
   }
   std::string load() const { return written(weight_text(trace_, figure_.value)); }
+  std::string cargo() const { return cargo_text(trace_, index_); }
+  std::string weight() const { return given_weight(figure_.value, trace_.units); }
   std::string body() const {
     return figure_.item ? fill("No robot: #", {why_unusable()}) : "A robot that fits";
   }
@@ -154,6 +156,10 @@ constexpr FigureRow rows[] = {
     {FigureKind::share,         "The share of robot #: #", {&W::item, &W::signed_share}},
     {FigureKind::level,         "Here springs would carry #", {&W::load}},
     {FigureKind::sinks,         "The object sinks most in this direction"},
+    {FigureKind::hole,          "Hole #", {&W::item}},
+    {FigureKind::hole_part,     "Triangle of hole #: # of the area", {&W::item, &W::signed_share}},
+    {FigureKind::cargo,         "# weighs #", {&W::cargo, &W::weight}},
+    {FigureKind::old_centre,    "Centre of mass before, #", {&W::point}},
 };
 // clang-format on
 

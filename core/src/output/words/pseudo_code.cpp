@@ -18,6 +18,8 @@ struct Line {
 
 constexpr Line head[] = {
     {Statement::centre, "C := the given centre of mass, or else the centroid of P"}};
+constexpr Line with_cargo[] = {
+    {Statement::cargo, "for each item of cargo: C := (W C + w q) / (W + w), W := W + w"}};
 constexpr Line with_a_size[] = {
     {Statement::stands, "use only the parts of the boundary where a robot can stand"}};
 constexpr Line by_candidates[] = {
@@ -112,6 +114,7 @@ std::vector<Line> program(const Settings& settings) {
       : method == Method::given  ? std::span<const Line>(loads_of_springs)
                                  : loads_of_teams;
   std::vector<Line> lines(std::begin(head), std::end(head));
+  if (!settings.cargo.empty()) lines.push_back(with_cargo[0]);
   if (!stands_anywhere(settings)) lines.push_back(with_a_size[0]);
   lines.insert(lines.end(), selection.begin(), selection.end());
   lines.insert(lines.end(), loads.begin(), loads.end());

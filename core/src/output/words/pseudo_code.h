@@ -9,6 +9,7 @@ namespace evenlift {
 
 enum class Statement : std::uint8_t {
   centre,
+  cargo,
   stands,  // robots with a size
   // area, circle and distance
   each_vertex,

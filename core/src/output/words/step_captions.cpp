@@ -19,52 +19,6 @@ Piece StepCaptions::ratio(double value) const {
 
 Piece StepCaptions::least() const { return exact(placement_.settings.min_ratio); }
 
-std::string StepCaptions::polygon() const {
-  std::size_t reflex = 0;
-  const std::size_t n = trace_.polygon().size();
-  for (std::size_t i = 0; i < n; ++i) reflex += trace_.polygon().turn(i) == Turn::reflex;
-  const double size = trace_.polygon().diagonal();
-  return fill("The object: a polygon with # and an area of #. ",
-              {counted(n, "vertex"), number(trace_.object().area(), 0.1 * size * size)}) +
-         (reflex == 0 ? "It is convex."
-                      : fill("It is not convex: # of its corners point#inwards.",
-                             {whole(reflex), reflex == 1 ? "s " : " "})) +
-         (trace_.moved
-              ? " Robots were moved by hand. The steps show where the method puts them; the last step also describes where they stand now."
-              : "");
-}
-
-std::string StepCaptions::centroid() const {
-  return fill(
-      "The centroid is the point where the area balances. Cut the polygon into triangles that share vertex 1 and average their centroids, weighted by area; triangles that fold back count as negative. The centroid is #.",
-      {point_text(trace_, trace_.object().centroid())});
-}
-
-std::string StepCaptions::what_c_is() const {
-  const double moved = length(trace_.centre - trace_.object().centroid());
-  std::string text =
-      moved == 0
-          ? fill("The centre of mass C is the centroid, #.", {point_text(trace_, trace_.centre)})
-          : fill(
-                "The centre of mass C is at #, # from the centroid: the object is heavier on that side.",
-                {point_text(trace_, trace_.centre), length_text(trace_, moved)});
-  if (centre_is_outside(trace_)) text += " It lies outside the polygon.";
-  return text;
-}
-
-std::string StepCaptions::centre() const {
-  if (trace_.balanced())
-    return what_c_is() +
-           fill(" Where must # stand on the boundary so that all can carry the same load?",
-                {counted(placement_.settings.robots, "robot")});
-  if (trace_.given())
-    return what_c_is() +
-           fill(" # already stand: does the object stand on them, and what does each carry?",
-                {counted(count_robots(placement_.teams), "robot")});
-  return what_c_is() +
-         " Two robots carry the object without tipping it only if C is between them: a team stands at the two ends of a chord through C.";
-}
-
 std::string StepCaptions::radial() const {
   std::string list;
   const std::size_t shown = std::min<std::size_t>(trace_.radial_edges.size(), 6);

@@ -65,6 +65,7 @@ class StepCaptions : LookedAtStep {
   std::string by_springs() const;
   std::string extremes() const;
   std::string falls() const;
+  std::string cargo() const;
 
  private:
   Piece load(double value) const;
@@ -81,6 +82,8 @@ class StepCaptions : LookedAtStep {
   std::string team_without_candidates() const;
   std::string moves_of_swap() const;
   std::string gain_of_swap() const;
+  std::string own_centre() const;
+  std::string with_all_cargo() const;
   std::string what_c_is() const;
   static std::string left(const char* sense, const FreeRegion& region, bool before);
 };

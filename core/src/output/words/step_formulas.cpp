@@ -11,12 +11,21 @@
 namespace evenlift {
 namespace {
 
-// "a + b = total", or "≈" if the numbers as written do not add up.
-std::string sum(const Piece& a, const Piece& b, const Piece& total) {
+// Whether the numbers as written add up.
+bool add_up(const Piece& a, const Piece& b, const Piece& total) {
   const auto x = read_number(written(a)), y = read_number(written(b)),
              all = read_number(written(total));
-  const bool adds_up = !x || !y || !all || std::abs(*x + *y - *all) <= 1e-9 * *all;
-  return fill(adds_up ? "# + # = #" : "# + # ≈ #", {a, b, total});
+  return !x || !y || !all || std::abs(*x + *y - *all) <= 1e-9 * *all;
+}
+
+// "a + b = total", or "≈" if the numbers as written do not add up.
+std::string sum(const Piece& a, const Piece& b, const Piece& total) {
+  return fill(add_up(a, b, total) ? "# + # = #" : "# + # ≈ #", {a, b, total});
+}
+
+// "total − a = rest", or "≈".
+std::string difference(const Piece& total, const Piece& a, const Piece& rest) {
+  return fill(add_up(a, rest, total) ? "# − # = #" : "# − # ≈ #", {total, a, rest});
 }
 
 }  // namespace
@@ -62,13 +71,32 @@ std::string StepFormulas::score(const TeamScores& scores) const {
 }
 
 std::string StepFormulas::polygon() const {
+  const PolygonWithHoles& object = trace_.object();
+  double holes = 0;
+  for (const Polygon& hole : object.holes()) holes += hole.area();
+  if (holes > 0)
+    return "area = |x1·y2 − x2·y1 + x2·y3 − …| / 2 − Σ holes = " +
+           difference(area_text(trace_, object.outline().area()), area_text(trace_, holes),
+                      area_text(trace_, object.area()));
   return fill("area = |x1·y2 − x2·y1 + x2·y3 − …| / 2 = #",
               {area_text(trace_, trace_.object().area())});
 }
 
 std::string StepFormulas::centroid() const {
-  return fill("sum of area × centroid / sum of areas = #",
+  return fill(trace_.object().holes().empty()
+                  ? "sum of area × centroid / sum of areas = #"
+                  : "sum of area × centroid / sum of areas, both minus those of the holes = #",
               {point_text(trace_, trace_.object().centroid())});
+}
+
+std::string StepFormulas::cargo() const {
+  const Cargo& item = placement_.settings.cargo[item_];
+  const Loaded before = with_cargo(item_), after = with_cargo(item_ + std::size_t{1});
+  const auto weight = [](double value) { return significant(value, 6); };
+  return fill(
+      "C = (W0 C0 + Σ w q) / W = (# × # + # × #) / # = #",
+      {weight(before.weight), point_text(trace_, before.centre), weight(item.weight),
+       point_text(trace_, item.at), weight(after.weight), point_text(trace_, after.centre)});
 }
 
 // The ratio of the most even chord of a ray.

@@ -43,6 +43,7 @@ class StepFormulas : LookedAtStep {
   std::string by_areas() const;
   std::string by_springs() const;
   std::string extremes() const;
+  std::string cargo() const;
 
  private:
   Piece load(double value) const;

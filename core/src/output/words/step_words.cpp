@@ -95,6 +95,7 @@ constexpr StepRow steps[] = {
     {StepKind::by_springs,   &C::by_springs,   &F::by_springs, always<S::springs>},
     {StepKind::extremes,     &C::extremes,     &F::extremes,   always<S::springs>},
     {StepKind::falls,        &C::falls,        &F::none,       always<S::equations>},
+    {StepKind::cargo,        &C::cargo,        &F::cargo,      always<S::cargo>},
 };
 // clang-format on
 
@@ -173,6 +174,10 @@ std::string_view formula_letters(const Trace& trace, const StepDetail& detail) {
     case StepKind::by_lever:
     case StepKind::by_areas:
       return "W with a number is the load of that robot, and p its place.";
+    case StepKind::cargo:
+      return detail.step.item == 0
+                 ? "W0 and C0 are the weight and the centre of mass of the object alone, w and q those of an item of cargo; W is the weight of all."
+                 : "W0 and C0 are the weight and the centre of mass of the object alone, w and q those of an item of cargo; W is the weight of all. In the numbers, the object and the cargo before this item count as one.";
     case StepKind::coverage:
       return "P is the object, and H the lifting base.";
     case StepKind::closure:

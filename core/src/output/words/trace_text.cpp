@@ -139,6 +139,11 @@ Piece weight_text(const Trace& trace, double value, double largest) {
 
 Piece margin_text(double value) { return with_decimals(value, margin_decimals(value)); }
 
+std::string cargo_text(const Trace& trace, std::uint32_t item) {
+  const std::string& name = trace.placement.settings.cargo[item].name;
+  return fill(name.empty() ? "Cargo #" : "Cargo #, “#”,", {counted_from_1(item), name});
+}
+
 std::string robot_of_contact(const Contact& contact) {
   return fill("robot #", {counted_from_1(contact.point)});
 }

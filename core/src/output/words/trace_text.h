@@ -75,6 +75,9 @@ Piece weight_text(const Trace& trace, double value);
 Piece weight_text(const Trace& trace, double value, double largest);
 Piece margin_text(double value);
 
+// An item of cargo, with its name if it has one: "Cargo 2, “motor”,".
+std::string cargo_text(const Trace& trace, std::uint32_t item);
+
 // The robot of a contact: "robot 3".
 std::string robot_of_contact(const Contact& contact);
 
