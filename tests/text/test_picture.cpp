@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "evenlift/output/picture.h"
 #include "evenlift/placement.h"
@@ -50,4 +51,36 @@ TEST_CASE("a line joins each balanced robot with the centre of mass", "[picture]
   }
   CHECK(lines == 5);
   CHECK(robots == 5);
+}
+
+TEST_CASE("a picture has the holes, and cargo with a lever from the object's own centre of mass",
+          "[picture][holes][cargo]") {
+  Document document;
+  document.vertices = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+  document.holes = {{{2, 2}, {4, 2}, {4, 4}, {2, 4}}};
+  document.settings.weight = 96;
+  document.settings.cargo = {{{8, 8}, 24, "motor"}, {{1, 5}, 0.01, ""}};
+  const Result<Placement> placed = place(document);
+  REQUIRE(placed.ok());
+  std::vector<Shape> cargo, levers, own;
+  const std::vector<Shape> shapes = make_picture(*placed, {});
+  for (const Shape& shape : shapes) {
+    if (shape.role == Role::cargo) cargo.push_back(shape);
+    if (shape.role == Role::cargo_lever) levers.push_back(shape);
+    if (shape.role == Role::own_centre) own.push_back(shape);
+  }
+  CHECK(shapes.front().holes == document.holes);
+  REQUIRE(cargo.size() == 2);
+  CHECK(cargo[0].radius == Approx(largest_cargo_disc * std::sqrt(200.0)));
+  CHECK(cargo[1].radius / cargo[0].radius == Approx(std::sqrt(0.01 / 24)));
+  CHECK((cargo[1].item == 1 && cargo[1].load == 0.01));
+  REQUIRE(levers.size() == 1);
+  CHECK(levers[0].points == Points{placed->own_centre, placed->centre_of_mass});
+  REQUIRE(own.size() == 1);
+  CHECK(own[0].points == Points{placed->own_centre});
+
+  // Light cargo is as large as the part of the object that weighs as much.
+  document.settings.cargo = {{{8, 8}, 0.96, ""}};
+  const std::vector<double> radii = cargo_radii(*place(document));
+  CHECK(3.14159265358979 * radii.at(0) * radii.at(0) == Approx(0.96));
 }

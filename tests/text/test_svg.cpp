@@ -213,3 +213,91 @@ TEST_CASE("loads keep clear of robots' bodies, and the key explains what is seen
       CHECK(std::sqrt(dx * dx + dy * dy) > body[2]);
     }
 }
+
+namespace {
+
+// The numbers of some attributes, for each element of a class.
+std::vector<std::vector<double>> numbers_of(const std::string& svg, const std::string& of_class,
+                                            const std::vector<std::string>& names) {
+  std::vector<std::vector<double>> all;
+  const std::string begin = "class=\"" + of_class + "\"";
+  for (std::size_t at = svg.find(begin); at != std::string::npos; at = svg.find(begin, at + 1)) {
+    const std::size_t start = svg.rfind('<', at);
+    const std::string tag = svg.substr(start, svg.find('>', at) - start);
+    all.emplace_back();
+    for (const std::string& name : names)
+      all.back().push_back(std::stod(tag.substr(tag.find(" " + name + "=\"") + name.size() + 3)));
+  }
+  return all;
+}
+
+Document plate_with_cargo() {
+  Document document;
+  document.vertices = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+  document.holes = {{{2, 2}, {4, 2}, {4, 4}, {2, 4}}, {{6, 2}, {6, 4}, {7, 4}}};
+  document.settings.weight = 96;
+  document.settings.min_ratio = 0.5;
+  document.settings.cargo = {{{8, 8}, 24, "motor & fan"}, {{12, 3}, 6, ""}};
+  return document;
+}
+
+}  // namespace
+
+TEST_CASE("holes are empty in a picture: one path with the even-odd rule", "[svg][holes]") {
+  Document document = plate_with_cargo();
+  document.settings.cargo.clear();
+  const std::string svg = placement_svg(placed(document));
+  check_picture(svg);
+  const std::size_t at = svg.find("class=\"object\"");
+  REQUIRE(at != std::string::npos);
+  const std::string tag = svg.substr(at, svg.find('>', at) - at);
+  CHECK(occurrences(tag, "M") == 3);
+  CHECK(occurrences(tag, "Z") == 3);
+  CHECK(occurrences(tag, "fill-rule=\"evenodd\"") == 1);
+  CHECK(occurrences(svg, "class=\"object\"") == 1);
+  CHECK(occurrences(svg, " lifting a polygonal object with 2 holes</title>") == 1);
+  CHECK(svg.find("2\u00A0holes") != std::string::npos);
+  CHECK(occurrences(svg, "cargo") == 0);
+  document.holes.clear();
+  CHECK(occurrences(placement_svg(placed(document)), "evenodd") == 0);
+}
+
+TEST_CASE("a picture shows cargo as discs whose area tells its weight", "[svg][cargo]") {
+  const Placement placement = placed(plate_with_cargo());
+  const std::string svg = placement_svg(placement);
+  check_picture(svg);
+  auto discs = numbers_of(svg, "cargo", {"cx", "cy", "r"});
+  REQUIRE(discs.size() == 3);  // and one in the key
+  CHECK(std::pow(discs[0][2] / discs[1][2], 2) == Approx(4).epsilon(1e-3));
+  CHECK(discs[1][0] > discs[0][0]);
+  const auto marks = numbers_of(svg, "own-centre", {"cx", "cy"});
+  REQUIRE(marks.size() == 2);  // and one in the key
+  CHECK(occurrences(svg, "class=\"cargo-lever\"") == 1);
+  CHECK(occurrences(svg, ">motor &amp; fan</text>") == 1);
+  CHECK(occurrences(svg, ">6\u00A0kg</text>") == 1);
+  CHECK(occurrences(svg, ">centre of mass without cargo</text>") == 1);
+  CHECK(occurrences(svg, ">cargo, by weight</text>") == 1);
+  CHECK(svg.find("2\u00A0items") != std::string::npos);
+  CHECK(occurrences(svg, " lifting a polygonal object with 2 holes and cargo</title>") == 1);
+  // No name covers a disc.
+  discs.pop_back();
+  for (const auto& name : numbers_of(svg, "cargo-name", {"x", "y"}))
+    for (const auto& disc : discs)
+      CHECK(std::hypot(name[0] - disc[0], name[1] - 5 - disc[1]) > disc[2]);
+  CHECK(well_formed(placement_sketch(placement)));
+}
+
+TEST_CASE("cargo far away leaves the object large, and long names are cut", "[svg][cargo]") {
+  Document document = plate_with_cargo();
+  const auto width_of = [](const std::string& svg) {
+    return std::stod(svg.substr(svg.find(" width=\"") + 8));
+  };
+  document.settings.cargo = {{{5, 5}, 2, "änderungswürdiges Gerät mit Pumpe"}};
+  const double alone = width_of(placement_svg(placed(document)));
+  document.settings.cargo.push_back({{1e9, 5}, 1e-9, "far"});
+  const std::string svg = placement_svg(placed(document));
+  check_picture(svg);
+  CHECK(width_of(svg) == alone);
+  CHECK(occurrences(svg, ">far</text>") == 0);
+  CHECK(occurrences(svg, ">änderungswürdiges Gerät…</text>") == 1);
+}

@@ -20,7 +20,7 @@ problems = []
 # The roles whose names differ from the theme's.
 in_css = {"line": "panel_line", "second": "second_text", "on-accent": "on_accent", "amber-ground": "amber_ground"}
 in_svg = {"line": "panel_line", "outline": "object_outline", "clockwise": "clockwise_line", "counterclockwise": "counter_line", "overload": "amber", "slide": "amber",
-          "no_go": "amber", "unusable": "quiet", "body": "robot"}
+          "no_go": "amber", "unusable": "quiet", "body": "robot", "cargo": "chord"}
 
 
 def read(path):

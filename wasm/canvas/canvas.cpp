@@ -114,6 +114,9 @@ void draw_shape(const Painter& painter, const CanvasView& view, const Shape& sha
       break;
     case Role::robot:
     case Role::centre_of_mass:
+    case Role::cargo:
+    case Role::cargo_lever:
+    case Role::own_centre:
       break;  // marks: they are drawn on top, and do not grow with the zoom
   }
 }

@@ -21,10 +21,11 @@ struct Request {
 };
 
 struct Surroundings {
-  Box frame;                    // labels stay inside
-  Points outline;               // of the object: its interior is avoided, its edges even more
-  std::vector<Segment> chords;  // avoided if possible
-  std::vector<Box> marks;       // never covered; may include owners
+  Box frame;                       // labels stay inside
+  Points outline;                  // of the object: its interior is avoided, its edges even more
+  std::vector<Segment> chords;     // avoided if possible
+  std::vector<Box> marks;          // never covered; may include owners
+  std::vector<Points> holes = {};  // of the object: free ground, whose edges are avoided
 };
 
 // A box for each label in turn; nothing for a label if every place would cover a mark, an owner or

@@ -13,7 +13,7 @@
 namespace evenlift {
 
 enum class Role : std::uint8_t {
-  object,            // filled polygon P
+  object,            // filled polygon P, without its holes
   lifting_base,      // filled lifting base H
   clockwise,         // filled region of free clockwise rotation centres
   counterclockwise,  // filled region of free counter-clockwise rotation centres
@@ -21,13 +21,19 @@ enum class Role : std::uint8_t {
   chord,             // a line that joins the robots of a team
   robot,             // a lifting point
   centre_of_mass,
+  cargo,        // a disc whose area tells the weight of an item
+  cargo_lever,  // from C0, the object's own centre of mass, to C; only with cargo
+  own_centre,   // C0; only with cargo
 };
 
 struct Shape {
   Role role = Role::object;
   Points points;                      // closed area (3 or more), segment (2) or spot (1)
   std::optional<std::uint32_t> team;  // index of the team, for chords and robots
-  double load = 0;                    // for robots
+  double load = 0;                    // for robots; for cargo, its weight
+  std::vector<Points> holes = {};     // of the object
+  std::uint32_t item = 0;             // the index of the cargo
+  double radius = 0;                  // of its disc, in units of length
 };
 
 // The lines that join a team: the chord of a team of two, otherwise a line from each robot to C.
@@ -36,6 +42,12 @@ struct Segment {
   Vec2 from = Vec2::Zero(), to = Vec2::Zero();
 };
 std::vector<Segment> joining_lines(const Team& team, const Vec2& centre);
+
+// The radius of the disc of each item of cargo, in units of length. If the discs had the object's
+// weight for each unit of area, they would show how much of the object weighs as much; all are
+// smaller in the same ratio if the largest would exceed `largest_cargo_disc` L. O(items).
+inline constexpr double largest_cargo_disc = 0.06;
+std::vector<double> cargo_radii(const Placement& placement);
 
 // The mark by which one sees which robots form a team: as many strokes as the number of the team
 // (from 1) tells, side by side, where a broad one counts five. `at` is the robot's place on the

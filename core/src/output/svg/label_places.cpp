@@ -81,9 +81,12 @@ Nearby near(const Request& request, const Surroundings& around) {
   const double reach = 2 * (request.size.x() + request.size.y()) + distances[2];
   const Box area = grown(request.owner, reach);
   Nearby nearby;
-  const Points& p = around.outline;
-  for (std::size_t i = 0, j = p.size() - 1; i < p.size(); j = i++)
-    if (touches(bounds({p[j], p[i]}), area)) nearby.edges.push_back({p[j], p[i]});
+  const auto add_edges = [&](const Points& p) {
+    for (std::size_t i = 0, j = p.size() - 1; i < p.size(); j = i++)
+      if (touches(bounds({p[j], p[i]}), area)) nearby.edges.push_back({p[j], p[i]});
+  };
+  add_edges(around.outline);
+  for (const Points& hole : around.holes) add_edges(hole);
   for (const Segment& chord : around.chords)
     if (touches(bounds(chord), area)) nearby.chords.push_back(chord);
   return nearby;
@@ -151,9 +154,14 @@ class Placer {
     for (const Segment& chord : nearby_[i].chords)
       if (meets(chord, box)) cost += cost_of_chord;
     const Vec2 middle = (box.low + box.high) / 2;
-    if (around_.outline.size() <= large_outline && inside(around_.outline, middle))
-      cost += cost_of_inside;
+    if (on_object(middle)) cost += cost_of_inside;
     return cost;
+  }
+
+  bool on_object(const Vec2& at) const {
+    return around_.outline.size() <= large_outline && inside(around_.outline, at) &&
+           std::none_of(around_.holes.begin(), around_.holes.end(),
+                        [&](const Points& hole) { return inside(hole, at); });
   }
 
   const std::vector<Request>& requests_;

@@ -1,6 +1,9 @@
 #include "evenlift/output/picture.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "evenlift/angles.h"
 
 namespace evenlift {
 namespace {
@@ -25,7 +28,35 @@ void add_candidates(std::vector<Shape>& shapes, const Placement& placement, std:
   }
 }
 
+void add_cargo(std::vector<Shape>& shapes, const Placement& placement) {
+  const std::vector<Cargo>& cargo = placement.settings.cargo;
+  if (cargo.empty()) return;
+  const std::vector<double> radii = cargo_radii(placement);
+  for (std::uint32_t i = 0; i < cargo.size(); ++i)
+    shapes.push_back({.role = Role::cargo,
+                      .points = {cargo[i].at},
+                      .load = cargo[i].weight,
+                      .item = i,
+                      .radius = radii[i]});
+  shapes.push_back({Role::cargo_lever, {placement.own_centre, placement.centre_of_mass}});
+  shapes.push_back({Role::own_centre, {placement.own_centre}});
+}
+
 }  // namespace
+
+std::vector<double> cargo_radii(const Placement& placement) {
+  const Settings& settings = placement.settings;
+  const double most = largest_cargo_disc * placement.polygon().diameter();
+  double largest = 0;
+  std::vector<double> radii;
+  for (const Cargo& item : settings.cargo) {
+    radii.push_back(std::sqrt(placement.object.area() * (item.weight / settings.weight) / pi));
+    largest = std::max(largest, radii.back());
+  }
+  if (largest > most)
+    for (double& radius : radii) radius *= most / largest;
+  return radii;
+}
 
 std::vector<Segment> joining_lines(const Team& team, const Vec2& centre) {
   const std::vector<Robot>& robots = team.robots;
@@ -54,7 +85,9 @@ std::vector<TallyStroke> tally(std::size_t team, const Vec2& at, const Vec2& out
 std::vector<Shape> make_picture(const Placement& placement, const Overlays& overlays,
                                 std::size_t most_lines) {
   std::vector<Shape> shapes;
-  shapes.push_back({Role::object, placement.vertices()});
+  shapes.push_back({.role = Role::object,
+                    .points = placement.vertices(),
+                    .holes = placement.object.rings_of_holes()});
   // Without contacts every point is free, so there is no region to draw.
   const bool touches = placement.closure.margin.has_value();
   if (touches && overlays.clockwise)
@@ -73,6 +106,7 @@ std::vector<Shape> make_picture(const Placement& placement, const Overlays& over
         shapes.push_back({Role::chord, {line.from, line.to}, i});
     }
   }
+  add_cargo(shapes, placement);
   shapes.push_back({Role::centre_of_mass, {placement.centre_of_mass}});
   // The first teams, which matter most, are on top.
   for (std::uint32_t i = teams; i-- > 0;) {

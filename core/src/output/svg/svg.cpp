@@ -1,6 +1,11 @@
 #include "evenlift/output/svg.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "evenlift/capacity.h"
 #include "evenlift/output/label_places.h"
@@ -10,6 +15,7 @@
 #include "evenlift/stands.h"
 #include "output/svg/svg_bodies.h"
 #include "output/svg/svg_caption.h"
+#include "output/svg/svg_cargo.h"
 #include "output/svg/svg_markup.h"
 #include "output/svg/svg_paper.h"
 #include "output/svg/svg_stands.h"
@@ -19,8 +25,19 @@ namespace evenlift {
 namespace svg {
 namespace {
 
-// The greatest number of readable loads. The JSON contains all loads.
+// The greatest number of readable loads, or names of cargo. The JSON contains all loads.
 constexpr std::size_t most_labels = 150;
+
+// Smaller discs of cargo would be invisible.
+constexpr double smallest_cargo_disc = 3;
+
+// A text beside a part of the picture.
+struct Label {
+  labels::Request request;
+  std::string words;
+  std::string look;
+  bool overload = false;
+};
 
 class Drawing {
  public:
@@ -55,8 +72,9 @@ class Drawing {
     for (const Shape& shape : make_picture(placement_, of_.shown.overlays)) drawing += drawn(shape);
     if (placement_.stands) drawing += stands();
     drawing += slide();
+    if (own_centre_) drawing += own_centre_mark(*own_centre_, 6);
     drawing += robots();
-    return drawing + loads();
+    return drawing + named();
   }
 
   std::string document(const std::string& drawing, const Caption& caption,
@@ -86,20 +104,26 @@ class Drawing {
     const std::size_t teams = placement_.teams.size();
     const std::size_t robots = count_robots(placement_.teams);
     if (placement_.settings.method == Method::given)
-      return count_of(robots, "robot", "robots") + " that already stand, below a polygonal object";
+      return count_of(robots, "robot", "robots") + " that already stand, below " + object_named();
     if (placement_.settings.method == Method::balanced)
-      return count_of(robots, "balanced robot", "balanced robots") + " lifting a polygonal object";
-    return std::to_string(teams) + (teams == 1 ? " team" : " teams") +
-           " of two robots lifting a polygonal object";
+      return count_of(robots, "balanced robot", "balanced robots") + " lifting " + object_named();
+    return std::to_string(teams) + (teams == 1 ? " team" : " teams") + " of two robots lifting " +
+           object_named();
+  }
+
+  std::string object_named() const {
+    const std::size_t holes = placement_.object.holes().size();
+    const bool has_cargo = !placement_.settings.cargo.empty();
+    std::string words = "a polygonal object";
+    if (holes > 0) words += " with " + count_of(holes, "hole", "holes");
+    if (has_cargo) words += holes > 0 ? " and cargo" : " with cargo";
+    return words;
   }
 
   std::string drawn(const Shape& shape) {
     switch (shape.role) {
       case Role::object:
-        outline_ = visible(paper_(shape.points));
-        return drawn_path("object", outline_, true,
-                          attribute("fill", object_colour) + attribute("stroke", outline_colour) +
-                              attribute("stroke-width", 2));
+        return object(shape);
       case Role::clockwise:
         return region(shape, true, seen_.clockwise);
       case Role::counterclockwise:
@@ -117,6 +141,15 @@ class Drawing {
             attribute("stroke", chord_colour) + attribute("stroke-width", chord_width_));
       case Role::centre_of_mass:
         return centre_mark(paper_(shape.points[0]), 8);
+      case Role::cargo:
+        return cargo(shape);
+      case Role::cargo_lever:
+        return lever(shape);
+      case Role::own_centre:
+        // In front of the arrow, which may begin there.
+        if (is_on_paper(paper_(shape.points[0]))) own_centre_ = paper_(shape.points[0]);
+        seen_.own_centre = own_centre_.has_value();
+        break;
       case Role::robot:
         break;  // robots() draws robots at the same place together
     }
@@ -127,6 +160,43 @@ class Drawing {
                                 const std::string& look) {
     return element("path", attribute("class", name) + path(points, closed) + look +
                                attribute("stroke-linejoin", "round"));
+  }
+
+  // With its holes empty: they do not belong to the inside of its path.
+  std::string object(const Shape& shape) {
+    outline_ = visible(paper_(shape.points));
+    const std::string look = attribute("fill", object_colour) +
+                             attribute("stroke", outline_colour) + attribute("stroke-width", 2);
+    if (shape.holes.empty()) return drawn_path("object", outline_, true, look);
+    for (const Points& hole : shape.holes) holes_.push_back(visible(paper_(hole)));
+    std::vector<Points> rings = {outline_};
+    rings.insert(rings.end(), holes_.begin(), holes_.end());
+    return element("path", attribute("class", "object") + path(rings) +
+                               attribute("fill-rule", "evenodd") + look +
+                               attribute("stroke-linejoin", "round"));
+  }
+
+  // Items that overhang too far are not on the paper.
+  std::string cargo(const Shape& shape) {
+    const Vec2 at = paper_(shape.points[0]);
+    if (!is_on_paper(at)) return "";
+    seen_.cargo = true;
+    const double radius = std::max(smallest_cargo_disc, shape.radius * paper_.scale);
+    const Vec2 corner(radius, radius);
+    cargo_.push_back({shape.item, {at - corner, at + corner}});
+    return cargo_disc(at, radius);
+  }
+
+  // From the object's own centre of mass to C.
+  std::string lever(const Shape& shape) {
+    const Points line = clipped(paper_(shape.points), paper_);
+    if (line.size() < 2) return "";
+    chords_.emplace_back(line[0], line[1]);
+    return drawn_path("cargo-lever", line, false, attribute("stroke", text_colour));
+  }
+
+  bool is_on_paper(const Vec2& at) const {
+    return at.x() > 0 && at.x() < paper_.width && at.y() > 0 && at.y() < paper_.height;
   }
 
   // With a single team H is a segment, drawn as a broad stroke under its chord.
@@ -247,42 +317,72 @@ class Drawing {
     return false;
   }
 
-  std::string loads() {
-    if (stands_.size() > most_labels || !placement_.loads) return "";
+  // Everything that words must not cover, or should avoid.
+  labels::Surroundings surroundings() const {
     const Vec2 centre = paper_(placement_.centre_of_mass);
-    labels::Surroundings around = {
-        {Vec2(6, 6), Vec2(paper_.width - 6, paper_.height - 6)},
-        outline_,
-        chords_,
-        {{centre - Vec2(11, 11), centre + Vec2(11, 11)}},
-    };
+    labels::Surroundings around;
+    around.frame = {Vec2(6, 6), Vec2(paper_.width - 6, paper_.height - 6)};
+    around.outline = outline_;
+    around.holes = holes_;
+    around.chords = chords_;
+    around.marks = {{centre - Vec2(11, 11), centre + Vec2(11, 11)}};
     for (const Stand& stand : stands_) around.marks.push_back(disc(stand));
     for (const PlacedRobot& robot : sized_) {
       around.marks.push_back(body_box(robot, placement_.stands->robot(), paper_));
       around.chords.emplace_back(paper_(robot.at), paper_(robot.stand));
     }
-    const Units& units = of_.shown.units;
-    std::vector<labels::Request> requests;
-    for (const Stand& stand : stands_) {
-      const double width = text_width(load_text(stand, largest_load_, units), label_size_, 0.58);
-      requests.push_back(
-          {stand.body.value_or(disc(stand)), stand.at - centre, {width, label_size_}});
-    }
-    const std::vector<std::optional<labels::Box>> places = labels::place(requests, around);
+    for (const auto& [item, box] : cargo_) around.marks.push_back(box);
+    if (own_centre_) around.marks.push_back({*own_centre_ - Vec2(8, 8), *own_centre_ + Vec2(8, 8)});
+    return around;
+  }
 
-    // A white border keeps a number readable on hatching or a line.
+  Label label(const labels::Box& owner, const Vec2& away, std::string words,
+              std::string look) const {
+    const double width = text_width(words, label_size_, 0.58);
+    return {{owner, away, {width, label_size_}}, std::move(words), std::move(look)};
+  }
+
+  void add_loads(std::vector<Label>& wanted) const {
+    if (stands_.size() > most_labels || !placement_.loads) return;
+    const Vec2 centre = paper_(placement_.centre_of_mass);
+    for (const Stand& stand : stands_) {
+      const bool over = overloads(stand);
+      wanted.push_back(label(stand.body.value_or(disc(stand)), stand.at - centre,
+                             load_text(stand, largest_load_, of_.shown.units),
+                             attribute("class", over ? "load overload" : "load") +
+                                 attribute("fill", over ? overload_colour : text_colour)));
+      wanted.back().overload = over;
+    }
+  }
+
+  // Beneath each item if there is room.
+  void add_names_of_cargo(std::vector<Label>& wanted) const {
+    if (cargo_.size() > most_labels) return;
+    for (const auto& [item, box] : cargo_)
+      wanted.push_back(label(box, Vec2(0, 1),
+                             cargo_label(placement_.settings.cargo[item], of_.shown.units),
+                             attribute("class", "cargo-name") + attribute("fill", text_colour)));
+  }
+
+  // The loads of the robots and the names of the cargo.
+  std::string named() {
+    std::vector<Label> wanted;
+    add_loads(wanted);
+    add_names_of_cargo(wanted);
+    std::vector<labels::Request> requests;
+    for (const Label& each : wanted) requests.push_back(each.request);
+    const std::vector<std::optional<labels::Box>> places = labels::place(requests, surroundings());
+
+    // A white border keeps words readable on hatching or a line.
     const std::string border = attribute("stroke", "#FFFFFF") + attribute("stroke-width", 3.5) +
                                attribute("stroke-linejoin", "round") +
                                attribute("paint-order", "stroke");
     std::string out;
-    for (std::size_t i = 0; i < stands_.size(); ++i) {
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
       if (!places[i]) continue;
-      const bool over = overloads(stands_[i]);
-      seen_.overload = seen_.overload || over;
-      out += centred((places[i]->low + places[i]->high) / 2, label_size_,
-                     load_text(stands_[i], largest_load_, units),
-                     attribute("class", over ? "load overload" : "load") +
-                         attribute("fill", over ? overload_colour : text_colour) + border);
+      seen_.overload = seen_.overload || wanted[i].overload;
+      out += centred((places[i]->low + places[i]->high) / 2, label_size_, wanted[i].words,
+                     wanted[i].look + border);
     }
     return out;
   }
@@ -297,7 +397,10 @@ class Drawing {
   std::vector<Stand> stands_;
   // Known after drawing:
   Points outline_;
+  std::vector<Points> holes_;
   std::vector<labels::Segment> chords_;
+  std::vector<std::pair<std::uint32_t, labels::Box>> cargo_;  // the items, and their discs' boxes
+  std::optional<Vec2> own_centre_;
   Seen seen_;
 };
 

@@ -3,6 +3,7 @@
 #include "evenlift/output/markup.h"
 #include "evenlift/output/words.h"
 #include "evenlift/stands.h"
+#include "output/svg/svg_cargo.h"
 #include "output/svg/svg_markup.h"
 #include "output/svg/svg_style.h"
 
@@ -49,6 +50,7 @@ Points extent(const Placement& placement, const std::vector<PlacedRobot>& robots
     points.emplace_back(robot.stand - Vec2(radius, radius));
     points.emplace_back(robot.stand + Vec2(radius, radius));
   }
+  add_discs_of_cargo(placement, points);
   return points;
 }
 

@@ -14,8 +14,8 @@ namespace evenlift::svg {
 // The robots, team after team, if they have a size; otherwise empty. O(n + robots).
 std::vector<PlacedRobot> robots_with_size(const Placement& placement);
 
-// The points that must fit on the paper: the vertices and the outlines of these robots' bodies. O(n
-// + robots).
+// The points that must fit on the paper: the vertices, the outlines of these robots' bodies and the
+// discs of cargo. O(n + robots + items).
 Points extent(const Placement& placement, const std::vector<PlacedRobot>& robots);
 
 // Empty for points that may stand anywhere. O(parts).

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "evenlift/output/words.h"
+#include "output/svg/svg_cargo.h"
 #include "output/svg/svg_markup.h"
 #include "output/svg/svg_style.h"
 
@@ -27,7 +28,13 @@ std::string settings_line(const ShownPlacement& of) {
   if (shown.capacity) line += " · a robot can carry " + given_weight(*shown.capacity, shown.units);
   if (shown.com_radius > 0)
     line += " · C uncertainty " + with_length_unit(plain(shown.com_radius), shown.units);
-  return line + (placement.closure.form_closure ? " · form closure" : " · no form closure");
+  line += placement.closure.form_closure ? " · form closure" : " · no form closure";
+  if (const std::size_t holes = placement.object.holes().size())
+    line += " · " + std::to_string(holes) + (holes == 1 ? "\u00A0hole" : "\u00A0holes");
+  if (const std::size_t items = settings.cargo.size())
+    line += " · " + std::to_string(items) +
+            (items == 1 ? "\u00A0item of\u00A0cargo" : "\u00A0items of\u00A0cargo");
+  return line;
 }
 
 struct KeyEntry {
@@ -54,6 +61,9 @@ std::vector<KeyEntry> key(const Seen& seen) {
                        "can turn counter-clockwise about here"});
   if (seen.slide) entries.push_back({arrow({-9, 0}, {9, 0}, slide_colour), "can slide this way"});
   entries.push_back({centre_mark(Vec2(0, 0), 6), "centre of mass"});
+  if (seen.own_centre)
+    entries.push_back({own_centre_mark(Vec2(0, 0), 5), "centre of mass without cargo"});
+  if (seen.cargo) entries.push_back({cargo_disc(Vec2(0, 0), 6), "cargo, by weight"});
   if (seen.body)
     entries.push_back(
         {element("circle", attribute("r", 6) + attribute("fill", body_colour) +

@@ -11,6 +11,7 @@ namespace evenlift::svg {
 struct Seen {
   bool hull = false, clockwise = false, counterclockwise = false;
   bool no_go = false, unusable = false, body = false, overload = false, slide = false;
+  bool cargo = false, own_centre = false;
 };
 
 struct Caption {

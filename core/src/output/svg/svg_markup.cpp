@@ -22,10 +22,24 @@ std::string element(std::string_view tag, std::string_view attributes) {
   return "<" + std::string(tag) + std::string(attributes) + "/>\n";
 }
 
-std::string path(const Points& points, bool closed) {
+namespace {
+
+std::string path_data(const Points& points, bool closed) {
   std::string data;
   for (const Vec2& p : points) data += (data.empty() ? "M" : "L") + px(p.x()) + " " + px(p.y());
-  return attribute("d", data + (closed ? "Z" : ""));
+  return data + (closed ? "Z" : "");
+}
+
+}  // namespace
+
+std::string path(const Points& points, bool closed) {
+  return attribute("d", path_data(points, closed));
+}
+
+std::string path(const std::vector<Points>& rings) {
+  std::string data;
+  for (const Points& ring : rings) data += path_data(ring, true);
+  return attribute("d", data);
 }
 
 std::string arrow(const Vec2& tail, const Vec2& head, std::string_view colour) {

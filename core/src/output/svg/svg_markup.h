@@ -18,6 +18,7 @@ std::string attribute(std::string_view name, double value);
 std::string element(std::string_view tag, std::string_view attributes);  // <tag .../>
 
 std::string path(const Points& points, bool closed);  // the attribute d
+std::string path(const std::vector<Points>& rings);   // of closed rings
 
 // An arrow, on a white border that separates it from the shapes below.
 std::string arrow(const Vec2& tail, const Vec2& head, std::string_view colour);

@@ -27,6 +27,7 @@ inline constexpr std::string_view unusable_colour = "#8592A0";
 inline constexpr std::string_view no_go_colour = "#9A5B00";
 inline constexpr std::string_view slide_colour = "#9A5B00";
 inline constexpr std::string_view body_colour = "#1B232B";
+inline constexpr std::string_view cargo_colour = "#55616D";
 inline constexpr std::string_view candidate_colour = "#66727E";
 
 }  // namespace evenlift::svg
