@@ -25,6 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   for (const Vec2& vertex : document->vertices) fuzz::require(vertex.allFinite());
   require_same(*document, write_thesis(*document));
+  fuzz::require(read_polygon(write_thesis(*document))->settings == document->settings);
   require_same(*document, write_geojson(*document));
   document->centre_of_mass.reset();
   require_same(*document, write_wkt(*document));

@@ -6,8 +6,10 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <string>
+#include <string_view>
 
 #include "evenlift/document.h"
 #include "evenlift/random.h"
@@ -30,7 +32,8 @@ inline bool same_vertices(const Points& a, const Points& b) {
 inline bool same_polygon(const Document& a, const Document& b) {
   if (a.centre_of_mass.has_value() != b.centre_of_mass.has_value()) return false;
   if (a.centre_of_mass && !same_bits(*a.centre_of_mass, *b.centre_of_mass)) return false;
-  return same_vertices(a.vertices, b.vertices);
+  return same_vertices(a.vertices, b.vertices) &&
+         std::equal(a.holes.begin(), a.holes.end(), b.holes.begin(), b.holes.end(), same_vertices);
 }
 
 inline bool same_document(const Document& a, const Document& b) {
@@ -141,6 +144,21 @@ inline Document random_document(Rng& rng, std::size_t greatest_n) {
   if (centre == 3 && !document.vertices.empty()) document.centre_of_mass = document.vertices[0];
   if (rng.below(2) == 0) take_random_settings(rng, document);
   return document;
+}
+
+// Gives the document rings that need not lie in it.
+inline void take_random_holes(Rng& rng, Document& document) {
+  for (std::uint64_t count = rng.below(5); count > 0; --count)
+    document.holes.push_back(random_vertices(rng, 1 + rng.below(9)));
+}
+
+inline void take_random_cargo(Rng& rng, Document& document) {
+  const std::string names[] = {"",      "motor", "5 kg box", "Stra\u00dfe, \u00fcber (7,8)",
+                               "Hole:", "e5"};
+  for (std::uint64_t count = rng.below(4); count > 0; --count)
+    document.settings.cargo.push_back({random_vertices(rng, 1)[0],
+                                       std::fabs(any_double(rng, max_weight)) + min_weight,
+                                       names[rng.below(std::size(names))]});
 }
 
 // Gives the document supports, the method `given`, and perhaps capacities.

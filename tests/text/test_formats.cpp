@@ -310,6 +310,66 @@ TEST_CASE("a column counts characters, not bytes", "[formats][errors]") {
   CHECK(error.place.other == 26);
 }
 
+TEST_CASE("a motor's line gives its place, weight and name", "[formats][cargo]") {
+  const auto cargo_of = [](const std::string& lines) {
+    return read("(0,0)\n(10,-2.5)\n(3,1000)\n" + lines).settings.cargo;
+  };
+  CHECK(cargo_of("Cargo:(2,300) 12 motor\n") == std::vector<Cargo>{{{2, 300}, 12, "motor"}});
+  CHECK(cargo_of(" cargo : ( 2 , 300 )\t1.2e1 \t motor  of 2 kW \r\n") ==
+        std::vector<Cargo>{{{2, 300}, 12, "motor  of 2 kW"}});
+  CHECK(cargo_of("CARGO:(2100,-3)7\n\nCargo:(0,0) 0.5 5 kg\n") ==
+        std::vector<Cargo>{{{2100, -3}, 7, ""}, {{0, 0}, 0.5, "5 kg"}});
+  std::string longest;
+  for (std::size_t i = 0; i < max_name_characters; ++i) longest += "\u20ac";
+  CHECK(cargo_of("Cargo:(0,0) 1 " + longest)[0].name == longest);
+  CHECK(cargo_of("Cargo:(0,0) 1e-100")[0].weight == min_weight);
+  CHECK(cargo_of("Cargo:(0,0) 1e100")[0].weight == max_weight);
+
+  const auto wrong = [](const std::string& line) {
+    const InputError error = refusal("(0,0)\n(10,0)\n(3,9)\n" + line);
+    return describe(error.place) + ": " + error.message;
+  };
+  const std::string weight =
+      "line 4, column 13: the weight of cargo must be a number greater than 0, from 1e-100 to 1e100";
+  for (const char* line : {"Cargo:(0,0) 0", "Cargo:(0,0) -1 box", "Cargo:(0,0) 1.1e100"})
+    CHECK(wrong(line) == weight);
+  CHECK(wrong("Cargo:(0,0) 1 " + longest + "x") ==
+        "line 4, column 15: the name of cargo must have at most 60 characters");
+  CHECK(wrong("Cargo:(0,0) 1 a\xff") == "line 4, column 15: the name of cargo must be valid UTF-8");
+  for (const char* name : {"a\tb", "a\x7f", "a\xc2\x85"})
+    CHECK(wrong(std::string("Cargo:(0,0) 1 ") + name) ==
+          "line 4, column 15: the name of cargo must have no control characters");
+  CHECK(wrong("Cargo:(0,0) motor").find("expected a weight after ')'") != std::string::npos);
+  CHECK(wrong("Cargo:(0,0)").find("expected a weight after ')'") != std::string::npos);
+  CHECK(wrong("Cargo:(0,0) 12kg").find("expected a space or the end of the line") !=
+        std::string::npos);
+  CHECK(wrong("Cargo:(0,0) 1\nHole:\n(1,1)") ==
+        "line 5, column 1: vertices and holes come before the cargo");
+  CHECK(wrong("Cargo:(0,0) 1\n(1,1)") ==
+        "line 5, column 1: vertices and holes come before the cargo");
+}
+
+TEST_CASE("the rings after the first are holes in every format", "[formats][holes]") {
+  const std::vector<Points> holes = {{{1, 1}, {2, 1}, {2, 2}}, {{4, 4}, {5, 4}, {5, 5}, {4, 5}}};
+  for (
+      const char* text :
+      {"(0,0)\n(10,-2.5)\n(3,1000)\nHole:\n(1,1)\n(2,1)\n(2,2)\nHole:\n(4,4)\n(5,4)\n(5,5)\n(4,5)",
+       "(0,0)\r(10,-2.5)\r(3,1000)\r\r hole :\t\r( 1 , 1 )\r(2,1)\r(2,2)\rHOLE:\r(4,4)\r(5,4)\r\r(5,5)"
+       "\r(4,5)\r",
+       "POLYGON((0 0,10 -2.5,3 1000,0 0),(1 1,2 1,2 2,1 1),(4 4,5 4,5 5,4 5))",
+       "MultiPolygon\n( ( (0 0,10 -2.5,3 1000) , (1 1,2 1,2 2)\n,\n(4 4,5 4,5 5,4 5,4 4) ) ) ",
+       R"({"type":"Polygon","coordinates":[[[0,0],[10,-2.5],[3,1000]],[[1,1],[2,1],[2,2],[1,1]],
+            [[4,4],[5,4],[5,5],[4,5]]]})",
+       R"({"type":"Feature","geometry":{"coordinates":[[[0,0],[10,-2.5],[3,1000]],[[1,1],[2,1],[2,2]],
+            [[4,4],[5,4],[5,5],[4,5]]],"type":"Polygon"},"properties":null})"}) {
+    INFO(text);
+    const Document document = read(text);
+    CHECK(document.vertices == triangle);
+    CHECK(document.holes == holes);
+    CHECK(document.settings == Settings{});
+  }
+}
+
 // --- bounds --------------------------------------------------------------------------------------
 
 TEST_CASE("a polygon has at most max_vertices in every format", "[formats][bounds][slow]") {
@@ -324,6 +384,39 @@ TEST_CASE("a polygon has at most max_vertices in every format", "[formats][bound
   const std::string start = R"({"type":"Polygon","coordinates":[[)";
   check(start + ring_of(n, "[", ",", "]", ",") + ",[0,0]]]}",
         start + ring_of(n + 1, "[", ",", "]", ",") + "]]}");
+}
+
+TEST_CASE("a polygon has at most max_holes holes and max_vertices with them", "[formats][bounds]") {
+  const auto times = [](std::size_t count, const std::string& text) {
+    std::string all;
+    for (std::size_t i = 0; i < count; ++i) all += text;
+    return all;
+  };
+  const std::string json = R"({"type":"Polygon","coordinates":[[[0,0],[9,0],[0,9]])";
+  const auto texts = [&](std::size_t holes) {
+    return std::vector<std::string>{
+        "(0,0)\n(9,0)\n(0,9)\n" + times(holes, "Hole:\n(1,1)\n(2,1)\n(1,2)\n"),
+        "POLYGON((0 0,9 0,0 9)" + times(holes, ",(1 1,2 1,1 2)") + ")",
+        json + times(holes, ",[[1,1],[2,1],[1,2]]") + "]}"};
+  };
+  for (const std::string& text : texts(max_holes)) CHECK(read(text).holes.size() == max_holes);
+  for (const std::string& text : texts(max_holes + 1)) {
+    CHECK(refusal(text).code == ErrorCode::too_many_vertices);
+    CHECK(refusal(text).message == "the polygon has more than 1000 holes");
+  }
+  const std::size_t n = max_vertices - 3;
+  for (const std::size_t more : {0u, 1u})
+    for (const std::string& text :
+         {"(0,0)\n(9,0)\n(0,9)\nHole:\n" + ring_of(n + more, "(", ",", ")", "\n"),
+          "POLYGON((0 0,9 0,0 9,0 0),(" + ring_of(n + more, "", " ", "", ",") + "))",
+          json + ",[" + ring_of(n + more, "[", ",", "]", ",") + "]]}"}) {
+      const Result<Document> document = read_polygon(text);
+      CHECK(document.ok() == (more == 0));
+      if (!document) CHECK(document.error().code == ErrorCode::too_many_vertices);
+    }
+  const std::string cargo = "(0,0)\n(9,0)\n(0,9)\n" + times(max_cargo, "Cargo:(1,1) 2 box\n");
+  CHECK(read(cargo).settings.cargo.size() == max_cargo);
+  CHECK(refusal(cargo + "Cargo:(1,1) 2").message == "there are more than 1000 items of cargo");
 }
 
 TEST_CASE("a text longer than max_text_bytes is refused unread", "[formats][bounds]") {
@@ -362,13 +455,34 @@ TEST_CASE("the three formats look like this", "[formats]") {
         "  [0, 0]\n]]}}\n");
 }
 
-TEST_CASE("what is written reads back in every bit", "[formats]") {
+TEST_CASE("holes and cargo look like this", "[formats][holes][cargo]") {
+  Document document;
+  document.vertices = triangle;
+  document.holes = {{{1, 1}, {2, 1}, {2, 2.5}}, {{4, 4}, {5, 4}, {5, 5}}};
+  document.settings.cargo = {{{2100, 0.5}, 12, "motor"}, {{-1, 8}, 0.1, ""}};
+  CHECK(write_thesis(document) ==
+        "(0,0)\n(10,-2.5)\n(3,1000)\nHole:\n(1,1)\n(2,1)\n(2,2.5)\nHole:\n(4,4)\n(5,4)\n(5,5)\n"
+        "Cargo:(2100,0.5) 12 motor\nCargo:(-1,8) 0.1\n");
+  CHECK(write_wkt(document) ==
+        "POLYGON ((0 0, 10 -2.5, 3 1000, 0 0), (1 1, 2 1, 2 2.5, 1 1), (4 4, 5 4, 5 5, 4 4))\n");
+  document.holes.pop_back();
+  CHECK(write_geojson(document) ==
+        "{\"type\": \"Polygon\", \"coordinates\": [[\n  [0, 0],\n  [10, -2.5],\n  [3, 1000],\n"
+        "  [0, 0]\n], [\n  [1, 1],\n  [2, 1],\n  [2, 2.5],\n  [1, 1]\n]]}\n");
+}
+
+TEST_CASE("what is written reads back in every bit", "[formats][holes][cargo]") {
   Rng rng(4);
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 5000; ++i) {
     Document document = evenlift::testing::random_document(rng, i % 100 == 0 ? 400 : 12);
     document.settings = {};
+    if (i % 2 == 0) {
+      evenlift::testing::take_random_holes(rng, document);
+      evenlift::testing::take_random_cargo(rng, document);
+    }
     if (document.vertices.empty()) continue;
-    const bool same = same_polygon(read(write_thesis(document)), document) &&
+    const Document back = read(write_thesis(document));
+    const bool same = same_polygon(back, document) && back.settings == document.settings &&
                       same_polygon(read(write_geojson(document)), document);
     document.centre_of_mass.reset();
     if (!same || !same_polygon(read(write_wkt(document)), document)) FAIL(write_thesis(document));
@@ -393,6 +507,8 @@ TEST_CASE("any bytes give a document of finite numbers or one sentence", "[forma
   int documents = 0;
   for (int i = 0; i < 20000; ++i) {
     Document good = evenlift::testing::random_document(rng, 6);
+    if (i % 2 == 0) evenlift::testing::take_random_holes(rng, good);
+    if (i % 2 == 0) evenlift::testing::take_random_cargo(rng, good);
     std::string text;
     switch (rng.below(4)) {
       case 0:
@@ -414,6 +530,8 @@ TEST_CASE("any bytes give a document of finite numbers or one sentence", "[forma
       for (const Vec2& vertex : document->vertices) REQUIRE(vertex.allFinite());
       if (document->centre_of_mass) REQUIRE(document->centre_of_mass->allFinite());
       REQUIRE(same_polygon(read(write_geojson(*document)), *document));
+      const Document again = read(write_thesis(*document));
+      REQUIRE((same_polygon(again, *document) && again.settings == document->settings));
     } else if (!evenlift::testing::is_one_sentence(document.error().message) ||
                document.error().place.kind != Place::Kind::line) {
       FAIL(text << ": " << document.error().message);

@@ -29,14 +29,40 @@ void append_json_pair(std::string& text, const Vec2& point) {
   text += ']';
 }
 
-std::string geojson_polygon(const Points& vertices) {
+void append_geojson_ring(std::string& text, const Points& ring) {
+  text += "[\n  ";
+  append_closed_ring(text, ring, ",\n  ", append_json_pair);
+  text += "\n]";
+}
+
+std::string geojson_polygon(const Document& document) {
   std::string text = R"({"type": "Polygon", "coordinates": [)";
-  if (!vertices.empty()) {
-    text += "[\n  ";
-    append_closed_ring(text, vertices, ",\n  ", append_json_pair);
-    text += "\n]";
+  if (!document.vertices.empty()) append_geojson_ring(text, document.vertices);
+  for (const Points& hole : document.holes) {
+    text += ", ";
+    append_geojson_ring(text, hole);
   }
   return text + "]}";
+}
+
+void append_wkt_ring(std::string& text, const Points& ring) {
+  text += '(';
+  append_closed_ring(text, ring, ", ",
+                     [](std::string& to, const Vec2& point) { append_pair(to, point, " "); });
+  text += ')';
+}
+
+void append_thesis_pair(std::string& text, const Vec2& point) {
+  text += '(';
+  append_pair(text, point, ",");
+  text += ')';
+}
+
+void append_thesis_ring(std::string& text, const Points& ring) {
+  for (const Vec2& vertex : ring) {
+    append_thesis_pair(text, vertex);
+    text += '\n';
+  }
 }
 
 }  // namespace
@@ -68,31 +94,42 @@ Result<Document> read_polygon(std::string_view text) {
 std::string write_thesis(const Document& document) {
   std::string text;
   if (document.centre_of_mass) {
-    text += "CoM:(";
-    append_pair(text, *document.centre_of_mass, ",");
-    text += ")\n";
+    text += "CoM:";
+    append_thesis_pair(text, *document.centre_of_mass);
+    text += '\n';
   }
-  for (const Vec2& vertex : document.vertices) {
-    text += '(';
-    append_pair(text, vertex, ",");
-    text += ")\n";
+  append_thesis_ring(text, document.vertices);
+  for (const Points& hole : document.holes) {
+    text += "Hole:\n";
+    append_thesis_ring(text, hole);
+  }
+  for (const Cargo& item : document.settings.cargo) {
+    text += "Cargo:";
+    append_thesis_pair(text, item.at);
+    text += ' ';
+    append_shortest(text, item.weight);
+    if (!item.name.empty()) text += ' ' + item.name;
+    text += '\n';
   }
   return text;
 }
 
 std::string write_wkt(const Document& document) {
   if (document.vertices.empty()) return "POLYGON EMPTY\n";
-  std::string text = "POLYGON ((";
-  append_closed_ring(text, document.vertices, ", ",
-                     [](std::string& to, const Vec2& point) { append_pair(to, point, " "); });
-  return text + "))\n";
+  std::string text = "POLYGON (";
+  append_wkt_ring(text, document.vertices);
+  for (const Points& hole : document.holes) {
+    text += ", ";
+    append_wkt_ring(text, hole);
+  }
+  return text + ")\n";
 }
 
 std::string write_geojson(const Document& document) {
-  if (!document.centre_of_mass) return geojson_polygon(document.vertices) + "\n";
+  if (!document.centre_of_mass) return geojson_polygon(document) + "\n";
   std::string text = R"({"type": "Feature", "properties": {"centre_of_mass": )";
   append_json_pair(text, *document.centre_of_mass);
-  return text + "}, \"geometry\":\n" + geojson_polygon(document.vertices) + "}\n";
+  return text + "}, \"geometry\":\n" + geojson_polygon(document) + "}\n";
 }
 
 }  // namespace evenlift

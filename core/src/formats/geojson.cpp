@@ -56,7 +56,8 @@ struct GeometryObject {
   std::optional<std::string> type;
   std::size_t type_offset = 0;
   bool has_coordinates = false;
-  Points ring;
+  std::vector<Points> rings;        // the outline, then the holes
+  std::size_t vertices = 0;         // of the rings that are complete
   std::optional<InputError> fault;  // the first in the coordinates, if they are a polygon's
 };
 
@@ -99,6 +100,7 @@ class GeojsonReader final : public JsonSink {
   bool take_centre(Role role, const JsonValue& value, std::size_t index);
   bool take_coordinates(Role role, const JsonValue& value, std::size_t index);
   bool end_of(const Level& level);
+  bool end_of_ring();
   Result<Document> document_of(GeometryObject& object);
   Result<Document> finish();
 
@@ -198,11 +200,14 @@ bool GeojsonReader::take_centre(Role role, const JsonValue& value, std::size_t i
 
 bool GeojsonReader::take_coordinates(Role role, const JsonValue& value, std::size_t index) {
   if (role == Role::rings) object().has_coordinates = true;
-  if (role == Role::ring && index > 0) {
-    return note_fault(ErrorCode::unsupported, no_holes, value.offset);
+  if (role == Role::ring && index > max_holes) {
+    return note_fault(ErrorCode::too_many_vertices, no_more_holes, value.offset);
   }
   if (role != Role::number) {
-    if (value.kind == Kind::array) return true;
+    if (value.kind == Kind::array) {
+      if (role == Role::ring && !object().fault) object().rings.emplace_back();
+      return true;
+    }
     return note_fault(ErrorCode::bad_syntax,
                       role == Role::position ? "expected a position [x, y] in the ring"
                                              : "expected an array of rings of positions [x, y]",
@@ -220,14 +225,30 @@ bool GeojsonReader::end_of(const Level& level) {
   if (level.role == Role::centre && level.elements < 2) {
     return fail(ErrorCode::bad_syntax, "\"centre_of_mass\" is not [x, y]", offset_);
   }
-  if (level.role != Role::position || object().fault) return true;
+  if (object().fault) return true;
+  if (level.role == Role::ring) return end_of_ring();
+  if (level.role != Role::position) return true;
   if (level.elements < 2) {
     return note_fault(ErrorCode::bad_syntax, "a position has fewer than two coordinates", offset_);
   }
-  if (object().ring.size() > max_vertices) {  // one more vertex may close the ring
+  Points& ring = object().rings.back();
+  if (ring.size() > max_vertices - object().vertices) {  // one more vertex may close the ring
     return note_fault(ErrorCode::too_many_vertices, no_more_vertices, offset_);
   }
-  object().ring.push_back(position_);
+  ring.push_back(position_);
+  return true;
+}
+
+bool GeojsonReader::end_of_ring() {
+  Points& ring = object().rings.back();
+  drop_closing_vertex(ring);
+  if (ring.size() > max_vertices - object().vertices) {
+    return note_fault(ErrorCode::too_many_vertices, no_more_vertices, offset_);
+  }
+  object().vertices += ring.size();
+  if (ring.empty() && object().rings.size() > 1) {
+    return note_fault(ErrorCode::too_few_vertices, no_vertices_of_hole, offset_);
+  }
   return true;
 }
 
@@ -237,15 +258,13 @@ Result<Document> GeojsonReader::document_of(GeometryObject& object) {
                     "the Polygon has no \"coordinates\"");
   }
   if (object.fault) return *std::move(object.fault);
-  drop_closing_vertex(object.ring);
-  if (object.ring.empty()) {
+  if (object.rings.empty() || object.rings.front().empty()) {
     return error_at(object.type_offset, ErrorCode::too_few_vertices, no_vertices);
   }
-  if (object.ring.size() > max_vertices) {
-    return error_at(offset_, ErrorCode::too_many_vertices, no_more_vertices);
-  }
   Document document;
-  document.vertices = std::move(object.ring);
+  document.vertices = std::move(object.rings.front());
+  object.rings.erase(object.rings.begin());
+  document.holes = std::move(object.rings);
   return document;
 }
 

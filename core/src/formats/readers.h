@@ -17,24 +17,33 @@ Result<Document> read_wkt(std::string_view text);
 Result<Document> read_geojson(std::string_view text);
 
 // Shared messages.
-inline constexpr char no_holes[] = "a polygon with holes is not supported";
 inline constexpr char no_third_coordinate[] = "coordinates beyond x and y are not supported";
 inline constexpr char no_more_vertices[] = "the polygon has more than 1048576 vertices";
 inline constexpr char no_vertices[] = "the polygon has no vertices";
-static_assert(max_vertices == 1048576, "no_more_vertices names the number");
+inline constexpr char no_more_holes[] = "the polygon has more than 1000 holes";
+inline constexpr char no_vertices_of_hole[] = "the hole has no vertices";
+inline constexpr char no_more_cargo[] = "there are more than 1000 items of cargo";
+static_assert(max_vertices == 1048576 && max_holes == 1000 && max_cargo == 1000,
+              "the messages name the numbers");
 
 // Whether the word is WKT's name for a geometry other than a polygon, in upper or lower case. O(1).
 bool names_other_geometry(std::string_view word);
 
-// Reads the positions of a ring of WKT and the parenthesis after them, without a last vertex that
-// equals the first. Counts positions with coordinates beyond x and y in `beyond`, or refuses them if
-// it is null. O(bytes).
-std::optional<InputError> take_wkt_ring(TextCursor& cursor, Points& ring, std::size_t* beyond);
+// Reads the rings of a polygon of WKT with the parentheses around them: the outline and the holes,
+// at most `most_holes`, each without a last vertex that equals the first. Counts positions with
+// coordinates beyond x and y in `beyond`, or refuses them if it is null. O(bytes).
+std::optional<InputError> take_wkt_polygon(TextCursor& cursor, Document& document,
+                                           std::size_t most_holes, std::size_t* beyond);
 
 // Whether the word stands for further coordinates in WKT: Z, M or ZM. O(1).
 bool names_wkt_dimensions(std::string_view word);
 
 // Drops the last vertex of a ring if it equals the first. O(1).
 void drop_closing_vertex(Points& ring);
+
+// Why the weight or the name of an item of cargo is refused; nullptr if it is not. A name is UTF-8
+// without control characters, at most max_name_characters of them. O(bytes).
+const char* fault_of_cargo_weight(double weight);
+const char* fault_of_cargo_name(std::string_view name);
 
 }  // namespace evenlift

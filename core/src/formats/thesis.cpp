@@ -1,5 +1,8 @@
 // The thesis's format (appendix A.1): optionally `CoM:(x,y)` on the first line, then one `(x,y)` on
-// each line.
+// each line. Lines for holes and cargo, which the thesis does not have, may follow.
+#include <string>
+#include <utility>
+
 #include "formats/readers.h"
 #include "numbers/text_cursor.h"
 
@@ -21,23 +24,87 @@ std::optional<InputError> take_pair(TextCursor& cursor, const char* before, Vec2
   return std::nullopt;
 }
 
-std::optional<InputError> take_line_end(TextCursor& cursor) {
+std::optional<InputError> take_line_end(TextCursor& cursor, const char* after) {
   cursor.skip_spaces_in_line();
-  if (!cursor.at_line_end()) return cursor.expected("the end of the line after ')'");
+  if (!cursor.at_line_end())
+    return cursor.expected(std::string("the end of the line after ") + after);
   cursor.skip_white_space();
+  return std::nullopt;
+}
+
+// Reads a word that is known to be there, such as CoM, with its colon.
+std::optional<InputError> take_label(TextCursor& cursor, const char* expected) {
+  cursor.take_word();
+  cursor.skip_spaces_in_line();
+  if (!cursor.take(':')) return cursor.expected(expected);
+  cursor.skip_spaces_in_line();
   return std::nullopt;
 }
 
 std::optional<InputError> take_centre_of_mass(TextCursor& cursor, Document& document) {
   if (!same_word(cursor.word(), "com")) return cursor.expected("'(' or 'CoM:'");
-  cursor.take_word();
-  cursor.skip_spaces_in_line();
-  if (!cursor.take(':')) return cursor.expected("':' after 'CoM'");
-  cursor.skip_spaces_in_line();
+  if (auto error = take_label(cursor, "':' after 'CoM'")) return error;
   Vec2 point;
   if (auto error = take_pair(cursor, "'(' after 'CoM:'", point)) return error;
   document.centre_of_mass = point;
-  return take_line_end(cursor);
+  return take_line_end(cursor, "')'");
+}
+
+// Reads the lines of vertices at the cursor, of which there may be as many as there is room for.
+std::optional<InputError> take_ring(TextCursor& cursor, Points& ring, std::size_t& room) {
+  for (; cursor.sees('('); --room) {
+    if (room == 0) return cursor.error(ErrorCode::too_many_vertices, no_more_vertices);
+    Vec2 point;
+    if (auto error = take_pair(cursor, "'(' before the coordinates", point)) return error;
+    ring.push_back(point);
+    if (auto error = take_line_end(cursor, "')'")) return error;
+  }
+  return std::nullopt;
+}
+
+std::optional<InputError> take_hole(TextCursor& cursor, Document& document, std::size_t& room) {
+  if (document.holes.size() == max_holes)
+    return cursor.error(ErrorCode::too_many_vertices, no_more_holes);
+  if (auto error = take_label(cursor, "':' after 'Hole'")) return error;
+  if (auto error = take_line_end(cursor, "'Hole:'")) return error;
+  Points& hole = document.holes.emplace_back();
+  if (auto error = take_ring(cursor, hole, room)) return error;
+  if (hole.empty()) return cursor.error(ErrorCode::too_few_vertices, no_vertices_of_hole);
+  return std::nullopt;
+}
+
+// Reads `Cargo:(x,y) weight name`, in which the name may be missing.
+std::optional<InputError> take_cargo(TextCursor& cursor, Settings& settings) {
+  if (settings.cargo.size() == max_cargo)
+    return cursor.error(ErrorCode::bad_setting, no_more_cargo);
+  if (auto error = take_label(cursor, "':' after 'Cargo'")) return error;
+  Cargo item;
+  if (auto error = take_pair(cursor, "'(' after 'Cargo:'", item.at)) return error;
+  cursor.skip_spaces_in_line();
+  const std::size_t weight = cursor.offset();
+  if (auto error = cursor.take_number(item.weight, "a weight after ')'")) return error;
+  if (const char* fault = fault_of_cargo_weight(item.weight))
+    return cursor.error_at(weight, ErrorCode::bad_setting, fault);
+  const std::size_t end = cursor.offset();
+  cursor.skip_spaces_in_line();
+  if (cursor.offset() == end && !cursor.at_line_end())
+    return cursor.expected("a space or the end of the line after the weight");
+  const std::size_t name = cursor.offset();
+  item.name = trimmed(cursor.take_rest_of_line());
+  if (const char* fault = fault_of_cargo_name(item.name))
+    return cursor.error_at(name, ErrorCode::bad_setting, fault);
+  settings.cargo.push_back(std::move(item));
+  cursor.skip_white_space();
+  return std::nullopt;
+}
+
+// The error about the line at the cursor, which is in none of its places.
+InputError out_of_place(const TextCursor& cursor, bool after_cargo) {
+  if (same_word(cursor.word(), "com"))
+    return cursor.error(ErrorCode::bad_syntax, "'CoM:' may appear only once, before the vertices");
+  if (after_cargo && (cursor.sees('(') || same_word(cursor.word(), "hole")))
+    return cursor.error(ErrorCode::bad_syntax, "vertices and holes come before the cargo");
+  return cursor.expected("'(' before the coordinates");
 }
 
 }  // namespace
@@ -49,22 +116,18 @@ Result<Document> read_thesis(std::string_view text) {
   if (cursor.sees_letter()) {
     if (auto error = take_centre_of_mass(cursor, document)) return *std::move(error);
   }
-  while (!cursor.at_end()) {
-    if (document.vertices.size() == max_vertices) {
-      return cursor.error(ErrorCode::too_many_vertices, no_more_vertices);
-    }
-    if (same_word(cursor.word(), "com")) {
-      return cursor.error(ErrorCode::bad_syntax,
-                          "'CoM:' may appear only once, before the vertices");
-    }
-    Vec2 point;
-    if (auto error = take_pair(cursor, "'(' before the coordinates", point)) {
-      return *std::move(error);
-    }
-    document.vertices.push_back(point);
-    if (auto error = take_line_end(cursor)) return *std::move(error);
+  std::size_t room = max_vertices;
+  if (auto error = take_ring(cursor, document.vertices, room)) return *std::move(error);
+  if (document.vertices.empty())
+    return cursor.at_end() ? cursor.error(ErrorCode::too_few_vertices, no_vertices)
+                           : out_of_place(cursor, false);
+  while (same_word(cursor.word(), "hole")) {
+    if (auto error = take_hole(cursor, document, room)) return *std::move(error);
   }
-  if (document.vertices.empty()) return cursor.error(ErrorCode::too_few_vertices, no_vertices);
+  while (same_word(cursor.word(), "cargo")) {
+    if (auto error = take_cargo(cursor, document.settings)) return *std::move(error);
+  }
+  if (!cursor.at_end()) return out_of_place(cursor, !document.settings.cargo.empty());
   return document;
 }
 

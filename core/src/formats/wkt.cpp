@@ -1,4 +1,5 @@
-// Well-known text: `POLYGON ((x y, ...))` with one ring and two coordinates.
+// Well-known text: `POLYGON ((x y, ...), ...)`, of which the first ring is the outline and the others
+// are holes, with two coordinates; or a MULTIPOLYGON of one.
 #include <algorithm>
 #include <iterator>
 
@@ -8,24 +9,29 @@
 namespace evenlift {
 namespace {
 
-// Reads everything before the first parenthesis.
-std::optional<InputError> take_keywords(TextCursor& cursor) {
+constexpr std::string_view multipolygon = "multipolygon";
+
+// Reads everything before the first parenthesis, and whether that is the name of a MULTIPOLYGON.
+std::optional<InputError> take_keywords(TextCursor& cursor, bool& of_several) {
   const std::size_t start = cursor.offset();
   const std::string_view word = cursor.take_word();
   if (same_word(word, "srid")) {
     return cursor.error_at(start, ErrorCode::unsupported,
                            "a prefix 'SRID=...;' is not supported: leave it out");
   }
-  if (names_other_geometry(word)) {
+  of_several = same_word(word.substr(0, multipolygon.size()), multipolygon);
+  if (!of_several && names_other_geometry(word)) {
     return cursor.error_at(start, ErrorCode::unsupported,
                            "only a POLYGON is supported, no other geometry");
   }
-  const bool polygon = same_word(word.substr(0, 7), "polygon");
-  if (!polygon || (word.size() > 7 && !names_wkt_dimensions(word.substr(7)))) {
+  const std::size_t length = of_several ? multipolygon.size() : 7;
+  const bool known = of_several || same_word(word.substr(0, 7), "polygon");
+  if (!known || (word.size() > length && !names_wkt_dimensions(word.substr(length)))) {
     return cursor.error_at(start, ErrorCode::bad_syntax,
                            "expected '(', 'CoM:', 'POLYGON' or '{' but found a word");
   }
-  if (word.size() > 7) return cursor.error_at(start, ErrorCode::unsupported, no_third_coordinate);
+  if (word.size() > length)
+    return cursor.error_at(start, ErrorCode::unsupported, no_third_coordinate);
 
   cursor.skip_white_space();
   const std::size_t second = cursor.offset();
@@ -38,7 +44,8 @@ std::optional<InputError> take_keywords(TextCursor& cursor) {
   }
   if (!what.empty()) {
     return cursor.error_at(second, ErrorCode::bad_syntax,
-                           "expected '((' after 'POLYGON' but found a word");
+                           of_several ? "expected '(((' after 'MULTIPOLYGON' but found a word"
+                                      : "expected '((' after 'POLYGON' but found a word");
   }
   return std::nullopt;
 }
@@ -69,15 +76,12 @@ std::optional<InputError> take_position(TextCursor& cursor, Vec2& point, std::si
   }
 }
 
-}  // namespace
-
-bool names_wkt_dimensions(std::string_view word) {
-  return same_word(word, "z") || same_word(word, "m") || same_word(word, "zm");
-}
-
-std::optional<InputError> take_wkt_ring(TextCursor& cursor, Points& ring, std::size_t* beyond) {
+// Reads the positions of a ring and the parenthesis after them, of which there may be as many as
+// there is room for.
+std::optional<InputError> take_ring(TextCursor& cursor, Points& ring, std::size_t& room,
+                                    std::size_t* beyond) {
   do {
-    if (ring.size() > max_vertices) {
+    if (ring.size() > room) {  // one more vertex may close the ring
       return cursor.error(ErrorCode::too_many_vertices, no_more_vertices);
     }
     Vec2 point;
@@ -86,9 +90,34 @@ std::optional<InputError> take_wkt_ring(TextCursor& cursor, Points& ring, std::s
   } while (cursor.take(','));
   if (!cursor.take(')')) return cursor.expected("',' or ')' after the coordinates");
   drop_closing_vertex(ring);
-  if (ring.size() > max_vertices) {
-    return cursor.error(ErrorCode::too_many_vertices, no_more_vertices);
+  if (ring.size() > room) return cursor.error(ErrorCode::too_many_vertices, no_more_vertices);
+  room -= ring.size();
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool names_wkt_dimensions(std::string_view word) {
+  return same_word(word, "z") || same_word(word, "m") || same_word(word, "zm");
+}
+
+std::optional<InputError> take_wkt_polygon(TextCursor& cursor, Document& document,
+                                           std::size_t most_holes, std::size_t* beyond) {
+  constexpr char beginning[] = "'((' after 'POLYGON'";
+  cursor.skip_white_space();
+  if (!cursor.take('(')) return cursor.expected(beginning);
+  std::size_t room = max_vertices;
+  for (bool is_hole = false;; is_hole = true) {
+    cursor.skip_white_space();
+    if (document.holes.size() == most_holes && is_hole)
+      return cursor.error(ErrorCode::too_many_vertices, no_more_holes);
+    if (!cursor.take('(')) return cursor.expected(is_hole ? "'(' before the hole" : beginning);
+    Points& ring = is_hole ? document.holes.emplace_back() : document.vertices;
+    if (auto error = take_ring(cursor, ring, room, beyond)) return error;
+    cursor.skip_white_space();
+    if (!cursor.take(',')) break;
   }
+  if (!cursor.take(')')) return cursor.expected("')' after the ring");
   return std::nullopt;
 }
 
@@ -106,16 +135,19 @@ Result<Document> read_wkt(std::string_view text) {
   Document document;
   TextCursor cursor(text);
   cursor.skip_white_space();
-  if (auto error = take_keywords(cursor)) return *std::move(error);
-  if (!cursor.take('(')) return cursor.expected("'((' after 'POLYGON'");
-  cursor.skip_white_space();
-  if (!cursor.take('(')) return cursor.expected("'((' after 'POLYGON'");
-  if (auto error = take_wkt_ring(cursor, document.vertices, nullptr)) return *std::move(error);
+  bool of_several = false;
+  if (auto error = take_keywords(cursor, of_several)) return *std::move(error);
+  if (of_several && !cursor.take('(')) return cursor.expected("'(((' after 'MULTIPOLYGON'");
+  if (auto error = take_wkt_polygon(cursor, document, max_holes, nullptr)) return *std::move(error);
 
   cursor.skip_white_space();
-  if (cursor.sees(',')) return cursor.error(ErrorCode::unsupported, no_holes);
-  if (!cursor.take(')')) return cursor.expected("')' after the ring");
-  cursor.skip_white_space();
+  if (of_several) {
+    if (cursor.sees(','))
+      return cursor.error(ErrorCode::unsupported,
+                          "only a MULTIPOLYGON of one polygon is supported");
+    if (!cursor.take(')')) return cursor.expected("')' after the polygon");
+    cursor.skip_white_space();
+  }
   if (!cursor.at_end()) return cursor.expected("the end of the text after the polygon");
   return document;
 }

@@ -8,29 +8,12 @@
 #include "formats/readers.h"
 #include "import/joining/nesting.h"
 #include "numbers/number_text.h"
+#include "numbers/utf8.h"
 
 namespace evenlift {
 namespace {
 
 constexpr std::size_t longest_name = 80;  // in characters
-
-// The length of the UTF-8 character at the front, or 0 if the bytes are invalid.
-std::size_t character_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(0);
-  const std::size_t length = first < 0x80                    ? 1
-                             : first >= 0xc2 && first < 0xe0 ? 2
-                             : first >= 0xe0 && first < 0xf0 ? 3
-                             : first >= 0xf0 && first < 0xf5 ? 4
-                                                             : 0;
-  if (length == 0 || length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte(i) & 0xc0) != 0x80) return 0;
-  const bool overlong = (first == 0xe0 && byte(1) < 0xa0) || (first == 0xf0 && byte(1) < 0x90);
-  const bool surrogate = first == 0xed && byte(1) >= 0xa0;
-  const bool beyond = first == 0xf4 && byte(1) >= 0x90;
-  return overlong || surrogate || beyond ? 0 : length;
-}
 
 double default_tolerance(double side) {
   // A shape without size has no curves; any number above 0 will do.
@@ -89,7 +72,7 @@ std::string clean_name(std::string_view name) {
   std::string clean;
   std::size_t characters = 0;
   while (!name.empty() && characters < longest_name) {
-    const std::size_t length = character_length(name);
+    const std::size_t length = utf8_length(name);
     const bool plain = length > 1 || (length == 1 && name[0] > ' ' && name[0] != 0x7f);
     if (plain) {
       clean += name.substr(0, length);

@@ -105,23 +105,11 @@ std::optional<InputError> WktReader::skip_parentheses(TextCursor& cursor) const 
 }
 
 std::optional<InputError> WktReader::take_polygon(TextCursor& cursor, std::string_view name) {
-  cursor.skip_white_space();
   Document document;
-  for (std::size_t rings = 0;; ++rings) {
-    cursor.skip_white_space();
-    if (!cursor.take(rings == 0 ? '(' : ',')) {
-      if (rings > 0) break;
-      return cursor.expected("'((' after 'POLYGON'");
-    }
-    if (rings > 0) ++notes_.holes;
-    cursor.skip_white_space();
-    if (!cursor.take('(')) return cursor.expected(rings == 0 ? "'((' after 'POLYGON'" : "'('");
-    Points hole;
-    if (auto error = take_wkt_ring(cursor, rings == 0 ? document.vertices : hole, &notes_.heights))
-      return error;
-    if (rings > 0) notes_.centre_is_open = true;
-  }
-  if (!cursor.take(')')) return cursor.expected("')' after the ring");
+  if (auto error = take_wkt_polygon(cursor, document, max_vertices, &notes_.heights)) return error;
+  notes_.holes += document.holes.size();
+  notes_.centre_is_open = notes_.centre_is_open || !document.holes.empty();
+  document.holes.clear();
   notes_.drop_repeated(document.vertices);
   gathering_.add(std::move(document), name, "polygon");
   return std::nullopt;

@@ -85,6 +85,12 @@ std::string_view TextCursor::take_word() {
   return taken;
 }
 
+std::string_view TextCursor::take_rest_of_line() {
+  const std::size_t start = at_;
+  while (!at_line_end()) ++at_;
+  return text_.substr(start, at_ - start);
+}
+
 std::optional<InputError> TextCursor::take_number(double& value, const char* what) {
   const ScannedNumber number = scan_number(text_.substr(at_));
   switch (number.kind) {

@@ -49,6 +49,8 @@ class TextCursor {
   // The letters at this place, perhaps none, as a view of the text. take_word() also skips them.
   std::string_view word() const;
   std::string_view take_word();
+  // The rest of the line, which it skips.
+  std::string_view take_rest_of_line();
 
   // Reads a number into `value` and skips it, or returns the error. `what` completes "expected
   // ...".

@@ -4,27 +4,31 @@
 
 namespace evenlift {
 
+std::size_t utf8_length(std::string_view text) {
+  if (text.empty()) return 0;
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  const std::size_t length = first < 0x80                    ? 1
+                             : first >= 0xc2 && first < 0xe0 ? 2
+                             : first >= 0xe0 && first < 0xf0 ? 3
+                             : first >= 0xf0 && first < 0xf5 ? 4
+                                                             : 0;
+  if (length == 0 || length > text.size()) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  const bool overlong = (first == 0xe0 && byte(1) < 0xa0) || (first == 0xf0 && byte(1) < 0x90);
+  const bool surrogate = first == 0xed && byte(1) >= 0xa0;
+  const bool beyond = first == 0xf4 && byte(1) >= 0x90;
+  return overlong || surrogate || beyond ? 0 : length;
+}
+
 bool is_line_of_text(std::string_view line) {
-  for (std::size_t i = 0; i < line.size();) {
-    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(line[k]); };
-    const unsigned char first = byte(i);
-    if ((first < 0x20 && first != '\t' && first != '\r') || first == 0x7f) return false;
-    const std::size_t more = first < 0x80   ? 0
-                             : first < 0xc2 ? 4
-                             : first < 0xe0 ? 1
-                             : first < 0xf0 ? 2
-                             : first < 0xf5 ? 3
-                                            : 4;
-    if (more == 4 || i + more >= line.size()) return false;
-    for (std::size_t k = 1; k <= more; ++k)
-      if ((byte(i + k) & 0xc0) != 0x80) return false;
-    if (more > 1) {  // overlong, a surrogate, or beyond the last character
-      const unsigned char second = byte(i + 1);
-      if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f) ||
-          (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f))
-        return false;
-    }
-    i += more + 1;
+  while (!line.empty()) {
+    const std::size_t length = utf8_length(line);
+    const auto first = static_cast<unsigned char>(line.front());
+    const bool control = (first < 0x20 && first != '\t' && first != '\r') || first == 0x7f;
+    if (length == 0 || control) return false;
+    line.remove_prefix(length);
   }
   return true;
 }
