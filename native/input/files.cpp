@@ -44,13 +44,17 @@ bool names_link(const std::string& file) {
          (looks_like_link(file) || file.find('#') != std::string::npos);
 }
 
-Document linked(const std::string& link, const ShapeOptions& options) {
+ImportedShape linked(const std::string& link, const ShapeOptions& options) {
   if (options.project)
     throw Failure{bad_input_status, "--project",
                   "a share link keeps its coordinates, which are no degrees"};
   Result<Document> document = decode_link(link);
   if (!document) throw bad_input("link", document.error());
-  return *std::move(document);
+  std::vector<ImportedShape> shapes = {{*std::move(document), "", "polygon", {}}};
+  if (!options.keeps_holes())
+    if (const std::string note = leave_out_holes(shapes); !note.empty())
+      print_failure({0, "link", note, {}});
+  return std::move(shapes.front());
 }
 
 // A text and its name in errors.
@@ -79,13 +83,13 @@ void write_all(std::FILE* file, std::string_view text, const std::string& name) 
 }  // namespace
 
 Input read_input(const std::string& file, const ShapeOptions& options) {
-  if (names_link(file)) return {"link", linked(file, options)};
+  if (names_link(file)) return {"link", linked(file, options).document};
   const Source source = read_source(file);
   return {source.name, choose_shape(source.text, source.name, options)};
 }
 
 InputShapes read_all_shapes(const std::string& file, const ShapeOptions& options) {
-  if (names_link(file)) return {"link", {{linked(file, options), {}, "", "polygon", {}}}};
+  if (names_link(file)) return {"link", {linked(file, options)}};
   const Source source = read_source(file);
   return {source.name, all_shapes(source.text, source.name, options)};
 }

@@ -24,6 +24,7 @@ ImportOptions import_options(const ShapeOptions& options) {
   import.join =
       read(options.join, "--join", "the distance of ends that are joined must be a number above 0");
   import.project = options.project;
+  import.holes = options.keeps_holes();
   return import;
 }
 
@@ -103,7 +104,14 @@ void ShapeOptions::declare(CommandLine& line) {
              "greatest distance of edges from curves (default about 1/1000 of the shape)");
   line.value(join, "--join", "D",
              "greatest distance of ends that are joined (default up to 1/1000 of the drawing)");
+  line.value(holes, "--holes", "no", "leave out the holes of the shape (default yes: they count)");
   line.flag(project, "--project", "convert longitudes and latitudes in degrees to metres");
+}
+
+bool ShapeOptions::keeps_holes() const {
+  if (!holes || *holes == "yes") return true;
+  if (*holes == "no") return false;
+  throw bad_value("--holes", "expected yes or no", *holes);
 }
 
 Document choose_shape(const std::string& text, const std::string& source,

@@ -12,11 +12,13 @@ namespace evenlift::native {
 
 // The typed options; empty if not given.
 struct ShapeOptions {
-  std::optional<std::string> shape, flatten, join;
+  std::optional<std::string> shape, flatten, join, holes;
   bool project = false;
   bool offered = false;  // the command has these options
 
   void declare(CommandLine& line);
+  // Whether holes count. Throws Failure if neither yes nor no was typed.
+  bool keeps_holes() const;
   // Only `evenlift place` takes all shapes; elsewhere the word is a shape's name.
   bool selects_all() const { return shape == "all"; }
 };

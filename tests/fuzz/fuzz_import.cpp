@@ -18,11 +18,17 @@ void require_good(const Import& import) {
   for (const ImportedShape& shape : import.shapes) {
     vertices += shape.document.vertices.size();
     for (const Vec2& vertex : shape.document.vertices) fuzz::require(vertex.allFinite());
+    for (const Points& hole : shape.document.holes) {
+      vertices += hole.size();
+      fuzz::require(!hole.empty());
+      for (const Vec2& vertex : hole) fuzz::require(vertex.allFinite());
+    }
     fuzz::require(!shape.tolerance || *shape.tolerance > 0);
     fuzz::require(!shape.kind.empty() && !describe(shape).empty());
     for (const char c : shape.name) fuzz::require(static_cast<unsigned char>(c) >= ' ');
     fuzz::require(!check_ranges(shape.document.settings, shape.document.shown));
     if (shape.document.vertices.empty()) continue;
+    if (shape.document.holes.size() > max_holes) continue;
     const Result<Document> back = read_polygon(write_thesis(shape.document));
     fuzz::require(back.ok() && testing::same_polygon(*back, shape.document));
   }

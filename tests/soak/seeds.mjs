@@ -22,6 +22,8 @@ const links = async (root) => [
 
 const written = [
   "POLYGON ((0 0, 160 0, 160 90, 90 90, 90 60, 0 60, 0 0))",
+  "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 2 1, 2 2, 1 1), (4 4, 5 4, 5 5, 4 4))",
+  "CoM:(4,5)\n(0,0)\n(9,0)\n(9,9)\n(0,9)\nHole:\n(1,1)\n(2,1)\n(2,2)\nCargo:(8,8) 24 motor\nCargo:(1,12) 0.5\n",
   '{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,3],[0,0]]]}',
   '{"type":"Feature","properties":{"centre_of_mass":[1,1]},"geometry":{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,3],[0,0]]]}}',
 ];
@@ -30,6 +32,8 @@ const drawn = [
   '<svg><path d="M0 0C1 0 2 1 2 2S0 4 0 3zm9 9a1 2 30 0110 0q1 1 2 0t3 4z"/><rect x="1" width="3mm" height="2" rx=".5" transform="rotate(30)skewX(3)"/></svg>',
   '<svg><ellipse rx="3" ry="2"/><polyline points="0,0 1e1,0 0-3"/><polygon points="0 0 4 0 4 3"/><circle r="2"/></svg>',
   "[[0,0],[4,0],[4,3]]",
+  `{"polygon": [[0,0],[9,0],[9,9]], "holes": [[[7,1],[8,1],[8,2]]], "cargo": [{"at": [8,8], "weight": 24, "name": "m"}]}`,
+  '<svg><path d="M0 0h9v9h-9zM1 1v7h7v-7z" style="fill-rule:evenodd"/><g fill="none" stroke="red"><rect x="2" y="2" width="3" height="3"/><circle cx="20" r="9"/><circle cx="20" r="3"/></g></svg>',
   '[{"x":0,"y":0},{"x":4,"y":0},{"x":4,"y":3}]',
   "0;0\n4,5;0\n4;3,25\n",
   "x\ty\n0\t0\n4\t0\n4\t3\n\nlid\n1 2\n",

@@ -211,18 +211,14 @@ TEST_CASE("SVG: layers, labels, holes, and what is left out", "[import][svg]") {
   const Import import = read_data("layers.svg");
   CHECK(import.format == "SVG");
   CHECK(described(import) ==
-        std::vector<std::string>{"\"Layer 1, part 1\", path, 57 vertices, 130.8 x 122",
+        std::vector<std::string>{"\"Layer 1\", path, 57 vertices, 1 hole, 130.8 x 122",
                                  "\"wheel\", circle, 64 vertices, 80 x 80",
                                  "\"plate\", rectangle with round corners, 20 vertices, 100 x 50"});
-  CHECK(
-      import.notes ==
-      std::vector<std::string>{
-          "1 hole was left out, since holes are not supported: only the outer outline defines the "
-          "shape and, unless one is given, its centre of mass",
-          "1 text, 1 copy (<use>) without an original and 1 hidden element were left out"});
+  CHECK(import.notes ==
+        std::vector<std::string>{
+            "1 text, 1 copy (<use>) without an original and 1 hidden element were left out"});
   CHECK(import.shapes[0].tolerance == 0.1);
   CHECK(import.shapes[1].tolerance == 0.05);
-  CHECK_FALSE(import.shapes[3].tolerance);
   for (const ImportedShape& shape : import.shapes) {
     INFO(describe(shape));
     CHECK(Polygon::create(shape.document.vertices).ok());
@@ -388,10 +384,11 @@ TEST_CASE("DXF: polylines with bulges, circles, and chains of lines and arcs", "
   for (const ImportedShape& shape : import.shapes)
     CHECK(shape.document.shown.units.length == LengthUnit::mm);
   CHECK(described(import) ==
-        std::vector<std::string>{"\"outline\", closed polyline with arcs, 35 vertices, 125 x 50",
-                                 "\"chain\", 3 lines and arcs, joined, 34 vertices, 15 x 10",
-                                 "\"old\", closed polyline with arcs, 64 vertices, 8 x 8"});
-  CHECK(import.shapes[0].holes.size() == 1);
+        std::vector<std::string>{
+            "\"outline\", closed polyline with arcs, 35 vertices, 1 hole, 125 x 50",
+            "\"chain\", 3 lines and arcs, joined, 34 vertices, 15 x 10",
+            "\"old\", closed polyline with arcs, 64 vertices, 8 x 8"});
+  CHECK(import.shapes[0].document.holes.size() == 1);
   REQUIRE(import.notes.size() == 3);
   CHECK(
       import.notes[0] ==
@@ -533,7 +530,7 @@ TEST_CASE("DXF: a spline whose ends nearly meet closes by itself", "[import][dxf
   const Import import = read(dxf(square + loop));
   REQUIRE(import.shapes.size() == 1);
   CHECK(import.shapes[0].kind == "4 lines and arcs, joined");
-  CHECK(import.shapes[0].holes.size() == 1);
+  CHECK(import.shapes[0].document.holes.size() == 1);
   // A single line no longer than the gap does not make a loop.
   const Import alone = read(dxf(square + line("20", "20", "20", "20.0005")));
   CHECK(alone.shapes.size() == 1);
@@ -649,17 +646,13 @@ TEST_CASE("columns: what can be read in two ways is refused", "[import][columns]
 TEST_CASE("GeoJSON: every polygon of a collection, by its name", "[import][geojson]") {
   const Import import = read_data("parcels.geojson");
   CHECK(described(import) ==
-        std::vector<std::string>{"\"Lake with an island\", polygon, 3 vertices, 4 x 3",
+        std::vector<std::string>{"\"Lake with an island\", polygon, 3 vertices, 1 hole, 4 x 3",
                                  "\"Lake with an island\", polygon, 3 vertices, 4 x 4",
                                  "\"17\", polygon, 3 vertices, 6 x 6"});
   CHECK(import.shapes[2].document.centre_of_mass == Vec2(1, 1));
-  CHECK(
-      import.notes ==
-      std::vector<std::string>{
-          "1 hole was left out, since holes are not supported: only the outer ring defines the shape "
-          "and, unless one is given, its centre of mass",
-          "coordinates beyond x and y were left out",
-          "1 Point and 1 feature without a geometry were left out"});
+  CHECK(import.notes ==
+        std::vector<std::string>{"coordinates beyond x and y were left out",
+                                 "1 Point and 1 feature without a geometry were left out"});
   CHECK(refusal(R"({"type":"Point","coordinates":[1,2]})") ==
         "this GeoJSON has no polygon, only 1 Point");
   CHECK(refusal("{}").find("neither GeoJSON") != std::string::npos);

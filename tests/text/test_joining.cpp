@@ -52,6 +52,16 @@ std::vector<DrawnPiece> operator+(std::vector<DrawnPiece> a, const std::vector<D
   return a;
 }
 
+// The same ring from its least corner on, counter-clockwise.
+Points in_order(Points ring) {
+  if (signed_area(ring) < 0) std::reverse(ring.begin(), ring.end());
+  const auto before = [](const Vec2& a, const Vec2& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  };
+  std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end(), before), ring.end());
+  return ring;
+}
+
 const Points plate = {{0, 0}, {120, 0}, {120, 80}, {0, 80}};
 
 template <class T>
@@ -254,10 +264,15 @@ TEST_CASE("a polygon with holes, drawn in pieces, is read from SVG and DXF",
       INFO(text.substr(0, 300));
       REQUIRE(import.ok());
       REQUIRE(import->shapes.size() == 1);
-      CHECK(import->shapes[0].holes.size() == 2);
-      const Points& read = import->shapes[0].document.vertices;
-      CHECK(std::abs(signed_area(read)) == Approx(std::abs(signed_area(outline))));
-      CHECK(read.size() == outline.size());
+      const Document& read = import->shapes[0].document;
+      CHECK(in_order(read.vertices) == in_order(outline));
+      REQUIRE(read.holes.size() == 2);
+      CHECK((in_order(read.holes[0]) == in_order(loops[1]) ||
+             in_order(read.holes[0]) == in_order(loops[2])));
+      CHECK((in_order(read.holes[1]) == in_order(loops[1]) ||
+             in_order(read.holes[1]) == in_order(loops[2])));
+      CHECK(in_order(read.holes[0]) != in_order(read.holes[1]));
+      CHECK(import->notes.back() == "2 outlines inside others were read as holes");
     }
   }
 }
@@ -271,8 +286,8 @@ TEST_CASE("outlines nest by depth, whatever their order", "[joining][import]") {
                                    square(0, 0, 100)};
   std::vector<std::size_t> order = {0, 1, 2, 3, 4, 5, 6};
   do {
-    std::vector<const Points*> outlines;
-    for (const std::size_t i : order) outlines.push_back(&all[i]);
+    std::vector<ClosedOutline> outlines;
+    for (const std::size_t i : order) outlines.push_back({&all[i]});
     const Nesting nesting = nest(outlines);
     CHECK(nesting.repeated == 1);
     CHECK(nesting.holes == 2);
@@ -281,6 +296,31 @@ TEST_CASE("outlines nest by depth, whatever their order", "[joining][import]") {
     CHECK((at(0) == 0 && at(1) == 5 && at(2) == 2 && at(3) == 3));
     CHECK(nesting.shapes[0].holes.size() == 2);
   } while (std::next_permutation(order.begin(), order.end()) && order[0] < 2);
+}
+
+TEST_CASE("a filled outline is a shape in whatever it lies, and may bring holes",
+          "[joining][import][holes]") {
+  const auto square = [](double at, double side) {
+    return Points{{at, at}, {at + side, at}, {at + side, at + side}, {at, at + side}};
+  };
+  const Points whole = square(0, 100), middle = square(10, 60), inner = square(20, 10);
+  const std::vector<Points> hole = {middle};
+  const auto shapes = [](const std::vector<ClosedOutline>& outlines) {
+    std::vector<std::pair<std::size_t, std::size_t>> all;  // the outline, and how many holes
+    for (const OutlineWithHoles& shape : nest(outlines).shapes)
+      all.emplace_back(shape.outline, shape.holes.size());
+    return all;
+  };
+  using Shapes = std::vector<std::pair<std::size_t, std::size_t>>;
+  CHECK(shapes({{&whole}, {&middle, nullptr, true}, {&inner}}) == Shapes{{0, 0}, {1, 1}});
+  CHECK(shapes({{&inner}, {&whole, &hole, true}}) == Shapes{{1, 0}, {0, 0}});
+  // A hole of the same form as the shape in it, and as a line.
+  CHECK(shapes({{&whole, &hole, true}, {&middle, nullptr, true}, {&inner}}) ==
+        Shapes{{0, 0}, {1, 1}});
+  CHECK(shapes({{&middle}, {&whole, &hole, true}, {&inner}, {&whole}}) == Shapes{{1, 0}, {2, 0}});
+  // The same outline with other holes is another shape.
+  CHECK(shapes({{&whole, &hole, true}, {&whole, nullptr, true}}).size() == 2);
+  CHECK(shapes({{&whole, &hole, true}, {&whole, &hole, true}}).size() == 1);
 }
 
 TEST_CASE("where what stays open is larger than every shape, a person should choose",

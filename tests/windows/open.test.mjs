@@ -221,13 +221,13 @@ test("of several shapes one is chosen, by the keys or a click", async () => {
   await shapes(page).first().waitFor();
   await idle(page);
   assert.deepEqual(await shapes(page).allTextContents(), [
-    "Layer 1, part 1 path 57 vertices, 130.8 × 122",
+    "Layer 1 path 57 vertices, 1 hole, 130.8 × 122",
     "wheel circle 64 vertices, 80 × 80",
     "plate rectangle with round corners 20 vertices, 100 × 50",
   ]);
   assert.match(
     await page.locator("#shapes .second").first().textContent(),
-    /^Lengths are in millimetres\. 1 hole was left out.*\. 1 text, 1 copy \(<use>\) without an original and 1 hidden element were left out\.$/,
+    /^Lengths are in millimetres\. 1 text, 1 copy \(<use>\) without an original and 1 hidden element were left out\.$/,
   );
   assert.equal((await polygon()).length, 12, "nothing is opened yet");
   assert.match(

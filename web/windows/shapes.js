@@ -28,10 +28,14 @@ function largest(shapes) {
   return areas.indexOf(areas.reduce((a, b) => Math.max(a, b)));
 }
 
-// Puts the name, the kind, and vertices and size on a line each; the description is "NAME", KIND, VERTICES, SIZE.
+// Puts the name, the kind, and vertices, holes and size on a line each; the description is "NAME", KIND, VERTICES, SIZE
+// or, with holes, "NAME", KIND, VERTICES, HOLES, SIZE.
 function inWords({ name, description }) {
   const parts = description.slice(name ? name.length + 4 : 0).split(", ");
-  const size = parts.splice(-2).join(", ").replace(" x ", " × ");
+  const size = parts
+    .splice(/^\d+ holes?$/.test(parts.at(-2)) ? -3 : -2)
+    .join(", ")
+    .replace(" x ", " × ");
   return [
     ...(name ? [el("b", {}, name, " ")] : []),
     el("span", {}, parts.join(", "), " "),

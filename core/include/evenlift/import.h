@@ -1,4 +1,4 @@
-// Imports polygons from drawings and tables: SVG, DXF, columns of numbers, any GeoJSON, saved
+// Imports polygons with holes from drawings and tables: SVG, DXF, columns of numbers, any GeoJSON, saved
 // results, and the formats of formats.h. A text may contain many shapes, each offered separately.
 #pragma once
 
@@ -27,14 +27,16 @@ struct ImportOptions {
   // Converts longitudes and latitudes in degrees to metres east and north of the middle of the text's
   // box: of all texts whose coordinates can be degrees, whatever the text says.
   bool project = false;
+  // Keeps the holes of shapes. Otherwise a note says how many are left out.
+  bool holes = true;
 };
 
 struct ImportedShape {
   Document document;
-  std::vector<Points> holes;  // of a drawing: the outlines directly inside
   std::string name;  // of the object or its layer, UTF-8 without control characters; may be empty
   std::string kind;  // in words, such as "rectangle"
-  std::optional<double> tolerance;  // if it had curves: greatest distance of edges from them
+  std::optional<double> tolerance;  // if it or a hole had curves: greatest distance of edges from
+                                    // them
 };
 
 struct Import {
@@ -52,7 +54,9 @@ struct Import {
 //              are those of read_polygon()
 //   SVG        polygon, polyline, path, line, rect, circle and ellipse with their transforms, of
 //              the attribute or CSS, and copies of them (use, symbol), also of an svg in an svg,
-//              with y turned upwards. Each outline of a path is a shape. Of a switch the first
+//              with y turned upwards. A path that is filled is one shape or several, with the
+//              holes that its fill-rule leaves (an attribute, a style, a style sheet, or inherited).
+//              Of a switch the first
 //              child that all programs can read is drawn. The content of defs, clipPath, mask,
 //              marker and pattern is not. Shapes that are not seen are left out: by display,
 //              visibility, opacity, or without fill and stroke, in an attribute, a style, a style
@@ -90,22 +94,26 @@ struct Import {
 //              first two begin with, are refused. The two surfaces of an airfoil are joined
 //   WKT        POLYGON, MULTIPOLYGON and those in a GEOMETRYCOLLECTION, one geometry or several,
 //              also with SRID=...; before it, or as a column of a table, whose shapes have the
-//              names or numbers of another column
+//              names or numbers of another column. Rings after the first are holes
 //   JSON       [[x, y], ...], or [{"x": x, "y": y}, ...], or an array or an object of these; the
 //              names of a point's members are those of columns. As Python writes them, tuples and
 //              numbers such as "1." are also read
-//   Esri JSON  the outer rings of a geometry, a feature or a set of features
-//   GeoJSON    the outer rings of the polygons in a FeatureCollection, MultiPolygon or
-//              GeometryCollection, named by `name`, `title` or `id`
+//   Esri JSON  the rings of a geometry, a feature or a set of features. A ring in another one that
+//              runs the other way round is a hole of it
+//   GeoJSON    the polygons in a FeatureCollection, MultiPolygon or GeometryCollection, named by
+//              `name`, `title` or `id`. Rings after the first are holes
 //   links      a share link alone
 //   results    the JSON of `evenlift place --json`, of the page and of `link decode`, with all
-//              settings. A centre of mass that equals the centroid in every bit is the centroid
+//              settings, holes and cargo. The object's own centre of mass is read. If it equals the
+//              centroid in every bit, it is the centroid
 // Pieces of a drawing (in SVG lines and open paths) are joined into outlines: within their layer,
 // then across layers. Ends are joined if they are near, within 1e-6 of the drawing's larger side, then
 // within coarser steps up to 1e-3 where something stays open; a note gives the gap. Pieces that lie
 // on others count once, and what leads nowhere is left out. The faces that remain are the shapes, in
 // whatever order the pieces are. An open path of an SVG that meets no other is closed by a straight
-// edge. An outline directly inside another is a hole of it (`holes`), and a note says so.
+// edge. An outline without a fill that is directly inside a shape is a hole of it, and a note says how
+// many are. A filled one is a shape wherever it lies, and so is any outline in a hole. Outlines that
+// touch or cross are separate shapes.
 // A vertex that equals the preceding vertex is dropped, outside drawings with a note; not from the
 // thesis's format, links and results. A last vertex that repeats the first is also dropped: if it is
 // equal, or in drawings within 1/100000 of the shape's larger side. Coordinates that are degrees by
@@ -115,9 +123,10 @@ struct Import {
 // from 0.1 % on the greatest error of a width. It is an error if they are no degrees, reach beyond
 // latitude 85 or span the 180th meridian, and for results and links. Files of other kinds
 // that are known (meshes, STEP, IGES, G-code) are refused by name. Nothing else is checked;
-// Polygon::create does that. The result depends only on the text and numbers, on every platform.
-// Bounded by max_text_bytes, max_shapes, and max_vertices for all shapes together. O(bytes +
-// points), and O(n log n) for chains.
+// object_of() does that (polygon_with_holes.h). The result depends only on the text and numbers, on
+// every platform. Bounded by max_text_bytes, max_vertices for all shapes together, max_shapes, which
+// in a drawing counts holes, and otherwise max_holes for each shape. O(bytes + points), O(n log n) for
+// chains, and O(k^2) for k outlines of a drawing.
 Result<Import> read_shapes(std::string_view text, const ImportOptions& options = {});
 
 // The places of robots that already stand, with their capacities if any robot has one: as many, each
@@ -135,8 +144,11 @@ struct SupportFile {
 // as YAML. Bounded by max_text_bytes and most_supports. O(bytes).
 Result<SupportFile> read_support_file(std::string_view text);
 
-// Describes a shape by its name, kind, vertices and size, as in `"base plate", rectangle, 4
-// vertices, 120 x 80`. O(n).
+// Leaves out the holes of shapes. Returns the note about them; empty if there are none. O(vertices).
+std::string leave_out_holes(std::vector<ImportedShape>& shapes);
+
+// Describes a shape by its name, kind, vertices, holes if it has some, and size, as in `"base plate",
+// rectangle, 4 vertices, 2 holes, 120 x 80`. O(n).
 std::string describe(const ImportedShape& shape);
 
 }  // namespace evenlift

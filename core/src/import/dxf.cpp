@@ -151,7 +151,7 @@ void DxfReader::take_drawn(DxfEntity& entity, std::string_view layer, const Fram
   Outline outline = frame.block ? transformed(drawn.outline, frame.map) : std::move(drawn.outline);
   // Layer 0 is the default layer: its name carries no meaning.
   const std::string_view name = layer == "0" ? std::string_view() : layer;
-  if (drawn.closed_kind) return gathering_.add(outline, name, drawn.closed_kind);
+  if (drawn.closed_kind) return gathering_.add({{outline}, name, drawn.closed_kind});
   if (!within_bounds(outline))
     return gathering_.add_problem(
         {ErrorCode::bad_coordinate, "a coordinate is beyond 1,000,000,000", {}});

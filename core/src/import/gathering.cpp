@@ -117,7 +117,7 @@ std::size_t LeftOut::total() const {
 
 bool Gathering::has_room(std::size_t vertices) {
   if (full_) return false;
-  if (import.shapes.size() == max_shapes)
+  if (outlines_ == max_shapes)
     full_ = InputError{ErrorCode::unsupported, "the text has more than 10000 shapes", {}};
   else if (vertices > max_vertices - vertices_)
     full_ = InputError{
@@ -126,11 +126,20 @@ bool Gathering::has_room(std::size_t vertices) {
   return !full_;
 }
 
-void Gathering::add(const Outline& outline, std::string_view name, std::string_view kind) {
-  if (full_) return;
+// A part of a path, with its number.
+struct Gathering::Flattened {
+  ImportedShape shape;
+  std::size_t part;
+};
+
+// The outline as a polygon, if it is one and there is room for it.
+std::optional<ImportedShape> Gathering::flattened(const Outline& outline) {
+  if (full_) return std::nullopt;
   const Box box = control_box(outline);
-  if (!all_finite(outline) || !within_bounds(box))
-    return add_problem({ErrorCode::bad_coordinate, "a coordinate is beyond 1,000,000,000", {}});
+  if (!all_finite(outline) || !within_bounds(box)) {
+    add_problem({ErrorCode::bad_coordinate, "a coordinate is beyond 1,000,000,000", {}});
+    return std::nullopt;
+  }
   const double side = larger_side(box);
   ImportedShape shape;
   double tolerance = 1;
@@ -148,22 +157,59 @@ void Gathering::add(const Outline& outline, std::string_view name, std::string_v
                  "between curves and edges they have fewer"
                : "the shapes have more than 1048576 vertices together",
         {}};
-    return;
+    return std::nullopt;
   }
   while (points->size() > 1 &&
          larger_side(bounding_box({points->front(), points->back()})) <= same_point * side)
     points->pop_back();
   if (points->size() < 3) {
     ++without_area_;
-    return;
+    return std::nullopt;
   }
-  if (!has_room(points->size())) return;
-  drawn_ = true;
+  if (!has_room(points->size())) return std::nullopt;
   vertices_ += points->size();
+  ++outlines_;
   shape.document.vertices = *std::move(points);
-  shape.name = clean_name(name);
-  shape.kind = kind;
-  import.shapes.push_back(std::move(shape));
+  return shape;
+}
+
+namespace {
+
+// Makes a hole of another outline.
+void take_hole(ImportedShape& shape, ImportedShape& hole) {
+  shape.document.holes.push_back(std::move(hole.document.vertices));
+  if (hole.tolerance) shape.tolerance = std::max(shape.tolerance.value_or(0), *hole.tolerance);
+}
+
+}  // namespace
+
+// Adds what the fill makes of the parts of a path.
+void Gathering::add_filled(const DrawnShape& drawn, std::vector<Flattened> rings) {
+  std::vector<const Points*> points;
+  for (const Flattened& ring : rings) points.push_back(&ring.shape.document.vertices);
+  for (const OutlineWithHoles& filled : filled_shapes(points, drawn.fill)) {
+    Flattened& outline = rings[filled.outline];
+    for (const std::size_t hole : filled.holes) take_hole(outline.shape, rings[hole].shape);
+    import.shapes.push_back(std::move(outline.shape));
+    drawn_.push_back({true, paths_, outline.part});
+  }
+}
+
+void Gathering::add(const DrawnShape& drawn) {
+  ++paths_;
+  std::vector<Flattened> rings;
+  for (std::size_t i = 0; i < drawn.parts.size(); ++i) {
+    std::optional<ImportedShape> shape = flattened(drawn.parts[i]);
+    if (!shape) continue;
+    shape->name = clean_name(drawn.name);
+    shape->kind = drawn.kind;
+    rings.push_back({*std::move(shape), i + 1});
+  }
+  if (drawn.fill != Fill::none) return add_filled(drawn, std::move(rings));
+  for (Flattened& ring : rings) {
+    import.shapes.push_back(std::move(ring.shape));
+    drawn_.push_back({false, paths_, ring.part});
+  }
 }
 
 namespace {
@@ -178,13 +224,17 @@ void Gathering::add_joined(const std::vector<DrawnPiece>& pieces, bool closes_al
   if (pieces.empty() || full_) return;
   Joining joining = join(pieces, options_.join);
   for (const JoinedOutline& joined : joining.outlines)
-    add(joined.outline, joined.layer,
-        joined.parts == 1 ? "closed line"
-                          : std::to_string(joined.parts) + " lines and arcs, joined");
+    add({{joined.outline},
+         joined.layer,
+         joined.parts == 1 ? "closed line"
+                           : std::to_string(joined.parts) + " lines and arcs, joined"});
   if (closes_alone) {
     for (const std::size_t piece : joining.alone)
       if (pieces[piece].outline.pieces.size() > 1 || pieces[piece].outline.curved())
-        add(pieces[piece].outline, pieces[piece].layer, "open path, closed by a straight edge");
+        add({{pieces[piece].outline},
+             pieces[piece].layer,
+             "open path, closed by a straight edge",
+             pieces[piece].filled ? Fill::nonzero : Fill::none});
     std::vector<std::size_t> open;
     std::set_difference(joining.open.begin(), joining.open.end(), joining.alone.begin(),
                         joining.alone.end(), std::back_inserter(open));
@@ -212,35 +262,53 @@ void Gathering::note_joining(const Joining& joining) {
        (open == 1 ? "was" : "were") + " left out" + (gap_.empty() ? "" : ": " + gap_));
 }
 
-void Gathering::note_nesting() {
-  std::vector<const Points*> outlines;
-  for (const ImportedShape& shape : import.shapes) outlines.push_back(&shape.document.vertices);
+// Numbers the parts of a path of which several are shapes.
+void Gathering::name_parts(const std::vector<OutlineWithHoles>& shapes) {
+  std::vector<std::size_t> shapes_of(paths_ + 1);
+  for (const OutlineWithHoles& shape : shapes) ++shapes_of[drawn_[shape.outline].path];
+  for (const OutlineWithHoles& shape : shapes) {
+    const Drawn& drawn = drawn_[shape.outline];
+    if (shapes_of[drawn.path] == 1) continue;
+    std::string& name = import.shapes[shape.outline].name;
+    name += (name.empty() ? "part " : ", part ") + std::to_string(drawn.part);
+  }
+}
+
+void Gathering::nest_outlines() {
+  std::vector<ClosedOutline> outlines;
+  for (std::size_t i = 0; i < import.shapes.size(); ++i) {
+    const Document& document = import.shapes[i].document;
+    outlines.push_back({&document.vertices, &document.holes, drawn_[i].filled});
+  }
   const Nesting nesting = nest(outlines);
+  name_parts(nesting.shapes);
   std::vector<ImportedShape> shapes;
   for (const OutlineWithHoles& nested : nesting.shapes) {
-    std::vector<Points> holes;
-    for (const std::size_t hole : nested.holes)
-      holes.push_back(std::move(import.shapes[hole].document.vertices));
     shapes.push_back(std::move(import.shapes[nested.outline]));
-    shapes.back().holes = std::move(holes);
+    for (const std::size_t hole : nested.holes) take_hole(shapes.back(), import.shapes[hole]);
   }
   import.shapes = std::move(shapes);
   if (nesting.repeated > 0)
     note(counted(nesting.repeated, "outline that repeats", "outlines that repeat") + " another " +
          (nesting.repeated == 1 ? "was" : "were") + " left out");
-  if (nesting.holes > 0)
-    note(counted(nesting.holes, "hole was", "holes were") +
-         " left out, since holes are not supported: only the outer outline defines the shape and, "
-         "unless one is given, its centre of mass");
+  if (nesting.holes > 0 && options_.holes)
+    note(counted(nesting.holes, "outline inside another was read as a hole",
+                 "outlines inside others were read as holes"));
   import.doubtful =
       left_open_ > 1.01 * bounding_box(import.shapes.front().document.vertices).size().prod();
 }
 
 void Gathering::add(Document document, std::string_view name, std::string_view kind) {
   drop_closing_vertex(document.vertices);
-  if (!has_room(document.vertices.size())) return;
-  vertices_ += document.vertices.size();
-  import.shapes.push_back({std::move(document), {}, clean_name(name), std::string(kind), {}});
+  std::size_t vertices = document.vertices.size();
+  for (Points& hole : document.holes) {
+    drop_closing_vertex(hole);
+    vertices += hole.size();
+  }
+  if (!has_room(vertices)) return;
+  vertices_ += vertices;
+  ++outlines_;
+  import.shapes.push_back({std::move(document), clean_name(name), std::string(kind), {}});
 }
 
 void Gathering::add_problem(InputError error) {
@@ -258,7 +326,7 @@ Result<Import> Gathering::finish(InputError nothing) {
     if (first_problem_) return *std::move(first_problem_);
     return nothing;
   }
-  if (drawn_) note_nesting();
+  if (!drawn_.empty()) nest_outlines();
   if (!left_out.empty())
     note(left_out.list() + (left_out.total() == 1 ? " was left out" : " were left out"));
   if (without_area_ > 0)

@@ -32,7 +32,7 @@ Result<Import> read_link(std::string_view text) {
   Import import;
   import.format = "share link";
   import.has_settings = true;
-  import.shapes.push_back({std::move(document).value(), {}, "", "polygon", {}});
+  import.shapes.push_back({std::move(document).value(), "", "polygon", {}});
   return import;
 }
 
@@ -41,7 +41,7 @@ Result<Import> read_small(std::string_view text, const char* format) {
   if (!document) return document.error();
   Import import;
   import.format = format;
-  import.shapes.push_back({std::move(document).value(), {}, "", "polygon", {}});
+  import.shapes.push_back({std::move(document).value(), "", "polygon", {}});
   return import;
 }
 
@@ -94,7 +94,8 @@ Result<Import> projected(Import import) {
   };
   for (ImportedShape& shape : import.shapes) {
     convert(shape.document.vertices);
-    for (Points& hole : shape.holes) convert(hole);
+    for (Points& hole : shape.document.holes) convert(hole);
+    for (Cargo& item : shape.document.settings.cargo) item.at = projection->metres(item.at);
     if (auto& centre = shape.document.centre_of_mass) centre = projection->metres(*centre);
     if (shape.tolerance) *shape.tolerance *= projection->greatest_scale();
     shape.document.shown.units.length = LengthUnit::m;
@@ -125,14 +126,28 @@ Result<Import> read_shapes(std::string_view text, const ImportOptions& options) 
   if (std::any_of(text.begin(), text.end(), is_no_text))
     return InputError{ErrorCode::unsupported, joined({"this is not text: ", known_formats}), {}};
   Result<Import> import = read_format(text, options);
+  if (import && !options.holes)
+    if (std::string note = leave_out_holes(import->shapes); !note.empty())
+      import->notes.push_back(std::move(note));
   return import && options.project ? projected(std::move(import).value()) : std::move(import);
+}
+
+std::string leave_out_holes(std::vector<ImportedShape>& shapes) {
+  std::size_t count = 0;
+  for (ImportedShape& shape : shapes) {
+    count += shape.document.holes.size();
+    shape.document.holes.clear();
+  }
+  return count == 0 ? "" : counted(count, "hole is", "holes are") + " left out";
 }
 
 std::string describe(const ImportedShape& shape) {
   const Vec2 size = bounding_box(shape.document.vertices).size();
+  const std::size_t holes = shape.document.holes.size();
   std::string text = shape.name.empty() ? "" : "\"" + shape.name + "\", ";
-  text += shape.kind + ", " + counted(shape.document.vertices.size(), "vertex", "vertices") + ", " +
-          short_number(size.x()) + " x " + short_number(size.y());
+  text += shape.kind + ", " + counted(shape.document.vertices.size(), "vertex", "vertices") + ", ";
+  if (holes > 0) text += counted(holes, "hole", "holes") + ", ";
+  text += short_number(size.x()) + " x " + short_number(size.y());
   return text;
 }
 

@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "evenlift/formats.h"
-#include "evenlift/hull.h"
 #include "evenlift/numbers.h"
-#include "evenlift/polygon.h"
+#include "evenlift/polygon_with_holes.h"
 #include "evenlift/settings.h"
 #include "formats/readers.h"
 #include "import/gathering.h"
+#include "import/joining/nesting.h"
 #include "import/readers.h"
 #include "import/ring_notes.h"
 #include "import/table_headings.h"
@@ -46,6 +46,11 @@ class JsonShapes {
   std::optional<InputError> take_supports(Document& document);
   std::optional<InputError> take_uncertainty(Document& document) const;
   std::optional<InputError> take_settings(Document& document);
+  std::optional<InputError> take_centre_of_mass(Document& document);
+  std::optional<InputError> take_hole(Index ring, Document& document);
+  std::optional<InputError> take_holes(Document& document);
+  Result<Cargo> cargo_item(Index item);
+  std::optional<InputError> take_cargo(Document& document);
   std::optional<InputError> take_overlays(Index overlays, Overlays& shown) const;
 
   void arrays(Index array, std::string_view name);
@@ -239,9 +244,78 @@ std::optional<InputError> JsonShapes::take_uncertainty(Document& document) const
 // A result always names its centre of mass. If it equals the centroid bit for bit, it is the
 // centroid.
 void forget_centroid(Document& document) {
-  const Result<Polygon> polygon = Polygon::create(document.vertices);
-  if (polygon && document.centre_of_mass && polygon->centroid() == *document.centre_of_mass)
+  const Result<PolygonWithHoles> object = object_of(document);
+  if (object && document.centre_of_mass && object->centroid() == *document.centre_of_mass)
     document.centre_of_mass.reset();
+}
+
+// Reads the object's own centre of mass. With cargo, a result also contains that of both.
+std::optional<InputError> JsonShapes::take_centre_of_mass(Document& document) {
+  auto centre = tree_.member(0, "own_centre_of_mass");
+  if (!centre) centre = tree_.member(0, "centre_of_mass");
+  if (!centre || is(centre, Kind::null)) return std::nullopt;
+  const Result<Vec2> at = point(*centre);
+  if (!at) return at.error();
+  document.centre_of_mass = *at;
+  forget_centroid(document);
+  return std::nullopt;
+}
+
+// Reads a ring of a polygon that may have holes.
+std::optional<InputError> JsonShapes::take_hole(Index ring, Document& document) {
+  if (document.holes.size() == gathering_.most_holes())
+    return error(ring, ErrorCode::too_many_vertices, no_more_holes);
+  Result<Points> hole = points(ring);
+  if (!hole) return hole.error();
+  if (hole->empty()) return error(ring, ErrorCode::too_few_vertices, no_vertices_of_hole);
+  document.holes.push_back(std::move(hole).value());
+  return std::nullopt;
+}
+
+std::optional<InputError> JsonShapes::take_holes(Document& document) {
+  const auto holes = tree_.member(0, "holes");
+  if (!holes || is(holes, Kind::null)) return std::nullopt;
+  if (!is(holes, Kind::array))
+    return error(*holes, ErrorCode::bad_syntax,
+                 "expected an array of holes, each an array of points [x, y]");
+  for (Index i = tree_.first(*holes); i != tree_.end(*holes); i = tree_.next(i))
+    if (auto wrong = take_hole(i, document)) return wrong;
+  return std::nullopt;
+}
+
+// Reads an item of cargo, {"at": [x, y], "weight": w, "name": "..."}, in which the name may be
+// missing.
+Result<Cargo> JsonShapes::cargo_item(Index item) {
+  const bool is_object = tree_.kind(item) == Kind::object;
+  const auto at = is_object ? tree_.member(item, "at") : std::nullopt;
+  const auto weight = is_object ? tree_.member(item, "weight") : std::nullopt;
+  const auto name = is_object ? tree_.member(item, "name") : std::nullopt;
+  if (!at || !is(weight, Kind::number) || (name && !is(name, Kind::string)))
+    return error(item, ErrorCode::bad_syntax,
+                 R"(expected cargo like {"at": [x, y], "weight": w, "name": "..."})");
+  const Result<Vec2> place = point(*at);
+  if (!place) return place.error();
+  Cargo cargo{*place, tree_.number(*weight), name ? std::string(tree_.text(*name)) : ""};
+  if (const char* fault = fault_of_cargo_weight(cargo.weight))
+    return error(*weight, ErrorCode::bad_setting, fault);
+  if (const char* fault = fault_of_cargo_name(cargo.name))
+    return error(*name, ErrorCode::bad_setting, fault);
+  return cargo;
+}
+
+std::optional<InputError> JsonShapes::take_cargo(Document& document) {
+  const auto items = tree_.member(0, "cargo");
+  if (!items || is(items, Kind::null)) return std::nullopt;
+  if (!is(items, Kind::array))
+    return error(*items, ErrorCode::bad_syntax, "expected an array of cargo");
+  for (Index i = tree_.first(*items); i != tree_.end(*items); i = tree_.next(i)) {
+    if (document.settings.cargo.size() == max_cargo)
+      return error(i, ErrorCode::bad_setting, no_more_cargo);
+    Result<Cargo> item = cargo_item(i);
+    if (!item) return item.error();
+    document.settings.cargo.push_back(std::move(item).value());
+  }
+  return std::nullopt;
 }
 
 Result<Import> JsonShapes::result_of_evenlift() {
@@ -251,13 +325,9 @@ Result<Import> JsonShapes::result_of_evenlift() {
   if (!vertices) return vertices.error();
   Document document;
   document.vertices = std::move(vertices).value();
-  const auto centre = tree_.member(0, "centre_of_mass");
-  if (centre && !is(centre, Kind::null)) {
-    const Result<Vec2> at = point(*centre);
-    if (!at) return at.error();
-    document.centre_of_mass = *at;
-    forget_centroid(document);
-  }
+  if (auto wrong = take_holes(document)) return *std::move(wrong);
+  if (auto wrong = take_centre_of_mass(document)) return *std::move(wrong);
+  if (auto wrong = take_cargo(document)) return *std::move(wrong);
   if (auto wrong = take_settings(document)) return *std::move(wrong);
   gathering_.add(std::move(document), "", "polygon");
   return gathering_.finish(error(0, ErrorCode::too_few_vertices, no_vertices));
@@ -385,11 +455,12 @@ void JsonShapes::polygon(Index rings, std::string_view name, const Document& of)
     return gathering_.add_problem(error(rings, ErrorCode::too_few_vertices, no_vertices));
   Result<Points> ring = points(first);
   if (!ring) return gathering_.add_problem(ring.error());
-  for (Index i = tree_.next(first); i != tree_.end(rings); i = tree_.next(i)) ++notes_.holes;
-  if (tree_.next(first) != tree_.end(rings) && !of.centre_of_mass) notes_.centre_is_open = true;
   Document document = of;
   document.vertices = std::move(ring).value();
+  for (Index i = tree_.next(first); i != tree_.end(rings); i = tree_.next(i))
+    if (auto wrong = take_hole(i, document)) return gathering_.add_problem(*std::move(wrong));
   notes_.drop_repeated(document.vertices);
+  for (Points& hole : document.holes) notes_.drop_repeated(hole);
   gathering_.add(std::move(document), name, "polygon");
 }
 
@@ -484,29 +555,30 @@ bool JsonShapes::is_esri_geometry(Index object) const {
          tree_.member(object, "paths");
 }
 
-// Esri's outer rings run clockwise and holes the other way; if none runs clockwise, the first ring
-// tells the direction.
+// Esri's holes run the other way round than the outline that they are in, which tells them from
+// islands in a hole.
 void JsonShapes::esri_rings(Index rings, std::string_view name) {
   if (tree_.kind(rings) != Kind::array)
     return gathering_.add_problem(
         error(rings, ErrorCode::bad_syntax, "expected an array of rings of positions [x, y]"));
   std::vector<Points> all;
-  bool clockwise = false;
   for (Index i = tree_.first(rings); i != tree_.end(rings); i = tree_.next(i)) {
     Result<Points> ring = points(i);
     if (!ring) return gathering_.add_problem(ring.error());
+    if (ring->empty()) continue;
+    if (all.size() == max_shapes)
+      return gathering_.add_problem(
+          error(i, ErrorCode::unsupported, "the polygon has more than 10000 rings"));
+    notes_.drop_repeated(*ring);
     all.push_back(std::move(ring).value());
-    clockwise = clockwise || signed_area(all.back()) < 0;
   }
-  for (Points& ring : all) {
-    if (clockwise && signed_area(ring) > 0) {
-      ++notes_.holes;
-      notes_.centre_is_open = true;
-      continue;
-    }
+  static_assert(max_shapes == 10000, "the message names the number");
+  std::vector<const Points*> each;
+  for (const Points& ring : all) each.push_back(&ring);
+  for (const OutlineWithHoles& shape : filled_shapes(each, Fill::nonzero)) {
     Document document;
-    document.vertices = std::move(ring);
-    notes_.drop_repeated(document.vertices);
+    document.vertices = std::move(all[shape.outline]);
+    for (const std::size_t hole : shape.holes) document.holes.push_back(std::move(all[hole]));
     gathering_.add(std::move(document), name, "polygon");
   }
 }

@@ -12,13 +12,6 @@ namespace {
 // Nearer to the equator widths are right within half a percent.
 constexpr double low_latitude = 5;
 
-// Describes a polygon without its holes. An option may still set a centre of mass later.
-const char* what_is_left(bool centre_is_open) {
-  return centre_is_open
-             ? "only the outer ring defines the shape and, unless one is given, its centre of mass"
-             : "only the outer ring defines the shape; the centre of mass is the given one";
-}
-
 // Numbers beyond these are no longitudes and latitudes, whatever the text says.
 bool can_be_degrees(const Box& box) {
   return box.low.x() >= -360 && box.high.x() <= 360 && box.low.y() >= -90 && box.high.y() <= 90;
@@ -45,9 +38,6 @@ void RingNotes::drop_repeated(Points& ring) {
 }
 
 void RingNotes::add_to(Gathering& gathering) const {
-  if (holes > 0)
-    gathering.note(counted(holes, "hole was", "holes were") +
-                   " left out, since holes are not supported: " + what_is_left(centre_is_open));
   if (heights > 0) gathering.note("coordinates beyond x and y were left out");
   if (repeated > 0)
     gathering.note(counted(repeated, "vertex at the place of the one before it was",

@@ -14,8 +14,6 @@ namespace evenlift {
 struct RingNotes {
   std::size_t repeated = 0;      // vertices at the place of the one before
   std::size_t heights = 0;       // positions with coordinates beyond x and y
-  std::size_t holes = 0;         // left out
-  bool centre_is_open = false;   // a polygon with holes comes without a centre of mass
   bool are_degrees = false;      // the text says that coordinates are longitudes and latitudes
   std::string_view who_says_so;  // completes "... are degrees", as in "the coordinates"
 

@@ -106,11 +106,10 @@ std::optional<InputError> WktReader::skip_parentheses(TextCursor& cursor) const 
 
 std::optional<InputError> WktReader::take_polygon(TextCursor& cursor, std::string_view name) {
   Document document;
-  if (auto error = take_wkt_polygon(cursor, document, max_vertices, &notes_.heights)) return error;
-  notes_.holes += document.holes.size();
-  notes_.centre_is_open = notes_.centre_is_open || !document.holes.empty();
-  document.holes.clear();
+  if (auto error = take_wkt_polygon(cursor, document, gathering_.most_holes(), &notes_.heights))
+    return error;
   notes_.drop_repeated(document.vertices);
+  for (Points& hole : document.holes) notes_.drop_repeated(hole);
   gathering_.add(std::move(document), name, "polygon");
   return std::nullopt;
 }

@@ -16,6 +16,7 @@ namespace evenlift {
 struct DrawnPiece {
   Outline outline;
   std::string layer;
+  bool filled = false;  // if it is closed by itself
 };
 
 struct JoinedOutline {

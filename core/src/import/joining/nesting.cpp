@@ -1,6 +1,7 @@
 #include "import/joining/nesting.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "evenlift/hull.h"
@@ -18,8 +19,12 @@ Points in_order(Points points) {
   return points;
 }
 
+// What an outline is to those inside it. Of outlines at the same place the shape is the nearer one.
+enum class Role : std::uint8_t { hole, shape, line };
+
 struct OutlineInOrder {
   std::size_t number = 0;
+  Role role = Role::line;
   Points key;
   Box box;
   double area = 0;
@@ -27,62 +32,141 @@ struct OutlineInOrder {
 
 bool before(const OutlineInOrder& a, const OutlineInOrder& b) {
   if (a.area != b.area) return a.area > b.area;
-  return std::lexicographical_compare(a.key.begin(), a.key.end(), b.key.begin(), b.key.end(),
-                                      is_before);
+  if (a.key != b.key)
+    return std::lexicographical_compare(a.key.begin(), a.key.end(), b.key.begin(), b.key.end(),
+                                        is_before);
+  return a.role < b.role;
 }
 
-// A hole has no point on the outline around it. Of long outlines some vertices are looked at.
-bool contains(const OutlineInOrder& outer, const OutlineInOrder& inner) {
+OutlineInOrder in_order(std::size_t number, Role role, const Points& points) {
+  OutlineInOrder outline{number, role, in_order(points), {}, 0};
+  outline.box = bounding_box(outline.key);
+  outline.area = signed_area(outline.key);
+  return outline;
+}
+
+bool is_on_boundary(const OutlineInOrder& outline, const Vec2& p) {
+  const double touching = 1e-9 * outline.box.diagonal();
+  for (std::size_t j = 0; j < outline.key.size(); ++j) {
+    const Vec2& next = outline.key[j + 1 == outline.key.size() ? 0 : j + 1];
+    if (length(p - nearest_on_segment(outline.key[j], next, p)) <= touching) return true;
+  }
+  return false;
+}
+
+// Whether the inner outline lies in the outer one, either apart from it or perhaps touching it. Of
+// long outlines some vertices are looked at.
+enum class Touching : std::uint8_t { no, perhaps };
+bool contains(const OutlineInOrder& outer, const OutlineInOrder& inner, Touching touching) {
   if ((inner.box.low.array() < outer.box.low.array()).any() ||
       (inner.box.high.array() > outer.box.high.array()).any())
     return false;
   constexpr std::size_t most_looked_at = 256;
   const std::size_t step = inner.key.size() / most_looked_at + 1;
-  const double touching = 1e-9 * outer.box.diagonal();
+  bool some_inside = false;
   for (std::size_t i = 0; i < inner.key.size(); i += step) {
-    const Vec2& p = inner.key[i];
-    if (!inside(outer.key, p)) return false;
-    for (std::size_t j = 0; j < outer.key.size(); ++j) {
-      const Vec2& next = outer.key[j + 1 == outer.key.size() ? 0 : j + 1];
-      if (length(p - nearest_on_segment(outer.key[j], next, p)) <= touching) return false;
-    }
+    const bool in = inside(outer.key, inner.key[i]);
+    if (!in && touching == Touching::no) return false;
+    const bool on = is_on_boundary(outer, inner.key[i]);
+    if (on ? touching == Touching::no : !in) return false;
+    some_inside = some_inside || !on;
   }
-  return true;
+  // All on the boundary: the middle of an edge tells.
+  for (std::size_t i = step; i < inner.key.size() && !some_inside; i += step) {
+    const Vec2 middle = (inner.key[i - 1] + inner.key[i]) / 2;
+    if (is_on_boundary(outer, middle)) continue;
+    if (!inside(outer.key, middle)) return false;
+    some_inside = true;
+  }
+  return some_inside;
+}
+
+// The smallest outline around each, which comes last among those before it.
+constexpr std::size_t none = static_cast<std::size_t>(-1);
+std::vector<std::size_t> outlines_around(const std::vector<OutlineInOrder>& sorted,
+                                         Touching touching) {
+  std::vector<std::size_t> around(sorted.size(), none);
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+    for (std::size_t j = i; j-- > 0 && around[i] == none;)
+      if (contains(sorted[j], sorted[i], touching)) around[i] = j;
+  return around;
+}
+
+bool is_filled(int winding, Fill fill) {
+  return fill == Fill::even_odd ? winding % 2 != 0 : winding != 0;
+}
+
+// The outlines and the holes that they came with, sorted.
+std::vector<OutlineInOrder> all_in_order(const std::vector<ClosedOutline>& outlines) {
+  std::vector<OutlineInOrder> all;
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    all.push_back(in_order(i, outlines[i].filled ? Role::shape : Role::line, *outlines[i].points));
+    if (!outlines[i].holes) continue;
+    for (const Points& hole : *outlines[i].holes) all.push_back(in_order(i, Role::hole, hole));
+  }
+  std::stable_sort(all.begin(), all.end(), before);
+  return all;
+}
+
+// Whether the second of two outlines in order adds nothing to the first. A shape in a hole of the
+// same form adds something, and so does one with other holes.
+bool repeats(const OutlineInOrder& first, const OutlineInOrder& second,
+             const std::vector<ClosedOutline>& outlines) {
+  if (first.key != second.key || second.role == Role::hole) return false;
+  if (second.role == Role::line) return true;
+  const auto holes_of = [&](const OutlineInOrder& outline) {
+    const std::vector<Points>* holes = outlines[outline.number].holes;
+    return holes ? *holes : std::vector<Points>();
+  };
+  return first.role == Role::shape && holes_of(first) == holes_of(second);
 }
 
 }  // namespace
 
-Nesting nest(const std::vector<const Points*>& outlines) {
-  std::vector<OutlineInOrder> all;
-  for (std::size_t i = 0; i < outlines.size(); ++i) {
-    OutlineInOrder outline{i, in_order(*outlines[i]), {}, 0};
-    outline.box = bounding_box(outline.key);
-    outline.area = signed_area(outline.key);
-    all.push_back(std::move(outline));
+std::vector<OutlineWithHoles> filled_shapes(const std::vector<const Points*>& rings, Fill fill) {
+  std::vector<OutlineInOrder> sorted;
+  for (std::size_t i = 0; i < rings.size(); ++i)
+    sorted.push_back(in_order(i, Role::shape, *rings[i]));
+  std::stable_sort(sorted.begin(), sorted.end(), before);
+  const std::vector<std::size_t> around = outlines_around(sorted, Touching::perhaps);
+  std::vector<OutlineWithHoles> shapes;
+  std::vector<int> winding(sorted.size());              // just inside each ring
+  std::vector<std::size_t> shape(sorted.size(), none);  // filled there
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const std::size_t number = sorted[i].number, outer = around[i];
+    const int outside = outer == none ? 0 : winding[outer];
+    winding[i] = outside + (signed_area(*rings[number]) < 0 ? -1 : 1);
+    if (is_filled(outside, fill) && !is_filled(winding[i], fill)) {
+      shapes[shape[outer]].holes.push_back(number);
+      continue;
+    }
+    shape[i] = is_filled(outside, fill) ? shape[outer] : shapes.size();
+    shapes.push_back({number, {}});
   }
-  std::stable_sort(all.begin(), all.end(), before);
+  return shapes;
+}
+
+Nesting nest(const std::vector<ClosedOutline>& outlines) {
   Nesting nesting;
   std::vector<OutlineInOrder> kept;
-  for (OutlineInOrder& outline : all) {
-    if (!kept.empty() && kept.back().key == outline.key)
+  for (OutlineInOrder& outline : all_in_order(outlines)) {
+    if (!kept.empty() && repeats(kept.back(), outline, outlines))
       ++nesting.repeated;
     else
       kept.push_back(std::move(outline));
   }
-  // The smallest outline around each, which comes last among those before it.
-  constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> around(kept.size(), none), depth(kept.size(), 0), shape(kept.size());
+  const std::vector<std::size_t> around = outlines_around(kept, Touching::no);
+  std::vector<std::size_t> shape(kept.size(), none);  // of which the outline is the boundary
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    for (std::size_t j = i; j-- > 0 && around[i] == none;)
-      if (contains(kept[j], kept[i])) around[i] = j;
-    if (around[i] != none) depth[i] = depth[around[i]] + 1;
-    if (depth[i] % 2 == 0) {
-      shape[i] = nesting.shapes.size();
-      nesting.shapes.push_back({kept[i].number, {}});
-    } else {
+    if (kept[i].role == Role::hole) continue;
+    const bool in_shape = around[i] != none && shape[around[i]] != none;
+    if (kept[i].role == Role::line && in_shape) {
       nesting.shapes[shape[around[i]]].holes.push_back(kept[i].number);
       ++nesting.holes;
+      continue;
     }
+    shape[i] = nesting.shapes.size();
+    nesting.shapes.push_back({kept[i].number, {}});
   }
   return nesting;
 }

@@ -101,7 +101,7 @@ class SvgReader {
   void add(const Outline& outline, const Context& context, const std::string& called,
            const char* kind);
   void add_open(const Outline& outline, const Context& context);
-  void add_piece(Outline piece, std::string_view name);
+  static Fill fill_of(const Context& context);
   Outline placed(const Outline& outline, const Context& context);
 
   std::string_view text_;

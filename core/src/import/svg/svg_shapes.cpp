@@ -136,18 +136,21 @@ Outline SvgReader::placed(const Outline& outline, const Context& context) {
   return image;
 }
 
+Fill SvgReader::fill_of(const Context& context) {
+  if (!context.look.is_filled()) return Fill::none;
+  return context.look.nonzero ? Fill::nonzero : Fill::even_odd;
+}
+
 void SvgReader::add(const Outline& outline, const Context& context, const std::string& called,
                     const char* kind) {
-  gathering_.add(placed(outline, context), called, kind);
+  gathering_.add({{placed(outline, context)}, called, kind, fill_of(context)});
 }
 
 void SvgReader::add_open(const Outline& outline, const Context& context) {
-  if (!outline.pieces.empty()) add_piece(placed(outline, context), context.layer);
-}
-
-void SvgReader::add_piece(Outline piece, std::string_view name) {
-  piece_points_ += piece.pieces.size();
-  pieces_.push_back({std::move(piece), std::string(name)});
+  if (outline.pieces.empty()) return;
+  piece_points_ += outline.pieces.size();
+  pieces_.push_back(
+      {placed(outline, context), std::string(context.layer), context.look.is_filled()});
 }
 
 void SvgReader::path(const pugi::xml_node& node, const Context& context,
@@ -155,18 +158,15 @@ void SvgReader::path(const pugi::xml_node& node, const Context& context,
   auto outlines = checked(node, "path", svg_path(value_of(node, "d")));
   if (!outlines) return;
   hairs_ += drop_specks(*outlines);
-  for (std::size_t i = 0; i < outlines->size(); ++i) {
-    const auto& [outline, closed] = (*outlines)[i];
+  DrawnShape drawn{{}, called, "path", fill_of(context)};
+  for (const auto& [outline, closed] : *outlines) {
     const double meet = same_point * larger_side(control_box(outline));
-    if (!closed && !is_near(outline.start, outline.end(), meet)) {
+    if (!closed && !is_near(outline.start, outline.end(), meet))
       add_open(outline, context);
-      continue;
-    }
-    if (!closed && outline.pieces.empty()) continue;  // a move alone
-    std::string name = called;
-    if (outlines->size() > 1) name += (name.empty() ? "part " : ", part ") + std::to_string(i + 1);
-    add(outline, context, name, "path");
+    else if (closed || !outline.pieces.empty())  // otherwise a move alone
+      drawn.parts.push_back(placed(outline, context));
   }
+  gathering_.add(drawn);
 }
 
 void SvgReader::points(const pugi::xml_node& node, const Context& context,

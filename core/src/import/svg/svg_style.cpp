@@ -25,6 +25,7 @@ constexpr NamedProperty properties[] = {{"display", SvgProperty::display, true},
                                         {"stroke", SvgProperty::stroke, true},
                                         {"stroke-opacity", SvgProperty::stroke_opacity, true},
                                         {"stroke-width", SvgProperty::stroke_width, true},
+                                        {"fill-rule", SvgProperty::fill_rule, true},
                                         {"transform", SvgProperty::transform, true},
                                         {"transform-origin", SvgProperty::transform_origin, true},
                                         {"transform-box", SvgProperty::transform_box, true},
@@ -155,6 +156,8 @@ bool is_visible(std::string_view value) {
   return !same_word(value, "hidden") && !same_word(value, "collapse");
 }
 
+bool is_nonzero_rule(std::string_view value) { return !same_word(value, "evenodd"); }
+
 bool is_more_than_zero(std::string_view value) { return !is_zero(value); }
 
 }  // namespace
@@ -176,7 +179,8 @@ SvgLook inherited(SvgLook look, const SvgDeclared& declared) {
                           {SvgProperty::fill_opacity, &SvgLook::fill_opaque, is_more_than_zero},
                           {SvgProperty::stroke, &SvgLook::stroke, is_paint},
                           {SvgProperty::stroke_opacity, &SvgLook::stroke_opaque, is_more_than_zero},
-                          {SvgProperty::stroke_width, &SvgLook::stroke_wide, is_more_than_zero}};
+                          {SvgProperty::stroke_width, &SvgLook::stroke_wide, is_more_than_zero},
+                          {SvgProperty::fill_rule, &SvgLook::nonzero, is_nonzero_rule}};
   for (const Row& row : rows) {
     const std::string_view value = declared[row.property];
     if (value.empty() || same_word(value, "inherit") || same_word(value, "unset")) continue;

@@ -25,6 +25,7 @@ enum class SvgProperty : std::uint8_t {
   stroke,
   stroke_opacity,
   stroke_width,
+  fill_rule,
   transform,
   transform_origin,
   transform_box,
@@ -43,10 +44,11 @@ struct SvgDeclared {
   }
 };
 
-// The values that an element inherits, as far as they decide whether a shape is seen.
+// The values that an element inherits, as far as they decide whether and where a shape is seen.
 struct SvgLook {
   bool visible = true;
   bool fill = true, fill_opaque = true;
+  bool nonzero = true;  // the fill-rule; otherwise evenodd
   bool stroke = false, stroke_opaque = true, stroke_wide = true;
   bool is_filled() const { return fill && fill_opaque; }
   bool is_stroked() const { return stroke && stroke_opaque && stroke_wide; }
