@@ -163,7 +163,7 @@ TEST_CASE("each setting that is changed alone is named, also after it was kept",
   CHECK(static_cast<std::size_t>(edit_of(later)) == edit_of_records + 77);
   const std::size_t apart = edit_of_records + row_of(Setting::apart).record;
   CHECK(in_words(static_cast<Edit>(apart)) == "changed the goal or its limits");
-  for (const int unknown : {-1, 26, 100, 999})
+  for (const int unknown : {-1, 32, 100, 999})
     CHECK(in_words(static_cast<Edit>(unknown)) == "changed settings");
 }
 

@@ -57,14 +57,16 @@ std::string name_text(const std::string& name) {
   return text + '"';
 }
 
-bool is_name(std::string_view name) {
-  return count_characters(name) <= max_name_characters && is_line_of_text(name) &&
-         name.find_first_of("\t\r") == std::string_view::npos;
+// Of ASCII, or U+0080 to U+009F.
+bool is_control(std::string_view character) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
+  if (character.size() == 1) return byte(0) < 0x20 || byte(0) == 0x7f;
+  return byte(0) == 0xc2 && byte(1) < 0xa0;
 }
 
 bool is_item(const Cargo& item) {
   return item.at.allFinite() && item.at.cwiseAbs().maxCoeff() <= max_coordinate &&
-         item.weight >= min_weight && item.weight <= max_weight && is_name(item.name);
+         !fault_of_cargo_weight(item.weight) && !fault_of_cargo_name(item.name);
 }
 
 std::optional<Cargo> read_item(std::string_view text) {
@@ -82,6 +84,27 @@ std::optional<Cargo> read_item(std::string_view text) {
 }
 
 }  // namespace
+
+const char* fault_of_cargo_weight(double weight) {
+  static_assert(min_weight == 1e-100 && max_weight == 1e100, "the message names the numbers");
+  return weight >= min_weight && weight <= max_weight
+             ? nullptr
+             : "the weight of cargo must be a number greater than 0, from 1e-100 to 1e100";
+}
+
+const char* fault_of_cargo_name(std::string_view name) {
+  static_assert(max_name_characters == 60, "the message names the number");
+  for (std::size_t characters = 0; !name.empty(); ++characters) {
+    const std::size_t length = utf8_length(name);
+    if (length == 0) return "the name of cargo must be valid UTF-8";
+    if (is_control(name.substr(0, length)))
+      return "the name of cargo must have no control characters";
+    if (characters == max_name_characters)
+      return "the name of cargo must have at most 60 characters";
+    name.remove_prefix(length);
+  }
+  return nullptr;
+}
 
 bool read_cargo(std::string_view text, std::vector<Cargo>& cargo) {
   std::vector<Cargo> read;

@@ -18,6 +18,11 @@ bool read_cargo(std::string_view text, std::vector<Cargo>& cargo);
 // quote. O(bytes).
 std::string_view refused_cargo(std::string_view text);
 
+// Why the weight or the name of an item of cargo is refused; nullptr if it is not. A name is UTF-8
+// without control characters, at most max_name_characters of them. O(bytes).
+const char* fault_of_cargo_weight(double weight);
+const char* fault_of_cargo_name(std::string_view name);
+
 // Whether there are at most max_cargo items, each at a place within max_coordinate, with its weight
 // in its range and a name. O(bytes of names).
 bool is_cargo(const std::vector<Cargo>& cargo);

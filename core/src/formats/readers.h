@@ -41,9 +41,4 @@ bool names_wkt_dimensions(std::string_view word);
 // Drops the last vertex of a ring if it equals the first. O(1).
 void drop_closing_vertex(Points& ring);
 
-// Why the weight or the name of an item of cargo is refused; nullptr if it is not. A name is UTF-8
-// without control characters, at most max_name_characters of them. O(bytes).
-const char* fault_of_cargo_weight(double weight);
-const char* fault_of_cargo_name(std::string_view name);
-
 }  // namespace evenlift

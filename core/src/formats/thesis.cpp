@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "document/cargo_settings.h"
 #include "formats/readers.h"
 #include "numbers/text_cursor.h"
 
