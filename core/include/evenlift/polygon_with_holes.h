@@ -61,7 +61,7 @@ class PolygonWithHoles {
 // PolygonWithHoles::create(). O(n log n).
 Result<PolygonWithHoles> object_of(const Document& document);
 
-// Whether a point is strictly inside a polygon; exact for points that are not on its boundary. O(n).
+// Whether a point is strictly inside a polygon; exact. O(n).
 bool is_inside(const Polygon& polygon, const Vec2& point);
 
 }  // namespace evenlift

@@ -27,10 +27,12 @@ std::optional<InputError> check_coordinates(const Vec2& centre) {
   return std::nullopt;
 }
 
+// Cargo may be so far away that numbers overflow; then the point is outside.
 bool is_strictly_in_hull(const Polygon& polygon, const Vec2& point) {
+  if (!point.allFinite()) return false;
   const Points& hull = polygon.hull();
   for (std::size_t i = 0; i < hull.size(); ++i)
-    if (orient(hull[i], hull[(i + 1) % hull.size()], point) <= 0) return false;
+    if (!(orient(hull[i], hull[(i + 1) % hull.size()], point) > 0)) return false;
   return true;
 }
 
