@@ -46,8 +46,9 @@ TEST_CASE("the coverage of a set is the same, and its bound is above it", "[bala
     const Document document = corpus::polygon(name);
     const Polygon polygon = testing::polygon(document.vertices);
     const Vec2 centre = *check_centre_of_mass(polygon, document.centre_of_mass);
-    const balanced::Cover cover(solid(polygon), centre);
-    const balanced::CoarseCover coarse(solid(polygon), centre);
+    const PolygonWithHoles object = solid(polygon);
+    const balanced::Cover cover(object, centre);
+    const balanced::CoarseCover coarse(object, centre);
     for (int i = 0; i < 100; ++i) {
       const std::vector<LiftingPoint> robots = any_robots(polygon, rng);
       Points points;

@@ -13,7 +13,7 @@ enum class Part { start, search };
 void run(benchmark::State& state, Document document, Part part) {
   document.settings.method = Method::balanced;
   document.settings.robots = static_cast<std::uint32_t>(state.range(0));
-  const Polygon polygon = *Polygon::create(document.vertices);
+  const PolygonWithHoles polygon(*Polygon::create(document.vertices));
   double coverage = 0;
   for (auto _ : state) {
     const BalancedProblem problem(polygon, polygon.centroid(), document.settings);
@@ -44,7 +44,7 @@ void balanced_on_samples(benchmark::State& state) {
     document.settings.robots = static_cast<std::uint32_t>(state.range(0));
   }
   time_each(state, documents, [](const Document& document) {
-    const Polygon polygon = *Polygon::create(document.vertices);
+    const PolygonWithHoles polygon(*Polygon::create(document.vertices));
     const Vec2 centre = *check_centre_of_mass(polygon, document.centre_of_mass);
     const BalancedProblem problem(polygon, centre, document.settings);
     benchmark::DoNotOptimize(finish_search(problem, *start_balanced(problem)));

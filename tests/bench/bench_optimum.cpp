@@ -22,7 +22,7 @@ std::vector<std::uint32_t> first(std::int64_t teams) {
 }
 
 void widest(benchmark::State& state, std::size_t number) {
-  const Polygon polygon = polygon_of(Family::convex, 800);
+  const PolygonWithHoles polygon(polygon_of(Family::convex, 800));
   const std::vector<Candidate> candidates = candidates_of(polygon, number);
   const std::vector<std::uint32_t> start = first(state.range(0));
   bool proved = false;
@@ -36,7 +36,7 @@ void widest(benchmark::State& state, std::size_t number) {
 // Three teams of 294 candidates have 4,192,244 choices; with 295 candidates there are more than
 // most_choices.
 void firmest_most_choices(benchmark::State& state) {
-  const Polygon polygon = polygon_of(Family::convex, 800);
+  const PolygonWithHoles polygon(polygon_of(Family::convex, 800));
   const Vec2& centre = polygon.centroid();
   const std::vector<Candidate> candidates = candidates_of(polygon, 294);
   const std::vector<std::uint32_t> start = first(3);

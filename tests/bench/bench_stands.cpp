@@ -14,13 +14,13 @@ RobotSize size_of(const Polygon& polygon, std::int64_t thousandths, bool hand) {
 }
 
 void stands_on_coast(benchmark::State& state, bool hand) {
-  const Polygon polygon = *Polygon::create(coast().vertices);
+  const PolygonWithHoles polygon(*Polygon::create(coast().vertices));
   const RobotSize size = size_of(polygon, state.range(0), hand);
   for (auto _ : state) benchmark::DoNotOptimize(Stands(polygon, size, {}).unusable().size());
 }
 
 void stands_most_no_go(benchmark::State& state) {
-  const Polygon polygon = *Polygon::create(coast().vertices);
+  const PolygonWithHoles polygon(*Polygon::create(coast().vertices));
   std::vector<EdgePart> parts;
   for (std::uint32_t i = 0; i < most_no_go; ++i) parts.push_back({20 * i, 0.25, 0.75});
   const RobotSize size = size_of(polygon, state.range(0), true);
@@ -29,7 +29,7 @@ void stands_most_no_go(benchmark::State& state) {
 
 void place_on_coast(benchmark::State& state) {
   Document document = coast();
-  const Polygon polygon = *Polygon::create(document.vertices);
+  const PolygonWithHoles polygon(*Polygon::create(document.vertices));
   document.settings.robot = size_of(polygon, state.range(0), false);
   for (auto _ : state)
     benchmark::DoNotOptimize(place(polygon, std::nullopt, document.settings)->coverage);

@@ -29,7 +29,7 @@ void hold(benchmark::State& state, Family family, Positions positions, std::int6
 
 // A number of teams among a number of a comb's candidates in ranges, evenly picked.
 void swap(benchmark::State& state) {
-  const Polygon polygon = polygon_of(Family::comb, 1000);
+  const PolygonWithHoles polygon(polygon_of(Family::comb, 1000));
   const Settings settings = to_hold({}, state.range(0), Positions::range).settings;
   const std::vector<Candidate> all =
       *find_candidates(polygon, polygon.centroid(), settings.min_ratio, settings.positions);
