@@ -181,7 +181,7 @@ class Comparison {
     const oracle::Judgement exact = oracle::judge(case_.problem, list, teams);
     // If several successive corners of H are each within tau L of the line of their neighbours,
     // either one may be left out. In an object nearly as thin as that, this affects the coverage.
-    const double area = core_.polygon().area(), square = size_ * size_;
+    const double area = core_.object.area(), square = size_ * size_;
     hull(d, exact.hull, 2e-9);
     d.near("coverage", core_.coverage, exact.coverage,
            area < 1e-4 * square ? 4e-9 * square / area : 1e-9);
@@ -271,6 +271,10 @@ std::string text(const Case& c) {
     s << "CoM:(" << com[0] << "," << com[1] << ")\n";
   }
   for (const Point& p : c.problem.vertices) s << "(" << p[0] << "," << p[1] << ")\n";
+  for (const oracle::Ring& hole : c.problem.holes) {
+    s << "hole\n";
+    for (const Point& p : hole) s << "(" << p[0] << "," << p[1] << ")\n";
+  }
   return s.str();
 }
 

@@ -118,6 +118,12 @@ Real common_area(const std::vector<RealVec>& polygon, const std::vector<RealVec>
   return rest.size() < 3 ? Real(0) : signed_area(rest);
 }
 
+Real area_within(const ExactShape& shape, const std::vector<RealVec>& convex) {
+  Real area = common_area(shape.real_vertices, convex);
+  for (const std::vector<RealVec>& hole : shape.holes) area -= common_area(hole, convex);
+  return area;
+}
+
 Real distance_to_segment(const RealVec& p, const RealVec& a, const RealVec& b) {
   const RealVec along = b - a;
   const Real squared = dot(along, along);
@@ -178,7 +184,7 @@ Judgement judge(const Problem& problem, const CandidateList& list,
     result.hull.push_back({static_cast<double>(corner.x + Real(shape.centre.x)),
                            static_cast<double>(corner.y + Real(shape.centre.y))});
   if (base.size() >= 3)
-    result.coverage = static_cast<double>(common_area(shape.real_vertices, base) / shape.area);
+    result.coverage = static_cast<double>(area_within(shape, base) / shape.area);
   result.loads = loads(problem, placed);
   result.closure = immobilization(shape, real_points);
   result.closure.closest_call.merge(calls.closest());

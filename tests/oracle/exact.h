@@ -81,11 +81,12 @@ class Calls {
 /// Everything is in the frame with its origin at C, so that no large coordinates are subtracted
 /// later.
 struct ExactShape {
-  std::vector<ExactVec> vertices;      // counter-clockwise, relative to C
-  std::vector<RealVec> real_vertices;  // the same
-  ExactVec centre;                     // C itself
-  Real size;                           // L, the diameter
-  Real area;                           // of P, positive
+  std::vector<ExactVec> vertices;           // counter-clockwise, relative to C
+  std::vector<RealVec> real_vertices;       // the same
+  ExactVec centre;                          // C itself
+  Real size;                                // L, the diameter
+  Real area;                                // of P without its holes, positive
+  std::vector<std::vector<RealVec>> holes;  // counter-clockwise, relative to C
 };
 
 struct ExactChord {
@@ -102,6 +103,12 @@ struct ExactChord {
 struct ExactChords {
   std::vector<ExactChord> chords;
 };
+
+std::vector<ExactVec> exact_points(const std::vector<Point>& points);
+Exact doubled_area(const std::vector<ExactVec>& ring);
+
+/// Whether the closed segments a b and c d have a point in common.
+bool meet(const ExactVec& a, const ExactVec& b, const ExactVec& c, const ExactVec& d);
 
 std::shared_ptr<const ExactShape> exact_shape(const Problem& problem);
 ExactChord exact_chord(const ExactVec& end0, const ExactVec& end1, Kind kind, const Real& ratio);
@@ -125,6 +132,9 @@ Real outside(const RealVec& v, const RealVec& p, const RealVec& q);
 /// The area of the intersection of a simple polygon and a convex one, both counter-clockwise.
 Real common_area(const std::vector<RealVec>& polygon, const std::vector<RealVec>& convex);
 Real signed_area(const std::vector<RealVec>& polygon);
+
+/// The area of the object without its holes within a convex polygon, counter-clockwise.
+Real area_within(const ExactShape& shape, const std::vector<RealVec>& convex);
 
 /// The distance from p to the segment a b.
 Real distance_to_segment(const RealVec& p, const RealVec& a, const RealVec& b);

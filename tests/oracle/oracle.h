@@ -22,6 +22,7 @@
 namespace oracle {
 
 using Point = std::array<double, 2>;
+using Ring = std::vector<Point>;
 
 enum class Metric { area, circle, distance };
 enum class Kind { bisecting, midpoint, vertex };  // in the order of precedence
@@ -32,7 +33,8 @@ struct Problem {
   double min_ratio = 0.8;                 // rho, in [0, 1]
   int teams = 3;                          // t, at least 1
   Metric metric = Metric::area;
-  double weight = 100;  // W
+  double weight = 100;        // W
+  std::vector<Ring> holes{};  // in the polygon, each in either orientation
 };
 
 enum class Refusal {
@@ -46,6 +48,9 @@ enum class Refusal {
   centre_outside,
   bad_ratio,
   bad_teams,
+  bad_hole,      // no valid polygon by itself
+  rings_meet,    // a hole and another ring have a common point
+  hole_outside,  // of the polygon, or in another hole
 };
 
 /// Why the input is refused; `none` if it is valid.
@@ -53,6 +58,38 @@ Refusal refusal(const Problem& problem);
 
 /// The area centroid, computed exactly and rounded to the nearest doubles. The area must not be 0.
 Point centroid(const std::vector<Point>& vertices);
+
+/// The area and the centroid of the polygon without its holes, rounded to the nearest doubles.
+double area(const Problem& problem);
+Point centroid(const Problem& problem);
+
+/// The share of the object within the convex polygon with these corners, counter-clockwise.
+double covered_share(const Problem& problem, const std::vector<Point>& corners);
+
+/// Whether two closed segments, or the edges of two rings, have a common point.
+bool segments_meet(const Point& a, const Point& b, const Point& c, const Point& d);
+bool rings_meet(const Ring& a, const Ring& b);
+
+/// Whether a point that is not on the ring is inside it.
+bool contains(const Ring& ring, const Point& p);
+
+/// Why the ring by itself is no valid polygon.
+Refusal refusal_of_ring(const Ring& ring);
+
+/// Why the polygon, known to be valid, cannot have these holes: the first of the last three
+/// refusals, or `none`. Every pair of edges and of rings is tried.
+Refusal refusal_of_holes(const Ring& outline, const std::vector<Ring>& holes);
+
+/// Whether a further hole fits among valid ones.
+bool fits(const Ring& outline, const std::vector<Ring>& holes, const Ring& hole);
+
+/// Cargo of a weight at a place, and the centre of mass of an object with it: exact, rounded to the
+/// nearest doubles.
+struct Cargo {
+  Point at;
+  double weight;
+};
+Point centre_with_cargo(const Point& own, double weight, const std::vector<Cargo>& cargo);
 
 /// The nearest decision that a tolerance made: |value / threshold - 1|, so 0.001 means that a
 /// change of the value by a thousandth of its threshold would have changed the decision.
@@ -108,6 +145,14 @@ struct Selection {
 
 /// First team and further teams, with all ties, by the problem's metric.
 Selection select(const Problem& problem, const CandidateList& list);
+
+/// The score of every candidate against the lifting base of these teams, by the problem's metric.
+struct Scores {
+  std::vector<double> values;
+  ClosestCall closest_call;
+};
+Scores scores(const Problem& problem, const CandidateList& list,
+              const std::vector<std::size_t>& teams);
 
 struct DistributedTeams {
   std::vector<std::array<Point, 2>> chords;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <numeric>
 
 namespace oracle {
 namespace {
@@ -88,7 +89,7 @@ class Base {
 };
 
 Real area_metric(const ExactShape& shape, const RealVec& h1, const RealVec& h2, const RealVec& p) {
-  return common_area(shape.real_vertices, {h1, p, h2});  // p is right of h1 -> h2
+  return area_within(shape, {h1, p, h2});  // p is right of h1 -> h2
 }
 
 Real circle_metric(const RealVec& h1, const RealVec& h2, const RealVec& p) {
@@ -165,6 +166,18 @@ class Selector {
     return result_;
   }
 
+  Scores scores_after(const std::vector<std::size_t>& teams) {
+    std::vector<std::size_t> all(chords_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    Base base = base_of(teams);
+    Real doubt = 0;
+    Scores scores;
+    for (const Real& score : scores_of(all, base, doubt))
+      scores.values.push_back(static_cast<double>(score));
+    scores.closest_call = calls_.closest();
+    return scores;
+  }
+
  private:
   void keep_by_ratio(std::vector<std::size_t>& r) {
     keep_best(
@@ -193,17 +206,9 @@ class Selector {
   }
 
   void take_further() {
-    std::vector<ExactVec> points;
-    for (std::size_t i : result_.teams)
-      for (const ExactVec& end : chords_[i].ends) points.push_back(end);
-    Base base(points, shape_.size, calls_);
-    std::vector<Real> scores(chords_.size());
+    Base base = base_of(result_.teams);
     Real doubt = 0;
-    for (std::size_t i : left_) {
-      rounding_ = 0;
-      scores[i] = gain(base, chords_[i].real_ends[0]) + gain(base, chords_[i].real_ends[1]);
-      doubt = std::max<Real>(doubt, 2 * rounding_);
-    }
+    const std::vector<Real> scores = scores_of(left_, base, doubt);
 
     const Real& size = shape_.size;
     const Real absolute =
@@ -219,6 +224,24 @@ class Selector {
     keep_by_ratio(remaining);
     keep_by_length(remaining);
     take(remaining.front(), static_cast<double>(scores[remaining.front()]));
+  }
+
+  Base base_of(const std::vector<std::size_t>& teams) {
+    std::vector<ExactVec> points;
+    for (std::size_t i : teams)
+      for (const ExactVec& end : chords_[i].ends) points.push_back(end);
+    return Base(points, shape_.size, calls_);
+  }
+
+  /// Of these candidates; `doubt` grows to the possible change by rounding.
+  std::vector<Real> scores_of(const std::vector<std::size_t>& candidates, Base& base, Real& doubt) {
+    std::vector<Real> scores(chords_.size());
+    for (std::size_t i : candidates) {
+      rounding_ = 0;
+      scores[i] = gain(base, chords_[i].real_ends[0]) + gain(base, chords_[i].real_ends[1]);
+      doubt = std::max<Real>(doubt, 2 * rounding_);
+    }
+    return scores;
   }
 
   /// f(p): of two edges, the larger value.
@@ -262,6 +285,11 @@ class Selector {
 
 Selection select(const Problem& problem, const CandidateList& list) {
   return Selector(problem, list).run();
+}
+
+Scores scores(const Problem& problem, const CandidateList& list,
+              const std::vector<std::size_t>& teams) {
+  return Selector(problem, list).scores_after(teams);
 }
 
 }  // namespace oracle

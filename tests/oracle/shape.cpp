@@ -6,6 +6,14 @@
 namespace oracle {
 namespace {
 
+/// Whether p, known to be on the line of a b, is on the closed segment.
+bool in_box(const ExactVec& a, const ExactVec& b, const ExactVec& p) {
+  return p.x >= std::min(a.x, b.x) && p.x <= std::max(a.x, b.x) && p.y >= std::min(a.y, b.y) &&
+         p.y <= std::max(a.y, b.y);
+}
+
+}  // namespace
+
 std::vector<ExactVec> exact_points(const std::vector<Point>& points) {
   std::vector<ExactVec> result;
   result.reserve(points.size());
@@ -19,13 +27,6 @@ Exact doubled_area(const std::vector<ExactVec>& v) {
   return sum;
 }
 
-/// Whether p, known to be on the line of a b, is on the closed segment.
-bool in_box(const ExactVec& a, const ExactVec& b, const ExactVec& p) {
-  return p.x >= std::min(a.x, b.x) && p.x <= std::max(a.x, b.x) && p.y >= std::min(a.y, b.y) &&
-         p.y <= std::max(a.y, b.y);
-}
-
-/// Whether the closed segments a b and c d have a point in common.
 bool meet(const ExactVec& a, const ExactVec& b, const ExactVec& c, const ExactVec& d) {
   const int abc = sign(orient(a, b, c)), abd = sign(orient(a, b, d));
   const int cda = sign(orient(c, d, a)), cdb = sign(orient(c, d, b));
@@ -33,6 +34,8 @@ bool meet(const ExactVec& a, const ExactVec& b, const ExactVec& c, const ExactVe
   return (abc == 0 && in_box(a, b, c)) || (abd == 0 && in_box(a, b, d)) ||
          (cda == 0 && in_box(c, d, a)) || (cdb == 0 && in_box(c, d, b));
 }
+
+namespace {
 
 bool simple(const std::vector<ExactVec>& v) {
   const std::size_t n = v.size();
@@ -79,6 +82,13 @@ bool too_small(const std::vector<ExactVec>& v) {
   return length(real(high - low)) < tau;
 }
 
+bool bad(const Point& p) { return !(std::fabs(p[0]) <= 1e9 && std::fabs(p[1]) <= 1e9); }
+
+bool tiny(const Point& p) {
+  const auto below = [](double x) { return x != 0 && std::fabs(x) < 1e-100; };
+  return below(p[0]) || below(p[1]);
+}
+
 }  // namespace
 
 double nearest_double(const Exact& value) {
@@ -114,24 +124,15 @@ double nearest_double(const Exact& value) {
 }
 
 Point centroid(const std::vector<Point>& vertices) {
-  const std::vector<ExactVec> v = exact_points(vertices);
-  ExactVec sum{0, 0};
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    const ExactVec &a = v[i], &b = v[(i + 1) % v.size()];
-    sum = sum + (a + b) * cross(a, b);
-  }
-  const Exact scale = 1 / (3 * doubled_area(v));
-  return {nearest_double(sum.x * scale), nearest_double(sum.y * scale)};
+  Problem solid;
+  solid.vertices = vertices;
+  return centroid(solid);
 }
 
-Refusal refusal(const Problem& problem) {
-  if (problem.vertices.size() < 3) return Refusal::too_few_vertices;
-  const auto bad = [](const Point& p) {
-    return !(std::fabs(p[0]) <= 1e9 && std::fabs(p[1]) <= 1e9);
-  };
-  if (std::any_of(problem.vertices.begin(), problem.vertices.end(), bad))
-    return Refusal::bad_coordinate;
-  const std::vector<ExactVec> v = exact_points(problem.vertices);
+Refusal refusal_of_ring(const Ring& ring) {
+  if (ring.size() < 3) return Refusal::too_few_vertices;
+  if (std::any_of(ring.begin(), ring.end(), bad)) return Refusal::bad_coordinate;
+  const std::vector<ExactVec> v = exact_points(ring);
   for (std::size_t i = 0; i < v.size(); ++i)
     for (std::size_t j = i + 1; j < v.size(); ++j)
       if (v[i] == v[j]) return Refusal::repeated_vertex;
@@ -139,13 +140,16 @@ Refusal refusal(const Problem& problem) {
   if (std::all_of(v.begin(), v.end(), on_first_line)) return Refusal::no_area;
   if (!simple(v)) return Refusal::not_simple;
   if (too_small(v)) return Refusal::too_small;
-  const auto tiny = [](const Point& p) {
-    const auto below = [](double x) { return x != 0 && std::fabs(x) < 1e-100; };
-    return below(p[0]) || below(p[1]);
-  };
-  if (std::any_of(problem.vertices.begin(), problem.vertices.end(), tiny))
-    return Refusal::bad_coordinate;
-  const Point c = problem.centre_of_mass ? *problem.centre_of_mass : centroid(problem.vertices);
+  if (std::any_of(ring.begin(), ring.end(), tiny)) return Refusal::bad_coordinate;
+  return Refusal::none;
+}
+
+Refusal refusal(const Problem& problem) {
+  if (const Refusal why = refusal_of_ring(problem.vertices); why != Refusal::none) return why;
+  if (const Refusal why = refusal_of_holes(problem.vertices, problem.holes); why != Refusal::none)
+    return why;
+  const std::vector<ExactVec> v = exact_points(problem.vertices);
+  const Point c = problem.centre_of_mass ? *problem.centre_of_mass : centroid(problem);
   if (bad(c) || (problem.centre_of_mass && tiny(c))) return Refusal::bad_coordinate;
   if (!strictly_in_hull(v, exact(c))) return Refusal::centre_outside;
   if (!(problem.min_ratio >= 0 && problem.min_ratio <= 1)) return Refusal::bad_ratio;
@@ -155,8 +159,7 @@ Refusal refusal(const Problem& problem) {
 
 std::shared_ptr<const ExactShape> exact_shape(const Problem& problem) {
   auto shape = std::make_shared<ExactShape>();
-  shape->centre =
-      exact(problem.centre_of_mass ? *problem.centre_of_mass : centroid(problem.vertices));
+  shape->centre = exact(problem.centre_of_mass ? *problem.centre_of_mass : centroid(problem));
   shape->vertices = exact_points(problem.vertices);
   if (doubled_area(shape->vertices) < 0)
     std::reverse(shape->vertices.begin(), shape->vertices.end());
@@ -169,6 +172,13 @@ std::shared_ptr<const ExactShape> exact_shape(const Problem& problem) {
     for (const RealVec& w : shape->real_vertices) squared = std::max(squared, dot(v - w, v - w));
   shape->size = sqrt(squared);
   shape->area = Real(doubled_area(shape->vertices)) / 2;
+  for (const Ring& hole : problem.holes) {
+    std::vector<ExactVec> ring = exact_points(hole);
+    if (doubled_area(ring) < 0) std::reverse(ring.begin(), ring.end());
+    shape->area -= Real(doubled_area(ring)) / 2;
+    shape->holes.emplace_back();
+    for (const ExactVec& v : ring) shape->holes.back().push_back(real(v - shape->centre));
+  }
   return shape;
 }
 

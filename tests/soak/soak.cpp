@@ -19,6 +19,7 @@
 #include "evenlift/numbers.h"
 #include "evenlift/random.h"
 #include "kit/metrics.h"
+#include "shapes/holed_polygons.h"
 #include "shapes/problem_document.h"
 #include "shapes/small_polygons.h"
 
@@ -39,6 +40,8 @@ Outcome try_oracle(std::uint64_t number) {
   };
   const Case c = small_polygons::make_case(number);
   add("placement", c, compare_placement(c));
+  const Case holed = holed_polygons::with_holes(c, number);
+  if (!holed.problem.holes.empty()) add("with holes", holed, compare_placement(holed));
   add("vertex-chords", c, compare_vertex_chords(c));
   if (number % 4 == 0) add("distributed teams", c, compare_distributed(c));
   const Case careless = small_polygons::make_careless_case(number);

@@ -1,5 +1,5 @@
 // Whether a robot can stand at a place, by the four conditions and nothing else: every edge is
-// checked, and counting crossings decides whether a point is in the object. Also whether two robots
+// checked, those of holes included, and counting crossings decides whether a point is in the object. Also whether two robots
 // collide, by bodies, arms and hands.
 #pragma once
 
@@ -15,8 +15,13 @@ class StandOracle {
  public:
   // `slack` is the distance from its bound beyond which a condition surely counts as broken or
   // kept.
-  StandOracle(const Polygon& polygon, const RobotSize& robot, const std::vector<EdgePart>& no_go)
-      : polygon_(polygon), robot_(robot), no_go_(no_go), slack_(1e-7 * polygon.diagonal()) {}
+  StandOracle(const Polygon& polygon, const RobotSize& robot, const std::vector<EdgePart>& no_go,
+              const std::vector<Polygon>& holes = {})
+      : polygon_(polygon),
+        robot_(robot),
+        no_go_(no_go),
+        holes_(holes),
+        slack_(1e-7 * polygon.diagonal()) {}
 
   enum class Verdict { stands, cannot, unsure };
 
@@ -136,17 +141,25 @@ class StandOracle {
         keep(to_segment(s, polygon_.edge_start(f), polygon_.edge_end(f)) - robot_.radius);
   }
 
-  // The depth of a point inside the object; below 0 outside.
+  // Visits all edges of the outline and of the holes but one of the outline.
+  template <class Visit>
+  void for_each_edge_but(std::size_t edge, Visit visit) const {
+    for (std::size_t f = 0; f < polygon_.size(); ++f)
+      if (f != edge) visit(polygon_.edge_start(f), polygon_.edge_end(f));
+    for (const Polygon& hole : holes_)
+      for (std::size_t f = 0; f < hole.size(); ++f) visit(hole.edge_start(f), hole.edge_end(f));
+  }
+
+  // The depth of a point inside the object; below 0 outside and in a hole.
   double depth(const Vec2& s) const {
     bool inside = false;
     double nearest = 1e300;
-    for (std::size_t f = 0; f < polygon_.size(); ++f) {
-      const Vec2 a = polygon_.edge_start(f), b = polygon_.edge_end(f);
+    for_each_edge_but(polygon_.size(), [&](const Vec2& a, const Vec2& b) {
       nearest = std::min(nearest, to_segment(s, a, b));
       if ((a.y() > s.y()) != (b.y() > s.y()) &&
           s.x() < a.x() + (s.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
         inside = !inside;
-    }
+    });
     return inside ? nearest : -nearest;
   }
 
@@ -192,15 +205,14 @@ class StandOracle {
     // Parts thinner than the spacing of the samples below. A search that goes deeper meets a
     // slanting edge slightly farther along.
     const double aside = 20 * slack_;
-    for (std::size_t f = 0; f < polygon_.size(); ++f) {
-      if (f == edge) continue;
+    for_each_edge_but(edge, [&](const Vec2& start, const Vec2& end) {
       const auto seen = [&](const Vec2& p) { return Vec2(dot(p - c, along), -dot(p - c, out)); };
-      const Vec2 p = seen(polygon_.edge_start(f)), q = seen(polygon_.edge_end(f));
+      const Vec2 p = seen(start), q = seen(end);
       if (is_met(p, q, std::max(half - aside, 0.0), from + slack_, to - slack_))
         keep(-1);
       else if (meets(p, q, half + aside, std::max(from - slack_, slack_), to + slack_))
         keep(0);
-    }
+    });
     const int across = robot_.width > 0 ? samples : 0;
     for (int i = 0; i <= across; ++i)
       for (int j = 0; j <= samples; ++j) {
@@ -240,6 +252,7 @@ class StandOracle {
   const Polygon& polygon_;
   RobotSize robot_;
   std::vector<EdgePart> no_go_;
+  std::vector<Polygon> holes_;
   double slack_;
 };
 
