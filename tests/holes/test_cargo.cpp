@@ -180,7 +180,7 @@ TEST_CASE("the centre of mass with cargo is that of exact arithmetic", "[cargo][
 }
 
 TEST_CASE("an object with cargo is placed as one of the whole weight and centre of mass",
-          "[cargo]") {
+          "[cargo][slow]") {
   Rng rng(8);
   int compared = 0;
   for (std::uint64_t number = 0; number < 60; ++number) {

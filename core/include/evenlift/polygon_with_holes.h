@@ -23,7 +23,7 @@ class PolygonWithHoles {
   // Checks the holes: at most max_holes simple polygons in either orientation, each strictly inside
   // the outline, apart from it and from each other, none in another, with at most max_vertices
   // vertices in all. All decisions are exact. The error names the holes and edges at fault.
-  // O(n log n) for all rings at once.
+  // O(n log n) for all rings at once, and O(k^2) for k holes.
   static Result<PolygonWithHoles> create(Polygon outline, const std::vector<Points>& holes);
 
   const Polygon& outline() const { return outline_; }
@@ -39,8 +39,9 @@ class PolygonWithHoles {
   bool convex() const { return holes_.empty() && outline_.convex(); }
 
   // The boundary as one closed ring, in the orientation of the outline: the outline, and then each
-  // hole the other way round, reached from the outline's first vertex and left along the same line.
-  // So signed areas of the ring, and of what clipping leaves of it, are those of the object.
+  // hole the other way round. From the outline's first vertex a way leads from one hole to another
+  // near it, and back along the same lines. So signed areas of the ring, and of what clipping leaves
+  // of it, are those of the object.
   const Points& boundary() const { return holes_.empty() ? outline_.vertices() : boundary_; }
 
   // Whether a point is strictly inside a hole, and in which; exact. O(n).

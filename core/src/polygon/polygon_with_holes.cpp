@@ -79,17 +79,37 @@ std::optional<InputError> check_rings(const Rings& rings) {
   return check_inside(swept);
 }
 
+// The holes in an order in which each is near the one before it, so that the ways between them are
+// short and few of them cross an edge of H. O(k^2) for k holes.
+std::vector<const Polygon*> chain_of(Vec2 at, const std::vector<Polygon>& holes) {
+  std::vector<const Polygon*> chain;
+  for (const Polygon& hole : holes) chain.push_back(&hole);
+  const auto distance = [&](const Polygon* hole) {
+    const Vec2 way = hole->vertex(0) - at;
+    return dot(way, way);
+  };
+  for (auto next = chain.begin(); next != chain.end(); ++next) {
+    std::iter_swap(next, std::min_element(next, chain.end(), [&](const auto* a, const auto* b) {
+                     return distance(a) < distance(b);
+                   }));
+    at = (*next)->vertex(0);
+  }
+  return chain;
+}
+
 Points boundary_of(const Polygon& outline, const std::vector<Polygon>& holes) {
-  Points ring = outline.vertices();
-  const Vec2 start = ring.front();
-  for (const Polygon& hole : holes) {
-    Points around = hole.vertices();
-    if (hole.counter_clockwise() == outline.counter_clockwise())
+  Points ring = outline.vertices(), way;
+  ring.push_back(Vec2(ring.front()));
+  for (const Polygon* hole : chain_of(outline.vertex(0), holes)) {
+    Points around = hole->vertices();
+    if (hole->counter_clockwise() == outline.counter_clockwise())
       std::reverse(around.begin(), around.end());
-    ring.push_back(start);
     ring.insert(ring.end(), around.begin(), around.end());
     ring.push_back(around.front());
+    way.push_back(around.front());
   }
+  way.pop_back();
+  ring.insert(ring.end(), way.rbegin(), way.rend());
   return ring;
 }
 
