@@ -17,6 +17,7 @@ namespace {
 // Whether the edit leaves the placement unchanged.
 bool places_nothing(const AppState& state, const Document& edited) {
   return !state.derived().refusal && edited.vertices == state.work.document().vertices &&
+         edited.holes == state.work.document().holes &&
          edited.centre_of_mass == state.work.document().centre_of_mass &&
          edited.settings == settings(state);
 }
