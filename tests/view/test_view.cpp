@@ -1117,12 +1117,12 @@ TEST_CASE("rows of pixels fill what triangles fill, and the heat map's bands ali
     const Rect window{0, 0, 800, 600};
     const Camera camera = fit(polygon, {20, 20, 780, 580});
     const double whole = area_of(polygon) * camera.scale * camera.scale;
-    CHECK(filled(fill_rows(polygon, camera, window, 0.5)) == Approx(whole).epsilon(0.003));
+    CHECK(filled(fill_rows(polygon, {}, camera, window, 0.5)) == Approx(whole).epsilon(0.003));
     // With half of it outside the window, only the visible half is filled; the other half is the
     // rest.
     const Camera aside = pan(camera, {-400, 0});
-    const RowFill half = fill_rows(polygon, aside, window, 0.5);
-    const RowFill rest = fill_rows(polygon, pan(camera, {400, 0}), window, 0.5);
+    const RowFill half = fill_rows(polygon, {}, aside, window, 0.5);
+    const RowFill rest = fill_rows(polygon, {}, pan(camera, {400, 0}), window, 0.5);
     CHECK(filled(half) + filled(rest) == Approx(whole).epsilon(0.003));
     CHECK(filled(half) > whole / 10);
     CHECK(filled(rest) > whole / 10);

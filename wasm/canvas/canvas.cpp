@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "canvas/canvas_walkthrough.h"
 #include "canvas/hint.h"
@@ -50,7 +51,7 @@ void draw_hull(const Painter& painter, const CanvasView& view, const Shape& shap
   const Theme& theme = view.theme;
   const float come = view.scene.progress;
   if (come < 1 && view.scene.hull_before.size() >= 3) {
-    painter.fill_convex(view.scene.hull_before, theme.hull.at(1 - come));
+    painter.fill_around(view.scene.holes, view.scene.hull_before, theme.hull.at(1 - come));
     painter.outline(view.scene.hull_before, theme.hull_outline.at(1 - come), 2);
   }
   // If the remaining robots cannot carry the object, it falls even without a press.
@@ -59,17 +60,19 @@ void draw_hull(const Painter& painter, const CanvasView& view, const Shape& shap
                outline = holds ? theme.hull_outline : theme.amber_on_object;
   // Under the heat map the lifting base is only outlined: its own green would mix with the map's
   // colours.
-  if (!view.scene.shows_heat()) painter.fill_convex(shape.points, fill.at(come));
+  if (!view.scene.shows_heat()) painter.fill_around(view.scene.holes, shape.points, fill.at(come));
   painter.outline(shape.points, outline.at(come), 2);
 }
 
 void draw_object(const Painter& painter, const CanvasView& view, const Shape& shape) {
-  const RowFill rows = view.scene.triangles.empty() ? painter.rows(shape.points) : RowFill{};
+  const Scene& scene = view.scene;
+  const RowFill rows =
+      scene.triangles.empty() ? painter.rows(shape.points, scene.holes) : RowFill{};
   // A traced picture is visible through the object.
   const Colour object = view.theme.object.at(view.state.work.backdrop ? 0.6f : 1);
-  painter.fill(shape.points, view.scene.triangles, object);
+  painter.fill(scene.corners, scene.triangles, object);
   painter.fill(rows, object);
-  if (view.scene.shows_heat()) painter.heat(view.scene.heat, rows, view.theme);
+  if (scene.shows_heat()) painter.heat(scene.heat, rows, view.theme);
 }
 
 void draw_chord(const Painter& painter, const CanvasView& view, const Shape& shape) {
@@ -170,26 +173,31 @@ void draw_picture(const Painter& painter, const CanvasView& view) {
   draw_marked_candidate(painter, view);
 }
 
-// The outline of a refused document, and the place of its fault.
+// The two edges at fault, with their numbers.
+void draw_refused_edges(const Painter& painter, const Document& document, const Place& place,
+                        const Theme& theme) {
+  std::vector<NumberedEdge> numbered;
+  for (const auto& [number, edge] :
+       {std::pair(place.ring, place.index), std::pair(place.other_ring, place.other)}) {
+    const Points& ring = ring_of(document, number);
+    const Vec2 &from = ring[edge % ring.size()], &to = ring[(edge + 1) % ring.size()];
+    painter.line(from, to, theme.amber, 5);
+    numbered.push_back({from, to, edge});
+  }
+  draw_edge_numbers(painter, theme, theme.amber, numbered);
+}
+
+// The outlines of a refused document, and the place of its fault.
 void draw_refused(const Painter& painter, const AppState& state, const Theme& theme) {
   const Document& document = state.work.document();
-  for_each_ring(document,
-                [&](const Points& ring, std::size_t) { painter.outline(ring, theme.amber, 2); });
+  painter.outlines(document.vertices, document.holes, theme.amber, 2);
   const Place& place = state.derived().refusal->place;
   if (document.vertices.empty() || place.ring > document.holes.size() ||
       place.other_ring > document.holes.size())
     return;
-  if (place.kind == Place::Kind::edge) {
-    std::vector<NumberedEdge> numbered;
-    for (const auto& [in, edge] :
-         {std::pair(place.ring, place.index), std::pair(place.other_ring, place.other)}) {
-      const Points& ring = ring_of(document, in);
-      numbered.push_back({ring[edge % ring.size()], ring[(edge + 1) % ring.size()], edge});
-      painter.line(numbered.back().a, numbered.back().b, theme.amber, 5);
-    }
-    draw_edge_numbers(painter, theme, theme.amber, numbered);
-  }
   const Points& ring = ring_of(document, place.ring);
+  if (place.kind == Place::Kind::edge) draw_refused_edges(painter, document, place, theme);
+  if (place.kind == Place::Kind::hole) painter.outline(ring, theme.amber, 5);
   if (place.kind == Place::Kind::vertex && place.index < ring.size())
     painter.list().AddCircle(painter.at(ring[place.index]), 11, theme.amber.packed(), 32, 3);
 }
@@ -204,7 +212,8 @@ void draw_view(ImDrawList& list, const CanvasView& view) {
   } else if (view.placement) {
     const Painter painter(list, view.camera, view.window, view.current() ? 1.0f : 0.35f);
     draw_picture(painter, view);
-    if (view.current()) painter.outline(view.placement->vertices(), view.theme.object_outline, 2);
+    if (view.current())
+      painter.outlines(view.placement->vertices(), view.scene.holes, view.theme.object_outline, 2);
   }
   const Painter painter(list, view.camera, view.window);
   if (view.state.derived().refusal) draw_refused(painter, view.state, view.theme);

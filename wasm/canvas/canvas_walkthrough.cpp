@@ -245,15 +245,16 @@ void draw_walkthrough(const Painter& painter, const CanvasView& view) {
   const Walkthrough& walk = view.state.view.walkthrough;
   const Placement& placement = walk.trace->placement;
   const bool shows_step = !asks_of_other_robots(view.state);
-  painter.fill(placement.vertices(), view.scene.triangles, view.theme.object);
+  const Scene& scene = view.scene;
+  const RowFill rows =
+      scene.triangles.empty() ? painter.rows(placement.vertices(), scene.holes) : RowFill{};
+  painter.fill(scene.corners, scene.triangles, view.theme.object);
+  painter.fill(rows, view.theme.object);
   const bool heat = shows_heat(view);
-  if (heat) {
-    const bool by_rows = view.scene.triangles.empty();
-    painter.heat(view.scene.heat, by_rows ? painter.rows(placement.vertices()) : RowFill{},
-                 view.theme);
-  }
-  if (walk.base.size() >= 3 && shows_step && !heat) painter.fill_convex(walk.base, view.theme.hull);
-  painter.outline(placement.vertices(), view.theme.object_outline, 2);
+  if (heat) painter.heat(scene.heat, rows, view.theme);
+  if (walk.base.size() >= 3 && shows_step && !heat)
+    painter.fill_around(scene.holes, walk.base, view.theme.hull);
+  painter.outlines(placement.vertices(), scene.holes, view.theme.object_outline, 2);
   if (walk.known.stands) draw_unusable(painter, placement, view.theme);
   if (shows_step) draw_step(painter, view);
   if (walk.asked) draw_chord(painter, *walk.asked, view.theme.amber_on_object, 4);

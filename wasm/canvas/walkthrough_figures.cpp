@@ -75,7 +75,15 @@ void draw_triangle(const Brush& brush, const Figure& figure) {
 }
 
 void draw_gain(const Brush& brush, const Figure& figure) {
-  draw_area(brush.painter, figure.points, brush.colour, brush.theme().hull_outline, brush.width);
+  const std::vector<Points>& holes = brush.view.scene.holes;
+  const Colour line = brush.theme().hull_outline;
+  if (holes.empty())
+    return draw_area(brush.painter, figure.points, brush.colour, line, brush.width);
+  // A part of an object with holes touches itself, so it is filled by rows.
+  if (figure.kind == FigureKind::gain_part)
+    return brush.painter.fill(brush.painter.rows(figure.points), brush.colour);
+  brush.painter.fill_around(holes, figure.points, brush.colour);
+  brush.painter.outline(figure.points, line, brush.width);
 }
 
 void draw_circle_gained(const Brush& brush, const Figure& figure) {
@@ -92,7 +100,8 @@ void draw_base_line(const Brush& brush, const Figure& figure) {
 }
 
 void draw_base(const Brush& brush, const Figure& figure) {
-  if (figure.points.size() >= 3) brush.painter.fill_convex(figure.points, brush.theme().hull);
+  if (figure.points.size() >= 3)
+    brush.painter.fill_around(brush.view.scene.holes, figure.points, brush.theme().hull);
   draw_base_line(brush, figure);
 }
 

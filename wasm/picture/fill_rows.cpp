@@ -23,19 +23,16 @@ class Crossings {
         words_((columns_ + 63) / 64),
         bits_(static_cast<std::size_t>(rows_ * words_)) {}
 
-  void add_edge(const Vec2& a, const Vec2& b) {
-    const double low = std::min(a.y(), b.y()), high = std::max(a.y(), b.y());
-    const std::int64_t first = middle_after(low - window_.top, rows_),
-                       last = middle_after(high - window_.top, rows_);
-    if (first == last) return;
-    const double slope = (b.x() - a.x()) / (b.y() - a.y());
-    for (std::int64_t row = first; row < last; ++row) {
-      const double y = window_.top + (static_cast<double>(row) + 0.5) * pixel_;
-      const std::int64_t column =
-          middle_after(a.x() + (y - a.y()) * slope - window_.left, columns_);
-      if (column < columns_)
-        bits_[static_cast<std::size_t>(row * words_ + column / 64)] ^= std::uint64_t{1}
-                                                                       << (column % 64);
+  void add_ring(const Points& ring, const Camera& camera) {
+    Vec2 before = camera.to_screen(ring.back());
+    for (const Vec2& p : ring) {
+      const Vec2 here = camera.to_screen(p);
+      // From top to bottom, so that rounding does not depend on the direction.
+      if (before.y() < here.y())
+        add_edge(before, here);
+      else
+        add_edge(here, before);
+      before = here;
     }
   }
 
@@ -57,6 +54,21 @@ class Crossings {
   }
 
  private:
+  void add_edge(const Vec2& a, const Vec2& b) {
+    const std::int64_t first = middle_after(a.y() - window_.top, rows_),
+                       last = middle_after(b.y() - window_.top, rows_);
+    if (first == last) return;
+    const double slope = (b.x() - a.x()) / (b.y() - a.y());
+    for (std::int64_t row = first; row < last; ++row) {
+      const double y = window_.top + (static_cast<double>(row) + 0.5) * pixel_;
+      const std::int64_t column =
+          middle_after(a.x() + (y - a.y()) * slope - window_.left, columns_);
+      if (column < columns_)
+        bits_[static_cast<std::size_t>(row * words_ + column / 64)] ^= std::uint64_t{1}
+                                                                       << (column % 64);
+    }
+  }
+
   static std::int64_t lowest(std::uint64_t bits) {
     std::int64_t at = 0;
     for (; (bits & 1) == 0; bits >>= 1) ++at;
@@ -83,15 +95,12 @@ class Crossings {
 
 }  // namespace
 
-RowFill fill_rows(const Points& polygon, const Camera& camera, const Rect& window, double pixel) {
+RowFill fill_rows(const Points& polygon, const std::vector<Points>& holes, const Camera& camera,
+                  const Rect& window, double pixel) {
   for (double size = pixel;; size *= 2) {
     Crossings crossings(window, size);
-    Vec2 before = camera.to_screen(polygon.back());
-    for (const Vec2& p : polygon) {
-      const Vec2 here = camera.to_screen(p);
-      crossings.add_edge(before, here);
-      before = here;
-    }
+    crossings.add_ring(polygon, camera);
+    for (const Points& hole : holes) crossings.add_ring(hole, camera);
     RowFill fill{crossings.spans(most_spans), static_cast<float>(size)};
     if (fill.spans.size() <= most_spans) return fill;
   }

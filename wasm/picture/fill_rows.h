@@ -17,9 +17,11 @@ struct RowFill {
   float height = 1;  // of a row
 };
 
-// The visible part of the polygon, by the even-odd rule at the middle of each pixel. `pixel` is the
-// size of a device pixel. If there would be more than a few hundred thousand spans, the rows are
+// The visible part of the polygon without its holes, by the even-odd rule at the middle of each
+// pixel. An edge that the polygon passes in both directions has no effect. `pixel` is the size of a
+// device pixel. If there would be more than a few hundred thousand spans, the rows are
 // coarser. O(n + pixels + rows that the edges cross).
-RowFill fill_rows(const Points& polygon, const Camera& camera, const Rect& window, double pixel);
+RowFill fill_rows(const Points& polygon, const std::vector<Points>& holes, const Camera& camera,
+                  const Rect& window, double pixel);
 
 }  // namespace evenlift::view

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "evenlift/plane.h"
+#include "picture/triangulate.h"
 
 namespace evenlift::view {
 namespace {
@@ -51,8 +52,9 @@ Points frame_around(const Points& polygon) {
   return {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
 }
 
-HeatBand band(const Placement& placement, const std::vector<std::uint32_t>& triangles,
-              const std::vector<Side>& sides, double share) {
+HeatBand band(const Placement& placement, const Points& corners,
+              const std::vector<std::uint32_t>& triangles, const std::vector<Side>& sides,
+              double share) {
   HeatBand result{share, {}, {}};
   const double most = share > 0 ? 1 / share : std::numeric_limits<double>::infinity();
   if (triangles.empty() && share > 0) {
@@ -65,8 +67,7 @@ HeatBand band(const Placement& placement, const std::vector<std::uint32_t>& tria
   }
   Points area, spare;
   for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
-    area.assign({placement.vertices()[triangles[i]], placement.vertices()[triangles[i + 1]],
-                 placement.vertices()[triangles[i + 2]]});
+    area.assign({corners[triangles[i]], corners[triangles[i + 1]], corners[triangles[i + 2]]});
     for (const Side& side : sides) {
       if (share == 0 || area.empty()) break;
       cut(area, side, most, spare);
@@ -84,9 +85,14 @@ std::vector<HeatBand> heat_bands(const Placement& placement,
                                  const std::vector<std::uint32_t>& triangles) {
   if (placement.lifting_base.size() < 3) return {};
   const std::vector<Side> sides = cutting_sides(placement);
-  std::vector<HeatBand> bands{band(placement, triangles, sides, 0)};
-  for (const double level : heat_levels) bands.push_back(band(placement, triangles, sides, level));
-  bands.push_back(band(placement, triangles, sides, std::numeric_limits<double>::infinity()));
+  const Points corners = joined(placement.vertices(), placement.object.rings_of_holes());
+  std::vector<HeatBand> bands;
+  const auto add = [&](double share) {
+    bands.push_back(band(placement, corners, triangles, sides, share));
+  };
+  add(0);
+  for (const double level : heat_levels) add(level);
+  add(std::numeric_limits<double>::infinity());
   return bands;
 }
 

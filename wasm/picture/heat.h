@@ -9,7 +9,7 @@
 
 namespace evenlift::view {
 
-// The part of the polygon where only a press down of at least `share` times the weight tips the
+// The part of the object, without its holes, where only a press down of at least `share` times the weight tips the
 // object, as triangles: three points each. The innermost band has an infinite share: no press down
 // there tips the object.
 struct HeatBand {
@@ -20,8 +20,8 @@ struct HeatBand {
   Points region;
 };
 
-// The bands from the outermost (share 0, the whole polygon) inwards; each is painted over the
-// preceding one. `triangles` are the polygon's, from triangulate(), or empty. A band is an
+// The bands from the outermost (share 0, the whole object) inwards; each is painted over the
+// preceding one. `triangles` are the object's, from triangulate(), or empty. A band is an
 // intersection of half-planes: the sides of the lifting base, moved outwards (algorithm.md,
 // Stability). O(levels n h), where h is the number of sides of the lifting base with a part of the
 // polygon beyond them.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "evenlift/angles.h"
 #include "evenlift/output/picture.h"
@@ -40,24 +41,29 @@ double away(const Vec2& a, const Vec2& b, const Vec2& p) {
   return length(p - nearest_on_segment(a, b, p));
 }
 
+// The distance to the edges of a ring.
+double away(const Points& ring, const Vec2& p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    least = std::min(least, away(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1], p));
+  return least;
+}
+
 // The room about p: its distance to everything that the number must not cover; 0 outside the object
 // or the lifting base.
 double clearance(const Placement& placement, const Vec2& p) {
-  if (!inside_convex(placement.lifting_base, p) || !inside(placement.vertices(), p)) return 0;
-  double room = length(p - placement.centre_of_mass);
-  for (std::size_t i = 0; i < placement.lifting_base.size(); ++i) {
-    const std::size_t next = i + 1 == placement.lifting_base.size() ? 0 : i + 1;
-    room = std::min(room, away(placement.lifting_base[i], placement.lifting_base[next], p));
-  }
+  if (!inside_convex(placement.lifting_base, p) || !inside(placement.vertices(), p) ||
+      placement.object.hole_around(p))
+    return 0;
+  double room = std::min(length(p - placement.centre_of_mass), away(placement.lifting_base, p));
   for (const Team& team : placement.teams) {
     for (const Segment& line : joining_lines(team, placement.centre_of_mass))
       room = std::min(room, away(line.from, line.to, p));
   }
-  const Points& vertices = placement.vertices();
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    room = std::min(room, away(vertices[i], vertices[i + 1 == vertices.size() ? 0 : i + 1], p));
-  }
-  return room;
+  for (const Cargo& item : placement.settings.cargo) room = std::min(room, length(p - item.at));
+  for (const Polygon& hole : placement.object.holes())
+    room = std::min(room, away(hole.vertices(), p));
+  return std::min(room, away(placement.vertices(), p));
 }
 
 }  // namespace
@@ -165,7 +171,7 @@ std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& r
 CoveragePlace place_coverage(const Placement& placement, const Vec2& before) {
   // Beyond this there is no room for a number anyway, and the search would take long.
   if (placement.lifting_base.size() < 3 || placement.teams.size() > 40 ||
-      placement.vertices().size() > 400)
+      placement.object.boundary().size() > 400 || placement.settings.cargo.size() > 40)
     return {};
   const Box box = bounding_box(placement.lifting_base);
   CoveragePlace best{before, clearance(placement, before)};

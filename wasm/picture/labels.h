@@ -50,8 +50,8 @@ class Occupied {
 std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& requests,
                                               Occupied& occupied, double reach, int most_crossed);
 
-// The point inside both the polygon and the lifting base that is farthest from chords, robots and
-// outlines, and its distance to them, in polygon coordinates. `before` is kept while it is nearly
+// The point inside both the object and the lifting base that is farthest from chords, robots, cargo
+// and outlines, and its distance to them, in polygon coordinates. `before` is kept while it is nearly
 // as good, so that the number does not jump. The room is 0 without such a point.
 struct CoveragePlace {
   Vec2 at = Vec2::Zero();

@@ -28,19 +28,19 @@ constexpr double same_spot = 0.25;
 
 ImVec2 Painter::at(const Vec2& world) const { return vec(camera_.to_screen(world)); }
 
-void Painter::fill(const Points& polygon, const std::vector<std::uint32_t>& triangles,
+void Painter::fill(const Points& corners, const std::vector<std::uint32_t>& triangles,
                    Colour colour) const {
   if (triangles.empty()) return;
   const ImVec2 uv = ImGui::GetFontTexUvWhitePixel();
   const ImU32 packed = colour.at(strength_).packed();
-  list_.PrimReserve(static_cast<int>(triangles.size()), static_cast<int>(polygon.size()));
+  list_.PrimReserve(static_cast<int>(triangles.size()), static_cast<int>(corners.size()));
   const unsigned first = list_._VtxCurrentIdx;
   for (std::uint32_t corner : triangles) list_.PrimWriteIdx(static_cast<ImDrawIdx>(first + corner));
-  for (const Vec2& p : polygon) list_.PrimWriteVtx(at(p), uv, packed);
+  for (const Vec2& p : corners) list_.PrimWriteVtx(at(p), uv, packed);
 }
 
-RowFill Painter::rows(const Points& polygon) const {
-  return fill_rows(polygon, camera_, window_, static_cast<double>(list_._FringeScale));
+RowFill Painter::rows(const Points& polygon, const std::vector<Points>& holes) const {
+  return fill_rows(polygon, holes, camera_, window_, static_cast<double>(list_._FringeScale));
 }
 
 std::vector<std::pair<float, float>> Painter::reach(const Points& convex, float row_height) const {
@@ -130,6 +130,24 @@ void Painter::fill_convex(const Points& counter_clockwise, Colour colour) const 
     last = p;
   }
   list_.PathFillConvex(colour.at(strength_).packed());
+}
+
+void Painter::fill_around(const std::vector<Points>& holes, const Points& counter_clockwise,
+                          Colour colour) const {
+  if (holes.empty()) return fill_convex(counter_clockwise, colour);
+  if (counter_clockwise.size() < 3) return;
+  // By rows, since holes may extend beyond the area: everything in the window but the holes, and of
+  // that the part within the area.
+  const Vec2 low = camera_.to_world(Vec2(window_.left, window_.bottom) + Vec2(-margin, margin)),
+             high = camera_.to_world(Vec2(window_.right, window_.top) + Vec2(margin, -margin));
+  const Points window{low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+  fill(rows(window, holes), colour, counter_clockwise);
+}
+
+void Painter::outlines(const Points& polygon, const std::vector<Points>& holes, Colour colour,
+                       float width) const {
+  outline(polygon, colour, width);
+  for (const Points& hole : holes) outline(hole, colour, width);
 }
 
 void Painter::outline(const Points& polygon, Colour colour, float width, bool closed) const {

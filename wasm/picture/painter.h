@@ -26,17 +26,23 @@ class Painter {
   ImDrawList& list() const { return list_; }
   ImVec2 at(const Vec2& world) const;
 
-  void fill(const Points& polygon, const std::vector<std::uint32_t>& triangles,
+  void fill(const Points& corners, const std::vector<std::uint32_t>& triangles,
             Colour colour) const;
   // Fills the visible part of a large polygon by rows; with `within`, only the part inside this
   // convex area.
-  RowFill rows(const Points& polygon) const;
+  RowFill rows(const Points& polygon, const std::vector<Points>& holes = {}) const;
   void fill(const RowFill& rows, Colour colour, const Points& within = {}) const;
   void triangles(const std::vector<Vec2>& corners, Colour colour) const;
   // The heat map, by its triangles or, for a large polygon, by rows.
   void heat(const std::vector<HeatBand>& bands, const RowFill& rows, const Theme& theme) const;
   void fill_convex(const Points& counter_clockwise, Colour colour) const;
+  // Fills a convex area, but not the holes in it.
+  void fill_around(const std::vector<Points>& holes, const Points& counter_clockwise,
+                   Colour colour) const;
   void outline(const Points& polygon, Colour colour, float width, bool closed = true) const;
+  // The outline and those of the holes.
+  void outlines(const Points& polygon, const std::vector<Points>& holes, Colour colour,
+                float width) const;
   void line(const Vec2& a, const Vec2& b, Colour colour, float width) const;
   void dashes(const Vec2& a, const Vec2& b, Colour colour, float width) const;
   // A candidate's chord, one of `count`: dashed, or a thin line for more than most_dashed chords.

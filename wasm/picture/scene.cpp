@@ -43,15 +43,23 @@ void begin_motion(Scene& scene, const AppState& state, const std::vector<Shape>&
   scene.progress = 0;
 }
 
+// Brings the object's holes and triangles up to date.
+void follow_object(Scene& scene, const PolygonWithHoles& object) {
+  scene.holes = object.rings_of_holes();
+  scene.corners = joined(object.outline().vertices(), scene.holes);
+  scene.triangles.clear();
+  if (scene.corners.size() <= most_triangulated)
+    scene.triangles = triangulate(object.outline().vertices(), scene.holes);
+  else
+    scene.corners.clear();
+}
+
 // Computes everything that depends on the placement, and not on the overlays.
 void follow_anew(Scene& scene, const AppState& state, const Placement& placement,
                  const std::vector<Shape>& before, double now) {
-  const bool same_polygon = !before.empty() && before[0].points == placement.vertices();
-  if (!same_polygon) {
-    scene.triangles.clear();
-    if (placement.vertices().size() <= most_triangulated)
-      scene.triangles = triangulate(placement.vertices());
-  }
+  const bool same_object = !before.empty() && before[0].points == placement.vertices() &&
+                           scene.holes == placement.object.rings_of_holes();
+  if (!same_object) follow_object(scene, placement.object);
   scene.heat.clear();
   scene.coverage = place_coverage(placement, scene.coverage.at);
   scene.revision = state.derived().revision;

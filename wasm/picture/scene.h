@@ -13,7 +13,7 @@
 
 namespace evenlift::view {
 
-// A polygon with more vertices than this is filled by rows (fill_rows.h).
+// A polygon that has more vertices than this with its holes is filled by rows (fill_rows.h).
 inline constexpr std::size_t most_triangulated = 2000;
 
 // More teams than this are drawn as dots, without animation.
@@ -22,9 +22,13 @@ inline constexpr std::size_t most_single_robots = 400;
 struct Scene {
   std::uint64_t revision = 0;
   Overlays overlays;
-  std::vector<Shape> shapes;             // of the last good placement, by the overlays
-  std::vector<std::uint32_t> triangles;  // of its polygon; empty if it is filled by rows
-  std::vector<HeatBand> heat;            // computed on first request
+  std::vector<Shape> shapes;  // of the last good placement, by the overlays
+  std::vector<Points> holes;  // of its object
+  // Its object without the holes: the corners, and their indices, three for each triangle. No
+  // triangles if it is filled by rows.
+  Points corners;
+  std::vector<std::uint32_t> triangles;
+  std::vector<HeatBand> heat;  // computed on first request
   bool shows_heat() const { return overlays.tipping && !heat.empty(); }
   CoveragePlace coverage;  // where the coverage appears, if there is room
 

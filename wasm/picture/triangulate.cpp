@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace evenlift::view {
 namespace {
@@ -16,6 +18,20 @@ struct Node {
 
 double turn(const Node& a, const Node& b, const Node& c) { return cross(b.at - a.at, c.at - b.at); }
 
+// Whether the direction `way` is strictly between two others that are less than half a turn apart,
+// counter-clockwise.
+bool is_between(const Vec2& way, const Vec2& from, const Vec2& to) {
+  return cross(from, way) > 0 && cross(way, to) > 0;
+}
+
+double doubled_area(const Points& vertices) {
+  double area = 0;
+  const std::size_t n = vertices.size();
+  for (std::size_t i = 0; i < n; ++i)
+    area += cross(vertices[i] - vertices[0], vertices[(i + 1) % n] - vertices[0]);
+  return area;
+}
+
 // Spreads the bits of x to every second bit.
 std::uint32_t spread(std::uint32_t x) {
   x = (x | (x << 8)) & 0x00FF00FFu;
@@ -26,18 +42,16 @@ std::uint32_t spread(std::uint32_t x) {
 
 class Ears {
  public:
-  explicit Ears(const Points& vertices) : nodes_(vertices.size()) {
-    double area = 0;
-    const std::size_t n = vertices.size();
-    for (std::size_t i = 0; i < n; ++i)
-      area += cross(vertices[i] - vertices[0], vertices[(i + 1) % n] - vertices[0]);
-    for (std::size_t i = 0; i < n; ++i) {
-      Node& node = nodes_[i];
-      node.vertex = static_cast<std::uint32_t>(area >= 0 ? i : n - 1 - i);
-      node.at = vertices[node.vertex];
-      node.previous = static_cast<std::uint32_t>(i == 0 ? n - 1 : i - 1);
-      node.next = static_cast<std::uint32_t>(i + 1 == n ? 0 : i + 1);
-    }
+  Ears(const Points& vertices, const std::vector<Points>& holes) {
+    add_ring(vertices, true);
+    std::vector<std::uint32_t> leftmost;
+    for (const Points& hole : holes)
+      if (!hole.empty()) leftmost.push_back(leftmost_of(add_ring(hole, false)));
+    // From left to right, so that to the left of each hole there are only joined ones.
+    std::stable_sort(leftmost.begin(), leftmost.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return nodes_[a].at.x() < nodes_[b].at.x();
+    });
+    for (const std::uint32_t node : leftmost) join(seen_from(node), node);
     sort_along_z();
   }
 
@@ -67,6 +81,98 @@ class Ears {
   }
 
  private:
+  // A ring of new nodes, counter-clockwise or clockwise; returns the first.
+  std::uint32_t add_ring(const Points& vertices, bool counter_clockwise) {
+    const auto first = static_cast<std::uint32_t>(nodes_.size()),
+               n = static_cast<std::uint32_t>(vertices.size());
+    const bool as_given = (doubled_area(vertices) >= 0) == counter_clockwise;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t vertex = as_given ? i : n - 1 - i;
+      nodes_.push_back({vertices[vertex], vertices_ + vertex, first + (i == 0 ? n - 1 : i - 1),
+                        first + (i + 1 == n ? 0 : i + 1)});
+    }
+    vertices_ += n;
+    return first;
+  }
+
+  std::uint32_t leftmost_of(std::uint32_t ring) const {
+    std::uint32_t found = ring;
+    for (std::uint32_t i = nodes_[ring].next; i != ring; i = nodes_[i].next)
+      if (nodes_[i].at.x() < nodes_[found].at.x()) found = i;
+    return found;
+  }
+
+  // Whether the segment from this node of the outer ring to `to` begins inside.
+  bool begins_inside(std::uint32_t i, const Vec2& to) const {
+    const Node &node = nodes_[i], &before = nodes_[node.previous], &after = nodes_[node.next];
+    const Vec2 way = to - node.at, in = before.at - node.at, out = after.at - node.at;
+    if (turn(before, node, after) > 0) return is_between(way, out, in);
+    return !(cross(in, way) >= 0 && cross(way, out) >= 0);
+  }
+
+  // A node of the outer ring that the leftmost vertex of a hole sees (Eberly, Triangulation by Ear
+  // Clipping). The ray to the left meets an edge; its left end is seen unless vertices in the
+  // triangle between them hide it, and then the one in the flattest direction is.
+  std::uint32_t seen_from(std::uint32_t hole) const {
+    const Vec2& from = nodes_[hole].at;
+    std::optional<std::uint32_t> met;
+    Vec2 meets = from;
+    std::uint32_t i = 0;
+    do {
+      const Vec2 &a = nodes_[i].at, &b = nodes_[nodes_[i].next].at;
+      if (a.y() >= from.y() && from.y() >= b.y() && a.y() > b.y()) {
+        const double x = a.x() + (b.x() - a.x()) * ((from.y() - a.y()) / (b.y() - a.y()));
+        if (x <= from.x() && (!met || x > meets.x())) {
+          met = a.x() < b.x() ? i : nodes_[i].next;
+          meets.x() = x;
+        }
+      }
+      i = nodes_[i].next;
+    } while (i != 0);
+    return met ? nearest_to_ray(from, meets, *met) : 0;
+  }
+
+  std::uint32_t nearest_to_ray(const Vec2& from, const Vec2& meets, std::uint32_t end) const {
+    const Vec2 corner = nodes_[end].at;
+    const double side = corner.y() < from.y() ? 1 : -1;  // the sign of the triangle's area
+    std::uint32_t found = end;
+    double flattest = std::numeric_limits<double>::infinity(), farthest_right = 0;
+    std::uint32_t i = 0;
+    do {
+      const Vec2& p = nodes_[i].at;
+      const bool within = p.x() < from.x() && side * cross(meets - from, p - from) >= 0 &&
+                          side * cross(corner - meets, p - meets) >= 0 &&
+                          side * cross(from - corner, p - corner) >= 0;
+      if (within && begins_inside(i, from)) {
+        const double slope = std::abs(p.y() - from.y()) / (from.x() - p.x());
+        if (slope < flattest || (slope == flattest && p.x() > farthest_right)) {
+          found = i;
+          flattest = slope;
+          farthest_right = p.x();
+        }
+      }
+      i = nodes_[i].next;
+    } while (i != 0);
+    return found;
+  }
+
+  // Makes a hole part of the outer ring, which then runs from node a to node b of the hole, around
+  // the hole and back. Both nodes occur twice.
+  void join(std::uint32_t a, std::uint32_t b) {
+    const auto back_at_b = static_cast<std::uint32_t>(nodes_.size()), back_at_a = back_at_b + 1;
+    nodes_.push_back(nodes_[b]);
+    nodes_.push_back(nodes_[a]);
+    link(nodes_[b].previous, back_at_b);
+    link(back_at_b, back_at_a);
+    link(back_at_a, nodes_[a].next);
+    link(a, b);
+  }
+
+  void link(std::uint32_t before, std::uint32_t after) {
+    nodes_[before].next = after;
+    nodes_[after].previous = before;
+  }
+
   std::uint32_t z_of(const Vec2& p) const {
     const auto bits = [&](double value, double low) {
       return static_cast<std::uint32_t>(std::clamp((value - low) * to_grid_, 0.0, 32767.0));
@@ -108,6 +214,10 @@ class Ears {
     const std::uint32_t z_low = z_of(low), z_high = z_of(high);
     const auto blocks = [&](const Node& p) {
       if (&p == &a || &p == &b || &p == &c) return false;
+      // Where a hole is joined, other nodes have the place of a corner.
+      if (p.at == a.at) return leads_between(p, b.at - a.at, c.at - a.at);
+      if (p.at == b.at) return leads_between(p, c.at - b.at, a.at - b.at);
+      if (p.at == c.at) return leads_between(p, a.at - c.at, b.at - c.at);
       return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0 &&
              turn(nodes_[p.previous], p, nodes_[p.next]) <= 0;
     };
@@ -119,6 +229,12 @@ class Ears {
       if (blocks(at(k))) return false;
     }
     return true;
+  }
+
+  // Whether an edge of the node leads from its place between two directions.
+  bool leads_between(const Node& p, const Vec2& from, const Vec2& to) const {
+    return is_between(nodes_[p.previous].at - p.at, from, to) ||
+           is_between(nodes_[p.next].at - p.at, from, to);
   }
 
   const Node& at(std::int64_t k) const { return nodes_[static_cast<std::size_t>(k)]; }
@@ -133,15 +249,22 @@ class Ears {
   }
 
   std::vector<Node> nodes_;
+  std::uint32_t vertices_ = 0;
   Vec2 low_ = Vec2::Zero();
   double to_grid_ = 0;
 };
 
 }  // namespace
 
-std::vector<std::uint32_t> triangulate(const Points& vertices) {
+std::vector<std::uint32_t> triangulate(const Points& vertices, const std::vector<Points>& holes) {
   if (vertices.size() < 3) return {};
-  return Ears(vertices).cut();
+  return Ears(vertices, holes).cut();
+}
+
+Points joined(const Points& vertices, const std::vector<Points>& holes) {
+  Points all = vertices;
+  for (const Points& hole : holes) all.insert(all.end(), hole.begin(), hole.end());
+  return all;
 }
 
 }  // namespace evenlift::view

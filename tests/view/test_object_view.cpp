@@ -1,0 +1,274 @@
+// Pictures of an object with holes.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "evenlift/placement.h"
+#include "evenlift/plane.h"
+#include "evenlift/polygon_with_holes.h"
+#include "picture/fill_rows.h"
+#include "picture/heat.h"
+#include "picture/scene.h"
+#include "picture/triangulate.h"
+#include "view/view_page.h"
+
+using namespace view_page;
+
+namespace {
+
+Points square(const Vec2& middle, double half) {
+  return {middle + Vec2(-half, -half), middle + Vec2(half, -half), middle + Vec2(half, half),
+          middle + Vec2(-half, half)};
+}
+
+Points star(const Vec2& middle, double size, int points) {
+  Points ring;
+  for (int i = 0; i < 2 * points; ++i) {
+    const double a = 3.14159265358979 * i / points, r = i % 2 == 0 ? size : size * 0.4;
+    ring.push_back(middle + r * Vec2(std::cos(a), std::sin(a)));
+  }
+  return ring;
+}
+
+// A plate of 400 by 300 with three holes, two of which have vertices on one line.
+Document plate() {
+  Document document{{{0, 0}, {400, 0}, {400, 300}, {0, 300}}, std::nullopt};
+  document.holes = {square({80, 80}, 40), star({300, 160}, 70, 7), square({80, 220}, 40)};
+  return document;
+}
+
+PolygonWithHoles object(const Document& document) {
+  const Result<PolygonWithHoles> result = object_of(document);
+  REQUIRE(result);
+  return *result;
+}
+
+double area_of(const Points& corners, const std::vector<std::uint32_t>& triangles) {
+  double area = 0;
+  for (std::size_t i = 0; i < triangles.size(); i += 3)
+    area += std::abs(cross(corners[triangles[i + 1]] - corners[triangles[i]],
+                           corners[triangles[i + 2]] - corners[triangles[i]])) /
+            2;
+  return area;
+}
+
+// The colour of a pixel of the last frame.
+struct Pixel {
+  double channels[3];
+  bool is(const Colour& colour, double tolerance = 1.5) const {
+    for (int i = 0; i < 3; ++i)
+      if (std::abs(channels[i] - (colour.rgb >> (16 - 8 * i) & 0xFF)) > tolerance) return false;
+    return true;
+  }
+  void draw(ImU32 packed, double opacity) {
+    const double share = opacity * (packed >> IM_COL32_A_SHIFT & 0xFF) / 255.0;
+    const int shifts[] = {IM_COL32_R_SHIFT, IM_COL32_G_SHIFT, IM_COL32_B_SHIFT};
+    for (int i = 0; i < 3; ++i) channels[i] += share * ((packed >> shifts[i] & 0xFF) - channels[i]);
+  }
+};
+
+Vec2 point(const ImVec2& p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+
+// How opaque the texture of letters and lines is.
+double texture_at(const Vec2& uv) {
+  const ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  const auto index = [](double share, int size) {
+    return std::clamp(static_cast<int>(share * size), 0, size - 1);
+  };
+  const unsigned texel = atlas.TexPixelsRGBA32[index(uv.y(), atlas.TexHeight) * atlas.TexWidth +
+                                               index(uv.x(), atlas.TexWidth)];
+  return (texel >> IM_COL32_A_SHIFT & 0xFF) / 255.0;
+}
+
+Pixel pixel_at(const Colour& ground, const Vec2& at) {
+  Pixel pixel{};
+  pixel.draw(ground.packed(), 1);
+  const ImDrawData& drawn = *ImGui::GetDrawData();
+  for (int n = 0; n < drawn.CmdListsCount; ++n) {
+    const ImDrawList& list = *drawn.CmdLists[n];
+    for (const ImDrawCmd& command : list.CmdBuffer) {
+      for (unsigned i = 0; i + 2 < command.ElemCount; i += 3) {
+        const auto corner = [&](unsigned k) -> const ImDrawVert& {
+          const unsigned index = list.IdxBuffer[static_cast<int>(command.IdxOffset + i + k)];
+          return list.VtxBuffer[static_cast<int>(index + command.VtxOffset)];
+        };
+        const ImDrawVert &a = corner(0), &b = corner(1), &c = corner(2);
+        const Vec2 p = point(a.pos), q = point(b.pos), r = point(c.pos);
+        const double turn = cross(q - p, r - p), of_b = cross(at - p, r - p) / turn,
+                     of_c = cross(q - p, at - p) / turn, of_a = 1 - of_b - of_c;
+        if (turn == 0 || !(of_a > 0 && of_b > 0 && of_c > 0)) continue;
+        const Vec2 uv = of_a * point(a.uv) + of_b * point(b.uv) + of_c * point(c.uv);
+        const auto alpha = [](const ImDrawVert& v) { return v.col >> IM_COL32_A_SHIFT & 0xFF; };
+        const double most = std::max({alpha(a), alpha(b), alpha(c)});
+        if (most == 0) continue;
+        // The fringe of a line fades to the outside.
+        const double fade = (of_a * alpha(a) + of_b * alpha(b) + of_c * alpha(c)) / most;
+        const ImU32 colour = alpha(a) == most ? a.col : alpha(b) == most ? b.col : c.col;
+        pixel.draw(colour, texture_at(uv) * fade);
+      }
+    }
+  }
+  return pixel;
+}
+
+}  // namespace
+
+TEST_CASE("triangles fill an object and none of its holes", "[view]") {
+  std::vector<Document> documents{plate()};
+  for (const int across : {1, 3, 8}) {  // a grid of holes with vertices at the same heights
+    Document grid{square({0, 0}, 50), std::nullopt};
+    for (int i = 0; i < across * across; ++i) {
+      const double step = 100.0 / across;
+      const Vec2 middle(-50 + step * (i % across + 0.5), -50 + step * (i / across + 0.5));
+      grid.holes.push_back(i % 2 == 0 ? square(middle, 0.3 * step) : star(middle, 0.4 * step, 3));
+    }
+    documents.push_back(grid);
+  }
+  for (const Document& document : documents) {
+    for (const bool reversed : {false, true}) {
+      Points outline = document.vertices;
+      if (reversed) std::reverse(outline.begin(), outline.end());
+      const PolygonWithHoles solid = object(document);
+      const Points corners = joined(outline, document.holes);
+      const auto triangles = triangulate(outline, document.holes);
+      CHECK(area_of(corners, triangles) == Approx(solid.area()).epsilon(1e-9));
+      for (std::size_t i = 0; i < triangles.size(); i += 3) {
+        const Vec2 middle =
+            (corners[triangles[i]] + corners[triangles[i + 1]] + corners[triangles[i + 2]]) / 3;
+        CHECK_FALSE(solid.hole_around(middle));
+      }
+    }
+  }
+}
+
+TEST_CASE("the scene of an object follows its holes", "[view]") {
+  Page page;
+  page.open(plate());
+  page.frame();
+  const Scene& scene = page.app.scene;
+  CHECK(area_of(scene.corners, scene.triangles) == Approx(object(plate()).area()).epsilon(1e-9));
+  Document fewer = plate();
+  fewer.holes.pop_back();
+  REQUIRE_FALSE(edit_by_script(page.app.state, fewer));
+  page.frame();
+  CHECK(area_of(scene.corners, scene.triangles) == Approx(object(fewer).area()).epsilon(1e-9));
+}
+
+TEST_CASE("rows of pixels fill an object and none of its holes", "[view]") {
+  const Document document = plate();
+  const PolygonWithHoles solid = object(document);
+  const Rect window{0, 0, 800, 600};
+  const Camera camera = fit(document.vertices, {20, 20, 780, 580});
+  const RowFill rows = fill_rows(document.vertices, document.holes, camera, window, 0.5);
+  double area = 0;
+  for (const RowSpan& span : rows.spans) {
+    area += static_cast<double>(span.right - span.left) * static_cast<double>(rows.height);
+    const Vec2 middle(static_cast<double>(span.left + span.right) / 2,
+                      static_cast<double>(span.top) + 0.25);
+    CHECK_FALSE(solid.hole_around(camera.to_world(middle)));
+  }
+  CHECK(area == Approx(solid.area() * camera.scale * camera.scale).epsilon(0.003));
+}
+
+TEST_CASE("rows of pixels fill a ring that touches itself, as the boundary of an object does",
+          "[view]") {
+  const Document document = plate();
+  const PolygonWithHoles solid = object(document);
+  const Rect window{0, 0, 800, 600};
+  const Camera camera = fit(document.vertices, {20, 20, 780, 580});
+  const auto spans = [&](const Points& ring, const std::vector<Points>& holes) {
+    std::vector<std::pair<float, float>> found;
+    for (const RowSpan& span : fill_rows(ring, holes, camera, window, 0.5).spans)
+      found.emplace_back(span.left, span.right);
+    return found;
+  };
+  CHECK(spans(solid.boundary(), {}) == spans(document.vertices, document.holes));
+}
+
+TEST_CASE("the heat map leaves the holes out", "[view]") {
+  const Document document = plate();
+  const Result<Placement> placed = place(document);
+  REQUIRE(placed);
+  const std::vector<HeatBand> bands =
+      heat_bands(*placed, triangulate(document.vertices, document.holes));
+  REQUIRE(bands.size() > 2);
+  const auto area_of_band = [&](const HeatBand& band) {
+    double area = 0;
+    for (std::size_t i = 0; i < band.triangles.size(); i += 3) {
+      const Vec2 &a = band.triangles[i], &b = band.triangles[i + 1], &c = band.triangles[i + 2];
+      area += std::abs(cross(b - a, c - a)) / 2;
+      CHECK_FALSE(placed->object.hole_around((a + b + c) / 3));
+    }
+    return area;
+  };
+  CHECK(area_of_band(bands.front()) == Approx(placed->object.area()).epsilon(1e-9));
+  CHECK(area_of_band(bands.back()) ==
+        Approx(placed->coverage * placed->object.area()).epsilon(1e-6));
+}
+
+TEST_CASE("a hole shows the ground, whatever is drawn over the object", "[view]") {
+  Page page;
+  page.app.state.view.motion = false;
+  page.open(plate());
+  AppState& state = page.app.state;
+  const Vec2 in_hole(287, 163), in_object(190, 163);  // inside the lifting base, away from marks
+  const auto look = [&](const Vec2& world) {
+    page.frame();
+    page.frame();
+    return pixel_at(theme(state).ground, state.view.camera.to_screen(world));
+  };
+  REQUIRE(object(plate()).hole_around(in_hole));
+  for (const bool dark : {false, true}) {
+    state.session.screen.dark = dark;
+    for (const bool base : {false, true}) {
+      for (const bool tipping : {false, true}) {
+        Commands commands{showing(state, &Shown::overlays,
+                                  Overlays{.chords = false,
+                                           .lifting_base = base,
+                                           .clockwise = false,
+                                           .counterclockwise = false,
+                                           .tipping = tipping})};
+        apply(state, commands);
+        INFO("dark " << dark << ", base " << base << ", tipping " << tipping);
+        CHECK(look(in_hole).is(theme(state).ground));
+        CHECK(look(in_object).is(theme(state).object) == (!base && !tipping));
+      }
+    }
+    give(state, OpenWalkthrough{});
+    for (const int step : {0, 1000000}) {
+      give(state, GoToStep{static_cast<std::uint32_t>(step)});
+      CHECK(look(in_hole).is(theme(state).ground));
+    }
+    give(state, CloseWalkthrough{});
+  }
+}
+
+TEST_CASE("a refused document shows the outlines of its holes, and which hole is at fault",
+          "[view]") {
+  Page page;
+  page.open(plate());
+  AppState& state = page.app.state;
+  Document outside = plate();
+  outside.holes[0] = square({-80, 80}, 40);
+  give(state, SetCamera{fit({{-200, -50}, {500, 350}}, {250, 100, 900, 700})});
+  page.frame();
+  const auto amber_at = [&](const Vec2& world) {
+    return pixel_at(theme(state).ground, state.view.camera.to_screen(world))
+        .is(theme(state).amber, 3);
+  };
+  const Vec2 on_moved(-97, 120), on_left(97, 180);
+  CHECK_FALSE(amber_at(on_moved));
+  state.work.edit().holes = outside.holes;
+  conclude(state);
+  page.frame();
+  REQUIRE(state.derived().refusal);
+  CHECK(state.derived().refusal->place.kind == Place::Kind::hole);
+  CHECK(amber_at(on_moved));
+  CHECK(amber_at(on_left));
+}
