@@ -76,7 +76,7 @@ def contrast(a, b):
 texts = [("text", ("panel", "well", "ground")), ("second_text", ("panel", "ground")), ("amber", ("panel", "amber_ground")),
          ("on_accent", ("accent",)), ("robot_text", ("robot",)), ("hull_text", ("object", "base")), ("accent_on_object", ("object",)),
          ("amber_on_object", ("object",))]
-lines = [("quiet", ("panel",)), ("accent", ("panel", "ground")), ("chord", ("object", "base")), ("candidate", ("object", "base")),
+lines = [("quiet", ("panel",)), ("accent", ("panel", "ground")), ("chord", ("object", "base", "ground")), ("candidate", ("object", "base")),
          ("hull_outline", ("object",)), ("clockwise_line", ("object", "ground", "panel")), ("counter_line", ("object", "ground", "panel")),
          ("accent_on_object", ("object", "base")), ("amber_on_object", ("object", "base")), ("robot", ("object", "base"))]
 

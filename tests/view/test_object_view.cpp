@@ -1,4 +1,4 @@
-// Pictures of an object with holes.
+// Pictures of an object with holes and cargo.
 #include <imgui.h>
 
 #include <algorithm>
@@ -9,9 +9,13 @@
 #include <utility>
 #include <vector>
 
+#include "evenlift/output/words.h"
 #include "evenlift/placement.h"
 #include "evenlift/plane.h"
 #include "evenlift/polygon_with_holes.h"
+#include "marks/cargo.h"
+#include "marks/load_labels.h"
+#include "picture/canvas_view.h"
 #include "picture/fill_rows.h"
 #include "picture/heat.h"
 #include "picture/scene.h"
@@ -40,6 +44,13 @@ Points star(const Vec2& middle, double size, int points) {
 Document plate() {
   Document document{{{0, 0}, {400, 0}, {400, 300}, {0, 300}}, std::nullopt};
   document.holes = {square({80, 80}, 40), star({300, 160}, 70, 7), square({80, 220}, 40)};
+  return document;
+}
+
+Document loaded_plate() {
+  Document document = plate();
+  document.settings.cargo = {
+      {{200, 240}, 60, "motor"}, {{200, 40}, 15, ""}, {{350, 40}, 0.01, "tag"}};
   return document;
 }
 
@@ -117,10 +128,28 @@ Pixel pixel_at(const Colour& ground, const Vec2& at) {
   return pixel;
 }
 
+// What is drawn on a page.
+struct Looked {
+  explicit Looked(Page& page)
+      : colours(theme(page.app.state)),
+        places(layout(page.app.state)),
+        view{page.app.state,
+             colours,
+             places,
+             &*page.app.state.derived().placement,
+             page.app.scene,
+             page.app.state.view.camera,
+             page.app.state.session.screen.area(),
+             false} {}
+  const Theme& colours;
+  Layout places;
+  CanvasView view;
+};
+
 }  // namespace
 
 TEST_CASE("triangles fill an object and none of its holes", "[view]") {
-  std::vector<Document> documents{plate()};
+  std::vector<Document> documents{plate(), loaded_plate()};
   for (const int across : {1, 3, 8}) {  // a grid of holes with vertices at the same heights
     Document grid{square({0, 0}, 50), std::nullopt};
     for (int i = 0; i < across * across; ++i) {
@@ -271,4 +300,88 @@ TEST_CASE("a refused document shows the outlines of its holes, and which hole is
   CHECK(state.derived().refusal->place.kind == Place::Kind::hole);
   CHECK(amber_at(on_moved));
   CHECK(amber_at(on_left));
+}
+
+TEST_CASE("the disc of a weight tells its share of the total weight", "[view]") {
+  Page page;
+  page.open(loaded_plate());
+  page.frame();
+  const Looked looked(page);
+  const std::vector<Cargo>& cargo = page.app.state.work.document().settings.cargo;
+  std::vector<CargoDisc> discs = cargo_discs(looked.view);
+  REQUIRE(discs.size() == cargo.size());
+  CHECK(std::pow(discs[0].radius / discs[1].radius, 2) ==
+        Approx(cargo[0].weight / cargo[1].weight).epsilon(1e-9));
+  CHECK(discs[2].radius == 5);  // pixels
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    CHECK(length(discs[i].middle - looked.view.camera.to_screen(cargo[i].at)) < 1e-6);
+    CHECK(discs[i].radius < 50);
+  }
+  // Far away, the discs cover little of the object.
+  give(page.app.state, SetCamera{zoom(page.app.state.view.camera, {0, 0}, 0.25, 1e-6, 1e6)});
+  const Looked far(page);
+  discs = cargo_discs(far.view);
+  CHECK(discs[0].radius < 0.2 * 400 * far.view.camera.scale);
+  CHECK(discs[2].radius == 5);
+  page.open(plate());
+  page.frame();
+  CHECK(cargo_discs(Looked(page).view).empty());
+}
+
+TEST_CASE("labels of weights are their names, or else the weights, clear of the loads", "[view]") {
+  Page page;
+  page.app.state.view.motion = false;
+  page.open(loaded_plate());
+  page.frame();
+  const Looked looked(page);
+  const std::vector<CargoLabel> labels = labels_of_cargo(looked.view);
+  REQUIRE(labels.size() == 3);
+  CHECK(labels[0].text == "motor");
+  CHECK(labels[1].text == given_weight(15, {}));
+  CHECK(labels[2].text == "tag");
+  const auto size = robot_size(pairs_of(looked.view.placement->teams));
+  Occupied occupied = occupied_by_marks(looked.view, mark_reach(size));
+  const auto loads = load_labels(looked.view, size, looked.view.outlook(), occupied);
+  CHECK(loads.size() == 6);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    for (const LoadLabel& load : loads) CHECK_FALSE(load.box.overlaps(labels[i].box));
+    for (std::size_t j = 0; j < i; ++j) CHECK_FALSE(labels[j].box.overlaps(labels[i].box));
+    for (const CargoDisc& disc : cargo_discs(looked.view))
+      CHECK_FALSE(labels[i].box.contains(disc.middle));
+  }
+}
+
+TEST_CASE("cargo moves C away from the object's own centre of mass, at the end of a line",
+          "[view]") {
+  Page page;
+  page.open(loaded_plate());
+  AppState& state = page.app.state;
+  const Placement& placement = *state.derived().placement;
+  REQUIRE(length(placement.centre_of_mass - placement.own_centre) * state.view.camera.scale > 30);
+  page.frame();
+  const auto look = [&](const Vec2& world) {
+    return pixel_at(theme(state).ground,
+                    state.view.camera.to_screen(world) + Vec2(0.5, 0.5));  // as lines are drawn
+  };
+  CHECK(look(placement.own_centre).is(theme(state).object));  // hollow
+  const Vec2 on_line = 0.55 * placement.own_centre + 0.45 * placement.centre_of_mass;
+  CHECK(look(on_line).is(theme(state).chord, 8));
+}
+
+TEST_CASE("a hovered weight is emphasised", "[view]") {
+  Page page;
+  page.open(loaded_plate());
+  AppState& state = page.app.state;
+  page.frame();
+  const auto rim = [&] {
+    const CargoDisc disc = cargo_discs(Looked(page).view)[0];
+    return pixel_at(theme(state).ground, disc.middle - Vec2(disc.radius * 0.6, disc.radius * 0.8));
+  };
+  CHECK(rim().is(theme(state).chord, 8));
+  give(state, SetHover{{Pick::Kind::cargo, 0, 0, {200, 240}}});
+  // The pointer keeps its place, so that the frame does not set another part.
+  ImGui::NewFrame();
+  draw_frame(page.app);
+  ImGui::Render();
+  CHECK(rim().is(theme(state).accent_on_object, 8));
 }

@@ -36,7 +36,8 @@ void draw_centre(const Painter& painter, const CanvasView& view) {
   const ImVec2 at = painter.at(centre_of_mass(state));
   if (view.placement && is_one_team(view.placement->settings.method))
     draw_tip(painter, ImVec2(at.x, at.y + 11), theme, theme.robot);
-  const bool hovered = is_hovered(state, Pick::Kind::centre, 0);
+  // With cargo, the grip is the object's own centre of mass (cargo.h).
+  const bool hovered = settings(state).cargo.empty() && is_hovered(state, Pick::Kind::centre, 0);
   if (hovered) painter.list().AddCircleFilled(at, 16, theme.accent.at(0.22f).packed(), 32);
   const bool wrong =
       state.derived().refusal && state.derived().refusal->place.kind == Place::Kind::centre_of_mass;

@@ -9,6 +9,7 @@
 #include "evenlift/output/words.h"
 #include "marks/boxed_text.h"
 #include "marks/stands.h"
+#include "tools/handles.h"
 #include "tools/pick.h"
 #include "tools/transform.h"
 #include "ui/controls.h"
@@ -67,7 +68,21 @@ void draw_coverage(const Painter& painter, const CanvasView& view) {
               percentage(view.placement->coverage));
 }
 
-Occupied occupied_by_marks(const CanvasView& view, double reach) {
+namespace {
+
+// The edges of a ring, and its vertices if they have grips.
+void occupy_by_ring(const CanvasView& view, const Points& ring, bool grips, Occupied& occupied) {
+  Vec2 last = view.camera.to_screen(ring.back());
+  for (const Vec2& vertex : ring) {
+    const Vec2 at = view.camera.to_screen(vertex);
+    occupied.line(last, at);
+    if (grips) occupied.box(about(at, 6));
+    last = at;
+  }
+}
+
+// The places of all marks but the labels of cargo.
+Occupied occupied_by_unlabelled(const CanvasView& view, double reach) {
   const Placement& placement = *view.placement;
   Occupied occupied(free_window(view));
   occupied.box(view.layout.tools);
@@ -87,22 +102,19 @@ Occupied occupied_by_marks(const CanvasView& view, double reach) {
   for (const PlacedRobot& robot : drawn_bodies(view))
     occupied.disc(view.camera.to_screen(robot.stand), body_radius(view));
   occupied.box(about(view.camera.to_screen(centre_of_mass(view.state)), 12));
+  occupy_by_cargo(view, occupied);
   const Points& vertices = placement.vertices();
-  const std::size_t n = vertices.size();
-  Vec2 last = view.camera.to_screen(vertices[n - 1]);
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec2 at = view.camera.to_screen(vertices[i]);
-    occupied.line(last, at);
-    if (n <= 40 && !view.state.session.screen.embed) occupied.box(about(at, 6));
-    last = at;
-  }
+  const bool grips = placement.object.boundary().size() <= 40 && !view.state.session.screen.embed;
+  occupy_by_ring(view, vertices, grips, occupied);
+  for (const Points& hole : view.scene.holes) occupy_by_ring(view, hole, grips, occupied);
   const Points& base = placement.lifting_base;
   for (std::size_t i = 0; i < base.size(); ++i)
     occupied.line(view.camera.to_screen(base[i]),
                   view.camera.to_screen(base[i + 1 == base.size() ? 0 : i + 1]));
   if (const std::optional<Rect> coverage = coverage_box(view)) occupied.box(*coverage);
-  if (view.state.view.selected)
-    occupied.box(about(view.camera.to_screen(vertices[*view.state.view.selected]), 14));
+  const Document& document = view.state.work.document();
+  if (view.state.view.selected && *view.state.view.selected < count_handles(document))
+    occupied.box(about(view.camera.to_screen(place_of(document, *view.state.view.selected)), 14));
   if (view.state.view.tool == Tool::transform) {
     constexpr double reach_of_grip = 10;
     const Rect frame = transform_frame(view.state);
@@ -110,6 +122,21 @@ Occupied occupied_by_marks(const CanvasView& view, double reach) {
       occupied.box(about(grip_place(view.state, frame, grip), reach_of_grip));
     occupied.box(about(grip_place(view.state, frame, FrameGrip::turn), reach_of_grip));
   }
+  return occupied;
+}
+
+}  // namespace
+
+std::vector<CargoLabel> labels_of_cargo(const CanvasView& view) {
+  if (cargo_discs(view).empty()) return {};
+  const RobotSize size = robot_size(pairs_of(view.placement->teams));
+  Occupied occupied = occupied_by_unlabelled(view, mark_reach(size));
+  return cargo_labels(view, occupied);
+}
+
+Occupied occupied_by_marks(const CanvasView& view, double reach) {
+  Occupied occupied = occupied_by_unlabelled(view, reach);
+  for (const CargoLabel& label : labels_of_cargo(view)) occupied.box(label.box);
   return occupied;
 }
 

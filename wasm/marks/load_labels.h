@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "marks/cargo.h"
 #include "marks/robot_discs.h"
 #include "picture/canvas_view.h"
 #include "picture/labels.h"
@@ -12,9 +13,13 @@ namespace evenlift::view {
 
 void draw_coverage(const Painter& painter, const CanvasView& view);
 
-// The places that labels avoid: robots, the centre of mass, vertices that can be dragged, the
-// coverage, and lines.
+// The places that labels avoid: robots, the centre of mass, cargo with its labels, vertices that can
+// be dragged, the coverage, and lines.
 Occupied occupied_by_marks(const CanvasView& view, double reach);
+
+// The labels of the cargo, which avoid all these places. They do not depend on other labels: these
+// avoid them.
+std::vector<CargoLabel> labels_of_cargo(const CanvasView& view);
 
 // The text beside a robot.
 struct LoadLabel {

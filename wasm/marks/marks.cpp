@@ -11,6 +11,7 @@
 #include "evenlift/output/words.h"
 #include "evenlift/stability.h"
 #include "marks/boxed_text.h"
+#include "marks/cargo.h"
 #include "marks/centre.h"
 #include "marks/load_labels.h"
 #include "marks/robots.h"
@@ -273,6 +274,8 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
   const AppState& state = view.state;
   if (walkthrough_is_open(state) && view.current() && !view.second) {
     draw_vertices(painter, view);
+    draw_cargo(painter, view);
+    draw_own_centre(painter, view);
     draw_centre(painter, view);  // it cannot be grabbed here, and must not hide robots
     draw_robots_of_walkthrough(painter, view);
     return;
@@ -284,6 +287,7 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
   if (state.view.tool == Tool::transform) draw_frame_grips(painter, state, view.theme);
   draw_edge_offer(painter, view);
   draw_vertices(painter, view);
+  draw_cargo(painter, view);
   if (view.current()) {
     draw_halo(painter, view);
     draw_closed_stretch(painter, view);
@@ -292,6 +296,7 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
     draw_ratio(painter, view);
   }
   if (state.view.tool == Tool::mark && !view.second) draw_numbers_to_type(painter, view);
+  draw_own_centre(painter, view);
   draw_centre(painter, view);
   if (view.current()) draw_push(painter, view);
   if (view.current()) draw_why_unusable(painter, view);
