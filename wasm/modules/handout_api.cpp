@@ -118,6 +118,28 @@ std::string step_json(const Paper& paper, const Trace& trace, const Stop& stop) 
                        {"words", json::array(words)}});
 }
 
+// Everything that the pictures show.
+Points shown_points(const Placement& placement) {
+  Points all = placement.vertices();
+  for (const Cargo& item : placement.settings.cargo) all.push_back(item.at);
+  return all;
+}
+
+std::string cargo_json(const Paper& paper, const Trace& trace) {
+  std::vector<std::string> cargo;
+  for (const PaperCargo& item : cargo_on_paper(paper, trace))
+    cargo.push_back(
+        json::object({{"at", json::pair(item.middle)}, {"radius", json::number(item.radius)}}));
+  return json::array(cargo);
+}
+
+std::string holes_json(const Paper& paper, const Placement& placement) {
+  std::vector<std::string> holes;
+  for (const Points& hole : placement.object.rings_of_holes())
+    holes.push_back(in_json(paper(hole)));
+  return json::array(holes);
+}
+
 std::string handout(std::string_view link, std::string_view lesson_text) {
   const Result<Document> document = decode_link(link);
   if (!document) return problem(document.error());
@@ -125,7 +147,7 @@ std::string handout(std::string_view link, std::string_view lesson_text) {
   if (!placement) return problem(placement.error());
   const Result<Trace> trace = make_trace(*placement, HistoryLength::whole, document->shown.units);
   if (!trace) return problem(trace.error());
-  const Paper paper(placement->vertices());
+  const Paper paper(shown_points(*placement));
   const Result<Lesson> lesson = parse_lesson(lesson_text);
   std::vector<std::string> steps;
   for (const Stop& stop : stops_of(*trace, lesson)) steps.push_back(step_json(paper, *trace, stop));
@@ -134,6 +156,9 @@ std::string handout(std::string_view link, std::string_view lesson_text) {
                        {"height", json::number(Paper::height)},
                        {"disc", json::number(Paper::disc)},
                        {"polygon", in_json(paper(placement->vertices()))},
+                       {"holes", holes_json(paper, *placement)},
+                       {"cargo", cargo_json(paper, *trace)},
+                       {"own_centre", json::pair(paper(placement->own_centre))},
                        {"centre", json::pair(paper(trace->centre))},
                        {"steps", json::array(steps)},
                        {"question", json::text(asks ? lesson->question : "")},
@@ -148,7 +173,9 @@ extern "C" {
 // The steps of the lesson with this text, for a link's document; without a lesson, the main steps.
 // Places are on the paper:
 //   width, height, disc     of a picture; the radius of a robot
-//   polygon, centre
+//   polygon, holes, centre
+//   cargo                   for each weight: at, radius of its disc
+//   own_centre              of the object without its cargo
 //   steps                   chapter, caption, formula, in_words (the teacher's), and the picture:
 //     base, candidates, teams   known at this step
 //     figures                   of the step: kind, number, points; a radius is `value` long

@@ -44,6 +44,11 @@ class Words {
     around_.outline = paper(placement_.vertices());
     around_.marks = {around(centre_, 5)};
     add("C", around(centre_, 4), Vec2(1, -1));
+    for (PaperCargo& item : cargo_on_paper(paper, trace)) {
+      const Box disc = around(item.middle, item.radius);
+      around_.marks.push_back(disc);
+      add(std::move(item.name), disc, Vec2(1, 0));
+    }
   }
 
   void add_robots(const std::vector<PaperRobot>& robots) {
@@ -145,8 +150,8 @@ double rounded(double value) { return std::round(value * 10) / 10; }
 
 }  // namespace
 
-Paper::Paper(const Points& polygon) {
-  const Box box = bounding_box(polygon);
+Paper::Paper(const Points& points) {
+  const Box box = bounding_box(points);
   const Vec2 size = box.size();
   scale_ = std::min((width - 2 * margin) / size.x(), (height - 2 * margin) / size.y());
   middle_ = box.middle();
@@ -162,6 +167,18 @@ Points Paper::operator()(const Points& points) const {
   mapped.reserve(points.size());
   for (const Vec2& p : points) mapped.push_back((*this)(p));
   return mapped;
+}
+
+std::vector<PaperCargo> cargo_on_paper(const Paper& paper, const Trace& trace) {
+  constexpr double least = 3, whole = 24;  // radius: at least, and of all the weight
+  const Placement& placement = trace.placement;
+  std::vector<PaperCargo> cargo;
+  for (const Cargo& item : placement.settings.cargo) {
+    const double radius = whole * std::sqrt(item.weight / placement.weight());
+    cargo.push_back({paper(item.at), rounded(std::max(least, radius)),
+                     item.name.empty() ? given_weight(item.weight, trace.units) : item.name});
+  }
+  return cargo;
 }
 
 std::vector<PaperRobot> robots_on_paper(const Paper& paper, const Trace& trace,

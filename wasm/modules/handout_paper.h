@@ -11,14 +11,15 @@
 
 namespace evenlift {
 
-// The area of a picture, in the units of its SVG, with y down. The polygon is in its middle.
+// The area of a picture, in the units of its SVG, with y down. The points that it shows, the polygon
+// and its cargo, are in its middle.
 class Paper {
  public:
   static constexpr double width = 320, height = 220, margin = 34;
   static constexpr double disc = 8;   // radius of a robot
   static constexpr double text = 10;  // height of the letters
 
-  explicit Paper(const Points& polygon);
+  explicit Paper(const Points& points);
   // Rounded to tenths, which is invisible and keeps the handout short.
   Vec2 operator()(const Vec2& p) const;
   Points operator()(const Points& points) const;
@@ -28,6 +29,15 @@ class Paper {
   double scale_;
   Vec2 middle_;
 };
+
+// A weight on the object: its disc, whose area tells its share of the total weight, and its name or,
+// without one, its weight.
+struct PaperCargo {
+  Vec2 middle;  // on the paper
+  double radius;
+  std::string name;
+};
+std::vector<PaperCargo> cargo_on_paper(const Paper& paper, const Trace& trace);
 
 // A robot in the picture of a step.
 struct PaperRobot {
@@ -44,7 +54,7 @@ struct PaperWords {
   std::string text;
 };
 
-// The text in the picture of a step: C, the names of parts in the caption, load ratios of the
+// The text in the picture of a step: C, the names of cargo, the names of parts in the caption, load ratios of the
 // compared chords, and the loads of robots once known. Words without room are left out. O(words (n
 // + words + lines)).
 std::vector<PaperWords> words_on_paper(const Paper& paper, const Trace& trace,

@@ -36,6 +36,15 @@ const ImportedShape& shape(int index) {
   return at < imported().shapes.size() ? imported().shapes[at] : none;
 }
 
+// The vertices as [[x, y], …], thinned for a small picture.
+std::string thinned(const Points& vertices) {
+  const std::size_t step = (vertices.size() + most_points - 1) / most_points;
+  std::vector<std::string> points;
+  for (std::size_t i = 0; i < vertices.size(); i += std::max<std::size_t>(step, 1))
+    points.push_back(json::pair(vertices[i]));
+  return json::array(points);
+}
+
 }  // namespace
 
 extern "C" {
@@ -69,7 +78,8 @@ EMSCRIPTEN_KEEPALIVE int import_is_doubtful() { return imported().doubtful ? 1 :
 EMSCRIPTEN_KEEPALIVE int import_count() { return static_cast<int>(imported().shapes.size()); }
 
 // For the shape with this index, from 0: its name, its description, the distance between its edges
-// and its curves (0 without curves), and its outline as [[x, y], …], thinned for a small picture.
+// and its curves (0 without curves), and for a small picture its outline as [[x, y], …] and a list of
+// its holes, each in the same form.
 EMSCRIPTEN_KEEPALIVE const char* import_name(int index) { return hand_over(shape(index).name); }
 EMSCRIPTEN_KEEPALIVE const char* import_describe(int index) {
   return hand_over(describe(shape(index)));
@@ -78,12 +88,12 @@ EMSCRIPTEN_KEEPALIVE double import_tolerance(int index) {
   return shape(index).tolerance.value_or(0);
 }
 EMSCRIPTEN_KEEPALIVE const char* import_outline(int index) {
-  const Points& vertices = shape(index).document.vertices;
-  const std::size_t step = (vertices.size() + most_points - 1) / most_points;
-  std::vector<std::string> points;
-  for (std::size_t i = 0; i < vertices.size(); i += std::max<std::size_t>(step, 1))
-    points.push_back(json::pair(vertices[i]));
-  return hand_over(json::array(points));
+  return hand_over(thinned(shape(index).document.vertices));
+}
+EMSCRIPTEN_KEEPALIVE const char* import_holes(int index) {
+  std::vector<std::string> holes;
+  for (const Points& hole : shape(index).document.holes) holes.push_back(thinned(hole));
+  return hand_over(json::array(holes));
 }
 
 // The text that the program opens: a link if the import has settings or a unit of length, these are

@@ -74,12 +74,16 @@ std::string points_json(const Points& points, std::size_t from, std::size_t to) 
 // In the form of page_outline().
 std::string outline_of(const Result<Document>& document) {
   if (!document) return {};
-  const Result<Polygon> polygon = Polygon::create(document->vertices);
-  if (!polygon) return {};
+  const Result<PolygonWithHoles> object = object_of(*document);
+  if (!object) return {};
   const Points& vertices = document->vertices;
-  return json::object(
-      {{"centre", json::pair(document->centre_of_mass.value_or(polygon->centroid()))},
-       {"vertices", points_json(vertices, 0, vertices.size())}});
+  std::vector<json::Member> members{
+      {"centre", json::pair(document->centre_of_mass.value_or(object->centroid()))},
+      {"vertices", points_json(vertices, 0, vertices.size())}};
+  std::vector<std::string> holes;
+  for (const Points& hole : document->holes) holes.push_back(points_json(hole, 0, hole.size()));
+  if (!holes.empty()) members.emplace_back("holes", json::array(holes));
+  return json::object(members);
 }
 
 int index_of(const std::optional<std::size_t>& vertex) {
@@ -111,8 +115,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_sample(const char* text) {
   return hand_over(open_with_these_settings(text));
 }
 
-// The outline of a polygon's text for a small picture: {"centre": [x, y], "vertices": [[x, y], …]}.
-// Empty if the text cannot be read.
+// The outline of a polygon's text for a small picture: {"centre": [x, y], "vertices": [[x, y], …]}
+// and, if it has any, "holes", each like the vertices. Empty if the text cannot be read.
 EMSCRIPTEN_KEEPALIVE const char* page_outline(const char* text) {
   return hand_over(outline_of(read_polygon(text)));
 }

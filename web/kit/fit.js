@@ -1,5 +1,8 @@
 // Pictures of polygons in windows.
 
+// A polygon and its holes as the data of a path, which the rule "evenodd" fills without the holes.
+export const pathOf = (rings) => rings.map((ring) => `M${ring.map((point) => point.join(" ")).join("L")}Z`).join("");
+
 // Maps polygon coordinates, with y upwards, into a picture of this size, so that these points fill it except for the
 // margin. Coordinates are rounded to tenths, so that the picture stays small as text.
 export function fitted(points, width, height, margin) {

@@ -8,7 +8,7 @@ let last; // the text that the module holds
 // Reads a text; `tolerance` is the distance between curves and edges, or 0 for the default. Returns { problem }, a
 // message, or { format, unit, notes, doubtful, shapes }; in a doubtful
 // drawing what was left out is larger than any shape. Each shape has its description in words, the tolerance of its curves (or
-// 0), outline() for a picture, and text() for the program; with settings, text() may return a link.
+// 0), outline() and holes() for a picture, and text() for the program; with settings, text() may return a link.
 export async function readShapes(text, tolerance = 0) {
   let program;
   try {
@@ -33,6 +33,7 @@ export async function readShapes(text, tolerance = 0) {
     description: program.text("import_describe", i),
     tolerance: program.number("import_tolerance", i),
     outline: () => JSON.parse(asked("import_outline", i)),
+    holes: () => JSON.parse(asked("import_holes", i)),
     text: (withSettings) => asked("import_text", i, withSettings ? 1 : 0),
   });
   return {

@@ -3,21 +3,21 @@ import { buttonTo, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, svgEl } from "../kit/elements.js";
 import { show as showExperiment } from "../experiment/experiment.js";
 import { fetchJson } from "../kit/fetched.js";
-import { fitted } from "../kit/fit.js";
+import { fitted, pathOf } from "../kit/fit.js";
 import { isSame, ownOutline } from "./document_name.js";
 
 const width = 96;
 const height = 64;
 
-// The polygon of a text with its centre of mass, as the program reads them.
+// The polygon of a text with its holes and its centre of mass, as the program reads them.
 function thumbnail(program, text) {
-  const { centre, vertices } = program.json("page_outline", text);
+  const { centre, vertices, holes = [] } = program.json("page_outline", text);
   const place = fitted([centre, ...vertices], width, height, 4);
   const [cx, cy] = place(centre);
   return svgEl(
     "svg",
     { viewBox: `0 0 ${width} ${height}`, "aria-hidden": "true" },
-    svgEl("polygon", { points: vertices.map(place).join(" ") }),
+    svgEl("path", { d: pathOf([vertices, ...holes].map((ring) => ring.map(place))), "fill-rule": "evenodd" }),
     svgEl("circle", { cx, cy, r: 3 }),
   );
 }

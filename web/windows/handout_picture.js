@@ -1,5 +1,6 @@
 // The pictures of a handout. All positions are on the paper (wasm/modules/handout_paper.h).
 import { el, svgEl } from "../kit/elements.js";
+import { pathOf } from "../kit/fit.js";
 
 // How each kind of figure is drawn, as a class of dialogs.css. A line also has a name for the list of lines, since
 // paper has no pointer to identify it. A kind that is not here is drawn as an accent.
@@ -85,16 +86,47 @@ const numbered = ([cx, cy], number, disc, look) => [
   svgEl("text", { x: cx, y: cy + 3.5, class: `number ${look}-number` }, number),
 ];
 
+// Figures that lie in the object, so that the holes show the paper. The parts of an object with holes touch themselves,
+// and so have no outline.
+const inObject = { base: "base", gain_triangle: "gain", gain_part: "gain filled" };
+
+// The holes over the areas that lie in the object, and over them the lines of these areas.
+function drawnHoles(holes, base, areas) {
+  if (holes.length === 0) return [];
+  const filled = areas.map(({ kind, points }) => shape(points, inObject[kind]));
+  const lines = areas.filter(({ kind }) => kind !== "gain_part").map(({ kind, points }) => [points, inObject[kind]]);
+  return [
+    ...filled,
+    svgEl("path", { d: pathOf(holes), class: "hole" }),
+    ...(base.length > 1 ? [[base, "base"], ...lines] : lines).map(([points, look]) => shape(points, `${look} bare`)),
+  ];
+}
+
+// The weights, the object's own centre of mass, and the line from it to C.
+function drawnCargo(cargo, [x1, y1], [x2, y2]) {
+  if (cargo.length === 0) return [];
+  return [
+    ...cargo.map(({ at: [cx, cy], radius }) => svgEl("circle", { cx, cy, r: radius, class: "cargo" })),
+    svgEl("line", { x1, y1, x2, y2, class: "thin" }),
+    svgEl("circle", { cx: x1, cy: y1, r: 3, class: "own-centre" }),
+  ];
+}
+
 // A picture of a step. The paper clips lines and regions that extend beyond it.
-export function picture({ width, height, disc, polygon, centre: [cx, cy] }, step) {
+export function picture({ width, height, disc, polygon, holes, cargo, own_centre: own, centre }, step) {
+  const [cx, cy] = centre;
+  const below = step.figures.filter(({ kind }) => holes.length > 0 && kind in inObject);
+  const figures = step.figures.filter((figure) => !["robot", "left"].includes(figure.kind) && !below.includes(figure));
   return svgEl(
     "svg",
     { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": step.caption, class: "paper" },
     svgEl("polygon", { points: polygon.map((point) => point.join(" ")).join(" "), class: "object" }),
     ...(step.base.length > 1 ? [shape(step.base, "base")] : []),
+    ...drawnHoles(holes, step.base, below),
     ...step.candidates.map((chord) => shape(chord, "candidate")),
     ...step.teams.map((ends) => shape(ends, "chord")),
-    ...step.figures.filter(({ kind }) => !["robot", "left"].includes(kind)).flatMap(drawnFigure),
+    ...figures.flatMap(drawnFigure),
+    ...drawnCargo(cargo, own, centre),
     svgEl("circle", { cx, cy, r: 3.5, class: "centre" }),
     ...step.figures
       .filter(({ kind }) => kind === "left")

@@ -1,7 +1,7 @@
 // The shapes of a drawing, from which one is opened; and the permitted distance between its curves and the edges.
 import { openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, number, svgEl, typedNumber } from "../kit/elements.js";
-import { fitted } from "../kit/fit.js";
+import { fitted, pathOf } from "../kit/fit.js";
 import { readShapes } from "../kit/import.js";
 import { underWay } from "../page/under_way.js";
 
@@ -9,12 +9,14 @@ const width = 96;
 const height = 64;
 const atOnce = 100; // shapes in the list before "Show more"
 
-function picture(points) {
-  const placed = points.map(fitted(points, width, height, 4)).join(" ");
+function picture(shape) {
+  const outline = shape.outline();
+  const place = fitted(outline, width, height, 4);
+  const rings = [outline, ...shape.holes()].map((ring) => ring.map(place));
   return svgEl(
     "svg",
     { viewBox: `0 0 ${width} ${height}`, "aria-hidden": "true" },
-    svgEl("polygon", { points: placed }),
+    svgEl("path", { d: pathOf(rings), "fill-rule": "evenodd" }),
   );
 }
 
@@ -106,7 +108,7 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
               "data-index": list.childElementCount + i,
               onclick: () => open(shape),
             },
-            picture(shape.outline()),
+            picture(shape),
             ...inWords(shape),
           ),
         ),
