@@ -29,6 +29,7 @@
 #include "page/page_api.h"
 #include "state/history.h"
 #include "tools/handles.h"
+#include "tools/pick.h"
 
 namespace evenlift::view {
 namespace {
