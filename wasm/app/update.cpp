@@ -24,7 +24,6 @@
 #include "state/notice.h"
 #include "state/screen.h"
 #include "state/seen.h"
-#include "tools/transform.h"
 #include "walkthrough/ask_why.h"
 #include "walkthrough/playing.h"
 #include "walkthrough/questions.h"

@@ -112,4 +112,6 @@ void set_weight(AppState& state, std::size_t item, const Cargo& cargo) {
   edit(state, false, Edit::weight_changed).settings.cargo[item] = cargo;
 }
 
+void grip_polygon(AppState& state) { state.view.grip = grip_of(state.work.document()); }
+
 }  // namespace evenlift::view

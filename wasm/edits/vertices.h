@@ -19,6 +19,9 @@ void remove_handle(AppState& state, std::size_t number);
 // Puts a weight of a tenth of the object's own on the object, and selects it.
 void add_weight(AppState& state, const Vec2& at);
 
+// Remembers everything that moves with the polygon. O(n).
+void grip_polygon(AppState& state);
+
 // Replaces one weight.
 void set_weight(AppState& state, std::size_t item, const Cargo& cargo);
 

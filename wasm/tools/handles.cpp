@@ -77,4 +77,8 @@ std::string name_of(const Document& document, std::size_t number) {
   return numbered("Weight ", handle->index) + (name.empty() ? "" : ", " + name);
 }
 
+PolygonGrip grip_of(const Document& document) {
+  return {document.vertices, document.centre_of_mass, document.holes, document.settings.cargo};
+}
+
 }  // namespace evenlift::view

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "evenlift/document.h"
+#include "state/view_state.h"
 
 namespace evenlift::view {
 
@@ -41,6 +42,9 @@ Vec2 after(const Document& document, std::size_t vertex);
 
 // "Vertex 3", "Hole 2, vertex 3", "Weight 1" or "Weight 1, motor". O(holes).
 std::string name_of(const Document& document, std::size_t number);
+
+// All that moves with the polygon. O(n).
+PolygonGrip grip_of(const Document& document);
 
 // Calls visit(ring, number of its first vertex) for the outline and each hole.
 template <class Visit>

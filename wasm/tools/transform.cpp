@@ -7,6 +7,7 @@
 #include "evenlift/plane.h"
 #include "state/layout.h"
 #include "tools/drawing.h"
+#include "tools/handles.h"
 
 namespace evenlift::view {
 namespace {
@@ -75,10 +76,6 @@ Vec2 opposite_corner(const Box& box, FrameGrip grip) {
 }
 
 }  // namespace
-
-PolygonGrip grip_of(const Document& document) {
-  return {document.vertices, document.centre_of_mass, document.holes, document.settings.cargo};
-}
 
 Rect transform_frame(const AppState& state) {
   const Box box = bounding_box(state.work.document().vertices);

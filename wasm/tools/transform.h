@@ -33,9 +33,6 @@ Points turned_frame(const AppState& state);
 // The grip under the pointer, nearest first. O(1).
 std::optional<FrameGrip> grip_at(const AppState& state, const Vec2& screen);
 
-// All that moves with the polygon. O(n).
-PolygonGrip grip_of(const Document& document);
-
 // The grabbed polygon after a drag from `from` to `to` (pixels). O(n).
 SetPolygon dragged_polygon(const AppState& state, FrameGrip held, const Vec2& from, const Vec2& to);
 

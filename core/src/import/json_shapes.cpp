@@ -3,11 +3,11 @@
 #include <cmath>
 #include <vector>
 
+#include "document/cargo_settings.h"
 #include "evenlift/formats.h"
 #include "evenlift/numbers.h"
 #include "evenlift/polygon_with_holes.h"
 #include "evenlift/settings.h"
-#include "document/cargo_settings.h"
 #include "formats/readers.h"
 #include "import/gathering.h"
 #include "import/joining/nesting.h"
