@@ -1,5 +1,6 @@
 #include "evenlift/link.h"
 #include "commands/commands.h"
+#include "evenlift/centre_of_mass.h"
 #include "evenlift/output/json.h"
 #include "evenlift/placement.h"
 #include "evenlift/polygon.h"
@@ -13,9 +14,9 @@ void check(const Input& input, const SettingOptions& options) {
   const Document& document = input.document;
   if (const std::optional<InputError> error = check_settings(document.settings, document.shown))
     throw options.failure(input.source, *error);
-  const Result<Polygon> polygon = Polygon::create(document.vertices);
-  if (!polygon) throw options.failure(input.source, polygon.error());
-  const Result<Vec2> centre = check_centre_of_mass(*polygon, document.centre_of_mass);
+  const Result<PolygonWithHoles> object = object_of(document);
+  if (!object) throw options.failure(input.source, object.error());
+  const auto centre = centre_of_mass(*object, document.centre_of_mass, document.settings);
   if (!centre) throw options.failure(input.source, centre.error());
 }
 

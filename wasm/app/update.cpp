@@ -126,7 +126,7 @@ struct Applier {
                                          ". The numbers stay the same."});
   }
   void operator()(const SetTool& c) const { take_tool(state, c.tool); }
-  void operator()(const GripPolygon&) const { state.view.grip = grip_of(state.work.document()); }
+  void operator()(const GripPolygon&) const { grip_polygon(state); }
   void operator()(const AddPoint& c) const { add_point(state, c.at); }
   void operator()(const MovePoint& c) const { move_point(state, c.point, c.to); }
   void operator()(const TakePointBack&) const { take_point_back(state); }

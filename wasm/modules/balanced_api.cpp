@@ -10,6 +10,7 @@
 #include "derive/robots_text.h"
 #include "evenlift/balanced.h"
 #include "evenlift/capacity.h"
+#include "evenlift/centre_of_mass.h"
 #include "evenlift/formats.h"
 #include "evenlift/placement.h"
 #include "evenlift/settings.h"
@@ -52,20 +53,21 @@ std::optional<Task> read_task(std::string_view text, std::string_view settings,
   Result<Document> document = read_polygon(text);
   if (!document || !read_lines(settings, *document)) return std::nullopt;
   document->settings.method = Method::balanced;
-  Result<Polygon> polygon = Polygon::create(std::move(document->vertices));
-  if (!polygon) return std::nullopt;
-  const Result<Vec2> centre = check_centre_of_mass(*polygon, document->centre_of_mass);
+  const Result<PolygonWithHoles> object = object_of(*document);
+  if (!object) return std::nullopt;
+  const auto centre = centre_of_mass(*object, document->centre_of_mass, document->settings);
   if (!centre) return std::nullopt;
-  BalancedProblem problem(*polygon, *centre, document->settings);
+  BalancedProblem problem(*object, centre->all, document->settings);
   if (document->shown.capacity) {
-    Placement counted(*polygon);
-    counted.centre_of_mass = *centre;
+    Placement counted(*object);
+    counted.own_centre = centre->own;
+    counted.centre_of_mass = centre->all;
     counted.settings = document->settings;
     return Task{std::move(problem), std::nullopt, false, std::move(counted),
                 *document->shown.capacity};
   }
   if (robots.empty()) return Task{std::move(problem), std::nullopt};
-  auto start = view::read_robots(robots, document->settings.robots, *polygon);
+  auto start = view::read_robots(robots, document->settings.robots, *object);
   if (!start) return std::nullopt;
   BalancedSearch search;
   search.robots = *std::move(start);

@@ -39,7 +39,7 @@ experiment::PolygonResult refused(const std::string& set, const std::string& nam
                                   const std::string& why) {
   experiment::PolygonResult result;
   result.set = set;
-  result.polygon() = name;
+  result.polygon = name;
   result.problem = why;
   return result;
 }

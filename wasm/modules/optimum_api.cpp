@@ -56,8 +56,8 @@ Compared compare(const Placement& greedy, const Shown& shown, double seconds) {
   bool stopped = false;
   const Stop stop = [&] { return stopped = stopped || emscripten_get_now() >= end; };
   Optimum optimum =
-      widest_choice(greedy.polygon(), greedy.centre_of_mass, greedy.candidates,
-                    greedy.requested_teams, greedy.team_candidates, stop, greedy.stands.get());
+      widest_choice(greedy.object, greedy.centre_of_mass, greedy.candidates, greedy.requested_teams,
+                    greedy.team_candidates, stop, greedy.stands.get());
   Placement best = with_choice(greedy, optimum.taken);
   return {shown, greedy, std::move(best), std::move(optimum), seconds, stopped};
 }
