@@ -86,8 +86,9 @@ std::optional<std::size_t> edge_crossed_by_last(const Points& chain) {
 }
 
 std::string closing_words(const AppState& state) {
-  if (state.view.drawing.by_keys) return "Press Enter to close the shape";
-  return state.session.screen.touch ? "Tap to close the shape" : "Click to close the shape";
+  const std::string drawn = state.view.tool == Tool::hole ? "hole" : "shape";
+  if (state.view.drawing.by_keys) return "Press Enter to close the " + drawn;
+  return (state.session.screen.touch ? "Tap to close the " : "Click to close the ") + drawn;
 }
 
 // The centre of mass of the shape if it were closed now.

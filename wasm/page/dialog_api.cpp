@@ -158,6 +158,11 @@ EMSCRIPTEN_KEEPALIVE const char* page_vertices(int first, int count) {
   return hand_over(points_json(vertices, from, to));
 }
 
+// The document in the thesis's format, also while it is refused.
+EMSCRIPTEN_KEEPALIVE const char* page_document_text() {
+  return hand_over(evenlift::write_thesis(app().state.work.document()));
+}
+
 // "12", or "H2 · 3" for the third vertex of the second hole.
 EMSCRIPTEN_KEEPALIVE const char* page_vertex_name(int vertex) {
   const auto handle = handle_of(app().state.work.document(), static_cast<std::size_t>(vertex));

@@ -71,20 +71,26 @@ Verdict of_measuring(const AppState& state) {
               " two points of the picture, then type the distance between them."};
 }
 
+// "shape" or "hole".
+std::string drawn_word(const AppState& state) {
+  return state.view.tool == Tool::hole ? "hole" : "shape";
+}
+
 Verdict of_drawing(const AppState& state) {
   const std::size_t n = state.view.drawing.points.size();
-  const std::string press = press_word(state);
-  if (n == 0) return {Mood::drawing, "Draw a shape.", press + " to place its first vertex."};
+  const std::string press = press_word(state), drawn = drawn_word(state);
+  if (n == 0)
+    return {Mood::drawing, "Draw a " + drawn + ".", press + " to place its first vertex."};
   const auto crossed = crossings(state.view.drawing.points);
   return {Mood::drawing, count_of(n, "vertex", "vertices") + " so far.",
           !crossed.empty() ? "Edges " + std::to_string(crossed.front().first + 1) + " and " +
                                  std::to_string(crossed.front().second + 1) +
                                  " cross. Move a vertex, or remove the last one."
-          : n < 3 ? "A shape needs at least three."
+          : n < 3 ? "A " + drawn + " needs at least three."
           : state.view.drawing.refusal
               ? "It cannot be closed yet: " + sentence(*state.view.drawing.refusal) +
                     ". Move a vertex, or remove the last one."
-              : press + " the first vertex to close the shape."};
+              : press + " the first vertex to close the " + drawn + "."};
 }
 
 // The places of the robots of one team.
@@ -130,8 +136,9 @@ std::string news_of_drawing(const AppState& state) {
                : lines;
   if (closes(state, state.view.camera.to_screen(*drawing.cursor)))
     return lines + (drawing.refusal
-                        ? "The shape cannot be closed: " + sentence(*drawing.refusal) + ".\n"
-                        : "On the first vertex: Enter closes the shape.\n");
+                        ? "The " + drawn_word(state) +
+                              " cannot be closed: " + sentence(*drawing.refusal) + ".\n"
+                        : "On the first vertex: Enter closes the " + drawn_word(state) + ".\n");
   lines += "Cursor at " + given_point(*drawing.cursor);
   if (!drawing.points.empty())
     lines += ", the edge " + edge_in_words(state, drawing.points.back(), *drawing.cursor);

@@ -42,6 +42,7 @@ const lists = {
   },
   weights: {
     one: "Weight",
+    head: "No.",
     count: "page_weight_count",
     read: "page_weights",
     write: "page_set_weight",
@@ -163,13 +164,14 @@ class Table {
     this.#list = list;
     this.#rows = [];
     this.#from = list === lists.vertices ? this.#from : 0;
-    const heads = [list.one, ...list.columns];
+    const heads = [list.head ?? list.one, ...list.columns];
     this.head.replaceChildren(el("tr", {}, ...heads.map((head) => el("th", { scope: "col" }, head)), el("td", {})));
     Object.values(lists).forEach((each, i) => {
       this.choice.children[i].setAttribute("aria-pressed", String(each === list));
     });
     const vertices = list === lists.vertices;
     if (!vertices) this.#program.call("page_select_vertex", -1);
+    this.scroll.classList.toggle("many", list.typed.length > 2);
     this.whole.hidden = !vertices;
     this.centre.row.hidden = !vertices;
     this.more.hidden = vertices;
@@ -179,10 +181,7 @@ class Table {
   }
 
   #text() {
-    const line = ([x, y]) => `(${x},${y})\n`;
-    const count = this.#program.number("page_vertex_count");
-    const centre = this.#program.number("page_centre_is_given") ? `CoM:${line(this.#program.json("page_centre"))}` : "";
-    return centre + this.#program.json("page_vertices", 0, count).map(line).join("");
+    return this.#program.text("page_document_text");
   }
 
   // --- Rows --------------------------------------------------------------------------------------

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Mapping, Optional, Sequence, Union
 from . import _requests, types
 from ._library import EvenliftError, answer, ask
 from ._results import Candidates, Experiment, Placement
-from .types import Point, Polygon, PoseFormat, PoseOrigin, Settings
+from .types import Holes, Point, Polygon, PoseFormat, PoseOrigin, Settings
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -70,13 +70,22 @@ def place(
     return Placement(asked)
 
 
-def candidates(polygon: Polygon, *, holes: Optional[Holes] = None, centre_of_mass: Optional[Point] = None, **settings: Unpack[Settings]) -> Candidates:
+def candidates(
+    polygon: Polygon, *, holes: Optional[Holes] = None, centre_of_mass: Optional[Point] = None, **settings: Unpack[Settings]
+) -> Candidates:
     """The chords on which a team may stand, as a list of {"ends", "ratio", "kind"}. Only these settings have an effect: min_ratio,
     centre_of_mass, positions, the robots' size and no_go, and clear with positions="range"."""
     return Candidates({"command": "candidates", **_requests.request(polygon, holes, centre_of_mass, settings)})
 
 
-def svg(polygon: Polygon, *, holes: Optional[Holes] = None, centre_of_mass: Optional[Point] = None, candidates: bool = False, **settings: Unpack[Settings]) -> str:
+def svg(
+    polygon: Polygon,
+    *,
+    holes: Optional[Holes] = None,
+    centre_of_mass: Optional[Point] = None,
+    candidates: bool = False,
+    **settings: Unpack[Settings],
+) -> str:
     """The placement as a picture, which also opens in evenlift's page."""
     asked = _requests.request(polygon, holes, centre_of_mass, settings, also=("candidates",))
     picture: str = ask({"command": "svg", **asked, "candidates": bool(candidates)})["svg"]
@@ -99,7 +108,9 @@ def poses(
     return text
 
 
-def link(polygon: Polygon, *, holes: Optional[Holes] = None, centre_of_mass: Optional[Point] = None, **settings: Unpack[Settings]) -> str:
+def link(
+    polygon: Polygon, *, holes: Optional[Holes] = None, centre_of_mass: Optional[Point] = None, **settings: Unpack[Settings]
+) -> str:
     """The share link of the polygon with its settings."""
     fragment: str = ask({"command": "link", **_requests.request(polygon, holes, centre_of_mass, settings)})["link"]
     return fragment

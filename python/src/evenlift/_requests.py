@@ -188,8 +188,9 @@ def _cargo(item: Any) -> dict[str, Any]:
 
 def _list(name: str, value: Any) -> list[Any]:
     """The places of supports, their capacities, or the cargo."""
-    read = {"supports": _support, "cargo": _cargo}.get(name, lambda item: _value(name, item))
-    return [read(item) for item in value]
+    if name == "cargo":
+        return [_cargo(item) for item in value]
+    return [_support(item) if name == "supports" else _value(name, item) for item in value]
 
 
 def _value(name: str, value: Any) -> Any:

@@ -249,6 +249,17 @@ class Overlays(TypedDict):
     halo: bool
 
 
+class _CargoItem(TypedDict):
+    at: Position
+    weight: float
+
+
+class CargoItem(_CargoItem, total=False):
+    """A load as a result lists it."""
+
+    name: str
+
+
 class _PlacementDict(TypedDict):
     polygon: list[Position]
     centre_of_mass: Position
@@ -275,7 +286,7 @@ class PlacementDict(_PlacementDict, total=False):
     """The output of `evenlift place --json`: a Placement has these members, and json.loads() of its text returns this type."""
 
     holes: list[list[Position]]
-    cargo: list[Cargo]
+    cargo: list[CargoItem]
     unit: LengthUnit
     weight_unit: WeightUnit
     candidates: list[Candidate]
@@ -451,6 +462,7 @@ class Place(TypedDict, total=False):
     column: int
     vertices: list[int]
     edges: list[int]
+    rings: list[int]
     centre_of_mass: Literal[True]
     setting: str
     character: int
