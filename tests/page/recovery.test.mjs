@@ -167,8 +167,9 @@ test("what was drawn a moment ago is what comes back", async () => {
   const page = await faulty();
   await load(page, asset("hammer"));
   await idle(page);
+  const before = await page.evaluate(() => evenlift.frames);
   await page.evaluate(() => evenlift.set({ teams: 5 }));
-  await page.waitForFunction((before) => evenlift.frames > before, await page.evaluate(() => evenlift.frames));
+  await page.waitForFunction((frames) => evenlift.frames > frames, before);
   const good = await state(page);
   await startsAnew(page, () =>
     page.evaluate((text) => {

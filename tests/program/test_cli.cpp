@@ -205,7 +205,8 @@ TEST_CASE("several shapes are listed, and one is taken by its number or name", "
   }
 }
 
-TEST_CASE("--shape all places every shape, whatever becomes of the others", "[cli][slow]") {
+TEST_CASE("the option --shape all places every shape, whatever becomes of the others",
+          "[cli][slow]") {
   const Folder folder("all-shapes");
   corpus::write_file(folder.path() / "square.txt", square);
   corpus::write_file(folder.path() / "good.svg",
@@ -270,7 +271,7 @@ TEST_CASE("--shape all places every shape, whatever becomes of the others", "[cl
   }
 }
 
-TEST_CASE("--project converts degrees to metres and says so", "[cli]") {
+TEST_CASE("the option --project converts degrees to metres and says so", "[cli]") {
   const Folder folder("degrees");
   corpus::write_file(folder.path() / "field.csv",
                      "lon,lat\n8.5412,47.3765\n8.5422,47.3765\n8.5422,47.3773\n8.5412,47.3773\n");

@@ -83,16 +83,26 @@ void run(const Ui& ui, ActionId id) { action(id).run(ui.state, ui.commands); }
 
 // What is drawn: a new shape, a hole in the object, or weights on it. The open object must be good
 // for the latter two.
-void draw_choice_of_drawn(const Ui& ui) {
-  if (!ui.state.derived().placement || ui.state.derived().refusal) return;
-  constexpr std::pair<const char*, Tool> all[] = {
-      {"Shape", Tool::draw}, {"Hole", Tool::hole}, {"Weight", Tool::weight}};
-  for (const auto& [label, tool] : all) {
+constexpr std::pair<const char*, Tool> drawn[] = {
+    {"Shape", Tool::draw}, {"Hole", Tool::hole}, {"Weight", Tool::weight}};
+
+bool can_choose_drawn(const Ui& ui) {
+  return ui.state.derived().placement && !ui.state.derived().refusal;
+}
+
+float drawn_chips_width(const Ui& ui) {
+  float width = 0;
+  if (can_choose_drawn(ui))
+    for (const auto& [label, tool] : drawn) width += switch_chip_width(label) + gap;
+  return width;
+}
+
+void drawn_chips(const Ui& ui) {
+  for (const auto& [label, tool] : drawn) {
+    if (tool != drawn[0].second) ImGui::SameLine(0, gap);
     if (switch_chip(ui, label, ui.state.view.tool == tool) && ui.state.view.tool != tool)
       ui.push(SetTool{tool});
-    ImGui::SameLine(0, gap);
   }
-  ImGui::NewLine();
 }
 
 // The selected weight, which can be typed.
@@ -110,21 +120,31 @@ void draw_weight_field(const Ui& ui) {
 }
 
 void draw_weight_bar(const Ui& ui) {
-  draw_choice_of_drawn(ui);
   if (word_button(ui, "Done", true, true)) ui.push(SetTool{Tool::parts});
   const bool selected = ui.state.view.selected.has_value();
   ImGui::SameLine(0, gap);
   if (word_button(ui, ui.layout.wide ? "Remove weight" : "Remove", selected))
     ui.push(RemoveVertex{*ui.state.view.selected});
-  if (!selected) return;
-  ImGui::SameLine(0, 12);
-  draw_weight_field(ui);
+  if (selected) {
+    ImGui::SameLine(0, 12);
+    draw_weight_field(ui);
+  }
+  if (can_choose_drawn(ui)) drawn_chips(ui);
+}
+
+// On a narrow screen, before the first vertex, in place of the buttons that need vertices.
+void draw_narrow_choice(const Ui& ui) {
+  for (const auto& [label, tool] : drawn) {
+    if (word_button(ui, label, true, ui.state.view.tool == tool)) ui.push(SetTool{tool});
+    ImGui::SameLine(0, gap);
+  }
+  if (word_button(ui, "Cancel", true)) ui.push(SetTool{Tool::parts});
 }
 
 void draw_drawing_bar(const Ui& ui) {
-  draw_choice_of_drawn(ui);
   const bool hole = ui.state.view.tool == Tool::hole;
   const bool some = !ui.state.view.drawing.points.empty();
+  if (!ui.layout.wide && !some && can_choose_drawn(ui)) return draw_narrow_choice(ui);
   const bool closes = ui.state.view.drawing.points.size() >= 3 && !ui.state.view.drawing.refusal;
   const bool roomy = is_roomy(ui);
   if (word_button(ui,
@@ -306,11 +326,15 @@ void draw_tool_bar(const Ui& ui) {
     return draw_weight_bar(ui), end_card(ui);
   else
     draw_vertex_buttons(ui);
-  const double end = static_cast<double>(ImGui::GetItemRectMax().x + snap_chips_width()) + 12 + 8;
-  const bool fits = end <= at.right && !over_panel;
+  const bool chooses = draws(state.view.tool) && ui.layout.wide && can_choose_drawn(ui);
+  const float chips = snap_chips_width() + (chooses ? drawn_chips_width(ui) + gap : 0);
+  const double end = static_cast<double>(ImGui::GetItemRectMax().x + chips) + 12 + 8;
+  const bool fits = end <= at.right && !over_panel, snaps = fits || !snaps_in_menu(ui);
+  // In a row of their own if there is height for it.
   if (fits) ImGui::SameLine(0, 12);
-  if (fits || !snaps_in_menu(ui))
-    snap_chips(ui);  // in a row of their own if there is height for it
+  if (chooses) drawn_chips(ui);
+  if (chooses && snaps) ImGui::SameLine(0, 2 * gap);
+  if (snaps) snap_chips(ui);
   end_card(ui);
 }
 
