@@ -20,6 +20,8 @@
 #include "picture/heat.h"
 #include "picture/scene.h"
 #include "picture/triangulate.h"
+#include "tools/handles.h"
+#include "tools/pick.h"
 #include "view/view_page.h"
 
 using namespace view_page;
@@ -384,4 +386,93 @@ TEST_CASE("a hovered weight is emphasised", "[view]") {
   draw_frame(page.app);
   ImGui::Render();
   CHECK(rim().is(theme(state).accent_on_object, 8));
+}
+
+TEST_CASE("while a hole is drawn, the pointer is over its vertices and not over the object's",
+          "[view]") {
+  Page page;
+  page.open(plate());
+  AppState& state = page.app.state;
+  give(state, SetHover{{Pick::Kind::vertex, 2, 0, {400, 300}}});
+  CHECK(is_hovered(state, Pick::Kind::vertex, 2));
+  give(state, SetTool{Tool::hole});
+  give(state, SetHover{{Pick::Kind::vertex, 2, 0, {150, 150}}});
+  CHECK_FALSE(is_hovered(state, Pick::Kind::vertex, 2));
+}
+
+TEST_CASE(
+    "a hole that would cross another is refused before it is closed, and then closed elsewhere",
+    "[view]") {
+  Page page;
+  page.open(plate());
+  AppState& state = page.app.state;
+  const auto draw = [&](const Points& ring) {
+    give(state, SetTool{Tool::hole});
+    for (const Vec2& point : ring) give(state, AddPoint{point});
+    give(state, SetDrawCursor{ring.front(), {}, true});
+  };
+  draw(square({120, 120}, 20));  // over a corner of the first hole
+  REQUIRE(state.view.drawing.refusal);
+  CHECK(state.view.drawing.refusal->place.ring == 4);
+  CHECK(state.view.drawing.refusal->place.other_ring == 1);
+  give(state, FinishDrawing{});
+  CHECK(state.work.document().holes.size() == 3);
+  draw(square({180, 150}, 20));
+  CHECK_FALSE(state.view.drawing.refusal);
+  give(state, FinishDrawing{});
+  CHECK(state.work.document().holes.size() == 4);
+  CHECK(state.view.tool == Tool::parts);
+  give(state, Undo{});
+  CHECK(state.work.document().holes.size() == 3);
+}
+
+TEST_CASE(
+    "vertices of the outline, of holes, and weights are numbered, named, moved and removed alike",
+    "[view]") {
+  Page page;
+  page.open(loaded_plate());
+  AppState& state = page.app.state;
+  const auto now = [&]() -> const Document& { return state.work.document(); };
+  CHECK(count_vertices(now()) == 4 + 4 + 14 + 4);
+  CHECK(name_of(now(), 3) == "Vertex 4");
+  CHECK(name_of(now(), 4) == "Hole 1, vertex 1");
+  CHECK(name_of(now(), 4 + 4 + 14 + 3) == "Hole 3, vertex 4");
+  CHECK(name_of(now(), count_vertices(now())) == "Weight 1, motor");
+  CHECK(name_of(now(), count_vertices(now()) + 1) == "Weight 2");
+  CHECK(name_of(now(), count_handles(now())).empty());
+
+  give(state, MoveVertex{4, {30, 30}});
+  give(state, EndEdit{});
+  CHECK(now().holes[0][0] == Vec2(30, 30));
+  give(state, MoveVertex{count_vertices(now()), {210, 240}});
+  give(state, EndEdit{});
+  CHECK(now().settings.cargo[0].at == Vec2(210, 240));
+  give(state, InsertVertex{7, {40, 60}});  // on the edge that closes the first hole
+  CHECK(now().holes[0].size() == 5);
+  CHECK(now().holes[0].back() == Vec2(40, 60));
+  CHECK(state.view.selected == 8);
+
+  for (const std::size_t left : {std::size_t{4}, std::size_t{3}}) {
+    give(state, RemoveVertex{4});
+    CHECK(now().holes[0].size() == left);
+  }
+  give(state, RemoveVertex{4});  // of a triangle, all go
+  CHECK(now().holes.size() == 2);
+  give(state, RemoveVertex{count_vertices(now())});
+  CHECK(now().settings.cargo.size() == 2);
+  CHECK(now().vertices.size() == 4);
+  CHECK_FALSE(state.derived().refusal);
+}
+
+TEST_CASE("a typed weight that is none changes nothing, and says what it must be", "[view]") {
+  Page page;
+  page.open(loaded_plate());
+  AppState& state = page.app.state;
+  const std::vector<Cargo> before = state.work.document().settings.cargo;
+  for (const Cargo& wrong : {Cargo{{1, 1}, 0, ""}, Cargo{{1, 1}, 1, std::string(61, 'x')},
+                             Cargo{{2e9, 1}, 1, ""}, Cargo{{1, 1}, 1, "\n"}}) {
+    give(state, SetCargo{0, wrong});
+    CHECK(state.session.notice.kind == Notice::Kind::problem);
+    CHECK(state.work.document().settings.cargo == before);
+  }
 }

@@ -26,13 +26,6 @@ bool move_last(Points& from, Points& to) {
   return true;
 }
 
-void check_drawing(Drawing& drawing) {
-  if (drawing.checked) return;
-  drawing.checked = true;
-  const Result<Polygon> polygon = Polygon::create(drawing.points);
-  if (!polygon) drawing.refusal = polygon.error();
-}
-
 // The document with the drawn hole as its last, or why there can be none.
 Result<Document> with_hole(const Document& document, const Points& hole) {
   Document with = document;
@@ -40,6 +33,20 @@ Result<Document> with_hole(const Document& document, const Points& hole) {
   const Result<PolygonWithHoles> object = object_of(with);
   if (!object) return object.error();
   return with;
+}
+
+// Why the drawn shape or hole cannot be closed, if it cannot.
+void check_drawing(AppState& state) {
+  Drawing& drawing = state.view.drawing;
+  if (drawing.checked) return;
+  drawing.checked = true;
+  if (state.view.tool == Tool::hole) {
+    const Result<Document> with = with_hole(state.work.document(), drawing.points);
+    if (!with) drawing.refusal = with.error();
+  } else {
+    const Result<Polygon> polygon = Polygon::create(drawing.points);
+    if (!polygon) drawing.refusal = polygon.error();
+  }
 }
 
 }  // namespace
@@ -112,7 +119,7 @@ void set_draw_cursor(AppState& state, const SetDrawCursor& cursor) {
     drawing.pointer = cursor.pointer;
   if (cursor.by_keys || drawing.by_keys) emit(state, SummaryChanged{});
   drawing.by_keys = cursor.by_keys;
-  if (cursor.at && closes(state, state.view.camera.to_screen(*cursor.at))) check_drawing(drawing);
+  if (cursor.at && closes(state, state.view.camera.to_screen(*cursor.at))) check_drawing(state);
 }
 
 void type_edge(AppState& state, const TypeEdge& typed) {

@@ -7,6 +7,7 @@
 
 #include "edits/editing.h"
 #include "evenlift/plane.h"
+#include "evenlift/settings.h"
 #include "state/notice.h"
 #include "tools/handles.h"
 
@@ -106,7 +107,21 @@ void add_weight(AppState& state, const Vec2& at) {
   announce(state, name_of(document, *state.view.selected) + " added.");
 }
 
+std::string problem_of(const Cargo& item) {
+  const auto is_refused = [](const Cargo& cargo) {
+    Settings settings;
+    settings.cargo = {cargo};
+    return check_ranges(settings).has_value();
+  };
+  if (!is_refused(item)) return {};
+  return is_refused({item.at, item.weight, {}})
+             ? "A weight must be a number greater than 0, at most 1e100, at a place within 1e9"
+             : "The name of a weight must be text of at most 60 characters";
+}
+
 void set_weight(AppState& state, std::size_t item, const Cargo& cargo) {
+  if (const std::string problem = problem_of(cargo); !problem.empty())
+    return show(state, {Notice::Kind::problem, problem + "."});
   const std::vector<Cargo>& now = state.work.document().settings.cargo;
   if (item >= now.size() || now[item] == cargo) return;
   edit(state, false, Edit::weight_changed).settings.cargo[item] = cargo;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "state/state.h"
 
@@ -22,7 +23,10 @@ void add_weight(AppState& state, const Vec2& at);
 // Remembers everything that moves with the polygon. O(n).
 void grip_polygon(AppState& state);
 
-// Replaces one weight.
+// Why a weight is refused, as a sentence without a full stop; empty if it is not. O(bytes).
+std::string problem_of(const Cargo& item);
+
+// Replaces one weight, or says why not.
 void set_weight(AppState& state, std::size_t item, const Cargo& cargo);
 
 }  // namespace evenlift::view

@@ -127,8 +127,10 @@ void draw_drawing(const Painter& painter, const AppState& state, const Theme& th
   draw_placed(painter, state, theme, closing);
   std::set<std::size_t> named = crossed;
   if (drawing.refusal && drawing.refusal->place.kind == Place::Kind::edge) {
-    named.insert(drawing.refusal->place.index);
-    named.insert(drawing.refusal->place.other);
+    // Of a hole, the other edge may be one of the object's.
+    const Place& place = drawing.refusal->place;
+    named.insert(place.index);
+    if (place.other_ring == place.ring) named.insert(place.other);
   }
   std::vector<NumberedEdge> numbered;
   for (const std::size_t edge : named) {

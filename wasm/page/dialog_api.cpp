@@ -16,6 +16,7 @@
 #include "actions/key_list.h"
 #include "app/app.h"
 #include "edits/supports.h"
+#include "edits/vertices.h"
 #include "evenlift/formats.h"
 #include "evenlift/link.h"
 #include "evenlift/numbers.h"
@@ -291,12 +292,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_set_weight(int item, int column, const cha
     changed.weight = *value;
   else
     changed.name = text;
-  evenlift::Document trial;
-  if (const auto error =
-          evenlift::read_setting(evenlift::Setting::cargo, evenlift::cargo_text({changed}), trial))
-    return hand_over(column == 3
-                         ? "A name has at most 60 characters"
-                         : "A weight must be a number greater than 0, at a place within 1e9");
+  if (problem = problem_of(changed); !problem.empty()) return hand_over(std::move(problem));
   carry_out({EndEdit{}, SetCargo{static_cast<std::size_t>(item), changed}, EndEdit{}});
   return hand_over({});
 }

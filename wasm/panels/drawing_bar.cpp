@@ -114,7 +114,7 @@ void draw_weight_field(const Ui& ui) {
   Cargo item = settings(ui.state).cargo[handle->index];
   const Asked typed = typed_field(ui, {"cargo weight", "Weight"},
                                   with_weight_unit(plain(item.weight), shown(ui.state).units), 96);
-  if (!typed.moved || !(*typed.moved >= min_weight && *typed.moved <= max_weight)) return;
+  if (!typed.moved) return;
   item.weight = *typed.moved;
   ui.push(SetCargo{handle->index, item});
 }

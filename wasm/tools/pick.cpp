@@ -237,6 +237,7 @@ Pick pick_explained(const AppState& state, const Vec2& screen, bool second) {
 }
 
 bool is_hovered(const AppState& state, Pick::Kind kind, std::size_t index) {
+  if (draws(state.view.tool)) return false;  // the pointer is over vertices of the drawing
   const Pick& held = state.view.held;
   if (held.kind != Pick::Kind::none && held.kind != Pick::Kind::ground)
     return held.kind == kind && held.index == index;

@@ -30,7 +30,8 @@ Pick pick_explained(const AppState& state, const Vec2& screen, bool second = fal
 std::optional<Vec2> uncertainty_grip(const AppState& state);
 double uncertainty_for_grip(const AppState& state, const Vec2& screen);
 
-// Whether the pointer holds this part, or else is over it.
+// Whether the pointer holds this part of the object, or else is over it; false while a shape or a
+// hole is drawn.
 bool is_hovered(const AppState& state, Pick::Kind kind, std::size_t index);
 
 // The robot, chord or candidate under the pointer, or else the one with an open card; the drawing
