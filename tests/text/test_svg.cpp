@@ -16,6 +16,21 @@ using evenlift::testing::placed;
 
 namespace {
 
+// The numbers of some attributes, for each element of a class.
+std::vector<std::vector<double>> numbers_of(const std::string& svg, const std::string& of_class,
+                                            const std::vector<std::string>& names) {
+  std::vector<std::vector<double>> all;
+  const std::string begin = "class=\"" + of_class + "\"";
+  for (std::size_t at = svg.find(begin); at != std::string::npos; at = svg.find(begin, at + 1)) {
+    const std::size_t start = svg.rfind('<', at);
+    const std::string tag = svg.substr(start, svg.find('>', at) - start);
+    all.emplace_back();
+    for (const std::string& name : names)
+      all.back().push_back(std::stod(tag.substr(tag.find(" " + name + "=\"") + name.size() + 3)));
+  }
+  return all;
+}
+
 // Every tag is closed, in order; attributes are in quotes; every character is in a valid place.
 bool well_formed(const std::string& xml) {
   std::vector<std::string> open;
@@ -189,22 +204,10 @@ TEST_CASE("loads keep clear of robots' bodies, and the key explains what is seen
   CHECK(occurrences(svg, "class=\"load\"") >= 1);
   CHECK(occurrences(svg, "\u00A0kg</text>") == 6);
 
-  // The numbers of some attributes, for each element of a class.
-  const auto numbers = [&](const std::string& begin, const std::vector<std::string>& names) {
-    std::vector<std::vector<double>> all;
-    for (std::size_t at = svg.find(begin); at != std::string::npos; at = svg.find(begin, at + 1)) {
-      const std::size_t start = svg.rfind('<', at);
-      const std::string tag = svg.substr(start, svg.find('>', at) - start);
-      all.emplace_back();
-      for (const std::string& name : names)
-        all.back().push_back(std::stod(tag.substr(tag.find(" " + name + "=\"") + name.size() + 3)));
-    }
-    return all;
-  };
-  const auto bodies = numbers("class=\"body\"", {"cx", "cy", "r"});
+  const auto bodies = numbers_of(svg, "body", {"cx", "cy", "r"});
   REQUIRE(bodies.size() == 6);
-  auto loads = numbers("class=\"load\"", {"x", "y"});
-  for (auto& over : numbers("class=\"load overload\"", {"x", "y"})) loads.push_back(over);
+  auto loads = numbers_of(svg, "load", {"x", "y"});
+  for (auto& over : numbers_of(svg, "load overload", {"x", "y"})) loads.push_back(over);
   REQUIRE(loads.size() == 6);
   for (const auto& load : loads)
     for (const auto& body : bodies) {
@@ -215,21 +218,6 @@ TEST_CASE("loads keep clear of robots' bodies, and the key explains what is seen
 }
 
 namespace {
-
-// The numbers of some attributes, for each element of a class.
-std::vector<std::vector<double>> numbers_of(const std::string& svg, const std::string& of_class,
-                                            const std::vector<std::string>& names) {
-  std::vector<std::vector<double>> all;
-  const std::string begin = "class=\"" + of_class + "\"";
-  for (std::size_t at = svg.find(begin); at != std::string::npos; at = svg.find(begin, at + 1)) {
-    const std::size_t start = svg.rfind('<', at);
-    const std::string tag = svg.substr(start, svg.find('>', at) - start);
-    all.emplace_back();
-    for (const std::string& name : names)
-      all.back().push_back(std::stod(tag.substr(tag.find(" " + name + "=\"") + name.size() + 3)));
-  }
-  return all;
-}
 
 Document plate_with_cargo() {
   Document document;

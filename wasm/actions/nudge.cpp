@@ -39,9 +39,7 @@ void nudge(const AppState& s, Commands& out, int x, int y) {
   }
   const double step = grid_step(s.view.camera) / (s.view.snap.grid ? 1 : 10);
   const Vec2 to = place_of(s.work.document(), *s.view.selected) + Vec2(x * step, y * step);
-  out.push_back(MoveVertex{*s.view.selected, s.view.snap.grid
-                                                 ? nearest_dot(s.view.camera, to)
-                                                 : rounded_to_pixels(s.view.camera, to)});
+  out.push_back(MoveVertex{*s.view.selected, snapped(s, to)});
   out.push_back(EndEdit{});
 }
 

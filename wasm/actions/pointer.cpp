@@ -42,7 +42,7 @@ void press_parts(const AppState& state, const Pointer& pointer, Commands& comman
   commands.push_back(SetHeld{under});
   if (under.kind == Pick::Kind::vertex) commands.push_back(SelectVertex{under.index});
   if (under.kind == Pick::Kind::cargo)
-    commands.push_back(SelectVertex{count_vertices(state.work.document()) + under.index});
+    commands.push_back(SelectVertex{weight_handle(state.work.document(), under.index)});
 }
 
 // A press on a robot grabs it; elsewhere a click adds one.
@@ -64,7 +64,7 @@ void press_weight(const AppState& state, const Pointer& pointer, Commands& comma
     under.at = state.view.camera.to_screen(under.at) - pointer.at;
   commands.push_back(SetHeld{under});
   if (under.kind == Pick::Kind::cargo)
-    commands.push_back(SelectVertex{count_vertices(state.work.document()) + under.index});
+    commands.push_back(SelectVertex{weight_handle(state.work.document(), under.index)});
 }
 
 void press(const AppState& state, const Pointer& pointer, Commands& commands) {
@@ -144,9 +144,8 @@ void drag(const AppState& state, const Pointer& pointer, Commands& commands) {
                                                         after(document, held.index))});
   }
   if (held.kind == Pick::Kind::cargo)
-    commands.push_back(MoveVertex{count_vertices(state.work.document()) + held.index,
-                                  state.view.snap.grid ? nearest_dot(state.view.camera, to)
-                                                       : rounded_to_pixels(state.view.camera, to)});
+    commands.push_back(
+        MoveVertex{weight_handle(state.work.document(), held.index), snapped(state, to)});
   if (held.kind == Pick::Kind::uncertainty)
     commands.push_back(showing(state, &Shown::com_radius,
                                uncertainty_for_grip(state, pointer.at + held.at), true));
@@ -162,9 +161,7 @@ void drag(const AppState& state, const Pointer& pointer, Commands& commands) {
     if (away <= (state.view.snap.grid || state.view.snap.axis ? 12 : 6))
       commands.push_back(MoveCentre{rounded_finely(state.view.camera, centroid)});
     else
-      commands.push_back(MoveCentre{state.view.snap.grid
-                                        ? nearest_dot(state.view.camera, to)
-                                        : rounded_to_pixels(state.view.camera, to)});
+      commands.push_back(MoveCentre{snapped(state, to)});
   }
 }
 
@@ -205,10 +202,7 @@ void release(const AppState& state, const Pointer& pointer, Commands& commands) 
     if (clicked) commands.push_back(AddRobot{state.view.camera.to_world(pointer.at)});
   } else if (state.view.tool == Tool::weight) {
     const Vec2 at = state.view.camera.to_world(pointer.at);
-    if (clicked)
-      commands.push_back(AddWeight{state.view.snap.grid
-                                       ? nearest_dot(state.view.camera, at)
-                                       : rounded_to_pixels(state.view.camera, at)});
+    if (clicked) commands.push_back(AddWeight{snapped(state, at)});
   } else if (state.view.tool == Tool::mark && state.view.held.kind == Pick::Kind::edge &&
              still_there)
     commands.push_back(

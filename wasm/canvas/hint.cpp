@@ -41,7 +41,7 @@ bool on_centroid(const AppState& state) {
 std::string hint_of_weight(const AppState& state, std::size_t i) {
   const std::vector<Cargo>& cargo = settings(state).cargo;
   if (i >= cargo.size()) return {};
-  return name_of(state.work.document(), count_vertices(state.work.document()) + i) + " · " +
+  return name_of(state.work.document(), weight_handle(state.work.document(), i)) + " · " +
          with_weight_unit(plain(cargo[i].weight), shown(state).units) + " at " +
          given_point(cargo[i].at) + " · drag to move, Delete to remove";
 }

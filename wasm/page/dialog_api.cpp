@@ -303,14 +303,14 @@ EMSCRIPTEN_KEEPALIVE void page_add_weight() {
 }
 
 EMSCRIPTEN_KEEPALIVE void page_remove_weight(int item) {
-  const std::size_t first = count_vertices(app().state.work.document());
-  if (item >= 0) carry_out({RemoveVertex{first + static_cast<std::size_t>(item)}});
+  const evenlift::Document& document = app().state.work.document();
+  if (item >= 0) carry_out({RemoveVertex{weight_handle(document, static_cast<std::size_t>(item))}});
 }
 
 EMSCRIPTEN_KEEPALIVE void page_select_weight(int item) {
   SelectVertex select;
-  const std::size_t first = count_vertices(app().state.work.document());
-  if (item >= 0) select.vertex = first + static_cast<std::size_t>(item);
+  const evenlift::Document& document = app().state.work.document();
+  if (item >= 0) select.vertex = weight_handle(document, static_cast<std::size_t>(item));
   carry_out({select});
 }
 

@@ -90,18 +90,17 @@ bool can_choose_drawn(const Ui& ui) {
   return ui.state.derived().placement && !ui.state.derived().refusal;
 }
 
-float drawn_chips_width(const Ui& ui) {
-  float width = 0;
-  if (can_choose_drawn(ui))
-    for (const auto& [label, tool] : drawn) width += switch_chip_width(label) + gap;
-  return width;
+float choice_width(const Ui& ui) {
+  return can_choose_drawn(ui) ? row_width(ui, {drawn[0].first, drawn[1].first, drawn[2].first}) : 0;
 }
 
-void drawn_chips(const Ui& ui) {
+// The buttons stand in the present row, each followed by another item.
+void choose_drawn(const Ui& ui) {
   for (const auto& [label, tool] : drawn) {
-    if (tool != drawn[0].second) ImGui::SameLine(0, gap);
-    if (switch_chip(ui, label, ui.state.view.tool == tool) && ui.state.view.tool != tool)
+    if (toggle_button(ui, label, label, label, word_button_width(ui, label),
+                      ui.state.view.tool == tool))
       ui.push(SetTool{tool});
+    ImGui::SameLine(0, gap);
   }
 }
 
@@ -120,31 +119,23 @@ void draw_weight_field(const Ui& ui) {
 }
 
 void draw_weight_bar(const Ui& ui) {
-  if (word_button(ui, "Done", true, true)) ui.push(SetTool{Tool::parts});
-  const bool selected = ui.state.view.selected.has_value();
-  ImGui::SameLine(0, gap);
-  if (word_button(ui, ui.layout.wide ? "Remove weight" : "Remove", selected))
-    ui.push(RemoveVertex{*ui.state.view.selected});
-  if (selected) {
-    ImGui::SameLine(0, 12);
-    draw_weight_field(ui);
-  }
-  if (can_choose_drawn(ui)) drawn_chips(ui);
-}
-
-// On a narrow screen, before the first vertex, in place of the buttons that need vertices.
-void draw_narrow_choice(const Ui& ui) {
-  for (const auto& [label, tool] : drawn) {
-    if (word_button(ui, label, true, ui.state.view.tool == tool)) ui.push(SetTool{tool});
-    ImGui::SameLine(0, gap);
-  }
-  if (word_button(ui, "Cancel", true)) ui.push(SetTool{Tool::parts});
+  if (can_choose_drawn(ui)) choose_drawn(ui);
+  if (word_button(ui, "Done", true)) ui.push(SetTool{Tool::parts});
+  if (!ui.state.view.selected) return;
+  if (word_button(ui, "Remove weight", true)) ui.push(RemoveVertex{*ui.state.view.selected});
+  ImGui::SameLine(0, 12);
+  draw_weight_field(ui);
 }
 
 void draw_drawing_bar(const Ui& ui) {
   const bool hole = ui.state.view.tool == Tool::hole;
   const bool some = !ui.state.view.drawing.points.empty();
-  if (!ui.layout.wide && !some && can_choose_drawn(ui)) return draw_narrow_choice(ui);
+  if (!ui.layout.wide && !some && can_choose_drawn(ui)) {
+    // In place of the buttons that need vertices.
+    choose_drawn(ui);
+    if (word_button(ui, "Cancel", true)) ui.push(SetTool{Tool::parts});
+    return;
+  }
   const bool closes = ui.state.view.drawing.points.size() >= 3 && !ui.state.view.drawing.refusal;
   const bool roomy = is_roomy(ui);
   if (word_button(ui,
@@ -327,13 +318,13 @@ void draw_tool_bar(const Ui& ui) {
   else
     draw_vertex_buttons(ui);
   const bool chooses = draws(state.view.tool) && ui.layout.wide && can_choose_drawn(ui);
-  const float chips = snap_chips_width() + (chooses ? drawn_chips_width(ui) + gap : 0);
+  const float chips = snap_chips_width() + (chooses ? choice_width(ui) + 2 * gap : 0);
   const double end = static_cast<double>(ImGui::GetItemRectMax().x + chips) + 12 + 8;
   const bool fits = end <= at.right && !over_panel, snaps = fits || !snaps_in_menu(ui);
   // In a row of their own if there is height for it.
   if (fits) ImGui::SameLine(0, 12);
-  if (chooses) drawn_chips(ui);
-  if (chooses && snaps) ImGui::SameLine(0, 2 * gap);
+  if (chooses) choose_drawn(ui);
+  if (chooses && snaps) ImGui::SameLine(0, gap);
   if (snaps) snap_chips(ui);
   end_card(ui);
 }

@@ -112,9 +112,13 @@ std::optional<Vec2> centroid_of(const Points& chain) {
   return origin + sum / (3 * twice);
 }
 
+Vec2 snapped(const AppState& state, const Vec2& to) {
+  return state.view.snap.grid ? nearest_dot(state.view.camera, to)
+                              : rounded_to_pixels(state.view.camera, to);
+}
+
 Vec2 snapped(const AppState& state, const Vec2& to, const Vec2& before, const Vec2& after) {
-  Vec2 at = state.view.snap.grid ? nearest_dot(state.view.camera, to)
-                                 : rounded_to_pixels(state.view.camera, to);
+  Vec2 at = snapped(state, to);
   if (state.view.snap.axis) {
     const double reach = 12 / state.view.camera.scale;
     double x = to.x(), y = to.y();
@@ -131,8 +135,7 @@ Vec2 next_point(const AppState& state, const Vec2& world) {
   if (!points.empty() && (state.view.drawing.length || state.view.drawing.degrees))
     return typed_end(state.view.drawing, world);
   if (!points.empty()) return snapped(state, world, points.back(), points.front());
-  return state.view.snap.grid ? nearest_dot(state.view.camera, world)
-                              : rounded_to_pixels(state.view.camera, world);
+  return snapped(state, world);
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> crossings(const Points& chain) {

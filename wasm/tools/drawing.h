@@ -42,6 +42,9 @@ std::optional<Vec2> centroid_of(const Points& chain);
 // The next vertex if the pointer is at `world`, after snapping. O(1).
 Vec2 next_point(const AppState& state, const Vec2& world);
 
+// `to` on the grid, if points snap to it, or else rounded to the pixels. O(1).
+Vec2 snapped(const AppState& state, const Vec2& to);
+
 // `to` after snapping. The axes go through the neighbours `before` and `after`. O(1).
 Vec2 snapped(const AppState& state, const Vec2& to, const Vec2& before, const Vec2& after);
 

@@ -17,6 +17,10 @@ std::size_t count_handles(const Document& document) {
   return count_vertices(document) + document.settings.cargo.size();
 }
 
+std::size_t weight_handle(const Document& document, std::size_t item) {
+  return count_vertices(document) + item;
+}
+
 std::optional<Handle> handle_of(const Document& document, std::size_t number) {
   std::size_t rest = number;
   for (std::size_t ring = 0; ring <= document.holes.size(); ++ring) {

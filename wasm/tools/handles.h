@@ -22,6 +22,9 @@ struct Handle {
 std::size_t count_vertices(const Document& document);
 std::size_t count_handles(const Document& document);
 
+// The number of a weight's handle. O(holes).
+std::size_t weight_handle(const Document& document, std::size_t item);
+
 // The handle with a number; nothing if there are fewer. O(holes).
 std::optional<Handle> handle_of(const Document& document, std::size_t number);
 

@@ -5,37 +5,13 @@
 #include <optional>
 #include <utility>
 
-#include "document/stand_settings.h"
+#include "document/list_text.h"
 #include "evenlift/numbers.h"
 #include "evenlift/settings.h"
 #include "numbers/utf8.h"
 
 namespace evenlift {
 namespace {
-
-constexpr std::string_view spaces = " \t\r\n";
-
-// The end of the item at the beginning of a text: the first space that is not between quotes.
-std::size_t end_of_item(std::string_view text) {
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '"') quoted = !quoted;
-    if (!quoted && spaces.find(text[i]) != std::string_view::npos) return i;
-  }
-  return text.size();
-}
-
-// Calls read(item) for each item until it refuses one. Returns whether it accepts all.
-template <class Read>
-bool for_each_item(std::string_view text, Read read) {
-  while (true) {
-    text.remove_prefix(std::min(text.find_first_not_of(spaces), text.size()));
-    if (text.empty()) return true;
-    const std::size_t end = end_of_item(text);
-    if (!read(text.substr(0, end))) return false;
-    text.remove_prefix(end);
-  }
-}
 
 // A name as it is, or between quotes with each of its quotes doubled.
 std::optional<std::string> read_name(std::string_view text) {
@@ -119,15 +95,7 @@ bool read_cargo(std::string_view text, std::vector<Cargo>& cargo) {
   return true;
 }
 
-std::string_view refused_cargo(std::string_view text) {
-  std::string_view refused;
-  for_each_item(text, [&](std::string_view word) {
-    if (read_item(word)) return true;
-    refused = word;
-    return false;
-  });
-  return is_quotable(refused) ? refused : std::string_view();
-}
+std::string_view refused_cargo(std::string_view text) { return refused_item(text, read_item); }
 
 std::string cargo_text(const std::vector<Cargo>& cargo) {
   std::string text;

@@ -3,27 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "document/list_text.h"
 #include "document/stand_settings.h"
 #include "evenlift/numbers.h"
 #include "evenlift/settings.h"
 
 namespace evenlift {
 namespace {
-
-constexpr std::string_view spaces = " \t\r\n";
-
-// Calls read(word) for each word between spaces until it refuses one. Returns whether it accepts
-// all.
-template <class Read>
-bool for_each_point(std::string_view text, Read read) {
-  while (true) {
-    text.remove_prefix(std::min(text.find_first_not_of(spaces), text.size()));
-    if (text.empty()) return true;
-    const std::string_view word = text.substr(0, text.find_first_of(spaces));
-    if (!read(word)) return false;
-    text.remove_prefix(word.size());
-  }
-}
 
 struct Given {
   Vec2 at;
@@ -50,7 +36,7 @@ std::optional<Given> read_support(std::string_view word) {
 bool read_supports(std::string_view text, Document& document) {
   Points supports;
   Capacities capacities;
-  const bool good = text == "none" || for_each_point(text, [&](std::string_view word) {
+  const bool good = text == "none" || for_each_item(text, [&](std::string_view word) {
                       const std::optional<Given> given = read_support(word);
                       if (!given || supports.size() == most_supports) return false;
                       supports.push_back(given->at);
@@ -65,15 +51,7 @@ bool read_supports(std::string_view text, Document& document) {
   return true;
 }
 
-std::string_view refused_support(std::string_view text) {
-  std::string_view refused;
-  for_each_point(text, [&](std::string_view word) {
-    if (read_support(word)) return true;
-    refused = word;
-    return false;
-  });
-  return is_quotable(refused) ? refused : std::string_view();
-}
+std::string_view refused_support(std::string_view text) { return refused_item(text, read_support); }
 
 std::string supports_text(const Points& supports) {
   std::string text;

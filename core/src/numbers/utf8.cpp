@@ -1,7 +1,5 @@
 #include "numbers/utf8.h"
 
-#include <algorithm>
-
 namespace evenlift {
 
 std::size_t utf8_length(std::string_view text) {
@@ -31,12 +29,6 @@ bool is_line_of_text(std::string_view line) {
     line.remove_prefix(length);
   }
   return true;
-}
-
-std::size_t count_characters(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xc0) != 0x80;  // not a further byte of a character
-  }));
 }
 
 }  // namespace evenlift

@@ -1,0 +1,43 @@
+// Lists of items in text, with spaces, tabs and line ends between them.
+#pragma once
+
+#include <algorithm>
+#include <string_view>
+
+#include "document/stand_settings.h"
+
+namespace evenlift {
+
+// Calls read(item) for each item until it refuses one. Between quotes, a space is part of an item.
+// Returns whether it accepts all. O(bytes).
+template <class Read>
+bool for_each_item(std::string_view text, Read read) {
+  constexpr std::string_view spaces = " \t\r\n";
+  while (true) {
+    text.remove_prefix(std::min(text.find_first_not_of(spaces), text.size()));
+    if (text.empty()) return true;
+    bool quoted = false;
+    const auto end = std::find_if(text.begin(), text.end(), [&](char c) {
+      if (c == '"') quoted = !quoted;
+      return !quoted && spaces.find(c) != std::string_view::npos;
+    });
+    const auto size = static_cast<std::size_t>(end - text.begin());
+    if (!read(text.substr(0, size))) return false;
+    text.remove_prefix(size);
+  }
+}
+
+// The first item that cannot be read; empty if there is none, or if it is too long or strange to
+// quote. `read` returns what an item means, or nothing. O(bytes).
+template <class Read>
+std::string_view refused_item(std::string_view text, Read read) {
+  std::string_view refused;
+  for_each_item(text, [&](std::string_view item) {
+    if (read(item)) return true;
+    refused = item;
+    return false;
+  });
+  return is_quotable(refused) ? refused : std::string_view();
+}
+
+}  // namespace evenlift
