@@ -11,7 +11,7 @@ export type Goal = "cover" | "hold";
 export type Positions = "best" | "range";
 export type LengthUnit = "m" | "cm" | "mm" | "in";
 export type WeightUnit = "kg" | "t" | "N" | "lb";
-export type Overlay = "candidates" | "chords" | "hull" | "clockwise" | "counterclockwise" | "tipping" | "halo";
+export type Overlay = "candidates" | "chords" | "hull" | "clockwise" | "counterclockwise" | "tipping" | "halo" | "tilt" | "load";
 
 /** A load that is fixed to the object, at its own centre of mass. */
 export interface Cargo {
@@ -75,6 +75,18 @@ export interface Settings {
   capacity?: number | "none";
   /** The C uncertainty: the centre of mass is known within this distance. */
   com_radius?: number;
+  /** The height of the centre of mass above the plane in which the robots lift. */
+  com_height?: number;
+  /** The greatest slope of the ground: a ratio from 0 to 1, or a text such as `"8%"` or `"4.6deg"`. */
+  slope?: number | string;
+  /** The greatest horizontal acceleration, in g. */
+  acceleration?: number;
+  /** The length by which a robot gives way under the mean load. */
+  give?: number | "none";
+  /** How much the ground, or a robot's height, is off at most. */
+  uneven?: number;
+  /** A weight that somebody may put anywhere. */
+  extra?: number | "none";
   /** The unit of coordinates and distances: a label, which changes no number. Default `"none"`. */
   unit?: LengthUnit | "none";
   /** The unit of weights and loads: also only a label. Default `"kg"`. */
@@ -149,6 +161,30 @@ export interface Loads {
   /** The loads by the other models, in the order of the robots; `best` is the least possible greatest load. `null` if rounding moves C
    * outside the lifting base. */
   models: { springs: number[]; best: number; worst: number[] } | null;
+  /** The following two exist only with a C uncertainty, a slope, an acceleration or uneven ground. */
+  ranges?: [least: number, greatest: number][];
+  may_let_go?: boolean;
+}
+
+/** When the object tips in the worst direction. */
+export interface Tilt {
+  height: number;
+  /** How far from the centre of mass the weight may act. */
+  reach: number;
+  stays: boolean;
+  /** The slope as a ratio and as an angle, and the acceleration in g, each alone. */
+  slope: number;
+  degrees: number;
+  acceleration: number;
+}
+
+/** Where a further load may stand; all but the weight are `null` if the object falls. */
+export interface ExtraLoad {
+  weight: number;
+  region: Point[] | null;
+  share: number | null;
+  /** The greatest weight that may stand anywhere; `null` for any weight. */
+  anywhere: number | null;
 }
 
 export interface Closure {
@@ -172,7 +208,7 @@ export interface Robustness {
   failures_clear: number;
   /** `null` if `models` is. */
   load_per_length: number[] | null;
-  /** The following members exist only with a `com_radius` above 0. */
+  /** The following two exist only with a `com_radius` above 0, the last two also on slopes and uneven ground. */
   com_radius?: number;
   exact_within?: number | null;
   plan_ranges?: [least: number, greatest: number][];
@@ -217,6 +253,9 @@ export interface Failure {
   best_max: number | null;
   /** Only with a `capacity`. */
   over_capacity?: boolean | null;
+  /** The following two exist only if `loads.ranges` do. */
+  greatest_end?: number | null;
+  stays?: boolean | null;
 }
 
 export interface Capacity {
@@ -290,7 +329,7 @@ export interface Placement {
   /** If `requested_teams` differs from the setting: `"max"`, or for balanced robots the number of teams for the other methods. */
   teams_asked?: number | "max";
   /** Only for a link with overlays that are not the default. */
-  overlays?: Record<"candidates" | "chords" | "hull" | "clockwise" | "counterclockwise" | "tipping" | "halo", boolean>;
+  overlays?: Record<"candidates" | "chords" | "hull" | "clockwise" | "counterclockwise" | "tipping" | "halo" | "tilt" | "load", boolean>;
   /** The following three exist only if robots have a size, or there are no-go edges. */
   robot?: { radius: number; reach: number; depth: number; width: number; gap: number };
   no_go?: string;
@@ -305,6 +344,16 @@ export interface Placement {
   moved?: string;
   /** Missing without teams. */
   robustness?: Robustness;
+  /** `null` without a height of the centre of mass. */
+  tilt: Tilt | null;
+  /** Only with `extra`. */
+  extra?: ExtraLoad;
+  /** The following five exist only if they are set. */
+  com_height?: number;
+  slope?: number;
+  acceleration?: number;
+  give?: number;
+  uneven?: number;
   /** Only with `failures`. */
   failures?: Failure[];
   /** Only with a `capacity`, or if a support has one. */

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "evenlift/capacity.h"
+#include "evenlift/output/carrying_words.h"
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/output/words.h"
 #include "input/failure.h"
@@ -28,10 +29,10 @@ const char* heading(LoadModel model) {
 std::string yes_or_no(bool value) { return value ? "yes" : "no"; }
 
 Row failure_row(std::size_t robot, std::size_t team, const std::optional<RestOfRobots>& rest,
-                double largest) {
+                double largest, bool with_doubt) {
   Row row = {std::to_string(robot + 1), std::to_string(team + 1), yes_or_no(rest.has_value())};
   if (!rest) {
-    row.resize(10, "-");
+    row.resize(with_doubt ? 12 : 10, "-");
     return row;
   }
   const double distance = rest->tipping_distance;
@@ -41,6 +42,9 @@ Row failure_row(std::size_t robot, std::size_t team, const std::optional<RestOfR
         rest->greatest_by_plan ? amount(*rest->greatest_by_plan, largest) : std::string("-"),
         amount(rest->greatest_by_springs, largest), amount(rest->least_greatest, largest)})
     row.push_back(cell);
+  if (!with_doubt) return row;
+  row.push_back(amount(rest->greatest_end, largest));
+  row.push_back(yes_or_no(rest->stays));
   return row;
 }
 
@@ -53,27 +57,28 @@ void RobustnessOptions::declare(CommandLine& line) {
 }
 
 RobustnessAsked::RobustnessAsked(const RobustnessOptions& options, const Shown& shown)
-    : com_radius(shown.com_radius), failures(options.failures) {
+    : doubt(doubt_of(shown)), failures(options.failures) {
   if (options.loads) model = loads_option(*options.loads);
-  if (com_radius > 0 && !has_ranges(model))
-    throw Failure{
-        bad_input_status, "--loads",
-        "with a C uncertainty of " + with_length_unit(plain(com_radius), shown.units) +
-            ", only plan and springs can be shown; choose one of them, or set --com-radius 0"};
+  if (doubt.any() && !has_ranges(model))
+    throw Failure{bad_input_status, "--loads",
+                  doubt_in_words(shown) +
+                      ", only plan and springs can be shown; choose one of them, or leave out "
+                      "these conditions"};
 }
 
 RobustnessKnown::RobustnessKnown(const Placement& placement, const RobustnessAsked& wanted)
     : asked(wanted) {
   if (placement.teams.empty()) return;
   robustness = evenlift::robustness(placement);
-  if (asked.model != LoadModel::plan || asked.com_radius > 0) models = model_loads(placement);
-  if (asked.failures) failures = single_failures(placement);
+  if (asked.model != LoadModel::plan || asked.doubt.any())
+    models = model_loads(placement, asked.doubt);
+  if (asked.failures) failures = single_failures(placement, asked.doubt);
 }
 
 ShownLoads shown_loads(const Placement& placement, const RobustnessKnown& known) {
   const LoadModel model = known.models ? known.asked.model : LoadModel::plan;
   ShownLoads shown{
-      heading(model), {}, {}, loads_by(model, placement, known.models, known.asked.com_radius)};
+      heading(model), {}, {}, loads_by(model, placement, known.models)};
   for (const LoadRange& range : shown.ranges) shown.greatest.push_back(range.greatest);
   const double largest = *std::max_element(shown.greatest.begin(), shown.greatest.end());
   for (const LoadRange& range : shown.ranges)
@@ -88,12 +93,19 @@ std::string robustness_lines(const ShownPlacement& of, const RobustnessKnown& kn
   std::string text;
   if (known.models && asked.model != LoadModel::plan)
     text += model_in_words(asked.model, *known.models, units) + "\n";
-  if (known.models && asked.com_radius > 0) {
-    text += uncertainty_in_words(*known.models, known.robustness, asked.com_radius, units);
-    if (has_capacities(of))
-      text += " " + uncertainty_for_capacity_in_words(*known.models, known.robustness, of);
+  if (known.models && asked.doubt.any()) {
+    text += uncertainty_in_words(*known.models, known.robustness, of.shown);
+    if (has_capacities(of)) text += " " + uncertainty_for_capacity_in_words(*known.models, of);
     text += "\n";
   }
+  // A C uncertainty that alone can tip the object is in the sentence above.
+  if (asked.doubt.reach > of.shown.com_radius) {
+    const std::string tips = tipping_in_words(known.robustness, of);
+    if (!tips.empty()) text += tips + "\n";
+  }
+  const std::string tilt = tilt_in_words(known.robustness, of);
+  if (!tilt.empty()) text += tilt + "\n";
+  if (const auto extra = extra_load(of)) text += extra_in_words(*extra, of) + "\n";
   if (!known.failures.empty())
     text += failures_in_words(known.failures, units, overloads_after(of, known.failures),
                               has_capacities(of) ? limit_in_words(of) : std::string()) +
@@ -107,13 +119,17 @@ std::string failure_table(const ShownPlacement& of, const RobustnessKnown& known
   double largest = 0;
   for (const auto& rest : known.failures)
     if (rest)
-      largest = std::max({largest, rest->greatest_by_plan.value_or(0), rest->greatest_by_springs});
+      largest = std::max({largest, rest->greatest_by_plan.value_or(0), rest->greatest_end});
   std::vector<Row> rows = {{"fails", "of team", "carried", "steady", "tipping distance", "coverage",
                             "form closure", "by plan", "springs", "best"}};
+  const bool with_doubt = known.asked.doubt.any();
+  if (with_doubt)
+    for (const char* heading : {"at most", "stays"}) rows[0].push_back(heading);
   if (has_capacities(of)) rows[0].push_back("overloaded");
   for (std::size_t robot = 0; robot < known.failures.size(); ++robot) {
     const std::optional<RestOfRobots>& rest = known.failures[robot];
-    rows.push_back(failure_row(robot, find_robot(of.placement.teams, robot).team, rest, largest));
+    rows.push_back(failure_row(robot, find_robot(of.placement.teams, robot).team, rest, largest,
+                               with_doubt));
     if (has_capacities(of)) rows.back().push_back(overloads[robot] ? "yes" : "-");
   }
   return table(rows);

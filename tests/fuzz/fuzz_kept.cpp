@@ -36,13 +36,13 @@ constexpr std::string_view sample = "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,
 
 // As page_resume_drawing() does it.
 void resume_drawing(AppState& state, std::string_view text) {
-  const std::optional<Points> points = read_drawing(text);
-  if (!points || points->empty()) return;
-  Commands commands{SetTool{Tool::draw}};
-  for (const Vec2& p : *points) commands.push_back(AddPoint{p});
+  const auto kept = read_drawing(text);
+  if (!kept || kept->points.empty()) return;
+  Commands commands{SetTool{kept->is_hole ? Tool::hole : Tool::draw}};
+  for (const Vec2& p : kept->points) commands.push_back(AddPoint{p});
   apply(state, commands);
-  const std::optional<Points> again = read_drawing(drawing_text(state.view.drawing));
-  fuzz::require(again.has_value() && testing::same_vertices(*again, state.view.drawing.points));
+  const auto again = read_drawing(drawing_text(state.view.drawing, kept->is_hole));
+  fuzz::require(again.has_value() && testing::same_vertices(again->points, state.view.drawing.points));
 }
 
 // As page_keep() does it.

@@ -129,7 +129,7 @@ TEST_CASE("with a robot that fails the others are in equilibrium, on what is lef
       REQUIRE(count_robots(failing.teams) == rests.size());
       CHECK(failing.loads.has_value() == rests[robot].has_value());
       CHECK(single_failure(placement, robot).has_value() == rests[robot].has_value());
-      CHECK(springs_without(placement, robot).has_value() == rests[robot].has_value());
+      CHECK(ranges_without(placement, robot, {}).has_value() == rests[robot].has_value());
       const std::vector<double> loads = planned_loads(failing.teams);
       CHECK(loads[robot] == 0);
       held += rests[robot].has_value();
@@ -183,7 +183,7 @@ TEST_CASE("the loads that are shown are those of the model, with ranges where it
   const std::optional<ModelLoads> models = model_loads(placement);
   REQUIRE(models);
   const auto shown = [&](LoadModel model, double radius) {
-    return loads_by(model, placement, models, radius);
+    return loads_by(model, placement, model_loads(placement, {.reach = radius}));
   };
   for (std::size_t i = 0; i < count_robots(placement.teams); ++i) {
     CHECK(shown(LoadModel::plan, 0)[i].least == planned_loads(placement.teams)[i]);
@@ -192,7 +192,7 @@ TEST_CASE("the loads that are shown are those of the model, with ranges where it
     CHECK(shown(LoadModel::worst, 5)[i].greatest == models->worst[i]);
     const double change = 5 * models->springs.per_length[i];
     CHECK(shown(LoadModel::springs, 5)[i].greatest == Approx(models->springs.loads[i] + change));
-    CHECK(loads_by(LoadModel::worst, placement, std::nullopt, 5)[i].least ==
+    CHECK(loads_by(LoadModel::worst, placement, std::nullopt)[i].least ==
           planned_loads(placement.teams)[i]);
   }
 }

@@ -75,17 +75,86 @@ TEST_CASE("robots go slack before the object tips; three robots just then",
 
 TEST_CASE("ranges are as wide as the C uncertainty, and no load is below 0",
           "[robustness][uncertainty]") {
-  const SpringLoads springs{{10, 2}, {0.5, 1}, 2};
-  const auto ranges = load_ranges({10, 2}, springs, 4);
+  const auto ranges = load_ranges({10, 2}, {1, false, {2, 1}, {50, 60}});
   CHECK(ranges[0].least == 8);
   CHECK(ranges[0].greatest == 12);
-  CHECK(ranges[1].least == 0);
-  CHECK(ranges[1].greatest == 6);
-  const SpringLoads steep{{1, 1}, {1e308, 0}, 0};
-  for (const LoadRange& range : load_ranges({1, 1}, steep, 1e308))
+  CHECK(ranges[1].least == 1);
+  CHECK(ranges[1].greatest == 3);
+  // If one may let go, the greatest loads hold whichever robots carry.
+  const auto wider = load_ranges({10, 2}, {1, false, {4, 4}, {50, 60}});
+  CHECK(wider[0].least == 6);
+  CHECK(wider[0].greatest == 50);
+  CHECK(wider[1].least == 0);
+  CHECK(wider[1].greatest == 60);
+  // On a slope a part of the weight acts along the ground.
+  CHECK(load_ranges({10, 2}, {0.9, false, {1, 1}, {50, 60}})[0].least == 8);
+  CHECK(load_ranges({10, 2}, {0.9, false, {1, 1}, {50, 60}})[0].greatest == 11);
+  const Points corners{{0, 0}, {1e-9, 0}, {1e-9, 1e-9}, {0, 1e-9}};
+  const Vec2 centre(5e-10, 5e-10);
+  const auto springs = spring_loads(corners, centre, 1e-9, 1e100);
+  const LoadChanges far = load_changes(corners, centre, 1e-9, 1e100, *springs, {1e300, 1e300});
+  for (const LoadRange& range : load_ranges(springs->loads, far)) {
     CHECK(std::isfinite(range.greatest));
-  CHECK(std::isfinite(greatest_change(steep, 1e308)));
-  CHECK(greatest_change(springs, 4) == 4);
+    CHECK(range.least == 0);
+  }
+}
+
+TEST_CASE("loads may change by what uneven heights and a tilt do", "[robustness][uncertainty]") {
+  const Points square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const Vec2 middle(0.5, 0.5);
+  const auto springs = spring_loads(square, middle, std::sqrt(2), 100);
+  const LoadChanges uneven =
+      load_changes(square, middle, std::sqrt(2), 100, *springs, {.uneven = 0.25});
+  for (const double by : uneven.by) CHECK(by == Approx(6.25));
+  const LoadChanges tilted =
+      load_changes(square, middle, std::sqrt(2), 100, *springs, {.reach = 0.2});
+  for (const double by : tilted.by) CHECK(by == Approx(100 * 0.2 * std::sqrt(0.5)));
+  // A plane fits any heights of three robots, and of two at the ends of a line.
+  const Points three{{0, 0}, {1, 0}, {0, 1}}, two{{0, 0.5}, {1, 0.5}};
+  const Vec2 third(0.3, 0.3);
+  const auto of_three = spring_loads(three, third, 2, 100), of_two = spring_loads(two, middle, 2, 100);
+  CHECK(load_changes(three, third, 2, 100, *of_three, {.uneven = 1}).by ==
+        std::vector<double>{0, 0, 0});
+  CHECK(load_changes(two, middle, 2, 100, *of_two, {.uneven = 1}).by == std::vector<double>{0, 0});
+  Points hexagon;
+  for (int i = 0; i < 6; ++i)
+    hexagon.emplace_back(std::cos(i * std::acos(-1.0) / 3), std::sin(i * std::acos(-1.0) / 3));
+  const auto of_six = spring_loads(hexagon, Vec2::Zero(), 2, 600);
+  for (const double by :
+       load_changes(hexagon, Vec2::Zero(), 2, 600, *of_six, {.uneven = 1}).by)
+    CHECK(by == Approx(400.0 / 3));
+}
+
+TEST_CASE("the worst load while C may be off is that at the worst place of C",
+          "[robustness][uncertainty][thorough]") {
+  int tips = 0;
+  for (std::uint64_t number = 0; number < 300; ++number) {
+    const RobotSet set = robot_sets::make_steady_set(number, 8);
+    const double reach = set.diameter * 0.02 * static_cast<double>(number % 17);
+    const auto worst = worst_loads(set.robots, set.centre, set.diameter, 1, reach);
+    REQUIRE(worst);
+    INFO(number << ", " << set.kind << ", reach " << reach);
+    std::vector<double> sampled(set.robots.size(), 0);
+    constexpr int directions = 720;
+    for (int i = 0; i < directions; ++i) {
+      const double angle = 2 * std::acos(-1.0) * i / directions;
+      for (const double part : {0.25, 0.5, 0.75, 1.0}) {
+        const Vec2 centre = set.centre + part * reach * Vec2(std::cos(angle), std::sin(angle));
+        const auto here = worst_loads(set.robots, centre, set.diameter, 1);
+        if (!here) {
+          ++tips;
+          continue;
+        }
+        for (std::size_t robot = 0; robot < sampled.size(); ++robot)
+          sampled[robot] = std::max(sampled[robot], (*here)[robot]);
+      }
+    }
+    for (std::size_t robot = 0; robot < sampled.size(); ++robot) {
+      CHECK(sampled[robot] <= (*worst)[robot] + 1e-9);
+      CHECK(sampled[robot] >= (*worst)[robot] - 0.03);
+    }
+  }
+  CHECK(tips > 1000);
 }
 
 TEST_CASE("a capacity allows as much uncertainty as its first robot has room for",
@@ -101,4 +170,9 @@ TEST_CASE("a capacity allows as much uncertainty as its first robot has room for
   // Nothing is promised beyond the radius at which a robot goes slack or the object tips.
   CHECK(within(30, 1000) == 20.0);
   CHECK(within(3, 1000) == 3.0);
+  // Other reasons for change leave less room.
+  const std::vector<std::optional<double>> twelve(2, 12);
+  CHECK(radius_within_capacity(springs, 30, twelve, {1, false, {1, 0}, {}}, 2) == 2.0);
+  CHECK(radius_within_capacity(springs, 3, twelve, {1, false, {0, 0}, {}}, 2) == 1.0);
+  CHECK_FALSE(radius_within_capacity(springs, 30, twelve, {1, false, {2.5, 0}, {}}, 0));
 }

@@ -120,9 +120,9 @@ TEST_CASE("with a C uncertainty the first sentence has the ranges, of balanced r
     document.settings.method = method;
     document.settings.robots = 5;
     const Placement placement = place(document).value();
-    const auto loads = model_loads(placement);
+    const auto loads = model_loads(placement, {.reach = 3});
     REQUIRE(loads);
-    const std::vector<LoadRange> ranges = loads_by(LoadModel::plan, placement, loads, 3);
+    const std::vector<LoadRange> ranges = loads_by(LoadModel::plan, placement, loads);
     double least = 100, greatest = 0;
     for (const LoadRange& range : ranges) {
       least = std::min(least, range.least);
@@ -204,40 +204,58 @@ TEST_CASE("the models of loads are told in a sentence", "[words][robustness]") {
 }
 
 TEST_CASE("a C uncertainty is told in sentences", "[words][robustness]") {
-  const ModelLoads loads{{{10, 2}, {0.5, 1}, 20}, 6, {}};
-  const auto words = [&](double radius, double tips) {
-    return uncertainty_in_words(loads, {1, 1, tips}, radius);
+  const auto words = [](double radius, double tips) {
+    const LoadChanges changes{1, false, {radius / 2, radius}, {12, 11.5}};
+    Shown shown;
+    shown.com_radius = radius;
+    return uncertainty_in_words({{{40, 20}, {0.5, 1}, 20}, 6, {}, {.reach = radius}, changes},
+                                {1, 1, tips}, shown);
   };
   const std::string off = "If C is off by up to ",
                     change = ", the loads of equally stiff robots change by up to ";
   CHECK(plainly(words(4, 30)) == off + "4" + change + "4.00 kg.");
   CHECK(plainly(words(25, 30)) ==
         off + "25" + change +
-            "25.0 kg. From 20.0 on, other robots carry load, and the ranges are too narrow.");
+            "25.0 kg. A robot may let go then, and another may have to carry up to 12.0 kg.");
   CHECK(plainly(words(31, 30)) ==
         off + "31" + change + "31.0 kg. From 30.0 on, the object can tip.");
   CHECK(plainly(words(1, 0)) ==
         off + "1" + change + "1.00 kg. Even the smallest error can tip the object.");
-  Placement two(solid(testing::polygon(testing::square)));
-  two.teams = {Team{{Robot{}, Robot{}}, 1}};
-  const auto for_capacity = [&](double capacity) {
-    Shown shown;
-    shown.capacity = capacity;
-    return plainly(uncertainty_for_capacity_in_words(loads, {1, 1, 30}, {two, shown}));
+  CHECK(uncertainty_in_words({}, {1, 1, 30}, {}).empty());
+}
+
+TEST_CASE("how far C may be off for a capacity is told, with the other conditions",
+          "[words][robustness]") {
+  // Four robots at the corners of a square of side 10: 25 kg each, and 5 kg more per unit.
+  Document document;
+  document.vertices = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+  document.settings.method = Method::given;
+  document.settings.supports = document.vertices;
+  const auto words = [&] {
+    const Placement placement = place(document).value();
+    return plainly(
+        uncertainty_for_capacity_in_words(*model_loads(placement), {placement, document.shown}));
   };
-  CHECK(for_capacity(12) ==
-        "Equally stiff robots stay within 12 kg as long as C is off by at most 4.00.");
-  CHECK(for_capacity(9) == "If all robots are equally stiff, some carry more than 9 kg.");
-  two.settings.method = Method::given;
-  Shown own;
-  own.support_capacities = {12, std::nullopt};
-  CHECK(plainly(uncertainty_for_capacity_in_words(loads, {1, 1, 30}, {two, own})) ==
-        "Equally stiff robots stay within their capacities as long as C is off by at most 4.00.");
+  document.shown.capacity = 35;
+  const std::string stay = "Equally stiff robots stay within ";
+  CHECK(words() == stay + "35 kg as long as C is off by at most 1.41.");
+  document.shown.capacity = 20;
+  CHECK(words() == "If all robots are equally stiff, some carry more than 20 kg.");
+  document.shown.capacity = std::nullopt;
+  document.shown.support_capacities = {35, std::nullopt, std::nullopt, std::nullopt};
+  CHECK(words() == stay + "their capacities as long as C is off by at most 1.41.");
+  document.shown.carrying = {.com_height = 5, .slope = 0.2};
+  CHECK(words() == stay + "their capacities as long as C is off by at most 0.414.");
+  document.shown.carrying.slope = 0.3;
+  CHECK(words() == "If all robots are equally stiff, some may carry more than they can.");
 }
 
 TEST_CASE("an object can tip from the very distance on at which it tips", "[words][robustness]") {
-  const auto words = [](double radius) {
-    return plainly(tipping_in_words({1, 1, 20}, radius, {}));
+  const Placement placement(solid(testing::polygon(testing::square)));
+  const auto words = [&](double radius, double distance = 20) {
+    Shown shown;
+    shown.com_radius = radius;
+    return plainly(tipping_in_words({1, 1, distance}, {placement, shown}));
   };
   const std::string tips = ", and 20.0 in one direction is enough.";
   CHECK(words(0).empty());
@@ -245,7 +263,7 @@ TEST_CASE("an object can tip from the very distance on at which it tips", "[word
   CHECK(words(20) == "It can tip: the centre of mass may be off by 20" + tips);
   CHECK(words(25) == "It can tip: the centre of mass may be off by 25" + tips);
   // Without a known place for C there is no message, even if the smallest error tips the object.
-  CHECK(plainly(tipping_in_words({1, 1, 0}, 0, {})).empty());
+  CHECK(words(0, 0).empty());
 }
 
 TEST_CASE("failures are told in sentences", "[words][robustness]") {

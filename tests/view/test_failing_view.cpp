@@ -225,22 +225,21 @@ TEST_CASE("a C uncertainty makes the program's ranges, and sentences that say ho
   CHECK(uncertainty_words(state).empty());
   give(state, showing(state, &Shown::com_radius, 20));
   CHECK(shown(state).com_radius == 20);
-  const ModelLoads models = *model_loads(*state.derived().placement);
+  const ModelLoads models = *model_loads(*state.derived().placement, {.reach = 20});
   REQUIRE(models.springs.same_within > 20);
-  const auto expected =
-      load_ranges(planned_loads(state.derived().placement->teams), models.springs, 20);
+  const auto expected = loads_by(LoadModel::plan, *state.derived().placement, models);
   for (std::size_t i = 0; i < expected.size(); ++i) {
     CHECK(state.derived().outlook.loads[i].least == expected[i].least);
     CHECK(state.derived().outlook.loads[i].greatest == expected[i].greatest);
   }
   CHECK(summary(state).find(uncertainty_in_words(models, robustness(*state.derived().placement),
-                                                 20)) != std::string::npos);
+                                                 shown(state))) != std::string::npos);
   CHECK(verdict(state).headline == loads_in_words({*state.derived().placement, shown(state)},
                                                   LoadModel::plan, state.derived().outlook.loads));
   const double beyond = models.springs.same_within * 1.5;
   give(state, showing(state, &Shown::com_radius, beyond));
-  const auto wider =
-      load_ranges(planned_loads(state.derived().placement->teams), models.springs, beyond);
+  const auto wider = loads_by(LoadModel::plan, *state.derived().placement,
+                              model_loads(*state.derived().placement, {.reach = beyond}));
   for (std::size_t i = 0; i < wider.size(); ++i) {
     CHECK(state.derived().outlook.loads[i].least == wider[i].least);
     CHECK(state.derived().outlook.loads[i].greatest == wider[i].greatest);
@@ -304,7 +303,7 @@ TEST_CASE("the loads of each model are shown, and what they presume is said", "[
   const ModelLoads models = *model_loads(*state.derived().placement);
   for (const LoadModel model : all_load_models) {
     give(state, SetLoadModel{model});
-    const auto expected = loads_by(model, *state.derived().placement, models, 0);
+    const auto expected = loads_by(model, *state.derived().placement, models);
     for (std::size_t i = 0; i < expected.size(); ++i)
       CHECK(state.derived().outlook.loads[i].greatest == expected[i].greatest);
     CHECK(model_words(state) == model_in_words(model, models));

@@ -188,7 +188,7 @@ void type_edge(const AppState& s, Commands& out) {
   out.push_back(TypeValue{"edge length"});
 }
 void type_uncertainty(const AppState& s, Commands& out) {
-  out.push_back(SetMoreOpen{true});
+  out.push_back(SetSectionOpen{&ViewState::more_open, true});
   type_value<typed_uncertainty>(s, out);
 }
 
@@ -306,7 +306,7 @@ const std::vector<Action> table = {
     {ActionId::type_ratio, Group::teams, Icon::none, "Type the minimum load ratio", "Shift+R", {{"R"}}, when::editing, type_value<typed_ratio>},
     {ActionId::type_weight, Group::teams, Icon::none, "Type the weight", "Y", {{"y"}}, when::editing, type_value<typed_weight>},
     {ActionId::type_robot, Group::teams, Icon::none, "Type the radius of a robot", "Shift+H", {{"H"}}, when::editing,
-     [](const AppState& s, Commands& out) { out.push_back(SetRobotOpen{true}); type_value<typed_radius>(s, out); }},
+     [](const AppState& s, Commands& out) { out.push_back(SetSectionOpen{&ViewState::robot_open, true}); type_value<typed_radius>(s, out); }},
     {ActionId::type_capacity, Group::teams, Icon::none, "Type the capacity of a robot", "Shift+Y", {{"Y"}}, when::editing, type_value<typed_capacity>},
     {ActionId::type_uncertainty, Group::teams, Icon::none, "Type the C uncertainty", "Shift+E", {{"E"}}, when::editing, type_uncertainty},
     {ActionId::type_seed, Group::teams, Icon::none, "Type the seed of random teams", "Shift+U", {{"U"}}, when::is_random, type_value<typed_seed>},
@@ -320,6 +320,8 @@ const std::vector<Action> table = {
     {ActionId::toggle_candidates, Group::view, Icon::none, "Show the candidates", "A", {{"a"}}, when::always, toggle<&Overlays::candidates>},
     {ActionId::toggle_tipping, Group::view, Icon::none, "Show the force that tips", "F", {{"f"}}, when::always, toggle<&Overlays::tipping>},
     {ActionId::toggle_halo, Group::view, Icon::none, "Show the tipping distance", "Shift+C", {{"C"}}, when::always, toggle<&Overlays::halo>},
+    {ActionId::toggle_tilt, Group::view, Icon::none, "Show the slopes at which it tips", "Shift+S", {{"S"}}, when::has_height, toggle<&Overlays::tilt>},
+    {ActionId::toggle_load, Group::view, Icon::none, "Show where the extra load may stand", "Shift+L", {{"L"}}, when::has_extra, toggle<&Overlays::load>},
     {ActionId::zoom_in, Group::view, Icon::plus, "Zoom in", "+", {{"+"}, {"="}}, when::always,
      [](const AppState&, Commands& out) { out.push_back(ZoomView{1.25}); }},
     {ActionId::zoom_out, Group::view, Icon::minus, "Zoom out", "−", {{"-"}}, when::always,

@@ -97,6 +97,10 @@ bool has_own_centre(const AppState& s) {
   return editing(s) && s.work.document().centre_of_mass.has_value();
 }
 
+bool has_height(const AppState& s) { return shown(s).carrying.com_height > 0; }
+
+bool has_extra(const AppState& s) { return shown(s).carrying.extra.has_value(); }
+
 bool can_fail(const AppState& s) {
   return on_parts(s) && s.derived().placement && !s.derived().placement->teams.empty() &&
          !s.derived().refusal && !in_walkthrough(s);

@@ -41,6 +41,8 @@ bool has_teams_number(const AppState& s);
 bool by_candidates(const AppState& s);
 bool is_random(const AppState& s);
 bool has_own_centre(const AppState& s);
+bool has_height(const AppState& s);  // of C
+bool has_extra(const AppState& s);   // a further load is asked about
 bool can_fail(const AppState& s);
 
 bool anything_open(const AppState& s);  // Escape would close something

@@ -245,8 +245,7 @@ struct Applier {
       announce(state, c.open ? "The panel is open." : "The panel is folded away.");
     state.view.panel_open = c.open;
   }
-  void operator()(const SetMoreOpen& c) const { state.view.more_open = c.open; }
-  void operator()(const SetRobotOpen& c) const { state.view.robot_open = c.open; }
+  void operator()(const SetSectionOpen& c) const { state.view.*c.section = c.open; }
   void operator()(const SetErases& c) const { state.view.erases = c.erases; }
   void operator()(const ListIsOpen& c) const {
     state.session.list_open = c.open;

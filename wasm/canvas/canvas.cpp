@@ -9,6 +9,7 @@
 #include "canvas/hint.h"
 #include "evenlift/candidates.h"
 #include "evenlift/moved.h"
+#include "marks/carrying.h"
 #include "marks/marks.h"
 #include "marks/tool_marks.h"
 #include "picture/canvas_view.h"
@@ -73,6 +74,7 @@ void draw_object(const Painter& painter, const CanvasView& view, const Shape& sh
   painter.fill(scene.corners, scene.triangles, object);
   painter.fill(rows, object);
   if (scene.shows_heat()) painter.heat(scene.heat, rows, view.theme);
+  draw_load_region(painter, view);
 }
 
 void draw_chord(const Painter& painter, const CanvasView& view, const Shape& shape) {

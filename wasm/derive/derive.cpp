@@ -55,6 +55,13 @@ class Derivation {
   bool at_rest() const { return now_.haste == Haste::at_rest; }
   // A drag has ended, so postponed work is due.
   bool comes_to_rest() const { return at_rest() && before_.haste == Haste::drag; }
+  // Whether a further load, or what limits it, has changed.
+  bool asks_anew() const {
+    const Shown &now = now_.shown, &before = before_.shown;
+    return now.carrying != before.carrying ||
+           (now.carrying.extra && (now.capacity != before.capacity ||
+                                   now.support_capacities != before.support_capacities));
+  }
 
   void place();
   void take_found();
@@ -177,15 +184,20 @@ void Derivation::plan() {
 }
 
 void Derivation::tell_loads() {
-  told_ |= robots_ || second_ || now_.load_model != before_.load_model ||
-           now_.shown.com_radius != before_.shown.com_radius;
-  if (robots_) {
+  const bool doubted = doubt_of(now_.shown) != doubt_of(before_.shown);
+  told_ |= robots_ || second_ || now_.load_model != before_.load_model || doubted || asks_anew();
+  if (robots_ || doubted) {
     facts_.failures.clear();
     facts_.failures_due = true;
+  }
+  if (robots_) {
     if (facts_.failure) fails_ = true;
     facts_.failure.reset();
+  } else if (doubted && facts_.failure) {
+    facts_.failure->rest =
+        single_failure(*facts_.placement, facts_.failure->robot, doubt_of(now_.shown));
   }
-  if (told_) renew_outlooks(facts_, now_.load_model, now_.shown.com_radius);
+  if (told_) renew_outlooks(facts_, now_.load_model, now_.shown);
 }
 
 void Derivation::search() {
@@ -199,7 +211,7 @@ void Derivation::search() {
 void Derivation::offer() {
   facts_.offer_due |= robots_ || now_.challenge != before_.challenge ||
                       now_.shown.capacity != before_.shown.capacity ||
-                      now_.shown.com_radius != before_.shown.com_radius;
+                      doubt_of(now_.shown) != doubt_of(before_.shown);
   const bool shown = at_rest() && facts_.placement && facts_.placement->search_ended &&
                      !now_.shown.step && !state_.session.screen.embed && !now_.challenge;
   if (!facts_.offer_due) return;
@@ -211,11 +223,11 @@ void Derivation::offer() {
 
 void Derivation::let_fail() {
   const bool held = state_.view.held.kind == Pick::Kind::robot;
-  renew_failures(facts_, !at_rest() || facts_.search.under_way || held);
+  renew_failures(facts_, now_.shown, !at_rest() || facts_.search.under_way || held);
   if (now_.fails == before_.fails || !facts_.placement || facts_.refusal) return;
   facts_.failure.reset();
   fails_ = true;
-  if (state_.view.fails.of) view::let_fail(facts_, *state_.view.fails.of, now_.shown.com_radius);
+  if (state_.view.fails.of) view::let_fail(facts_, *state_.view.fails.of, now_.shown);
   effects_.push_back(SummaryChanged{});
 }
 

@@ -13,27 +13,28 @@ double greatest_of(const std::vector<LoadRange>& loads) {
   return greatest;
 }
 
-Outlook outlook_of(const Placement& placement, LoadModel model, double com_radius) {
+Outlook outlook_of(const Placement& placement, LoadModel model, const Shown& shown) {
+  const Doubt doubt = doubt_of(shown);
   Outlook outlook;
   outlook.robustness = robustness(placement);
-  if (model != LoadModel::plan || com_radius > 0) outlook.models = model_loads(placement);
+  if (model != LoadModel::plan || doubt.any()) outlook.models = model_loads(placement, doubt);
   if (outlook.models) outlook.model = model;
-  outlook.loads = loads_by(model, placement, outlook.models, com_radius);
+  outlook.loads = loads_by(model, placement, outlook.models);
   outlook.greatest = greatest_of(outlook.loads);
+  outlook.extra = extra_load({placement, shown});
   return outlook;
 }
 
 // The others share the weight by springs, whichever model is shown.
-Outlook outlook_of(const Placement& placement, const Failure& failure, double com_radius) {
+Outlook outlook_of(const Placement& placement, const Failure& failure, const Shown& shown) {
   Outlook outlook;
   outlook.model = LoadModel::springs;
   outlook.robustness.tipping_distance = failure.rest ? failure.rest->tipping_distance : 0;
-  const auto springs = com_radius > 0 ? springs_without(placement, failure.robot) : std::nullopt;
-  const std::vector<double> loads = planned_loads(failure.placement.teams);
-  if (springs)
-    outlook.loads = load_ranges(loads, *springs, com_radius);
-  else
-    outlook.loads = loads_by(LoadModel::plan, failure.placement, std::nullopt, 0);
+  const Doubt doubt = doubt_of(shown);
+  const auto ranges =
+      doubt.any() ? ranges_without(placement, failure.robot, doubt) : std::nullopt;
+  outlook.loads =
+      ranges ? *ranges : loads_by(LoadModel::plan, failure.placement, std::nullopt);
   outlook.greatest = greatest_of(outlook.loads);
   return outlook;
 }
@@ -45,34 +46,34 @@ bool is_quick(const Placement& placement) {
 
 }  // namespace
 
-void renew_outlooks(Derived& facts, LoadModel model, double com_radius) {
+void renew_outlooks(Derived& facts, LoadModel model, const Shown& shown) {
   if (!facts.placement) return;
-  facts.outlook = outlook_of(*facts.placement, model, com_radius);
-  facts.second_outlook = facts.second ? outlook_of(*facts.second, model, com_radius) : Outlook{};
+  facts.outlook = outlook_of(*facts.placement, model, shown);
+  facts.second_outlook = facts.second ? outlook_of(*facts.second, model, shown) : Outlook{};
   if (facts.failure)
-    facts.failure->outlook = outlook_of(*facts.placement, *facts.failure, com_radius);
+    facts.failure->outlook = outlook_of(*facts.placement, *facts.failure, shown);
 }
 
-void renew_failures(Derived& facts, bool move) {
+void renew_failures(Derived& facts, const Shown& shown, bool move) {
   if (!facts.failures_due || !facts.placement || facts.refusal) return;
   const Placement& placement = *facts.placement;
   if (move && !is_quick(placement)) return;
   facts.failures_due = false;
   facts.failures.clear();
   if (count_robots(placement.teams) <= most_failures_known)
-    facts.failures = single_failures(placement);
+    facts.failures = single_failures(placement, doubt_of(shown));
 }
 
-void let_fail(Derived& facts, std::size_t robot, double com_radius) {
+void let_fail(Derived& facts, std::size_t robot, const Shown& shown) {
   facts.failure.reset();
   const Placement& placement = *facts.placement;
   if (robot >= count_robots(placement.teams)) return;
   const bool known = robot < facts.failures.size();
   Failure failure{robot,
-                  known ? facts.failures[robot] : single_failure(placement, robot),
+                  known ? facts.failures[robot] : single_failure(placement, robot, doubt_of(shown)),
                   with_failure(placement, robot),
                   {}};
-  failure.outlook = outlook_of(placement, failure, com_radius);
+  failure.outlook = outlook_of(placement, failure, shown);
   facts.failure = std::move(failure);
 }
 

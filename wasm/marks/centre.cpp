@@ -55,7 +55,9 @@ void draw_halo(const Painter& painter, const CanvasView& view) {
   const Theme& theme = view.theme;
   ImDrawList& list = painter.list();
   const ImVec2 at = painter.at(centre_of_mass(state));
-  const double margin = view.outlook().robustness.tipping_distance, known = shown(state).com_radius;
+  // Where the weight may act: C is off, or the object is tilted or braked.
+  const double margin = view.outlook().robustness.tipping_distance,
+               known = doubt_of(shown(state)).reach;
   const auto in_pixels = [&](double length) {
     return static_cast<float>(std::min(length * view.camera.scale, 1e5));
   };

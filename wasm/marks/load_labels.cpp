@@ -179,7 +179,7 @@ std::vector<LoadLabel> load_labels(const CanvasView& view, const RobotSize& size
 std::vector<LoadLabel> planned_load_labels(const CanvasView& view, const RobotSize& size) {
   const Placement& placement = *view.placement;
   Outlook outlook;
-  outlook.loads = loads_by(LoadModel::plan, placement, std::nullopt, 0);
+  outlook.loads = loads_by(LoadModel::plan, placement, std::nullopt);
   outlook.greatest = placement.loads->max;
   Occupied occupied = occupied_by_marks(view, mark_reach(size));
   return load_labels(view, size, outlook, occupied);

@@ -12,6 +12,7 @@
 #include "evenlift/stability.h"
 #include "marks/boxed_text.h"
 #include "marks/cargo.h"
+#include "marks/carrying.h"
 #include "marks/centre.h"
 #include "marks/load_labels.h"
 #include "marks/robots.h"
@@ -290,6 +291,7 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
   draw_cargo(painter, view);
   if (view.current()) {
     draw_halo(painter, view);
+    draw_tilt(painter, view);
     draw_closed_stretch(painter, view);
     draw_support_help(painter, view);
     draw_robots(painter, view);
@@ -298,7 +300,7 @@ void draw_marks(const Painter& painter, const CanvasView& view) {
   if (state.view.tool == Tool::mark && !view.second) draw_numbers_to_type(painter, view);
   draw_own_centre(painter, view);
   draw_centre(painter, view);
-  if (view.current()) draw_push(painter, view);
+  if (view.current() && !draw_carrying_here(painter, view)) draw_push(painter, view);
   if (view.current()) draw_why_unusable(painter, view);
   if (state.derived().refusal) draw_reason(painter, view);
   if (state.work.second_method) draw_caption(painter, view);

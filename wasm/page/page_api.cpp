@@ -291,13 +291,14 @@ EMSCRIPTEN_KEEPALIVE const char* page_draft() {
 
 // The polygon that is being drawn, as text for storage; and back.
 EMSCRIPTEN_KEEPALIVE const char* page_drawing() {
-  return hand_over(drawing_text(app().state.view.drawing));
+  const evenlift::view::ViewState& view = app().state.view;
+  return hand_over(drawing_text(view.drawing, view.tool == Tool::hole));
 }
 EMSCRIPTEN_KEEPALIVE void page_resume_drawing(const char* text) {
-  const std::optional<evenlift::Points> points = read_drawing(text);
-  if (!points || points->empty()) return;
-  Commands commands{SetTool{Tool::draw}};
-  for (const evenlift::Vec2& p : *points) commands.push_back(AddPoint{p});
+  const auto kept = read_drawing(text);
+  if (!kept || kept->points.empty()) return;
+  Commands commands{SetTool{kept->is_hole ? Tool::hole : Tool::draw}};
+  for (const evenlift::Vec2& p : kept->points) commands.push_back(AddPoint{p});
   carry_out(std::move(commands));
 }
 

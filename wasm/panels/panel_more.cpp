@@ -114,7 +114,7 @@ void draw_rows(const Ui& ui) {
   }
   draw_model(ui);
   draw_length(ui, uncertainty);
-  if (shown(ui.state).com_radius > 0) draw_block(ui, uncertainty_words(ui.state), 5);
+  if (doubt_of(shown(ui.state)).any()) draw_block(ui, uncertainty_words(ui.state), 5);
   draw_length(ui, clear);
   draw_units(ui);
   if (settings(ui.state).method == Method::given) draw_length(ui, snap);
@@ -130,7 +130,7 @@ void draw_more(const Ui& ui) {
   const float head = ImGui::GetCursorPosY();
   if (flat_button(ui, "more settings", open ? "Fewer settings" : "More settings",
                   ImGui::GetContentRegionAvail().x))
-    ui.push(SetMoreOpen{!open});
+    ui.push(SetSectionOpen{&ViewState::more_open, !open});
   if (open) draw_rows(ui);
   show_opened(ui, "more settings are open", open, head);
 }

@@ -32,12 +32,23 @@ constexpr Overlay overlays[] = {
      "The press down that tips the object, at each point (F)"},
     {&Overlays::halo, Swatch::halo, "Tipping distance",
      "How far the centre of mass may be off before the object tips, if robots push back and none is overloaded (Shift+C)"},
+    {&Overlays::tilt, Swatch::tilt, "Tilt",
+     "On which slopes it tips in each direction: where a circle leaves the lifting base (Shift+S)"},
+    {&Overlays::load, Swatch::load, "Load",
+     "Where the extra load may stand: in the striped part it lifts a robot off or overloads one (Shift+L)"},
 };
 
 // Why this overlay is always empty for the method; null if it is not.
 const char* why_none(Method method, const Overlay& overlay) {
   const bool weighs = !is_one_team(method) || overlay.shown != &Overlays::candidates;
   return weighs ? nullptr : "These robots are not chosen among candidate chords";
+}
+
+// Whether the overlay can show anything: two of them need a setting of *Carrying*.
+bool is_offered(const Shown& shown, const Overlay& overlay) {
+  if (overlay.shown == &Overlays::tilt) return shown.carrying.com_height > 0;
+  if (overlay.shown == &Overlays::load) return shown.carrying.extra.has_value();
+  return true;
 }
 
 // Whether the overlay shows the lines of balanced robots in place of chords.
@@ -101,6 +112,7 @@ void draw_overlays(const Ui& ui) {
   const float left = ImGui::GetCursorScreenPos().x, width = ImGui::GetContentRegionAvail().x;
   bool first = true;
   for (const Overlay& overlay : overlays) {
+    if (!is_offered(shown(ui.state), overlay)) continue;
     const bool on = shown(ui.state).overlays.*overlay.shown;
     const char* label = label_of(settings(ui.state).method, overlay);
     const float wide = text_size(Face::label, label).x + 42;

@@ -236,6 +236,7 @@ void draw_settings(const Ui& ui) {
   draw_seed(ui);
   if (settings(ui.state).method == Method::balanced) draw_goal(ui);
   draw_centre(ui);
+  draw_carrying(ui);
   draw_more(ui);
   draw_robot_size(ui);
   if (!walkthrough_is_open(ui.state)) draw_compare(ui);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "evenlift/output/carrying_words.h"
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/output/verdict.h"
 #include "evenlift/output/words.h"
@@ -45,9 +46,7 @@ Verdict of_placement(const AppState& state) {
   const ShownPlacement now = of(state);
   const Outlook& outlook = state.derived().outlook;
   const std::string tips =
-      placement.loads
-          ? tipping_in_words(outlook.robustness, shown(state).com_radius, shown(state).units)
-          : std::string();
+      placement.loads ? tipping_in_words(outlook.robustness, now) : std::string();
   std::string detail = (tips.empty() ? tips : tips + " ") + detail_in_words(now);
   for (const std::string& misfit : misfits_in_words(now)) detail += " " + misfit;
   if (!placement.teams.empty() && !placement.goal_reached)
@@ -190,12 +189,20 @@ std::string model_words(const AppState& state) {
 
 std::string uncertainty_words(const AppState& state) {
   const std::optional<ModelLoads>& models = state.derived().outlook.models;
-  const Shown& now = shown(state);
-  if (!models || now.com_radius == 0) return {};
-  const Robustness& robustness = state.derived().outlook.robustness;
-  std::string text = uncertainty_in_words(*models, robustness, now.com_radius, now.units);
+  if (!models || !models->doubt.any()) return {};
+  std::string text =
+      uncertainty_in_words(*models, state.derived().outlook.robustness, shown(state));
   if (has_capacities(of(state)))
-    text += " " + uncertainty_for_capacity_in_words(*models, robustness, of(state));
+    text += " " + uncertainty_for_capacity_in_words(*models, of(state));
+  return text;
+}
+
+std::string carrying_words(const AppState& state) {
+  const Derived& facts = state.derived();
+  if (!facts.placement || facts.refusal || !facts.placement->loads) return {};
+  std::string text = tilt_in_words(facts.outlook.robustness, of(state));
+  if (facts.outlook.extra)
+    text += (text.empty() ? "" : " ") + extra_in_words(*facts.outlook.extra, of(state));
   return text;
 }
 
@@ -256,7 +263,8 @@ std::string summary(const AppState& state) {
   if (const Failure* failure = failing(state))
     return text + loads_while_failing(*failure, shown(state).units);
   for (const std::string& more :
-       {need_in_words(state), model_words(state), uncertainty_words(state)})
+       {need_in_words(state), model_words(state), uncertainty_words(state),
+        carrying_words(state)})
     if (!more.empty()) text += " " + more;
   const Placement& placement = *state.derived().placement;
   const Settings& settings = placement.settings;
@@ -316,7 +324,9 @@ std::string news(const AppState& state) {
                                       {&Overlays::clockwise, "free clockwise turns"},
                                       {&Overlays::counterclockwise, "free counter-clockwise turns"},
                                       {&Overlays::tipping, "the force that tips"},
-                                      {&Overlays::halo, "the tipping distance"}})
+                                      {&Overlays::halo, "the tipping distance"},
+                                      {&Overlays::tilt, "the slopes at which it tips"},
+                                      {&Overlays::load, "where a further load may stand"}})
     lines += (shown(state).overlays.*overlay ? "Shown: " : "Hidden: ") + std::string(name) + ".\n";
   if (state.work.second_method)
     lines +=

@@ -54,6 +54,9 @@ std::string need_in_words(const AppState& state);
 std::string model_words(const AppState& state);
 std::string uncertainty_words(const AppState& state);
 
+// At which slope the object tips, and where a further load may stand; empty if neither is asked.
+std::string carrying_words(const AppState& state);
+
 // The label of weights, such as "kg".
 std::string weight_unit(const AppState& state);
 

@@ -218,10 +218,9 @@ struct ZoomView {
 struct SetPanelOpen {
   bool open;
 };
-struct SetMoreOpen {
-  bool open;
-};
-struct SetRobotOpen {
+// Opens or closes a section of the settings.
+struct SetSectionOpen {
+  bool ViewState::*section;
   bool open;
 };
 // A stroke of the brush that begins on a no-go part erases; any other marks.
@@ -306,7 +305,7 @@ using AnyCommand = std::variant<
     CloseWalkthrough, GoToStep, MoveSteps, MoveChapters, SetPlaying, SetSpeed, SetPredict, Guess,
     PointAtChoice, AskWhy, Measure, HoverFigure, Explain, ShowInLesson, LeaveScript, ShowAllSteps,
     SetPresenting, SelectVertex, SetHover, SetHeld, SetCamera, FitView, ZoomView, SetPanelOpen,
-    SetMoreOpen, SetRobotOpen, SetErases, ListIsOpen, CloseList, SetSheet, MeasureSheet,
+    SetSectionOpen, SetErases, ListIsOpen, CloseList, SetSheet, MeasureSheet,
     MeasureNotice, CopyLink, TypeValue, OpenDialog, OpenPage, LayOutAgain, TakeRobots, ShowNotice,
     EndNotice, SetCanvas, SetPreferences, SetTouch, CoverScreen, MakeRoom, LayPicture,
     TakePictureAway, SetMeasuring, KeepMotion, KeepComparison, ForgetSteps, AddStep>;

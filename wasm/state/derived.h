@@ -26,7 +26,8 @@ struct Outlook {
   double greatest = 0;    // the greatest of these loads
   Robustness robustness;  // see placed_robots.h
   std::optional<ModelLoads>
-      models;  // only if the shown model is not the plan, or C has an uncertainty
+      models;  // only if the shown model is not the plan, or there is doubt
+  std::optional<ExtraLoad> extra;  // where a further load may stand, if one is asked about
 };
 
 // A failed robot, and the placement without it.

@@ -103,8 +103,9 @@ struct View {
   bool motion = true;          // changes are animated, except with reduced motion
 
   bool panel_open = true;
-  bool more_open = false;   // the seldom-used settings are open
-  bool robot_open = false;  // the settings of the robots' size are open
+  bool carrying_open = false;  // the settings of slopes, uneven ground and a further load are open
+  bool more_open = false;      // the seldom-used settings are open
+  bool robot_open = false;     // the settings of the robots' size are open
   Sheet sheet = Sheet::closed;
 };
 

@@ -12,6 +12,8 @@
 namespace evenlift::view {
 namespace {
 
+constexpr std::string_view first_line_of_hole = "hole\n";
+
 constexpr double half_turn = 180;
 
 int sign(double value) { return (value > 0) - (value < 0); }
@@ -152,14 +154,17 @@ std::vector<std::pair<std::size_t, std::size_t>> crossings(const Points& chain) 
   return pairs;
 }
 
-std::string drawing_text(const Drawing& drawing) {
-  std::string text;
+std::string drawing_text(const Drawing& drawing, bool is_hole) {
+  std::string text(is_hole && !drawing.points.empty() ? first_line_of_hole : "");
   for (const Vec2& p : drawing.points) text += shortest(p.x()) + "," + shortest(p.y()) + "\n";
   return text;
 }
 
-std::optional<Points> read_drawing(std::string_view text) {
-  Points points;
+std::optional<KeptDrawing> read_drawing(std::string_view text) {
+  KeptDrawing kept;
+  kept.is_hole = text.starts_with(first_line_of_hole);
+  if (kept.is_hole) text.remove_prefix(first_line_of_hole.size());
+  Points& points = kept.points;
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(line.size() + 1, text.size()));
@@ -170,7 +175,7 @@ std::optional<Points> read_drawing(std::string_view text) {
       return std::nullopt;
     points.push_back({*x, *y});
   }
-  return points;
+  return kept;
 }
 
 }  // namespace evenlift::view

@@ -53,9 +53,13 @@ Vec2 snapped(const AppState& state, const Vec2& to, const Vec2& before, const Ve
 // 1,000 points.
 std::vector<std::pair<std::size_t, std::size_t>> crossings(const Points& chain);
 
-// Converts the polygon being drawn to text for storage, one vertex per line, and back. Nothing if
-// the text cannot be read.
-std::string drawing_text(const Drawing& drawing);
-std::optional<Points> read_drawing(std::string_view text);
+// Converts what is being drawn to text for storage, one vertex per line, and back. A hole begins with a
+// line of its own. Nothing if the text cannot be read.
+struct KeptDrawing {
+  Points points;
+  bool is_hole = false;
+};
+std::string drawing_text(const Drawing& drawing, bool is_hole);
+std::optional<KeptDrawing> read_drawing(std::string_view text);
 
 }  // namespace evenlift::view

@@ -56,6 +56,15 @@ void draw_swatch(const Ui& ui, Swatch swatch, ImVec2 low, bool on) {
         list.PathStroke(shade(t.hull_outline).packed(), 0, 1.5f);
       }
       break;
+    case Swatch::tilt:
+      for (const float radius : {3.0f, 7.0f})
+        list.AddCircle(ImVec2(low.x + 8, y), radius, shade(t.hull_outline).packed(), 20, 1.5f);
+      break;
+    case Swatch::load:
+      list.AddCircleFilled(ImVec2(low.x + 8, low.y + 4), 3, shade(t.hull_outline).packed(), 16);
+      list.AddRectFilled(ImVec2(low.x + 4, low.y + 8), ImVec2(low.x + 12, high.y),
+                         shade(t.hull_outline).packed(), 3);
+      break;
     case Swatch::candidate:
       for (const float x : {0.0f, 6.0f, 12.0f}) {
         list.AddLine(ImVec2(low.x + x, y), ImVec2(low.x + x + 3.5f, y),

@@ -15,7 +15,9 @@ enum class Swatch : std::uint8_t {
   chord,
   candidate,
   tipping,
-  halo
+  halo,
+  tilt,
+  load
 };
 bool chip(const Ui& ui, const char* id, Swatch swatch, const char* label, bool on,
           bool enabled = true);

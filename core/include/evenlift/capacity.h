@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "evenlift/failures.h"
+#include "evenlift/placed_robots.h"
 #include "evenlift/placement.h"
 
 namespace evenlift {
@@ -35,8 +36,14 @@ std::vector<std::size_t> overloaded_robots(const ShownPlacement& of,
 // The capacity of each robot, or nothing for a robot without one. O(robots).
 std::vector<std::optional<double>> capacities_of(const ShownPlacement& of);
 
-// Whether a robot would carry more than its capacity after a failure, by springs; false if the others
-// do not carry the object. The second function does this for each failure. O(m), O(m^2).
+// The greatest radius within which C may lie so that, by springs and under the other conditions
+// that are given, no robot carries more than its limit (radius_within_capacity() of uncertainty.h).
+// As model_loads().
+std::optional<double> com_radius_within(const ShownPlacement& of, const ModelLoads& loads,
+                                        const std::vector<std::optional<double>>& limits);
+
+// Whether a robot may carry more than its capacity after a failure, by springs and within the doubt
+// of `rest`; false if the others do not carry the object. The second function does this for each failure. O(m), O(m^2).
 bool overloads(const ShownPlacement& of, const std::optional<RestOfRobots>& rest);
 std::vector<bool> overloads_after(const ShownPlacement& of,
                                   const std::vector<std::optional<RestOfRobots>>& failures);

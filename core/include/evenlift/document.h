@@ -19,6 +19,9 @@ inline constexpr double max_coordinate = 1e9;             // absolute value, inc
 inline constexpr double min_coordinate = 1e-100;          // absolute value unless 0, inclusive
 inline constexpr double min_diagonal = 1e-9;              // of a polygon's bounding box, inclusive
 inline constexpr double max_length = max_coordinate;      // of a given size or distance, inclusive
+inline constexpr double min_length = 1e-100;              // of a given length above 0, inclusive
+inline constexpr double max_slope = 1;                    // of the ground, 45 degrees, inclusive
+inline constexpr double max_acceleration = 10;            // horizontal, in g, inclusive
 inline constexpr double max_weight = 1e100;               // also of a robot's capacity, inclusive
 inline constexpr double min_weight = 1e-100;              // also of a robot's capacity, inclusive
 inline constexpr std::size_t max_vertices = 1u << 20;     // of a polygon with its holes
@@ -131,6 +134,8 @@ struct Overlays {
   bool counterclockwise = true;  // region of free counter-clockwise rotation centres
   bool tipping = false;          // heat map of the force that tips
   bool halo = false;             // the tipping distance (uncertainty.h)
+  bool tilt = false;             // the slopes at which it tips, in each direction (tilt.h)
+  bool load = false;             // where a further load may stand (extra_load.h)
   bool operator==(const Overlays&) const = default;
 };
 
@@ -195,6 +200,21 @@ struct Settings {
   bool operator==(const Settings&) const = default;
 };
 
+// The conditions under which the object is carried. They change what loads may become and whether
+// it tips, but not where robots stand (tilt.h, extra_load.h).
+struct Carrying {
+  double com_height = 0;    // of C above the plane of the lifting points, 0 .. max_length
+  double slope = 0;         // greatest slope of the ground in any direction, as a ratio, 0 .. max_slope
+  double acceleration = 0;  // greatest horizontal acceleration in any direction, in g,
+                            // 0 .. max_acceleration
+  std::optional<double> give;  // the length by which a robot gives way under the mean load,
+                               // min_length .. max_length; none means that heights do not matter
+  double uneven = 0;  // how much the ground, or a robot's height, is off at most, 0 .. max_length
+  std::optional<double> extra;  // a weight that somebody may put anywhere, such as a person or a
+                                // box, min_weight .. max_weight, in the weight's unit
+  bool operator==(const Carrying&) const = default;
+};
+
 // Display options and questions about a placement. They never change a placement, so no placement
 // stores them.
 struct Shown {
@@ -208,6 +228,7 @@ struct Shown {
   // For Method::given: the capacity of each support, or none for the common one. As many as
   // supports, or empty.
   std::vector<std::optional<double>> support_capacities;
+  Carrying carrying;
   Units units;
   bool operator==(const Shown&) const = default;
 };

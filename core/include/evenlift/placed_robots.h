@@ -11,6 +11,7 @@
 #include "evenlift/load_models.h"
 #include "evenlift/placement.h"
 #include "evenlift/supports.h"
+#include "evenlift/tilt.h"
 #include "evenlift/uncertainty.h"
 
 namespace evenlift {
@@ -44,21 +45,32 @@ bool loads_are_determined(const Placement& placement);
 // find places leave none. O(m log n + m^2).
 std::vector<Misfit> misfits(const Placement& placement);
 
-// The loads by the models of load_models.h, in the order of the robots. Nothing if there are no
-// teams, or if the object falls. O(m log m), and O(m^3) up to 64 robots.
+// The loads by the models of load_models.h, in the order of the robots, and by how much a doubt may
+// change them. Nothing if there are no teams, or if the object falls. O(m log m), and O(m^3) up to
+// 64 robots; with doubt O(m h), or O(m^2) if heights are off.
 struct ModelLoads {
   SpringLoads springs;
   double best = 0;
   std::vector<double> worst;
+  Doubt doubt = {};
+  LoadChanges changes = {};  // because of the doubt; empty without doubt
 };
-std::optional<ModelLoads> model_loads(const Placement& placement);
+std::optional<ModelLoads> model_loads(const Placement& placement, const Doubt& doubt = {});
 
-// The load of each robot by a model, for display: a range if C is known only within `com_radius` >
-// 0 and the model has ranges (uncertainty.h defines how far they are exact), otherwise one value. The
-// model `best` yields only the greatest load, so every robot gets that. Without `models` the loads
-// are as planned. O(m).
+// The load of each robot by a model, for display: a range if there is doubt and the model has ranges
+// (uncertainty.h), otherwise one value. The model `best` yields only the greatest load, so every
+// robot gets that. Without `models` the loads are as planned. O(m).
 std::vector<LoadRange> loads_by(LoadModel model, const Placement& placement,
-                                const std::optional<ModelLoads>& models, double com_radius);
+                                const std::optional<ModelLoads>& models);
+
+// Whether these loads are ranges in which other robots may come to carry the object (uncertainty.h).
+// O(m).
+bool may_let_go(LoadModel model, const Placement& placement,
+                const std::optional<ModelLoads>& models);
+
+// The planned loads, as ranges if a doubt is given: what verdicts, capacities and requirements
+// judge. O(m), with doubt as model_loads().
+std::vector<LoadRange> loads_in_doubt(const ShownPlacement& of);
 
 // The failures and the error of C before the object tips or is no longer carried. failures.h
 // defines how failures are counted (-1 without robots), and uncertainty.h defines the tipping distance.
@@ -72,15 +84,23 @@ struct Robustness {
 };
 Robustness robustness(const Placement& placement);
 
+// When the object tips on slopes and when braked (tilt.h). Nothing without robots, or if the height of
+// C is 0. O(m log m).
+std::optional<Tilt> tilt_of(const ShownPlacement& of);
+
 // The effect of each single failure, in the order of the robots; failures.h states the cost.
-std::vector<std::optional<RestOfRobots>> single_failures(const Placement& placement);
+std::vector<std::optional<RestOfRobots>> single_failures(const Placement& placement,
+                                                         const Doubt& doubt = {});
 
 // The effect if this robot fails. Its number is as for find_robot() (loads.h).
-std::optional<RestOfRobots> single_failure(const Placement& placement, std::size_t robot);
+std::optional<RestOfRobots> single_failure(const Placement& placement, std::size_t robot,
+                                           const Doubt& doubt = {});
 
-// The loads by springs if the robot with this number fails. All robots are listed, the failed one
-// with load 0. Nothing if the others do not carry the object. O(m log m).
-std::optional<SpringLoads> springs_without(const Placement& placement, std::size_t robot);
+// The loads by springs if the robot with this number fails, as ranges if there is doubt. All robots
+// are listed, the failed one with load 0. Nothing if the others do not carry the object. O(m log m);
+// with doubt as model_loads().
+std::optional<std::vector<LoadRange>> ranges_without(const Placement& placement, std::size_t robot,
+                                                     const Doubt& doubt);
 
 // The ranges in which a team on the edges of this chord can stand, with the edge of r1 as edge a:
 // the range of the two edges, if they have one, or the parts of it that robots with a size can use

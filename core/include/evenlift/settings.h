@@ -48,6 +48,12 @@ enum class Setting : std::uint8_t {
   snap,
   support_capacities,
   cargo,
+  com_height,
+  slope,
+  acceleration,
+  give,
+  uneven,
+  extra,
   loads,
   failed,
   end_of_settings  // not a setting; keep it last: it counts the settings, and each needs a row

@@ -1,5 +1,7 @@
-// Guarantees if C is known only roughly: it may lie anywhere within some radius of its assumed
-// place (in offshore lifting, the "centre of gravity envelope").
+// Guarantees if the conditions are known only roughly. The point at which the weight acts may be
+// anywhere within some distance of C: since C is not known better (in offshore lifting, the "centre
+// of gravity envelope"), or on slopes and when braked (tilt.h). And the ground, or a robot's height,
+// may be off.
 #pragma once
 
 #include <optional>
@@ -16,6 +18,18 @@ namespace evenlift {
 // `diameter` is L of the object. O(h).
 double tipping_distance(const Points& hull, const Vec2& centre, double diameter);
 
+// The conditions that are known only roughly.
+struct Doubt {
+  double reach = 0;   // the weight acts anywhere within this distance of C, in units of length
+  double uneven = 0;  // heights are off by at most this many times the length by which a robot
+                      // gives way under the mean load
+  double kept = 1;    // at least this part of the weight acts, 0 < kept <= 1; on a slope the rest
+                      // acts along the ground
+  // Whether loads are ranges. O(1).
+  bool any() const { return reach > 0 || uneven > 0 || kept < 1; }
+  bool operator==(const Doubt&) const = default;
+};
+
 struct LoadRange {
   double least = 0, greatest = 0;
 };
@@ -25,20 +39,39 @@ constexpr bool has_ranges(LoadModel model) {
   return model == LoadModel::plan || model == LoadModel::springs;
 }
 
-// The loads of robots that are in equilibrium with `loads` and give way like springs, while C is
-// anywhere within the radius: load +- radius * per_length, but never less than 0. Exact up to the
-// radius springs.same_within; beyond it robots go slack or take up load, and others carry more.
-// O(m).
-std::vector<LoadRange> load_ranges(const std::vector<double>& loads, const SpringLoads& springs,
-                                   double radius);
+// By how much the loads of robots that give way like springs may differ because of a doubt.
+struct LoadChanges {
+  double kept = 1;                 // of the doubt
+  bool others_may_carry = false;   // robots that carry nothing by springs may come to carry
+  std::vector<double> by;        // each load by at most this, as long as the same robots carry load
+  std::vector<double> at_worst;  // the greatest load that each can get whichever robots let go: as
+                                 // worst_loads() (load_models.h), with C anywhere within the reach
+};
 
-// The greatest change of any load while C is anywhere within the radius. O(m).
-double greatest_change(const SpringLoads& springs, double radius);
+// For the same robots as `springs`. A height that is off changes the load of robot i by at most
+// W/m * uneven * sum over j of |P_ij|, where P projects onto the heights that no plane fits: P = I -
+// A (A'A)^-1 A', with a row [1, x_j, y_j] of A for each of the robots that carry load. It is 0 for
+// three of them, if they are not on one line. O(m h), and O(m^2) if heights are off.
+LoadChanges load_changes(const Points& robots, const Vec2& centre, double diameter, double weight,
+                         const SpringLoads& springs, const Doubt& doubt);
+
+// Whether other robots may come to carry the load: some of these loads may fall below 0 by more than
+// the tolerance (tau times the sum of the loads), so that the robot lets go, or others may come to
+// carry. O(m).
+bool may_let_go(const std::vector<double>& loads, const LoadChanges& changes);
+
+// The loads of robots that are in equilibrium with `loads` and give way like springs: kept * load -
+// by .. load + by, and never less than 0. If a robot may let go, every greatest load is `at_worst`, which
+// holds whichever robots let go; the least loads presume that the other robots keep carrying. O(m).
+std::vector<LoadRange> load_ranges(const std::vector<double>& loads, const LoadChanges& changes);
 
 // The greatest radius within which C may lie so that, by springs, no robot carries more than its
-// capacity; robots without one carry anything. At most springs.same_within, since no bound holds beyond it, and at most the tipping
-// distance. Nothing if a robot is overloaded even with C at its assumed place. O(m).
+// capacity; robots without one carry anything. At most springs.same_within, since no bound holds
+// beyond it, and at most the tipping distance. `besides` are the changes of load for reasons other
+// than C, and `reach` is how far the weight may act from C for such reasons; none by default.
+// Nothing if a robot may be overloaded even with C at its assumed place. O(m).
 std::optional<double> radius_within_capacity(const SpringLoads& springs, double tipping_distance,
-                                             const std::vector<std::optional<double>>& capacities);
+                                             const std::vector<std::optional<double>>& capacities,
+                                             const LoadChanges& besides = {}, double reach = 0);
 
 }  // namespace evenlift

@@ -20,6 +20,8 @@ constexpr NamedOverlay overlay_names[] = {
     {"counterclockwise", &Overlays::counterclockwise},
     {"tipping", &Overlays::tipping},
     {"halo", &Overlays::halo},
+    {"tilt", &Overlays::tilt},
+    {"load", &Overlays::load},
 };
 
 }  // namespace
@@ -52,7 +54,8 @@ std::string text_of(const std::optional<Vec2>& centre, const SettingRange&) {
 bool is_within(const std::optional<Vec2>&, const SettingRange&) { return true; }
 
 bool take(std::string_view text, const SettingRange&, Overlays& overlays) {
-  Overlays shown{false, false, false, false, false, false, false};
+  Overlays shown;
+  for (const NamedOverlay& overlay : overlay_names) shown.*(overlay.shown) = false;
   while (text != "none") {
     const std::string_view word = text.substr(0, text.find(','));
     const NamedOverlay* found = nullptr;

@@ -4,6 +4,7 @@
 
 #include "document/cargo_settings.h"
 #include "document/setting_values.h"
+#include "document/slope_setting.h"
 #include "document/stand_settings.h"
 #include "document/support_settings.h"
 #include "evenlift/numbers.h"
@@ -72,6 +73,15 @@ constexpr SettingRow::Access supports_with_capacities() {
   return access;
 }
 constexpr SettingRow::Access of_supports = supports_with_capacities();
+
+// The slope, also as a percentage or an angle.
+constexpr SettingRow::Access slope_as_text() {
+  SettingRow::Access access = of<&Shown::carrying, &Carrying::slope>();
+  access.read = [](std::string_view text, const SettingRange& range, Document& document) {
+    return read_slope(text, range, document.shown.carrying.slope);
+  };
+  return access;
+}
 
 // A list that quotes the part that it refuses.
 constexpr SettingRow::Access quoting(SettingRow::Access access,
@@ -152,7 +162,8 @@ constexpr SettingRow rows[] = {
      .subject = "the overlays",
      .changes = Changes::shown,
      .rule =
-         "must be none or some of candidates, chords, hull, clockwise, counterclockwise, tipping and halo",
+         "must be none or some of candidates, chords, hull, clockwise, counterclockwise, tipping, halo, "
+         "tilt and load",
      .in_document = Listed::always,
      .access = of<&Shown::overlays>()},
     {.setting = Setting::step,
@@ -389,6 +400,81 @@ constexpr SettingRow rows[] = {
      .in_document = Listed::if_changed,
      .in_result = Listed::if_changed,
      .access = quoting(of<&Settings::cargo>(), refused_cargo)},
+    {.setting = Setting::com_height,
+     .name = "com_height",
+     .subject = "the height of the centre of mass",
+     .edit = "the height of C",
+     .changes = Changes::shown,
+     .range = length,
+     .option = {OptionGroup::uncertainty, "H",
+                "height of the centre of mass above the lifting points: at which slope it tips"},
+     .record = 15,
+     .in_document = Listed::if_changed,
+     .in_result = Listed::if_changed,
+     .is_length = true,
+     .access = of<&Shown::carrying, &Carrying::com_height>()},
+    {.setting = Setting::slope,
+     .name = "slope",
+     .subject = "the slope",
+     .edit = "the slope",
+     .changes = Changes::shown,
+     .range = {0, max_slope},
+     .rule = "must be a ratio from 0 to 1, a percentage such as 8%, or an angle such as 4.6deg",
+     .option = {OptionGroup::uncertainty, "S",
+                "greatest slope of the ground in any direction: a ratio, 8% or 4.6deg"},
+     .record = 23,
+     .in_document = Listed::if_changed,
+     .in_result = Listed::if_changed,
+     .access = slope_as_text()},
+    {.setting = Setting::acceleration,
+     .name = "acceleration",
+     .subject = "the acceleration",
+     .edit = "the acceleration",
+     .changes = Changes::shown,
+     .range = {0, max_acceleration},
+     .option = {OptionGroup::uncertainty, "A",
+                "greatest horizontal acceleration in any direction, in g"},
+     .record = 24,
+     .in_document = Listed::if_changed,
+     .in_result = Listed::if_changed,
+     .access = of<&Shown::carrying, &Carrying::acceleration>()},
+    {.setting = Setting::give,
+     .name = "give",
+     .subject = "how far a robot gives way",
+     .edit = "how far a robot gives way",
+     .changes = Changes::shown,
+     .range = {min_length, max_length, "none"},
+     .option = {OptionGroup::uncertainty, "G",
+                "length by which a robot gives way under the mean load"},
+     .record = 25,
+     .in_document = Listed::if_changed,
+     .in_result = Listed::if_changed,
+     .is_length = true,
+     .access = of<&Shown::carrying, &Carrying::give>()},
+    {.setting = Setting::uneven,
+     .name = "uneven",
+     .subject = "how uneven the ground is",
+     .edit = "how uneven the ground is",
+     .changes = Changes::shown,
+     .range = length,
+     .option = {OptionGroup::uncertainty, "U",
+                "how much the ground or a robot's height is off at most; with --give"},
+     .record = 26,
+     .in_document = Listed::if_changed,
+     .in_result = Listed::if_changed,
+     .is_length = true,
+     .access = of<&Shown::carrying, &Carrying::uneven>()},
+    {.setting = Setting::extra,
+     .name = "extra",
+     .subject = "the extra weight",
+     .edit = "the extra weight",
+     .changes = Changes::shown,
+     .range = {min_weight, max_weight, "none"},
+     .option = {OptionGroup::uncertainty, "W",
+                "a weight that somebody may put anywhere, such as a person: where it may stand"},
+     .record = 27,
+     .in_document = Listed::if_changed,
+     .access = of<&Shown::carrying, &Carrying::extra>()},
     {.setting = Setting::loads,
      .name = "loads",
      .subject = "the load model",

@@ -227,7 +227,7 @@ std::optional<InputError> JsonShapes::take_stands(Document& document) const {
   return std::nullopt;
 }
 
-// Reads the capacity and the C uncertainty. A result contains them among the values computed with
+// Reads the capacity, the C uncertainty and the extra weight. A result contains them among the values computed with
 // them.
 std::optional<InputError> JsonShapes::take_uncertainty(Document& document) const {
   const auto within = [&](const char* object, const char* member) {
@@ -235,7 +235,8 @@ std::optional<InputError> JsonShapes::take_uncertainty(Document& document) const
     return is(at, Kind::object) ? tree_.member(*at, member) : at;
   };
   for (const auto& [setting, at] : {std::pair(Setting::capacity, within("capacity", "limit")),
-                                    {Setting::com_radius, within("robustness", "com_radius")}})
+                                    {Setting::com_radius, within("robustness", "com_radius")},
+                                    {Setting::extra, within("extra", "weight")}})
     if (is(at, Kind::number))
       if (auto wrong = take_setting(setting, *at, shortest(tree_.number(*at)), document))
         return wrong;

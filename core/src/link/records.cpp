@@ -15,8 +15,21 @@ namespace {
 constexpr std::size_t most_bytes_of_cargo = max_cargo * (3 * 26 + 4 * max_name_characters + 4);
 static_assert(most_bytes_of_cargo < 1u << widest_length);
 
-// The payload of an overlay that is shown.
+// The overlays added after version 1, and the payload of one that is shown.
+struct OverlayRecord {
+  Tag tag;
+  bool Overlays::*overlay;
+};
+constexpr OverlayRecord overlay_records[] = {
+    {tag::halo, &Overlays::halo}, {tag::tilt, &Overlays::tilt}, {tag::load, &Overlays::load}};
 constexpr const char* shown = "shown";
+
+// The overlay of a record of this number; null for other records.
+const OverlayRecord* overlay_of_record(Tag number) {
+  for (const OverlayRecord& record : overlay_records)
+    if (record.tag == number) return &record;
+  return nullptr;
+}
 
 // The row of the setting in a record of this number; null for other records.
 const SettingRow* row_of_record(Tag number) {
@@ -87,8 +100,8 @@ bool take_moved(const std::string& text, Document& document) {
 }  // namespace
 
 bool is_known(Tag number) {
-  return number == tag::holes || number == tag::halo || number == tag::units ||
-         number == tag::moved || row_of_record(number);
+  return number == tag::holes || number == tag::units || number == tag::moved ||
+         overlay_of_record(number) || row_of_record(number);
 }
 
 std::size_t longest_value(Tag number) {
@@ -110,7 +123,8 @@ Records records_of(const Document& document) {
   const Shown& asked = document.shown;
   if (!document.holes.empty()) records.push_back({tag::holes, {}});
   if (!(asked.units == Units{})) records.push_back({tag::units, units_text(asked.units)});
-  if (asked.overlays.halo) records.push_back({tag::halo, shown});
+  for (const auto& [number, overlay] : overlay_records)
+    if (asked.overlays.*overlay) records.push_back({number, shown});
   if (has_moved(document)) records.push_back({tag::moved, moved_text(document.moved)});
   std::sort(records.begin(), records.end(),
             [](const Record& a, const Record& b) { return a.tag < b.tag; });
@@ -119,9 +133,9 @@ Records records_of(const Document& document) {
 
 bool take_records(const Records& records, Document& document) {
   for (const auto& [number, payload] : records) {
-    if (number == tag::halo) {
+    if (const OverlayRecord* record = overlay_of_record(number)) {
       if (payload != shown) return false;
-      document.shown.overlays.halo = true;
+      document.shown.overlays.*record->overlay = true;
     } else if (number == tag::units) {
       if (!take_units(payload, document)) return false;
     } else if (number == tag::moved) {

@@ -25,9 +25,11 @@ namespace tag {
 inline constexpr Tag end = 0;
 inline constexpr Tag units = 11;  // of lengths and of weights, with a comma before the latter
 inline constexpr Tag holes = 13;
-inline constexpr Tag halo = 18;   // an overlay without a setting of its own
+inline constexpr Tag halo = 18;   // overlays without settings of their own
 inline constexpr Tag moved = 19;  // robots that were moved by hand
 inline constexpr Tag supports = 21;
+inline constexpr Tag tilt = 28;
+inline constexpr Tag load = 29;
 }  // namespace tag
 
 struct Record {

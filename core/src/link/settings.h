@@ -28,7 +28,7 @@ inline Document settings_of_link_1(const Document& document) {
   first.settings.weight = settings.weight;
   first.settings.seed = settings.seed;
   first.shown.overlays = document.shown.overlays;
-  first.shown.overlays.halo = false;
+  first.shown.overlays.halo = first.shown.overlays.tilt = first.shown.overlays.load = false;
   first.shown.step = document.shown.step;
   return first;
 }
@@ -63,8 +63,7 @@ inline Overlays overlays_of_mask(std::uint32_t mask, bool tipping) {
           (mask & 4) != 0,
           (mask & 8) != 0,
           (mask & 16) != 0,
-          tipping,
-          false};
+          tipping};
 }
 
 template <class Coder>

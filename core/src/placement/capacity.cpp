@@ -5,6 +5,7 @@
 
 #include "evenlift/selection.h"
 #include "evenlift/swaps.h"
+#include "evenlift/tilt.h"
 #include "selection/equal_angles.h"
 #include "selection/greedy_selector.h"
 
@@ -170,8 +171,20 @@ std::vector<std::optional<double>> capacities_of(const ShownPlacement& of) {
   return capacities;
 }
 
+std::optional<double> com_radius_within(const ShownPlacement& of, const ModelLoads& loads,
+                                        const std::vector<std::optional<double>>& limits) {
+  Shown other = of.shown;
+  other.com_radius = 0;
+  const Doubt besides = doubt_of(other);
+  LoadChanges changes;
+  if (besides.any())
+    if (const auto models = model_loads(of.placement, besides)) changes = models->changes;
+  return radius_within_capacity(loads.springs, robustness(of.placement).tipping_distance, limits,
+                                changes, besides.reach);
+}
+
 bool overloads(const ShownPlacement& of, const std::optional<RestOfRobots>& rest) {
-  return rest && !overloaded_robots(of, rest->springs).empty();
+  return rest && !overloaded_robots(of, rest->ends).empty();
 }
 
 std::vector<bool> overloads_after(const ShownPlacement& of,

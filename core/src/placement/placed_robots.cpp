@@ -2,6 +2,7 @@
 
 #include "evenlift/angles.h"
 #include "evenlift/closure.h"
+#include "evenlift/tilt.h"
 #include "evenlift/tolerance.h"
 
 namespace evenlift {
@@ -63,6 +64,13 @@ std::vector<double> loads_of(LoadModel model, const Placement& placement,
   return planned_loads(placement.teams);
 }
 
+std::vector<LoadRange> single(const std::vector<double>& loads) {
+  std::vector<LoadRange> ranges;
+  ranges.reserve(loads.size());
+  for (const double load : loads) ranges.push_back({load, load});
+  return ranges;
+}
+
 // In (-180, 180]: rounding may turn an angle just above -180 degrees into -180.
 double degrees_of(const Vec2& direction) {
   const double degrees = arctangent2(direction.y() + 0.0, direction.x()) * (180 / pi);
@@ -92,7 +100,7 @@ std::vector<PlacedRobot> placed_robots(const Placement& placement) {
   return robots;
 }
 
-std::optional<ModelLoads> model_loads(const Placement& placement) {
+std::optional<ModelLoads> model_loads(const Placement& placement, const Doubt& doubt) {
   const Points robots = positions_of_all(placement);
   const Vec2& centre = placement.centre_of_mass;
   const double size = diameter(placement), weight = placement.weight();
@@ -100,19 +108,30 @@ std::optional<ModelLoads> model_loads(const Placement& placement) {
   const auto best = best_load(robots, centre, size, weight);
   const auto worst = worst_loads(robots, centre, size, weight);
   if (!springs || !best || !worst) return std::nullopt;
-  return ModelLoads{*springs, *best, *worst};
+  ModelLoads models{*springs, *best, *worst, doubt};
+  if (doubt.any()) models.changes = load_changes(robots, centre, size, weight, *springs, doubt);
+  return models;
 }
 
 std::vector<LoadRange> loads_by(LoadModel model, const Placement& placement,
-                                const std::optional<ModelLoads>& models, double com_radius) {
+                                const std::optional<ModelLoads>& models) {
   if (!models) model = LoadModel::plan;
   const std::vector<double> loads = loads_of(model, placement, models);
-  if (models && has_ranges(model) && com_radius > 0)
-    return load_ranges(loads, models->springs, com_radius);
-  std::vector<LoadRange> single;
-  single.reserve(loads.size());
-  for (const double load : loads) single.push_back({load, load});
-  return single;
+  if (models && has_ranges(model) && models->doubt.any())
+    return load_ranges(loads, models->changes);
+  return single(loads);
+}
+
+bool may_let_go(LoadModel model, const Placement& placement,
+                const std::optional<ModelLoads>& models) {
+  return models && has_ranges(model) && models->doubt.any() &&
+         evenlift::may_let_go(loads_of(model, placement, models), models->changes);
+}
+
+std::vector<LoadRange> loads_in_doubt(const ShownPlacement& of) {
+  const Doubt doubt = doubt_of(of.shown);
+  const auto models = doubt.any() ? model_loads(of.placement, doubt) : std::nullopt;
+  return loads_by(LoadModel::plan, of.placement, models);
 }
 
 Equilibrium equilibrium(const Placement& placement) {
@@ -139,26 +158,46 @@ Robustness robustness(const Placement& placement) {
           failures_steady(robots, centre, size, hold_requirements(placement).clear)};
 }
 
-std::vector<std::optional<RestOfRobots>> single_failures(const Placement& placement) {
+std::optional<Tilt> tilt_of(const ShownPlacement& of) {
+  if (of.placement.teams.empty()) return std::nullopt;
+  const double size = diameter(of.placement);
+  auto tilt = tilt_of(
+      of.shown,
+      tipping_distance(of.placement.lifting_base, of.placement.centre_of_mass, size), size);
+  if (tilt && !of.placement.loads) tilt->stays = false;  // it falls on level ground
+  return tilt;
+}
+
+std::vector<std::optional<RestOfRobots>> single_failures(const Placement& placement,
+                                                         const Doubt& doubt) {
   return single_failures(placement.object, placement.centre_of_mass, placement.weight(),
-                         placement.teams, hold_requirements(placement).clear);
+                         placement.teams, hold_requirements(placement).clear, doubt);
 }
 
-std::optional<RestOfRobots> single_failure(const Placement& placement, std::size_t robot) {
+std::optional<RestOfRobots> single_failure(const Placement& placement, std::size_t robot,
+                                           const Doubt& doubt) {
   return single_failure(placement.object, placement.centre_of_mass, placement.weight(),
-                        placement.teams, robot, hold_requirements(placement).clear);
+                        placement.teams, robot, hold_requirements(placement).clear, doubt);
 }
 
-std::optional<SpringLoads> springs_without(const Placement& placement, std::size_t robot) {
+std::optional<std::vector<LoadRange>> ranges_without(const Placement& placement, std::size_t robot,
+                                                     const Doubt& doubt) {
   Points others = positions_of_all(placement);
   const auto place = static_cast<std::ptrdiff_t>(robot);
   others.erase(others.begin() + place);
-  auto springs =
-      spring_loads(others, placement.centre_of_mass, diameter(placement), placement.weight());
+  const Vec2& centre = placement.centre_of_mass;
+  const double size = diameter(placement), weight = placement.weight();
+  const auto springs = spring_loads(others, centre, size, weight);
   if (!springs) return std::nullopt;
-  springs->loads.insert(springs->loads.begin() + place, 0.0);
-  springs->per_length.insert(springs->per_length.begin() + place, 0.0);
-  return springs;
+  // The others are as stiff as before, and their mean load is greater.
+  Doubt of_others = doubt;
+  of_others.uneven *= static_cast<double>(others.size()) / static_cast<double>(others.size() + 1);
+  std::vector<LoadRange> ranges =
+      doubt.any() ? load_ranges(springs->loads, load_changes(others, centre, size, weight, *springs,
+                                                             of_others))
+                  : single(springs->loads);
+  ranges.insert(ranges.begin() + place, LoadRange{});
+  return ranges;
 }
 
 }  // namespace evenlift

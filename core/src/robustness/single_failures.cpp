@@ -16,14 +16,18 @@ namespace {
 class Crew {
  public:
   Crew(const PolygonWithHoles& object, const Vec2& centre, double weight,
-       const std::vector<Team>& teams, double inside)
+       const std::vector<Team>& teams, double inside, const Doubt& doubt)
       : object_(object),
         centre_(centre),
         weight_(weight),
         inside_(inside),
+        doubt_(doubt),
         teams_(teams),
         contacts_(contacts(object, lifting_points(teams))),
         positions_(positions(lifting_points(teams))) {
+    // The others are as stiff as before, and their mean load is greater.
+    const auto m = static_cast<double>(positions_.size());
+    doubt_.uneven *= (m - 1) / m;
     const Points hull = convex_hull(positions_, near());
     if (hull.size() >= 3) coverage_.emplace(object, hull);
   }
@@ -66,6 +70,7 @@ class Crew {
   const PolygonWithHoles& object_;
   Vec2 centre_;
   double weight_, inside_;
+  Doubt doubt_;
   const std::vector<Team>& teams_;
   std::vector<Contact> contacts_;
   Points positions_;
@@ -89,9 +94,20 @@ std::optional<RestOfRobots> Crew::without(std::size_t robot) const {
   rest.margin = hold.margin;
   rest.greatest_by_plan = greatest_by_plan(robot);
   rest.greatest_by_springs = *std::max_element(springs->loads.begin(), springs->loads.end());
+  rest.stays = doubt_.reach <= rest.tipping_distance + near();
   rest.least_greatest = *best;
   rest.springs = springs->loads;
-  rest.springs.insert(rest.springs.begin() + static_cast<std::ptrdiff_t>(robot), 0.0);
+  rest.ends = springs->loads;
+  if (doubt_.any()) {
+    rest.ends.clear();
+    for (const LoadRange& range :
+         load_ranges(springs->loads,
+                     load_changes(others, centre_, diameter, weight_, *springs, doubt_)))
+      rest.ends.push_back(range.greatest);
+  }
+  rest.greatest_end = *std::max_element(rest.ends.begin(), rest.ends.end());
+  for (std::vector<double>* loads : {&rest.springs, &rest.ends})
+    loads->insert(loads->begin() + static_cast<std::ptrdiff_t>(robot), 0.0);
   return rest;
 }
 
@@ -100,8 +116,8 @@ std::optional<RestOfRobots> Crew::without(std::size_t robot) const {
 std::vector<std::optional<RestOfRobots>> single_failures(const PolygonWithHoles& object,
                                                          const Vec2& centre, double weight,
                                                          const std::vector<Team>& teams,
-                                                         double inside) {
-  const Crew crew(object, centre, weight, teams, inside);
+                                                         double inside, const Doubt& doubt) {
+  const Crew crew(object, centre, weight, teams, inside, doubt);
   std::vector<std::optional<RestOfRobots>> failures;
   for (std::size_t robot = 0; robot < count_robots(teams); ++robot)
     failures.push_back(crew.without(robot));
@@ -110,8 +126,8 @@ std::vector<std::optional<RestOfRobots>> single_failures(const PolygonWithHoles&
 
 std::optional<RestOfRobots> single_failure(const PolygonWithHoles& object, const Vec2& centre,
                                            double weight, const std::vector<Team>& teams,
-                                           std::size_t robot, double inside) {
-  return Crew(object, centre, weight, teams, inside).without(robot);
+                                           std::size_t robot, double inside, const Doubt& doubt) {
+  return Crew(object, centre, weight, teams, inside, doubt).without(robot);
 }
 
 }  // namespace evenlift

@@ -1,17 +1,44 @@
 #include "evenlift/uncertainty.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "evenlift/predicates.h"
+#include "evenlift/tolerance.h"
 #include "robustness/known_size.h"
+#include "robustness/standard_frame.h"
 
 namespace evenlift {
 namespace {
 
 constexpr double most = std::numeric_limits<double>::max();
 
-double change(double per_length, double radius) { return std::min(radius * per_length, most); }
+double finite(double value) { return std::min(value, most); }
+
+// The sums over j of |P_ij| for the robots with these loads; 0 for those that carry nothing.
+std::vector<double> sums_of_projection(const Points& robots, const Vec2& centre, double unit,
+                                       const std::vector<double>& loads) {
+  std::vector<std::size_t> bearing;
+  Points places;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    if (!(loads[i] > 0)) continue;
+    bearing.push_back(i);
+    places.push_back((robots[i] - centre) / unit);
+  }
+  std::vector<double> sums(robots.size(), 0);
+  if (bearing.empty()) return sums;
+  const StandardFrame frame = standard_frame(places);
+  const int axes = (frame.axis[0] != Vec2::Zero()) + (frame.axis[1] != Vec2::Zero());
+  const std::size_t k = bearing.size();
+  if (k <= static_cast<std::size_t>(axes) + 1) return sums;  // a plane fits any heights of these
+  for (Vec2& place : places) place = frame(place);
+  for (std::size_t i = 0; i < k; ++i)
+    for (std::size_t j = 0; j < k; ++j)
+      sums[bearing[i]] += std::fabs((i == j ? 1.0 : 0.0) - (1 + dot(places[i], places[j])) /
+                                                               static_cast<double>(k));
+  return sums;
+}
 
 }  // namespace
 
@@ -25,30 +52,52 @@ double tipping_distance(const Points& hull, const Vec2& centre, double diameter)
   return least > near_distance(known_size(hull, centre, diameter)) ? least : 0;
 }
 
-std::vector<LoadRange> load_ranges(const std::vector<double>& loads, const SpringLoads& springs,
-                                   double radius) {
+LoadChanges load_changes(const Points& robots, const Vec2& centre, double diameter, double weight,
+                         const SpringLoads& springs, const Doubt& doubt) {
+  LoadChanges changes{doubt.kept, false, {}, {}};
+  const bool some_idle = std::count(springs.loads.begin(), springs.loads.end(), 0.0) > 0;
+  const bool out_of_reach = doubt.reach <= springs.same_within && !(doubt.uneven > 0);
+  changes.others_may_carry = some_idle && !out_of_reach;
+  for (const double per_length : springs.per_length)
+    changes.by.push_back(finite(doubt.reach * per_length));
+  if (doubt.uneven > 0) {
+    const double mean = weight / static_cast<double>(robots.size());
+    const std::vector<double> sums = sums_of_projection(
+        robots, centre, known_size(robots, centre, diameter), springs.loads);
+    for (std::size_t i = 0; i < robots.size(); ++i)
+      changes.by[i] = finite(changes.by[i] + mean * (doubt.uneven * sums[i]));
+  }
+  changes.at_worst = worst_loads(robots, centre, diameter, weight, doubt.reach).value();
+  return changes;
+}
+
+bool may_let_go(const std::vector<double>& loads, const LoadChanges& changes) {
+  if (changes.others_may_carry) return true;
+  double sum = 0;
+  for (const double load : loads) sum += load;
+  for (std::size_t i = 0; i < loads.size(); ++i)
+    if (loads[i] - changes.by[i] < -tau * sum) return true;
+  return false;
+}
+
+std::vector<LoadRange> load_ranges(const std::vector<double>& loads, const LoadChanges& changes) {
+  const bool lets_go = may_let_go(loads, changes);
   std::vector<LoadRange> ranges;
   ranges.reserve(loads.size());
-  for (std::size_t i = 0; i < loads.size(); ++i) {
-    const double by = change(springs.per_length[i], radius);
-    ranges.push_back({std::max(loads[i] - by, 0.0), std::min(loads[i] + by, most)});
-  }
+  for (std::size_t i = 0; i < loads.size(); ++i)
+    ranges.push_back({std::max(changes.kept * loads[i] - changes.by[i], 0.0),
+                      lets_go ? changes.at_worst[i] : finite(loads[i] + changes.by[i])});
   return ranges;
 }
 
-double greatest_change(const SpringLoads& springs, double radius) {
-  double greatest = 0;
-  for (const double per_length : springs.per_length)
-    greatest = std::max(greatest, change(per_length, radius));
-  return greatest;
-}
-
 std::optional<double> radius_within_capacity(const SpringLoads& springs, double tipping_distance,
-                                             const std::vector<std::optional<double>>& capacities) {
-  double radius = std::min(springs.same_within, tipping_distance);
+                                             const std::vector<std::optional<double>>& capacities,
+                                             const LoadChanges& besides, double reach) {
+  double radius = std::max(0.0, std::min(springs.same_within, tipping_distance) - reach);
   for (std::size_t i = 0; i < springs.loads.size(); ++i) {
     if (!capacities[i]) continue;
-    const double room = *capacities[i] - springs.loads[i];
+    const double more = besides.by.empty() ? 0 : besides.by[i];
+    const double room = *capacities[i] - springs.loads[i] - more;
     if (room < 0) return std::nullopt;
     if (springs.per_length[i] > 0) radius = std::min(radius, room / springs.per_length[i]);
   }

@@ -79,6 +79,12 @@ class Settings(TypedDict, total=False):
     support_capacities: Union[str, Iterable[Optional[float]], None]
     cargo: Union[str, Iterable[Union[Cargo, tuple[Point, float], tuple[Point, float, str]]], None]
     com_radius: Optional[float]
+    com_height: Optional[float]
+    slope: Union[float, str, None]
+    acceleration: Optional[float]
+    give: Union[float, Literal["none"], None]
+    uneven: Optional[float]
+    extra: Union[float, Literal["none"], None]
     capacity: Union[float, Literal["none"], None]
     overlays: Optional[str]
     step: Union[int, Literal["none"], None]
@@ -130,13 +136,40 @@ class LoadModels(TypedDict):
     worst: list[float]
 
 
-class Loads(TypedDict):
+class _Loads(TypedDict):
     min: float
     mean: float
     max: float
     spread: float
     max_share: float
     models: Optional[LoadModels]
+
+
+class Loads(_Loads, total=False):
+    """These members exist only with a C uncertainty, a slope, an acceleration or uneven ground."""
+
+    ranges: list[list[float]]
+    may_let_go: bool
+
+
+class Tilt(TypedDict):
+    """When the object tips in the worst direction. `slope` is a ratio, and `acceleration` is in g."""
+
+    height: float
+    reach: float
+    stays: bool
+    slope: float
+    degrees: float
+    acceleration: float
+
+
+class ExtraLoad(TypedDict):
+    """Where a further load may stand. `anywhere` is None for any weight; all but the weight are None if the object falls."""
+
+    weight: float
+    region: Optional[list[Position]]
+    share: Optional[float]
+    anywhere: Optional[float]
 
 
 class Closure(TypedDict):
@@ -181,7 +214,7 @@ class _Robustness(TypedDict):
 
 
 class Robustness(_Robustness, total=False):
-    """These members exist only with a com_radius above 0."""
+    """The first two exist only with a com_radius above 0, the others also on slopes and uneven ground."""
 
     com_radius: float
     exact_within: Optional[float]
@@ -204,10 +237,12 @@ class _Failure(TypedDict):
 
 
 class Failure(_Failure, total=False):
-    """The lift after `robot`, counted from 0, fails. All members after `clear` are None if the others do not carry the object; the
-    last exists only with a capacity."""
+    """The lift after `robot`, counted from 0, fails. All members after `clear` are None if the others do not carry the object;
+    `over_capacity` exists only with a capacity, and the last two only if the loads have ranges."""
 
     over_capacity: Optional[bool]
+    greatest_end: Optional[float]
+    stays: Optional[bool]
 
 
 class FailurePlan(TypedDict):
@@ -247,6 +282,8 @@ class Overlays(TypedDict):
     counterclockwise: bool
     tipping: bool
     halo: bool
+    tilt: bool
+    load: bool
 
 
 class _CargoItem(TypedDict):
@@ -280,6 +317,7 @@ class _PlacementDict(TypedDict):
     stands: bool
     verdict: Verdict
     clear: Optional[float]
+    tilt: Optional[Tilt]
 
 
 class PlacementDict(_PlacementDict, total=False):
@@ -309,6 +347,12 @@ class PlacementDict(_PlacementDict, total=False):
     no_go: str
     unusable: list[list[Union[float, UnusableReason]]]
     robustness: Robustness
+    extra: ExtraLoad
+    com_height: float
+    slope: float
+    acceleration: float
+    give: float
+    uneven: float
     failures: list[Failure]
     capacity: Capacity
     requirements: list[Requirement]

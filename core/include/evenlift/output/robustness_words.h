@@ -16,19 +16,16 @@ namespace evenlift {
 // loads_in_words() for it. Robots count from 1.
 std::string model_in_words(LoadModel model, const ModelLoads& loads, const Units& units = {});
 
-// "It can tip: the centre of mass may be off by 200 mm, and 177 mm in one direction is enough."
-// Empty if it cannot. O(1).
-std::string tipping_in_words(const Robustness& robustness, double com_radius, const Units& units);
-
-// How the loads change while C is anywhere within the radius, and the distance from which on the
-// object can tip or, before that, different robots carry the load.
+// By how much the loads of equally stiff robots change within the doubt of `loads`, and that of the
+// placement shown: "If C is off by up to 3 cm and the ground slopes by up to 8 %, …"; if C alone is
+// in doubt, the distance from which on the object can tip; and whether robots may let go. Empty
+// without doubt. O(m).
 std::string uncertainty_in_words(const ModelLoads& loads, const Robustness& robustness,
-                                 double com_radius, const Units& units = {});
+                                 const Shown& shown);
 
-// How far C may be off before a robot exceeds its capacity, with loads by springs. Some robot must
-// have a capacity.
-std::string uncertainty_for_capacity_in_words(const ModelLoads& loads, const Robustness& robustness,
-                                              const ShownPlacement& of);
+// How far C may be off before a robot exceeds its capacity, with loads by springs, under the other
+// conditions that are given. Some robot must have a capacity. As model_loads().
+std::string uncertainty_for_capacity_in_words(const ModelLoads& loads, const ShownPlacement& of);
 
 // The indispensable robots, the greatest load of a robot if any other fails, the failures that let
 // the object tip and the failures that overload a robot (overloads_after() of capacity.h), with the

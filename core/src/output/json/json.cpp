@@ -8,6 +8,7 @@
 #include "evenlift/placed_robots.h"
 #include "evenlift/settings.h"
 #include "evenlift/stands.h"
+#include "evenlift/tilt.h"
 #include "evenlift/uncertainty.h"
 #include "output/json/robustness_json.h"
 #include "output/json/settings_json.h"
@@ -46,16 +47,22 @@ std::string teams_json(const Placement& placement) {
   return json::long_array(items, 1);
 }
 
-std::string loads_json(const std::optional<LoadSummary>& loads,
-                       const std::optional<ModelLoads>& models) {
+std::string loads_json(const Placement& placement, const std::optional<ModelLoads>& models) {
+  const std::optional<LoadSummary>& loads = placement.loads;
   if (!loads) return "null";
-  return json::long_object({{"min", json::number(loads->min)},
-                            {"mean", json::number(loads->mean)},
-                            {"max", json::number(loads->max)},
-                            {"spread", json::number(loads->spread)},
-                            {"max_share", json::number(loads->max_share)},
-                            {"models", json::models(models, 2)}},
-                           1);
+  std::vector<json::Member> members = {{"min", json::number(loads->min)},
+                                       {"mean", json::number(loads->mean)},
+                                       {"max", json::number(loads->max)},
+                                       {"spread", json::number(loads->spread)},
+                                       {"max_share", json::number(loads->max_share)},
+                                       {"models", json::models(models, 2)}};
+  if (models && models->doubt.any()) {
+    members.push_back(
+        {"ranges", json::ranges(loads_by(LoadModel::plan, placement, models))});
+    members.push_back(
+        {"may_let_go", json::boolean(may_let_go(LoadModel::plan, placement, models))});
+  }
+  return json::long_object(members, 1);
 }
 
 std::string closure_json(const Closure& closure) {
@@ -78,11 +85,9 @@ std::string closure_json(const Closure& closure) {
 }
 
 // The greatest distance that C may be off while no robot carries more than the limit.
-std::string com_radius_json(const Placement& placement, const std::optional<ModelLoads>& models,
-                            const std::vector<std::optional<double>>& capacities) {
+std::string com_radius_json(const ShownPlacement& of, const std::optional<ModelLoads>& models) {
   if (!models) return "null";
-  const auto radius =
-      radius_within_capacity(models->springs, robustness(placement).tipping_distance, capacities);
+  const auto radius = com_radius_within(of, *models, capacities_of(of));
   return radius ? json::number(*radius) : "null";
 }
 
@@ -94,10 +99,21 @@ std::string failure_plan_json(const std::optional<FailurePlan>& plan) {
        {"robots_tried", std::to_string(plan->tried)}});
 }
 
+// By the planned loads; on slopes, when braked or on uneven ground, by the greatest ends of their
+// ranges. A C uncertainty alone changes nothing, as in version 1.0.0.
+std::vector<std::size_t> overloaded_in_json(const ShownPlacement& of) {
+  Shown level = of.shown;
+  level.com_radius = 0;
+  if (!doubt_of(level).any()) return overloaded_robots(of);
+  std::vector<double> greatest;
+  for (const LoadRange& range : loads_in_doubt(of)) greatest.push_back(range.greatest);
+  return overloaded_robots(of, greatest);
+}
+
 std::string capacity_json(const ShownPlacement& of, const CapacityInJson& capacity,
                           const std::optional<ModelLoads>& models) {
   std::vector<std::string> robots;
-  for (const std::size_t robot : overloaded_robots(of)) robots.push_back(std::to_string(robot));
+  for (const std::size_t robot : overloaded_in_json(of)) robots.push_back(std::to_string(robot));
   const std::optional<double>& limit = of.shown.capacity;
   const CapacityPlan& plan = capacity.plan;
   return json::object(
@@ -107,7 +123,7 @@ std::string capacity_json(const ShownPlacement& of, const CapacityInJson& capaci
        {"greatest_load", plan.possible ? json::number(plan.greatest_load) : "null"},
        {"teams_tried", std::to_string(plan.tried)},
        {"robots_needed", plan.possible ? std::to_string(plan.teams * plan.team_size) : "null"},
-       {"com_radius", com_radius_json(of.placement, models, capacities_of(of))},
+       {"com_radius", com_radius_json(of, models)},
        {"if_one_fails", failure_plan_json(capacity.if_one_fails)}});
 }
 
@@ -141,10 +157,20 @@ void add_stands(std::vector<json::Member>& members, const Placement& placement) 
   members.push_back({"unusable", unusable_json(placement)});
 }
 
+// Adds at which slope the object tips, and where a further load may stand, if the settings ask for it.
+void add_carrying(std::vector<json::Member>& members, const ShownPlacement& of) {
+  const Carrying& carrying = of.shown.carrying;
+  members.push_back({"tilt", json::tilt(tilt_of(of), 1)});
+  if (carrying.extra)
+    members.push_back({"extra", json::extra(extra_load(of), *carrying.extra, 1)});
+}
+
 std::string failures_json(const ShownPlacement& of) {
-  const auto failures = single_failures(of.placement);
+  const Doubt doubt = doubt_of(of.shown);
+  const auto failures = single_failures(of.placement, doubt);
   return json::failures(
-      failures, has_capacities(of) ? overloads_after(of, failures) : std::vector<bool>(), 1);
+      failures, has_capacities(of) ? overloads_after(of, failures) : std::vector<bool>(),
+      doubt.any(), 1);
 }
 
 std::string verdict_json(const Judgement& judgement) {
@@ -213,7 +239,7 @@ std::string placement_json(const ShownPlacement& of, bool with_candidates,
   const Settings& settings = placement.settings;
   const Document asked{{}, {}, settings, of.shown, {}};
   const bool robots = !placement.teams.empty();
-  const std::optional<ModelLoads> models = robots ? model_loads(placement) : std::nullopt;
+  const std::optional<ModelLoads> models = robots ? model_loads(placement, doubt_of(of.shown)) : std::nullopt;
   const bool given = settings.method == Method::given;
   std::vector<json::Member> members = {{"polygon", json::points(placement.vertices(), 1)}};
   add_holes(members, placement.object.rings_of_holes());
@@ -227,7 +253,7 @@ std::string placement_json(const ShownPlacement& of, bool with_candidates,
   if (robots) members.push_back({"robots", json::robots(placement, 1)});
   members.push_back({"hull", json::points(placement.lifting_base, 1)});
   members.push_back({"coverage", json::number(placement.coverage)});
-  members.push_back({"loads", loads_json(placement.loads, models)});
+  members.push_back({"loads", loads_json(placement, models)});
   members.push_back({"closure", closure_json(placement.closure)});
   members.push_back({"goal", json::text(name(goal_of(settings)))});
   members.push_back({"goal_reached", json::boolean(placement.goal_reached)});
@@ -241,8 +267,9 @@ std::string placement_json(const ShownPlacement& of, bool with_candidates,
   add_moved(members, placement.moved);
   add_stands(members, placement);
   if (robots)
-    members.push_back({"robustness", json::robustness(placement, models, of.shown.com_radius, 1)});
+    members.push_back({"robustness", json::robustness(of, models, 1)});
   if (robots && with_failures) members.push_back({"failures", failures_json(of)});
+  add_carrying(members, of);
   if (capacity) members.push_back({"capacity", capacity_json(of, *capacity, models)});
   if (!requirements.empty()) members.push_back({"requirements", requirements_json(requirements)});
   return json::long_object(members, 0) + "\n";

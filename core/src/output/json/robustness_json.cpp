@@ -10,16 +10,8 @@ std::string number_or_null(const std::optional<double>& value) {
   return value ? number(*value) : "null";
 }
 
-std::string ranges(const std::vector<double>& loads, const SpringLoads& springs,
-                   double com_radius) {
-  std::vector<std::string> items;
-  for (const LoadRange& range : load_ranges(loads, springs, com_radius))
-    items.push_back(array({number(range.least), number(range.greatest)}));
-  return array(items);
-}
-
 std::string failure(std::size_t robot, const std::optional<RestOfRobots>& rest,
-                    const std::optional<bool>& overloads) {
+                    const std::optional<bool>& overloads, bool with_doubt) {
   const auto if_carried = [&](const std::string& value) { return rest ? value : "null"; };
   const RestOfRobots known = rest.value_or(RestOfRobots{});
   std::vector<Member> members = {{"robot", std::to_string(robot)},
@@ -34,6 +26,10 @@ std::string failure(std::size_t robot, const std::optional<RestOfRobots>& rest,
                                  {"springs_max", if_carried(number(known.greatest_by_springs))},
                                  {"best_max", if_carried(number(known.least_greatest))}};
   if (overloads) members.push_back({"over_capacity", if_carried(boolean(*overloads))});
+  if (with_doubt) {
+    members.push_back({"greatest_end", if_carried(number(known.greatest_end))});
+    members.push_back({"stays", if_carried(boolean(known.stays))});
+  }
   return object(members);
 }
 
@@ -60,8 +56,39 @@ std::string models(const std::optional<ModelLoads>& models, int depth) {
                      depth);
 }
 
-std::string robustness(const Placement& placement, const std::optional<ModelLoads>& models,
-                       double com_radius, int depth) {
+std::string ranges(const std::vector<LoadRange>& ranges) {
+  std::vector<std::string> items;
+  for (const LoadRange& range : ranges)
+    items.push_back(array({number(range.least), number(range.greatest)}));
+  return array(items);
+}
+
+std::string tilt(const std::optional<Tilt>& tilt, int depth) {
+  if (!tilt) return "null";
+  return long_object({{"height", number(tilt->height)},
+                      {"reach", number(tilt->reach)},
+                      {"stays", boolean(tilt->stays)},
+                      {"slope", number(tilt->slope)},
+                      {"degrees", number(tilt->degrees)},
+                      {"acceleration", number(tilt->acceleration)}},
+                     depth);
+}
+
+// An object that falls has no place for a load; the weight stays, so that the result can be opened.
+std::string extra(const std::optional<ExtraLoad>& extra, double weight, int depth) {
+  const ExtraLoad known = extra.value_or(ExtraLoad{});
+  const auto if_known = [&](const std::string& value) { return extra ? value : "null"; };
+  return long_object({{"weight", number(weight)},
+                      {"region", if_known(points(known.region, depth + 1))},
+                      {"share", if_known(number(known.share))},
+                      {"anywhere", number_or_null(known.anywhere)}},
+                     depth);
+}
+
+std::string robustness(const ShownPlacement& of, const std::optional<ModelLoads>& models,
+                       int depth) {
+  const Placement& placement = of.placement;
+  const double com_radius = of.shown.com_radius;
   const Robustness known = evenlift::robustness(placement);
   std::vector<Member> members = {
       {"com_margin", number(equilibrium(placement).com_margin)},
@@ -72,23 +99,22 @@ std::string robustness(const Placement& placement, const std::optional<ModelLoad
   if (com_radius > 0) {
     members.push_back({"com_radius", number(com_radius)});
     members.push_back({"exact_within", models ? number(models->springs.same_within) : "null"});
-    if (models) {
-      const SpringLoads& springs = models->springs;
-      members.push_back(
-          {"plan_ranges", ranges(planned_loads(placement.teams), springs, com_radius)});
-      members.push_back({"springs_ranges", ranges(springs.loads, springs, com_radius)});
-    }
+  }
+  if (models && models->doubt.any()) {
+    members.push_back({"plan_ranges", ranges(loads_by(LoadModel::plan, placement, models))});
+    members.push_back({"springs_ranges", ranges(loads_by(LoadModel::springs, placement, models))});
   }
   return long_object(members, depth);
 }
 
 std::string failures(const std::vector<std::optional<RestOfRobots>>& failures,
-                     const std::vector<bool>& overloads, int depth) {
+                     const std::vector<bool>& overloads, bool with_doubt, int depth) {
   std::vector<std::string> items;
   for (std::size_t robot = 0; robot < failures.size(); ++robot)
     items.push_back(
         failure(robot, failures[robot],
-                overloads.empty() ? std::nullopt : std::optional<bool>(overloads[robot])));
+                overloads.empty() ? std::nullopt : std::optional<bool>(overloads[robot]),
+                with_doubt));
   return long_array(items, depth);
 }
 

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "evenlift/extra_load.h"
 #include "evenlift/placed_robots.h"
+#include "evenlift/tilt.h"
 
 namespace evenlift::json {
 
@@ -14,11 +16,17 @@ std::string robots(const Placement& placement, int depth);
 
 std::string models(const std::optional<ModelLoads>& models, int depth);
 
-// With a radius above 0, includes the ranges of the loads while C is anywhere within it.
-std::string robustness(const Placement& placement, const std::optional<ModelLoads>& models,
-                       double com_radius, int depth);
+std::string ranges(const std::vector<LoadRange>& ranges);
 
+// With doubt, includes the ranges of the loads.
+std::string robustness(const ShownPlacement& of, const std::optional<ModelLoads>& models,
+                       int depth);
+
+// With doubt, includes the greatest loads within it, and whether the object stays upright.
 std::string failures(const std::vector<std::optional<RestOfRobots>>& failures,
-                     const std::vector<bool>& overloads, int depth);
+                     const std::vector<bool>& overloads, bool with_doubt, int depth);
+
+std::string tilt(const std::optional<Tilt>& tilt, int depth);
+std::string extra(const std::optional<ExtraLoad>& extra, double weight, int depth);
 
 }  // namespace evenlift::json

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "evenlift/capacity.h"
+#include "evenlift/extra_load.h"
 #include "evenlift/output/label_places.h"
 #include "evenlift/output/markup.h"
 #include "evenlift/output/picture.h"
@@ -16,6 +17,7 @@
 #include "output/svg/svg_bodies.h"
 #include "output/svg/svg_caption.h"
 #include "output/svg/svg_cargo.h"
+#include "output/svg/svg_carrying.h"
 #include "output/svg/svg_markup.h"
 #include "output/svg/svg_paper.h"
 #include "output/svg/svg_stands.h"
@@ -71,7 +73,7 @@ class Drawing {
     std::string drawing;
     for (const Shape& shape : make_picture(placement_, of_.shown.overlays)) drawing += drawn(shape);
     if (placement_.stands) drawing += stands();
-    drawing += slide();
+    drawing += tilt() + slide();
     if (own_centre_) drawing += own_centre_mark(*own_centre_, 6);
     drawing += robots();
     return drawing + named();
@@ -123,7 +125,7 @@ class Drawing {
   std::string drawn(const Shape& shape) {
     switch (shape.role) {
       case Role::object:
-        return object(shape);
+        return object(shape) + load();
       case Role::clockwise:
         return region(shape, true, seen_.clockwise);
       case Role::counterclockwise:
@@ -174,6 +176,22 @@ class Drawing {
     return element("path", attribute("class", "object") + path(rings) +
                                attribute("fill-rule", "evenodd") + look +
                                attribute("stroke-linejoin", "round"));
+  }
+
+  // Where a further load may stand.
+  std::string load() {
+    const auto extra = of_.shown.overlays.load ? extra_load(of_) : std::nullopt;
+    seen_.load = extra.has_value();
+    if (!extra) return "";
+    std::vector<Points> rings = {outline_};
+    rings.insert(rings.end(), holes_.begin(), holes_.end());
+    return load_region(rings, paper_(extra->region));
+  }
+
+  std::string tilt() {
+    const std::string circles = of_.shown.overlays.tilt ? tilt_circles(of_, paper_) : std::string();
+    seen_.tilt = !circles.empty();
+    return circles;
   }
 
   // Items that overhang too far are not on the paper.

@@ -3,8 +3,9 @@
 #include <string_view>
 #include <vector>
 
-#include "evenlift/output/words.h"
+#include "evenlift/output/carrying_words.h"
 #include "output/svg/svg_cargo.h"
+#include "output/svg/svg_carrying.h"
 #include "output/svg/svg_markup.h"
 #include "output/svg/svg_style.h"
 
@@ -28,6 +29,10 @@ std::string settings_line(const ShownPlacement& of) {
   if (shown.capacity) line += " · a robot can carry " + given_weight(*shown.capacity, shown.units);
   if (shown.com_radius > 0)
     line += " · C uncertainty " + with_length_unit(plain(shown.com_radius), shown.units);
+  const Carrying& carrying = shown.carrying;
+  if (carrying.com_height > 0)
+    line += " · C at a height of " + with_length_unit(plain(carrying.com_height), shown.units);
+  if (carrying.slope > 0) line += " · slopes up to " + slope_in_words(carrying.slope);
   line += placement.closure.form_closure ? " · form closure" : " · no form closure";
   if (const std::size_t holes = placement.object.holes().size())
     line += " · " + std::to_string(holes) + (holes == 1 ? "\u00A0hole" : "\u00A0holes");
@@ -63,6 +68,8 @@ std::vector<KeyEntry> key(const Seen& seen) {
   entries.push_back({centre_mark(Vec2(0, 0), 6), "centre of mass"});
   if (seen.own_centre)
     entries.push_back({own_centre_mark(Vec2(0, 0), 5), "centre of mass without cargo"});
+  if (seen.load) entries.push_back({load_swatch(), "a further load may stand here"});
+  if (seen.tilt) entries.push_back({tilt_swatch(), "slope at which it tips that way"});
   if (seen.cargo) entries.push_back({cargo_disc(Vec2(0, 0), 6), "cargo, by weight"});
   if (seen.body)
     entries.push_back(
@@ -98,6 +105,8 @@ Caption make_caption(const ShownPlacement& of, const Seen& seen, double top, dou
   };
   paragraph(loads_in_words(of), 17, dark + attribute("font-weight", 600));
   paragraph(detail_in_words(of), 15, dark);
+  if (seen.tilt) paragraph(tilt_in_words(robustness(of.placement), of), 15, dark);
+  if (seen.load) paragraph(extra_in_words(*extra_load(of), of), 15, dark);
   paragraph(settings_line(of), 13, grey);
 
   double x = caption_margin;

@@ -11,7 +11,7 @@ namespace evenlift::svg {
 struct Seen {
   bool hull = false, clockwise = false, counterclockwise = false;
   bool no_go = false, unusable = false, body = false, overload = false, slide = false;
-  bool cargo = false, own_centre = false;
+  bool cargo = false, own_centre = false, load = false, tilt = false;
 };
 
 struct Caption {

@@ -7,6 +7,7 @@
 #include "evenlift/capacity.h"
 #include "evenlift/numbers.h"
 #include "evenlift/output/words.h"
+#include "evenlift/tilt.h"
 #include "evenlift/tolerance.h"
 
 namespace evenlift {
@@ -16,14 +17,10 @@ using Value = std::optional<double>;
 
 bool has_robots(const ShownPlacement& of) { return !of.placement.teams.empty(); }
 
-// The planned loads, wherever C lies within its uncertainty. Nothing if the object falls, or if the
-// uncertainty is so large that the ranges are not known (uncertainty.h).
+// The planned loads, under all conditions that are given. Nothing if the object falls.
 std::optional<std::vector<LoadRange>> loads_of(const ShownPlacement& of) {
   if (!of.placement.loads) return std::nullopt;
-  const double radius = of.shown.com_radius;
-  const auto models = radius > 0 ? model_loads(of.placement) : std::nullopt;
-  if (radius > 0 && (!models || radius > models->springs.same_within)) return std::nullopt;
-  return loads_by(LoadModel::plan, of.placement, models, radius);
+  return loads_in_doubt(of);
 }
 
 Value greatest_load(const ShownPlacement& of) {
@@ -60,8 +57,14 @@ Value greatest_after_failure(const ShownPlacement& of) {
   return greatest;
 }
 
+// The slope in degrees at which it tips in the worst direction; nothing if the height of C is 0.
+Value tipping_angle(const ShownPlacement& of) {
+  const auto tilt = tilt_of(of);
+  return tilt ? Value(tilt->degrees) : std::nullopt;
+}
+
 // What rounding may change in a value, as a part of this unit.
-enum class Unit : std::uint8_t { none, share, weight, length };
+enum class Unit : std::uint8_t { none, share, weight, length, degrees };
 
 struct Row {
   std::string_view name;
@@ -85,6 +88,7 @@ const Row rows[] = {
     {"margin", false, Unit::share, [](const ShownPlacement& of) { return of.placement.closure.margin; }},
     {"tipping_distance", false, Unit::length,
      [](const ShownPlacement& of) -> Value { return has_robots(of) ? robustness(of.placement).tipping_distance : 0; }},
+    {"tip", false, Unit::degrees, tipping_angle},
     {"robots", false, Unit::none,
      [](const ShownPlacement& of) -> Value { return static_cast<double>(count_robots(of.placement.teams)); }},
 };
@@ -145,6 +149,8 @@ double slack(Unit unit, const Placement& placement) {
       return tau * placement.weight();
     case Unit::length:
       return tau * placement.polygon().diameter();
+    case Unit::degrees:
+      return tau * 90;
     case Unit::none:
       break;
   }

@@ -1,7 +1,7 @@
 #include "evenlift/output/verdict.h"
 
 #include "evenlift/capacity.h"
-#include "evenlift/output/robustness_words.h"
+#include "evenlift/output/carrying_words.h"
 #include "evenlift/output/words.h"
 
 namespace evenlift {
@@ -57,10 +57,7 @@ std::vector<std::string> misfits_in_words(const ShownPlacement& of) {
 
 Judgement judge(const ShownPlacement& of) {
   if (of.placement.teams.empty()) return judge(of, {}, {});
-  const double com_radius = of.shown.com_radius;
-  const auto models = com_radius > 0 ? model_loads(of.placement) : std::nullopt;
-  return judge(of, robustness(of.placement),
-               loads_by(LoadModel::plan, of.placement, models, com_radius));
+  return judge(of, robustness(of.placement), loads_in_doubt(of));
 }
 
 Judgement judge(const ShownPlacement& of, const Robustness& robustness,
@@ -83,7 +80,7 @@ Judgement judge(const ShownPlacement& of, const Robustness& robustness,
   const std::vector<std::size_t> overloaded = overloaded_robots(of, greatest);
   if (stands && !overloaded.empty())
     add(capacity_in_words(of, nullptr, overloaded, LoadModel::plan));
-  if (stands) add(tipping_in_words(robustness, of.shown.com_radius, of.shown.units));
+  if (stands) add(tipping_in_words(robustness, of));
   for (std::string& misfit : misfits_in_words(of)) add(std::move(misfit));
   add(shortage_in_words(placement));
   if (placement.coverage < good_coverage) add(coverage_in_words(placement));

@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "evenlift/capacity.h"
+#include "evenlift/output/carrying_words.h"
+#include "evenlift/tilt.h"
 #include "evenlift/uncertainty.h"
 #include "output/words/listed.h"
 
@@ -39,6 +41,27 @@ std::string in_letters(std::size_t number) {
   return number < words.size() ? words[number] : std::to_string(number);
 }
 
+// "C is off by up to 3 cm and the ground slopes by up to 8 %"
+std::string conditions_in_words(const Shown& shown) {
+  const Carrying& carrying = shown.carrying;
+  std::vector<std::string> conditions;
+  if (shown.com_radius > 0)
+    conditions.push_back("C is off by up to " +
+                         with_length_unit(plain(shown.com_radius), shown.units));
+  if (carrying.slope > 0)
+    conditions.push_back("the ground slopes by up to " + slope_in_words(carrying.slope));
+  if (carrying.acceleration > 0 && carrying.com_height > 0)
+    conditions.push_back("the object is braked at up to " + significant(carrying.acceleration, 3) +
+                         "\u00A0g");
+  if (carrying.uneven > 0 && carrying.give)
+    conditions.push_back("heights are off by up to " +
+                         with_length_unit(plain(carrying.uneven), shown.units));
+  std::string text;
+  for (std::size_t i = 0; i < conditions.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < conditions.size() ? ", " : " and ") + conditions[i];
+  return text;
+}
+
 std::string robots_or(const Robots& robots) {
   return (robots.size() == 1 ? "robot " : "any of robots ") + listed(robots);
 }
@@ -63,46 +86,43 @@ std::string model_in_words(LoadModel model, const ModelLoads& loads, const Units
   return {};
 }
 
-std::string tipping_in_words(const Robustness& robustness, double com_radius, const Units& units) {
-  if (!(com_radius > 0) || com_radius < robustness.tipping_distance) return {};
-  return "It can tip: the centre of mass may be off by " +
-         with_length_unit(plain(com_radius), units) + ", and " +
-         length_in_words(robustness.tipping_distance, units) + " in one direction is enough.";
-}
-
 std::string uncertainty_in_words(const ModelLoads& loads, const Robustness& robustness,
-                                 double com_radius, const Units& units) {
+                                 const Shown& shown) {
+  if (!loads.doubt.any()) return {};
+  const Units& units = shown.units;
   const SpringLoads& springs = loads.springs;
-  const double change = greatest_change(springs, com_radius);
-  std::string text = "If C is off by up to " + with_length_unit(plain(com_radius), units) +
+  const double change = *std::max_element(loads.changes.by.begin(), loads.changes.by.end());
+  std::string text = "If " + conditions_in_words(shown) +
                      ", the loads of equally stiff robots change by up to " +
                      load_in_words(change, change, units) + ".";
-  if (robustness.tipping_distance == 0)
-    return text + " Even the smallest error can tip the object.";
-  if (com_radius >= robustness.tipping_distance)
-    return text + " From " + length_in_words(robustness.tipping_distance, units) +
-           " on, the object can tip.";
-  if (com_radius > springs.same_within)
-    return text + " From " + length_in_words(springs.same_within, units) +
-           " on, other robots carry load, and the ranges are too narrow.";
-  return text;
+  if (loads.doubt.reach == shown.com_radius && shown.com_radius > 0) {
+    if (robustness.tipping_distance == 0)
+      return text + " Even the smallest error can tip the object.";
+    if (shown.com_radius >= robustness.tipping_distance)
+      return text + " From " + length_in_words(robustness.tipping_distance, units) +
+             " on, the object can tip.";
+  }
+  if (!may_let_go(springs.loads, loads.changes)) return text;
+  double greatest = 0;
+  for (const LoadRange& range : load_ranges(springs.loads, loads.changes))
+    greatest = std::max(greatest, range.greatest);
+  return text + " A robot may let go then, and another may have to carry up to " +
+         load_in_words(greatest, greatest, units) + ".";
 }
 
-std::string uncertainty_for_capacity_in_words(const ModelLoads& loads, const Robustness& robustness,
-                                              const ShownPlacement& of) {
+std::string uncertainty_for_capacity_in_words(const ModelLoads& loads, const ShownPlacement& of) {
   const Units& units = of.shown.units;
   const bool has_own = has_own_capacities(of);
   const std::string limit = has_own ? std::string() : given_weight(*of.shown.capacity, units);
   const auto capacities = capacities_of(of);
-  const auto radius =
-      radius_within_capacity(loads.springs, robustness.tipping_distance, capacities);
+  const auto radius = com_radius_within(of, loads, capacities);
   if (!radius)
-    return "If all robots are equally stiff, some carry more than " +
+    return "If all robots are equally stiff, some " +
+           std::string(doubt_in_words(of.shown).empty() ? "carry more than " : "may carry more than ") +
            (has_own ? "they can" : limit) + ".";
   // Loads farther out are unknown; this may end the range, rather than the capacity.
   const bool ends_known =
-      *radius == radius_within_capacity(loads.springs, robustness.tipping_distance,
-                                        std::vector<std::optional<double>>(capacities.size()));
+      *radius == com_radius_within(of, loads, std::vector<std::optional<double>>(capacities.size()));
   return "Equally stiff robots stay within " + (has_own ? "their capacities" : limit) +
          " as long as C is off by at most " + length_in_words(*radius, units) +
          (ends_known ? "; beyond that, loads are not known in advance." : ".");
@@ -168,13 +188,21 @@ std::vector<Fact> robustness_facts(const ShownPlacement& of, const Robustness& r
   else if (carried > 0 && steady < carried)
     may_fail += ", but it can tip then";
   if (failing) may_fail = "one fails now";
-  return {
+  std::vector<Fact> facts = {
       {"Robots that may fail", may_fail,
        "If this number of robots fails at once, whichever they are, the others carry the object, if "
        "none is overloaded"},
       {"Tipping distance", length_in_words(robustness.tipping_distance, of.shown.units),
        "If C is farther off than this, the object can tip; nearer it does not, if robots push back "
        "and none is overloaded"}};
+  const auto tilt = tilt_of(of.shown, robustness.tipping_distance,
+                            of.placement.polygon().diameter());
+  if (tilt)
+    facts.push_back({"It tips on a slope of",
+                     degrees_in_words(tilt->degrees) + " (" + slope_in_words(tilt->slope) + ")",
+                     "In the worst direction, standing still; on level ground the same number of g, "
+                     "as a ratio, when it is braked"});
+  return facts;
 }
 
 }  // namespace evenlift

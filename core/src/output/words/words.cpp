@@ -1,6 +1,8 @@
 // A placement in words.
 #include "evenlift/output/words.h"
 
+#include "evenlift/output/carrying_words.h"
+
 #include <string_view>
 
 #include "evenlift/placed_robots.h"
@@ -139,7 +141,7 @@ std::string loads_in_words(const ShownPlacement& of, LoadModel shown,
   const Units& units = of.shown.units;
   const std::string in_all =
       " (" + weight_in_words(of) + (placement.settings.cargo.empty() ? " in all)." : ").");
-  const double com_radius = of.shown.com_radius;
+  const std::string doubt = doubt_in_words(of.shown);
   const LoadSummary& loads = *placement.loads;
   const bool given = placement.settings.method == Method::given;
   const std::string stiff = given && !loads_are_determined(placement) ? "equally stiff " : "";
@@ -152,14 +154,14 @@ std::string loads_in_words(const ShownPlacement& of, LoadModel shown,
                              (number == 1 ? "robot" : "robots"),
                     carry = number == 1 ? " carries " : " carry ",
                     each = number == 1 ? "" : " each";
-  if (shown == LoadModel::plan && com_radius > 0 && !ranges.empty()) {
+  if (shown == LoadModel::plan && !doubt.empty() && !ranges.empty()) {
     double least = ranges.front().least, greatest = 0;
     for (const LoadRange& range : ranges) {
       least = std::min(least, range.least);
       greatest = std::max(greatest, range.greatest);
     }
     return robots + carry + load_in_words(least, greatest, greatest, units) + each +
-           ", with a C uncertainty of " + with_length_unit(plain(com_radius), units) + in_all;
+           ", " + doubt + in_all;
   }
   if (placement.settings.method == Method::balanced)
     return robots + " carry equal loads of " + load_in_words(loads.max, loads.max, units) + in_all;

@@ -1,0 +1,70 @@
+// Computes the greatest load that each robot can come to carry while C is anywhere within reach.
+#include <algorithm>
+
+#include "evenlift/hull.h"
+#include "evenlift/load_models.h"
+#include "evenlift/tolerance.h"
+#include "robustness/support.h"
+
+namespace evenlift {
+namespace {
+
+// The point of a convex polygon, a segment or a point that is nearest to the origin: the origin
+// itself if that is inside. O(h).
+Vec2 nearest_to_origin(const Points& hull) {
+  const std::size_t h = hull.size();
+  bool inside = h > 2;
+  Vec2 nearest = hull.front();
+  for (std::size_t i = 0; i < h; ++i) {
+    const Vec2 &a = hull[i], along = hull[(i + 1) % h] - a;
+    inside = inside && cross(along, -a) >= 0;
+    const double square = dot(along, along);
+    const double part = square > 0 ? std::clamp(dot(along, -a) / square, 0.0, 1.0) : 0;
+    const Vec2 point = a + part * along;
+    if (dot(point, point) < dot(nearest, nearest)) nearest = point;
+  }
+  return inside ? Vec2(Vec2::Zero()) : nearest;
+}
+
+// The greatest share t of a robot at p while C is within reach of the origin. The rest of the weight
+// acts at some point of H, so C lies on t p + (1 - t) H, which shrinks towards p as t grows. Its
+// distance from the origin is a convex function of t. For the direction n of its nearest point, it
+// is at least n . (t p + (1 - t) v) for the corner v of H that is least along n, and Newton's method
+// goes down to the t for which that is the reach.
+double greatest_share(const Vec2& p, const Points& hull, double reach) {
+  constexpr int most_steps = 100;  // seldom more than six
+  double t = 1;
+  for (int i = 0; i < most_steps; ++i) {
+    Points shrunk;
+    for (const Vec2& corner : hull) shrunk.push_back(t * p + (1 - t) * corner);
+    const Vec2 nearest = nearest_to_origin(shrunk);
+    const double distance = length(nearest);
+    if (distance <= reach) break;
+    const Vec2 n = nearest / distance;
+    double least = dot(n, hull.front());
+    for (const Vec2& corner : hull) least = std::min(least, dot(n, corner));
+    const double next = std::max(0.0, (reach - least) / (dot(n, p) - least));
+    if (!(next < t)) break;  // rounding ends the descent
+    t = next;
+  }
+  return t;
+}
+
+}  // namespace
+
+std::optional<std::vector<double>> worst_loads(const Points& robots, const Vec2& centre,
+                                               double diameter, double weight, double reach) {
+  if (!(reach > 0)) return worst_loads(robots, centre, diameter, weight);
+  const std::optional<Support> support = find_support(robots, centre, diameter);
+  if (!support) return std::nullopt;
+  Points hull = convex_hull(robots, near_distance(support->unit));
+  for (Vec2& corner : hull) corner = (corner - centre) / support->unit;
+  // The tolerance may leave C slightly outside H.
+  const double within = std::max(reach / support->unit, length(nearest_to_origin(hull)));
+  std::vector<double> loads;
+  for (const Vec2& robot : robots)
+    loads.push_back(weight * greatest_share((robot - centre) / support->unit, hull, within));
+  return loads;
+}
+
+}  // namespace evenlift

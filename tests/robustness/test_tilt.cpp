@@ -1,0 +1,195 @@
+// Slopes, starts, stops and a further load.
+#include "evenlift/tilt.h"
+
+#include <cmath>
+
+#include "evenlift/angles.h"
+#include "evenlift/extra_load.h"
+#include "evenlift/output/carrying_words.h"
+#include "evenlift/output/requirements.h"
+#include "evenlift/output/verdict.h"
+#include "evenlift/placed_robots.h"
+#include "evenlift/settings.h"
+#include "kit/catch.h"
+#include "kit/texts.h"
+
+using namespace evenlift;
+using evenlift::testing::plainly;
+
+namespace {
+
+// A square of side 1 with robots at its corners, and a weight of 100.
+Document square() {
+  Document document;
+  document.vertices = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  document.settings.method = Method::given;
+  document.settings.supports = document.vertices;
+  return document;
+}
+
+Placement placed(const Document& document) { return place(document).value(); }
+
+}  // namespace
+
+TEST_CASE("an object tips at the slope at which its weight leaves the lifting base", "[tilt]") {
+  Document document = square();
+  document.shown.carrying.com_height = 1;
+  const Placement placement = placed(document);
+  const auto tilt = tilt_of({placement, document.shown});
+  REQUIRE(tilt);
+  CHECK(tilt->slope == 0.5);
+  CHECK(tilt->acceleration == 0.5);
+  CHECK(tilt->degrees == Approx(26.565).epsilon(1e-5));
+  CHECK(tilt->reach == 0);
+  CHECK(tilt->stays);
+
+  document.shown.carrying.slope = 0.3;
+  document.shown.carrying.acceleration = 0.2;
+  CHECK(tilt_of({placement, document.shown})->reach == 0.5);
+  CHECK(tilt_of({placement, document.shown})->stays);  // at the edge, within tolerance
+  document.shown.com_radius = 0.1;
+  const auto off = tilt_of({placement, document.shown});
+  CHECK_FALSE(off->stays);
+  CHECK(off->slope == Approx(0.4));
+  document.shown.com_radius = 2;
+  CHECK(tilt_of({placement, document.shown})->slope == 0);
+  CHECK_FALSE(tilt_of(document.shown, 0, 1)->stays);
+  document.shown.carrying.com_height = 0;
+  CHECK_FALSE(tilt_of({placement, document.shown}));
+}
+
+TEST_CASE("an object that falls on level ground does not stay upright", "[tilt]") {
+  Document document = square();
+  document.settings.supports = {{0, 0}, {0.2, 0}, {0, 0.2}};
+  document.shown.carrying.com_height = 1;
+  const auto tilt = tilt_of({placed(document), document.shown});
+  REQUIRE(tilt);
+  CHECK_FALSE(tilt->stays);
+  CHECK(tilt->slope == 0);
+}
+
+TEST_CASE("each direction has its own slope", "[tilt]") {
+  const Points hull{{0, 0}, {4, 0}, {4, 2}, {0, 2}};
+  Shown shown;
+  shown.carrying.com_height = 2;
+  CHECK(tipping_slope(hull, {1, 1}, {3, 0}, shown) == 1.5);
+  CHECK(tipping_slope(hull, {1, 1}, {-1, 0}, shown) == 0.5);
+  CHECK(tipping_slope(hull, {1, 1}, {0, 1}, shown) == 0.5);
+  CHECK(tipping_slope(hull, {1, 1}, {1, 1}, shown) == Approx(std::sqrt(2) / 2));
+  shown.com_radius = 0.5;
+  CHECK(tipping_slope(hull, {1, 1}, {3, 0}, shown) == 1.25);
+  CHECK(tipping_slope({{0, 0}, {4, 0}}, {1, 0}, {1, 0}, shown) == 0);
+}
+
+TEST_CASE("slopes are ratios, percentages or angles", "[tilt][settings]") {
+  const auto read = [](const char* text) -> std::optional<double> {
+    Document document;
+    if (read_setting(Setting::slope, text, document)) return std::nullopt;
+    return document.shown.carrying.slope;
+  };
+  CHECK(read("0.08") == 0.08);
+  CHECK(read("8%") == 0.08);
+  CHECK(read("100%") == 1.0);
+  CHECK(read("45deg") == 1.0);
+  CHECK(read("4.6deg").value() == Approx(std::tan(4.6 * pi / 180)).epsilon(1e-14));
+  CHECK(read("0deg") == 0.0);
+  for (const char* wrong : {"8", "101%", "45.1deg", "90deg", "-1%", "-1deg", "%", "deg", "8 %", "x"})
+    CHECK_FALSE(read(wrong));
+  for (const double degrees : {0.0, 1e-9, 10.0, 30.0, 45.0, 60.0, 89.9})
+    CHECK(slope_degrees(slope_ratio(degrees)) == Approx(degrees).epsilon(1e-12));
+}
+
+TEST_CASE("where another load may stand", "[tilt][extra]") {
+  Document document = square();
+  document.shown.carrying.extra = 50;
+  const Placement placement = placed(document);
+  const auto free = extra_load({placement, document.shown});
+  REQUIRE(free);
+  CHECK(free->share == Approx(1));
+  CHECK(free->anywhere.value() == Approx(100));
+  document.shown.capacity = 50;
+  const auto bounded = extra_load({placement, document.shown});
+  CHECK(bounded->share == Approx(0.5));
+  CHECK(bounded->anywhere.value() == Approx(100.0 / 3));
+  CHECK(bounded->region.size() == 4);
+  for (const Vec2& corner : bounded->region)
+    CHECK(std::fabs(corner.x() - 0.5) + std::fabs(corner.y() - 0.5) == Approx(0.5));
+  document.shown.capacity = 20;  // overloaded without it
+  CHECK(extra_load({placement, document.shown})->region.empty());
+  CHECK(extra_load({placement, document.shown})->anywhere == 0.0);
+  document.shown.carrying.extra.reset();
+  CHECK_FALSE(extra_load({placement, document.shown}));
+}
+
+TEST_CASE("three robots at the corners bear any load on the triangle between them", "[tilt][extra]") {
+  Document document;
+  document.vertices = {{0, 0}, {3, 0}, {0, 3}};
+  document.settings.method = Method::given;
+  document.settings.supports = document.vertices;
+  document.shown.carrying.extra = 1000;
+  const auto extra = extra_load({placed(document), document.shown});
+  CHECK(extra->share == Approx(1));
+  CHECK_FALSE(extra->anywhere);
+  // Beside a line of robots there is no place for anything.
+  document.settings.supports = {{0, 1}, {2, 1}};
+  const auto on_line = extra_load({placed(document), document.shown});
+  REQUIRE(on_line);
+  CHECK(on_line->region.empty());
+  CHECK(on_line->anywhere == 0.0);
+}
+
+TEST_CASE("slopes and another load are told in sentences", "[tilt][words]") {
+  Document document = square();
+  document.shown.carrying.com_height = 1;
+  document.shown.units.length = LengthUnit::m;
+  const Placement placement = placed(document);
+  const auto tips = [&] {
+    return plainly(tipping_in_words(robustness(placement), {placement, document.shown}));
+  };
+  CHECK(plainly(tilt_in_words(robustness(placement), {placement, document.shown})) ==
+        "In the worst direction it tips at a slope of 26.6° (50 %) or when it is braked at 0.5 g.");
+  CHECK(tips().empty());
+  document.shown.carrying.slope = 0.6;
+  CHECK(tips() == "On a slope of 60 % it tips.");
+  const Judgement judgement = judge({placement, document.shown});
+  CHECK(judgement.kind == VerdictKind::warning);
+  CHECK(plainly(judgement.reasons.front()) == "On a slope of 60 % it tips.");
+  document.shown.carrying.acceleration = 0.1;
+  CHECK(tips() == "On a slope of 60 % and braked at 0.1 g, it tips.");
+  document.shown.com_radius = 0.02;
+  document.shown.carrying.slope = 0;
+  document.shown.carrying.acceleration = 0.5;
+  CHECK(tips() == "With C off by up to 0.02 m, on level ground, braked at 0.5 g, it tips.");
+  document.shown.carrying = {.extra = 50};
+  document.shown.com_radius = 0;
+  const auto extra = [&] {
+    const ShownPlacement of{placement, document.shown};
+    return plainly(extra_in_words(*extra_load(of), of));
+  };
+  CHECK(extra() ==
+        "Another 50 kg may stand anywhere on the object without lifting a robot off, if all robots "
+        "are equally stiff.");
+  document.shown.capacity = 50;
+  CHECK(extra() ==
+        "Another 50 kg may stand on 50 % of the object without lifting a robot off or overloading "
+        "one, if all robots are equally stiff. Up to 33.3 kg may stand anywhere on it.");
+  const ShownPlacement of{placement, document.shown};
+  CHECK(plainly(extra_here_in_words(50, {0.5, 0.5}, of).words) == "50 kg here: robots carry 37.5 kg");
+  CHECK(extra_here_in_words(50, {0.5, 0.5}, of).is_fine);
+  CHECK(plainly(extra_here_in_words(50, {0, 0}, of).words) ==
+        "50 kg here: robots carry 12.5–62.5 kg · overloaded: robot 1");
+  CHECK_FALSE(extra_here_in_words(50, {0, 0}, of).is_fine);
+  CHECK(plainly(extra_here_in_words(500, {5, 5}, of).words) == "500 kg here tip it");
+}
+
+TEST_CASE("a slope at which it tips can be required", "[tilt][requirements]") {
+  Document document = square();
+  const Placement placement = placed(document);
+  const auto kept = [&](const char* condition) {
+    return check_conditions({placement, document.shown}, read_conditions(condition).value())[0].kept;
+  };
+  CHECK_FALSE(kept("tip>=1"));  // the height of C is not known
+  document.shown.carrying.com_height = 1;
+  CHECK(kept("tip>=26.5"));
+  CHECK_FALSE(kept("tip>=26.6"));
+}

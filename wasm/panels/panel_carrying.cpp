@@ -1,0 +1,143 @@
+// The conditions under which the object is carried, behind a row that opens them.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "actions/actions.h"
+#include "evenlift/numbers.h"
+#include "evenlift/output/carrying_words.h"
+#include "panels/length_row.h"
+#include "panels/panels.h"
+#include "panels/summary.h"
+#include "widgets/buttons.h"
+#include "widgets/cards.h"
+#include "widgets/fields.h"
+#include "widgets/text.h"
+
+namespace evenlift::view {
+namespace {
+
+constexpr LengthRow height{Setting::com_height, "Height of C",
+                           "Height of the centre of mass above the plane in which the robots lift",
+                           "Height of the centre of mass"};
+constexpr LengthRow uneven{Setting::uneven, "Uneven by",
+                           "How much the ground, or a robot's height, is off at most",
+                           "Unevenness of the ground"};
+
+// A ratio that goes up and down by a fixed step.
+struct RatioRow {
+  double Carrying::*member;
+  Setting setting;
+  double step;
+  const char *id, *label, *about, *spoken;
+  std::string (*text)(double value);
+};
+const RatioRow ratios[] = {
+    {&Carrying::slope, Setting::slope, 0.01, "slope", "Slope",
+     "Greatest slope of the ground in any direction; type 8%, 4.6deg or 0.08",
+     "Greatest slope of the ground", slope_in_words},
+    {&Carrying::acceleration, Setting::acceleration, 0.05, "acceleration", "Braked at",
+     "Greatest horizontal acceleration in any direction, in g", "Greatest acceleration, in g",
+     [](double value) { return plain(value) + "\u00A0g"; }},
+};
+
+void draw_ratio(const Ui& ui, const RatioRow& row) {
+  Carrying changed = shown(ui.state).carrying;
+  double& value = changed.*row.member;
+  const SettingRange& range = row_of(row.setting).range;
+  const int by = stepper(ui, row.id, row.text(value), labelled(ui, row.label, row.about),
+                         {.can_lower = value > range.least,
+                          .can_raise = value < range.most,
+                          .label = row.spoken,
+                          .setting = row.id,
+                          .exact = shortest(value)});
+  if (by == 0) return;
+  const double steps = std::round(1 / row.step);
+  value = std::clamp((std::round(value * steps) + by) / steps, range.least, range.most);
+  ui.push(showing(ui.state, &Shown::carrying, changed));
+}
+
+// A value that need not be given.
+struct OptionalRow {
+  std::optional<double> Carrying::*member;
+  const char *id, *label, *about, *spoken, *without, *unset;
+  std::string (*text)(const AppState& state, double value);
+};
+const OptionalRow give{&Carrying::give,
+                       "give",
+                       "Robots give way",
+                       "By how much a robot gives way under its mean load: its springs, tyres or "
+                       "rubber. It decides what uneven ground does",
+                       "Length by which a robot gives way",
+                       "not known",
+                       "Not known",
+                       [](const AppState& state, double value) {
+                         return with_length_unit(plain(value), shown(state).units);
+                       }};
+const OptionalRow extra{&Carrying::extra,
+                        "extra",
+                        "Another load",
+                        "A weight that somebody may put anywhere, such as a person or a box",
+                        "Weight of another load",
+                        "none",
+                        "None",
+                        [](const AppState& state, double value) {
+                          return given_weight(value, shown(state).units);
+                        }};
+
+void draw_optional(const Ui& ui, const OptionalRow& row) {
+  Carrying changed = shown(ui.state).carrying;
+  std::optional<double>& value = changed.*row.member;
+  const float width = labelled(ui, row.label, row.about), clear = ui.control();
+  if (!value) return text_field(ui, row.id, row.spoken, row.id, row.without, width);
+  const int by = stepper(ui, row.id, row.text(ui.state, *value), width - clear - 4,
+                         {.can_lower = *value > 1e-3,
+                          .can_raise = *value < 1e9,
+                          .label = row.spoken,
+                          .setting = row.id,
+                          .exact = shortest(*value)});
+  ImGui::SameLine(0, 4);
+  const std::string id = std::string("no ") + row.id;
+  const bool unsets = icon_button(ui, id.c_str(), Icon::close, true, row.unset, clear);
+  if (!unsets && by == 0) return;
+  value = unsets ? std::nullopt : std::optional(stepped(*value, by));
+  ui.push(showing(ui.state, &Shown::carrying, changed));
+}
+
+// Shows or hides one of the two overlays that explain these numbers.
+void draw_show(const Ui& ui, bool Overlays::*overlay, ActionId toggle, const char* show,
+               const char* hide) {
+  const bool on = shown(ui.state).overlays.*overlay;
+  if (flat_button(ui, show, on ? hide : show, ImGui::GetContentRegionAvail().x))
+    action(toggle).run(ui.state, ui.commands);
+}
+
+void draw_rows(const Ui& ui) {
+  const Carrying& now = shown(ui.state).carrying;
+  draw_length(ui, height);
+  for (const RatioRow& row : ratios) draw_ratio(ui, row);
+  draw_length(ui, uneven);
+  draw_optional(ui, give);
+  draw_optional(ui, extra);
+  const std::string words = carrying_words(ui.state);
+  if (!words.empty()) text_block(Face::label, ui.theme.second_text, words);
+  if (now.com_height > 0)
+    draw_show(ui, &Overlays::tilt, ActionId::toggle_tilt, "Show the slopes", "Hide the slopes");
+  if (now.extra)
+    draw_show(ui, &Overlays::load, ActionId::toggle_load, "Show where it may stand",
+              "Hide where it may stand");
+}
+
+}  // namespace
+
+void draw_carrying(const Ui& ui) {
+  const bool open = ui.state.view.carrying_open;
+  const float head = ImGui::GetCursorPosY();
+  if (flat_button(ui, "carrying", open ? "Hide slopes and starts" : "Slopes, starts, another load",
+                  ImGui::GetContentRegionAvail().x))
+    ui.push(SetSectionOpen{&ViewState::carrying_open, !open});
+  if (open) draw_rows(ui);
+  show_opened(ui, "carrying is open", open, head);
+}
+
+}  // namespace evenlift::view
