@@ -10,6 +10,7 @@
 #include "canvas/walkthrough_figures.h"
 #include "evenlift/output/words.h"
 #include "marks/boxed_text.h"
+#include "marks/carrying.h"
 #include "marks/load_labels.h"
 #include "marks/stands.h"
 #include "marks/walkthrough_robots.h"
@@ -212,10 +213,11 @@ void draw_choices(const Painter& painter, const CanvasView& view, double reach,
 
 namespace {
 
-// The forces that tip are known once the last lifting base is.
-bool shows_heat(const CanvasView& view) {
+// The forces and slopes that tip, and where a further load may stand, are known once the last lifting
+// base is.
+bool knows_base(const CanvasView& view) {
   const StepKind kind = view.state.view.walkthrough.detail.step.kind;
-  return view.scene.shows_heat() && (kind == StepKind::coverage || kind == StepKind::result);
+  return kind == StepKind::coverage || kind == StepKind::result;
 }
 
 // The step's figures, over everything known so far.
@@ -250,13 +252,15 @@ void draw_walkthrough(const Painter& painter, const CanvasView& view) {
       scene.triangles.empty() ? painter.rows(placement.vertices(), scene.holes) : RowFill{};
   painter.fill(scene.corners, scene.triangles, view.theme.object);
   painter.fill(rows, view.theme.object);
-  const bool heat = shows_heat(view);
+  const bool knows = knows_base(view), heat = knows && scene.shows_heat();
   if (heat) painter.heat(scene.heat, rows, view.theme);
+  if (knows) draw_load_region(painter, view);
   if (walk.base.size() >= 3 && shows_step && !heat)
     painter.fill_around(scene.holes, walk.base, view.theme.hull);
   painter.outlines(placement.vertices(), scene.holes, view.theme.object_outline, 2);
   if (walk.known.stands) draw_unusable(painter, placement, view.theme);
   if (shows_step) draw_step(painter, view);
+  if (knows) draw_tilt(painter, view);
   if (walk.asked) draw_chord(painter, *walk.asked, view.theme.amber_on_object, 4);
   draw_wrong_guess(painter, view);
   draw_asked_places(painter, view);

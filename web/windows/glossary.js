@@ -82,7 +82,7 @@ const words = [
     "Skew load",
     "The load beyond the plan that a robot carries because heights or stiffness are unequal. The loads at worst are its extreme: the greatest load that each robot can get as long as the object stays up. They follow from equilibrium alone, so they also bound the loads under an object that bends.",
   ],
-  ["Team", "Two robots, one at each end of a chord. The two discs of a team have the same number."],
+  ["Team", "Two robots, one at each end of a chord. The lines beside the two discs of a team are the same: as many as the team's number, and a broad one counts five."],
   [
     "Tipping",
     "A downward press outside the lifting base tips the object if the press is strong enough. The colours show the force needed at each point.",
@@ -90,6 +90,10 @@ const words = [
   [
     "Tipping distance",
     "The distance that C may be off before the object tips, if the conditions given under Coverage are met. It is the radius of the dashed circle about C. The ring that you can drag shows the C uncertainty: the true C lies inside the ring. Riggers call the area inside the ring the CoG envelope (CoG: centre of gravity).",
+  ],
+  [
+    "Zero moment point",
+    "The point of the plane of the lifting points at which weight and inertia act together. On level ground, at rest, it is C. On a slope it lies downhill of C by the height of C times the slope; while the object is braked, it lies ahead of C by the height of C times the deceleration in g. The object tips when it leaves the lifting base.",
   ],
 ];
 
