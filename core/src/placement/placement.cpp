@@ -309,13 +309,15 @@ Placement with_choice(Placement placement, std::vector<std::uint32_t> candidates
 }
 
 Placement with_failure(Placement placement, std::size_t robot) {
-  const std::optional<SpringLoads> springs = springs_without(placement, robot);
+  const auto ranges = ranges_without(placement, robot, {});
   std::vector<LiftingPoint> others = lifting_points(placement.teams);
-  take_loads(placement, springs ? springs->loads : std::vector<double>(others.size(), 0));
+  std::vector<double> loads(others.size(), 0);
+  for (std::size_t i = 0; ranges && i < loads.size(); ++i) loads[i] = (*ranges)[i].greatest;
+  take_loads(placement, loads);
   others.erase(others.begin() + static_cast<std::ptrdiff_t>(robot));
   describe_grasp(placement, others);
   placement.loads.reset();
-  if (springs)
+  if (ranges)
     placement.loads = summarize_others(placement, robot);
   else
     placement.coverage = 0;
