@@ -11,6 +11,7 @@
 #include "state/effects.h"
 #include "state/opened.h"
 #include "state/state.h"
+#include "state/view_state.h"
 
 namespace evenlift::view {
 

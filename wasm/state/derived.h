@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "evenlift/capacity.h"
+#include "evenlift/extra_load.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/placement.h"
 #include "evenlift/trace.h"
