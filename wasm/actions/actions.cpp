@@ -188,7 +188,7 @@ void type_edge(const AppState& s, Commands& out) {
   out.push_back(TypeValue{"edge length"});
 }
 void type_uncertainty(const AppState& s, Commands& out) {
-  out.push_back(SetSectionOpen{&ViewState::more_open, true});
+  out.push_back(SetSectionOpen{&View::more_open, true});
   type_value<typed_uncertainty>(s, out);
 }
 
@@ -306,7 +306,7 @@ const std::vector<Action> table = {
     {ActionId::type_ratio, Group::teams, Icon::none, "Type the minimum load ratio", "Shift+R", {{"R"}}, when::editing, type_value<typed_ratio>},
     {ActionId::type_weight, Group::teams, Icon::none, "Type the weight", "Y", {{"y"}}, when::editing, type_value<typed_weight>},
     {ActionId::type_robot, Group::teams, Icon::none, "Type the radius of a robot", "Shift+H", {{"H"}}, when::editing,
-     [](const AppState& s, Commands& out) { out.push_back(SetSectionOpen{&ViewState::robot_open, true}); type_value<typed_radius>(s, out); }},
+     [](const AppState& s, Commands& out) { out.push_back(SetSectionOpen{&View::robot_open, true}); type_value<typed_radius>(s, out); }},
     {ActionId::type_capacity, Group::teams, Icon::none, "Type the capacity of a robot", "Shift+Y", {{"Y"}}, when::editing, type_value<typed_capacity>},
     {ActionId::type_uncertainty, Group::teams, Icon::none, "Type the C uncertainty", "Shift+E", {{"E"}}, when::editing, type_uncertainty},
     {ActionId::type_seed, Group::teams, Icon::none, "Type the seed of random teams", "Shift+U", {{"U"}}, when::is_random, type_value<typed_seed>},

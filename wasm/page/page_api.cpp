@@ -291,7 +291,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_draft() {
 
 // The polygon that is being drawn, as text for storage; and back.
 EMSCRIPTEN_KEEPALIVE const char* page_drawing() {
-  const evenlift::view::ViewState& view = app().state.view;
+  const evenlift::view::View& view = app().state.view;
   return hand_over(drawing_text(view.drawing, view.tool == Tool::hole));
 }
 EMSCRIPTEN_KEEPALIVE void page_resume_drawing(const char* text) {

@@ -135,7 +135,7 @@ void draw_carrying(const Ui& ui) {
   const float head = ImGui::GetCursorPosY();
   if (flat_button(ui, "carrying", open ? "Hide slopes and starts" : "Slopes, starts, another load",
                   ImGui::GetContentRegionAvail().x))
-    ui.push(SetSectionOpen{&ViewState::carrying_open, !open});
+    ui.push(SetSectionOpen{&View::carrying_open, !open});
   if (open) draw_rows(ui);
   show_opened(ui, "carrying is open", open, head);
 }

@@ -130,7 +130,7 @@ void draw_more(const Ui& ui) {
   const float head = ImGui::GetCursorPosY();
   if (flat_button(ui, "more settings", open ? "Fewer settings" : "More settings",
                   ImGui::GetContentRegionAvail().x))
-    ui.push(SetSectionOpen{&ViewState::more_open, !open});
+    ui.push(SetSectionOpen{&View::more_open, !open});
   if (open) draw_rows(ui);
   show_opened(ui, "more settings are open", open, head);
 }

@@ -99,7 +99,7 @@ void draw_robot_size(const Ui& ui) {
                       : open ? "Hide the robots' size"
                              : "Robots' size and no-go edges";
   if (flat_button(ui, "robot size", label, ImGui::GetContentRegionAvail().x, useful))
-    ui.push(SetSectionOpen{&ViewState::robot_open, !open});
+    ui.push(SetSectionOpen{&View::robot_open, !open});
   if (open) draw_size_rows(ui);
   show_opened(ui, "robot size is open", open, head);
 }

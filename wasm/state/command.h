@@ -221,7 +221,7 @@ struct SetPanelOpen {
 };
 // Opens or closes a section of the settings.
 struct SetSectionOpen {
-  bool ViewState::*section;
+  bool View::*section;
   bool open;
 };
 // A stroke of the brush that begins on a no-go part erases; any other marks.

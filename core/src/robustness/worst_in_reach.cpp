@@ -17,7 +17,7 @@ Vec2 nearest_to_origin(const Points& hull) {
   Vec2 nearest = hull.front();
   for (std::size_t i = 0; i < h; ++i) {
     const Vec2 &a = hull[i], along = hull[(i + 1) % h] - a;
-    inside = inside && cross(along, -a) >= 0;
+    inside = inside && cross(along, -a) > 0;
     const double square = dot(along, along);
     const double part = square > 0 ? std::clamp(dot(along, -a) / square, 0.0, 1.0) : 0;
     const Vec2 point = a + part * along;
