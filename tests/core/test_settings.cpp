@@ -291,7 +291,7 @@ TEST_CASE("what each setting may be is said as ever", "[settings]") {
       {Setting::weight, "the weight must be a number greater than 0, from 1e-100 to 1e100"},
       {Setting::seed, "the seed must be a whole number from 0 to 18446744073709551615"},
       {Setting::overlays,
-       "the overlays must be none or some of candidates, chords, hull, clockwise, counterclockwise, tipping and halo"},
+       "the overlays must be none or some of candidates, chords, hull, clockwise, counterclockwise, tipping, halo, tilt and load"},
       {Setting::step, "the step must be a whole number from 0 to 4294967295, or none"},
       {Setting::capacity,
        "the capacity of a robot must be a number greater than 0, from 1e-100 to 1e100, or none"},
@@ -324,6 +324,15 @@ TEST_CASE("what each setting may be is said as ever", "[settings]") {
        "the capacities of the supports must be a number greater than 0, or none, for each support, such as 30,none,40; or nothing"},
       {Setting::cargo,
        "the cargo must be 1 to 1000 loads X,Y:W with spaces between them, such as 8,8:24 2,3:1.5, each perhaps with its name as X,Y:W:NAME; or none"},
+      {Setting::com_height, "the height of the centre of mass must be a number from 0 to 1000000000"},
+      {Setting::slope,
+       "the slope must be a ratio from 0 to 1, a percentage such as 8%, or an angle such as 4.6deg"},
+      {Setting::acceleration, "the acceleration must be a number from 0 to 10"},
+      {Setting::give,
+       "how far a robot gives way must be a number greater than 0, from 1e-100 to 1000000000, or none"},
+      {Setting::uneven, "how uneven the ground is must be a number from 0 to 1000000000"},
+      {Setting::extra,
+       "the extra weight must be a number greater than 0, from 1e-100 to 1e100, or none"},
   };
   CHECK(std::size(sentences) == all_settings().size());
   for (const auto& [setting, sentence] : sentences) CHECK(requirement(setting) == sentence);

@@ -56,7 +56,8 @@ TEST_CASE("the JSON of a placement has cli.md's shape", "[json]") {
                                    "teams",        "robots",         "hull",
                                    "coverage",     "loads",          "closure",
                                    "goal",         "goal_reached",   "stands",
-                                   "verdict",      "clear",          "robustness"});
+                                   "verdict",      "clear",          "robustness",
+                                   "tilt"});
     const ordered_json full = ordered_json::parse(placement_json(placement, true));
     CHECK(full.contains("candidates"));
     CHECK(names_in(full["teams"][0]) == Names{"ends", "ratio", "loads"});

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "evenlift/output/json.h"
+#include "evenlift/output/carrying_words.h"
 #include "evenlift/output/robustness_words.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"

@@ -178,8 +178,9 @@ Description described_records() {
 }
 
 bool is_of_no_setting(int record) {
-  return record == tag::units || record == tag::holes || record == tag::halo ||
-         record == tag::moved;
+  for (const int other : {tag::units, tag::holes, tag::halo, tag::moved, tag::tilt, tag::load})
+    if (record == other) return true;
+  return false;
 }
 
 void check_reserved(const SettingRow& row, int number, const std::string& name) {

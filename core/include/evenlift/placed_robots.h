@@ -88,6 +88,10 @@ Robustness robustness(const Placement& placement);
 // C is 0. O(m log m).
 std::optional<Tilt> tilt_of(const ShownPlacement& of);
 
+// Whether the weight may act outside the lifting base, by more than the tolerance (tau L), under the
+// given conditions. False without robots. O(h).
+bool tips_in_doubt(const ShownPlacement& of);
+
 // The effect of each single failure, in the order of the robots; failures.h states the cost.
 std::vector<std::optional<RestOfRobots>> single_failures(const Placement& placement,
                                                          const Doubt& doubt = {});

@@ -80,6 +80,7 @@ constexpr SettingRow::Access slope_as_text() {
   access.read = [](std::string_view text, const SettingRange& range, Document& document) {
     return read_slope(text, range, document.shown.carrying.slope);
   };
+  access.kind = nullptr;  // its row has a rule
   return access;
 }
 

@@ -158,6 +158,15 @@ Robustness robustness(const Placement& placement) {
           failures_steady(robots, centre, size, hold_requirements(placement).clear)};
 }
 
+bool tips_in_doubt(const ShownPlacement& of) {
+  const Placement& placement = of.placement;
+  const double size = diameter(placement);
+  return !placement.teams.empty() &&
+         doubt_of(of.shown).reach >
+             tipping_distance(placement.lifting_base, placement.centre_of_mass, size) +
+                 near_distance(size);
+}
+
 std::optional<Tilt> tilt_of(const ShownPlacement& of) {
   if (of.placement.teams.empty()) return std::nullopt;
   const double size = diameter(of.placement);

@@ -17,9 +17,10 @@ using Value = std::optional<double>;
 
 bool has_robots(const ShownPlacement& of) { return !of.placement.teams.empty(); }
 
-// The planned loads, under all conditions that are given. Nothing if the object falls.
+// The planned loads, under all conditions that are given. Nothing if the object falls, or tips
+// under these conditions.
 std::optional<std::vector<LoadRange>> loads_of(const ShownPlacement& of) {
-  if (!of.placement.loads) return std::nullopt;
+  if (!of.placement.loads || tips_in_doubt(of)) return std::nullopt;
   return loads_in_doubt(of);
 }
 
