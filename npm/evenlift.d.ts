@@ -11,7 +11,8 @@ export type Goal = "cover" | "hold";
 export type Positions = "best" | "range";
 export type LengthUnit = "m" | "cm" | "mm" | "in";
 export type WeightUnit = "kg" | "t" | "N" | "lb";
-export type Overlay = "candidates" | "chords" | "hull" | "clockwise" | "counterclockwise" | "tipping" | "halo" | "tilt" | "load";
+export type Overlay =
+  "candidates" | "chords" | "hull" | "clockwise" | "counterclockwise" | "tipping" | "halo" | "tilt" | "load";
 
 /** A load that is fixed to the object, at its own centre of mass. */
 export interface Cargo {
@@ -85,7 +86,7 @@ export interface Settings {
   give?: number | "none";
   /** How much the ground, or a robot's height, is off at most. */
   uneven?: number;
-  /** A weight that somebody may put anywhere. */
+  /** A further weight, such as a person. */
   extra?: number | "none";
   /** The unit of coordinates and distances: a label, which changes no number. Default `"none"`. */
   unit?: LengthUnit | "none";
@@ -329,7 +330,10 @@ export interface Placement {
   /** If `requested_teams` differs from the setting: `"max"`, or for balanced robots the number of teams for the other methods. */
   teams_asked?: number | "max";
   /** Only for a link with overlays that are not the default. */
-  overlays?: Record<"candidates" | "chords" | "hull" | "clockwise" | "counterclockwise" | "tipping" | "halo" | "tilt" | "load", boolean>;
+  overlays?: Record<
+    "candidates" | "chords" | "hull" | "clockwise" | "counterclockwise" | "tipping" | "halo" | "tilt" | "load",
+    boolean
+  >;
   /** The following three exist only if robots have a size, or there are no-go edges. */
   robot?: { radius: number; reach: number; depth: number; width: number; gap: number };
   no_go?: string;

@@ -29,10 +29,10 @@ const char* heading(LoadModel model) {
 std::string yes_or_no(bool value) { return value ? "yes" : "no"; }
 
 Row failure_row(std::size_t robot, std::size_t team, const std::optional<RestOfRobots>& rest,
-                double largest, bool with_doubt) {
+                double largest, bool with_disturbance) {
   Row row = {std::to_string(robot + 1), std::to_string(team + 1), yes_or_no(rest.has_value())};
   if (!rest) {
-    row.resize(with_doubt ? 12 : 10, "-");
+    row.resize(with_disturbance ? 12 : 10, "-");
     return row;
   }
   const double distance = rest->tipping_distance;
@@ -42,7 +42,7 @@ Row failure_row(std::size_t robot, std::size_t team, const std::optional<RestOfR
         rest->greatest_by_plan ? amount(*rest->greatest_by_plan, largest) : std::string("-"),
         amount(rest->greatest_by_springs, largest), amount(rest->least_greatest, largest)})
     row.push_back(cell);
-  if (!with_doubt) return row;
+  if (!with_disturbance) return row;
   row.push_back(amount(rest->greatest_end, largest));
   row.push_back(yes_or_no(rest->stays));
   return row;
@@ -57,11 +57,11 @@ void RobustnessOptions::declare(CommandLine& line) {
 }
 
 RobustnessAsked::RobustnessAsked(const RobustnessOptions& options, const Shown& shown)
-    : doubt(doubt_of(shown)), failures(options.failures) {
+    : disturbance(disturbance_of(shown)), failures(options.failures) {
   if (options.loads) model = loads_option(*options.loads);
-  if (doubt.any() && !has_ranges(model))
+  if (disturbance.any() && !has_ranges(model))
     throw Failure{bad_input_status, "--loads",
-                  doubt_in_words(shown) +
+                  disturbance_in_words(shown) +
                       ", only plan and springs can be shown; choose one of them, or leave out "
                       "these conditions"};
 }
@@ -70,15 +70,14 @@ RobustnessKnown::RobustnessKnown(const Placement& placement, const RobustnessAsk
     : asked(wanted) {
   if (placement.teams.empty()) return;
   robustness = evenlift::robustness(placement);
-  if (asked.model != LoadModel::plan || asked.doubt.any())
-    models = model_loads(placement, asked.doubt);
-  if (asked.failures) failures = single_failures(placement, asked.doubt);
+  if (asked.model != LoadModel::plan || asked.disturbance.any())
+    models = model_loads(placement, asked.disturbance);
+  if (asked.failures) failures = single_failures(placement, asked.disturbance);
 }
 
 ShownLoads shown_loads(const Placement& placement, const RobustnessKnown& known) {
   const LoadModel model = known.models ? known.asked.model : LoadModel::plan;
-  ShownLoads shown{
-      heading(model), {}, {}, loads_by(model, placement, known.models)};
+  ShownLoads shown{heading(model), {}, {}, loads_by(model, placement, known.models)};
   for (const LoadRange& range : shown.ranges) shown.greatest.push_back(range.greatest);
   const double largest = *std::max_element(shown.greatest.begin(), shown.greatest.end());
   for (const LoadRange& range : shown.ranges)
@@ -93,13 +92,13 @@ std::string robustness_lines(const ShownPlacement& of, const RobustnessKnown& kn
   std::string text;
   if (known.models && asked.model != LoadModel::plan)
     text += model_in_words(asked.model, *known.models, units) + "\n";
-  if (known.models && asked.doubt.any()) {
+  if (known.models && asked.disturbance.any()) {
     text += uncertainty_in_words(*known.models, known.robustness, of.shown);
     if (has_capacities(of)) text += " " + uncertainty_for_capacity_in_words(*known.models, of);
     text += "\n";
   }
   // A C uncertainty that alone can tip the object is in the sentence above.
-  if (asked.doubt.reach > of.shown.com_radius) {
+  if (asked.disturbance.reach > of.shown.com_radius) {
     const std::string tips = tipping_in_words(known.robustness, of);
     if (!tips.empty()) text += tips + "\n";
   }
@@ -118,18 +117,17 @@ std::string failure_table(const ShownPlacement& of, const RobustnessKnown& known
   const std::vector<bool> overloads = overloads_after(of, known.failures);
   double largest = 0;
   for (const auto& rest : known.failures)
-    if (rest)
-      largest = std::max({largest, rest->greatest_by_plan.value_or(0), rest->greatest_end});
+    if (rest) largest = std::max({largest, rest->greatest_by_plan.value_or(0), rest->greatest_end});
   std::vector<Row> rows = {{"fails", "of team", "carried", "steady", "tipping distance", "coverage",
                             "form closure", "by plan", "springs", "best"}};
-  const bool with_doubt = known.asked.doubt.any();
-  if (with_doubt)
+  const bool with_disturbance = known.asked.disturbance.any();
+  if (with_disturbance)
     for (const char* heading : {"at most", "stays"}) rows[0].push_back(heading);
   if (has_capacities(of)) rows[0].push_back("overloaded");
   for (std::size_t robot = 0; robot < known.failures.size(); ++robot) {
     const std::optional<RestOfRobots>& rest = known.failures[robot];
     rows.push_back(failure_row(robot, find_robot(of.placement.teams, robot).team, rest, largest,
-                               with_doubt));
+                               with_disturbance));
     if (has_capacities(of)) rows.back().push_back(overloads[robot] ? "yes" : "-");
   }
   return table(rows);

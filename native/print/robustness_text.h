@@ -20,13 +20,13 @@ struct RobustnessOptions {
   void declare(CommandLine& line);
 };
 
-// The values of these options, and the doubt of the document. Throws Failure with the option's
+// The values of these options, and the disturbance of the document. Throws Failure with the option's
 // name if a value is invalid.
 struct RobustnessAsked {
   RobustnessAsked(const RobustnessOptions& options, const Shown& shown);
 
   LoadModel model = LoadModel::plan;
-  Doubt doubt;
+  Disturbance disturbance;
   bool failures = false;
 };
 
@@ -43,13 +43,13 @@ struct RobustnessKnown {
 // The loads in the table.
 struct ShownLoads {
   std::string heading;
-  std::vector<std::string> text;  // ranges if there is doubt, otherwise single numbers
+  std::vector<std::string> text;  // ranges if there is a disturbance, otherwise single numbers
   std::vector<double> greatest;   // of the range, or the number itself
   std::vector<LoadRange> ranges;
 };
 ShownLoads shown_loads(const Placement& placement, const RobustnessKnown& known);
 
-// The requested sentences about loads, doubt, slopes, a further load and failures, one per line.
+// The requested sentences about loads, disturbance, slopes, a further load and failures, one per line.
 std::string robustness_lines(const ShownPlacement& of, const RobustnessKnown& known);
 
 // The effect of each robot's failure, one row per robot; empty if not requested.

@@ -42,7 +42,8 @@ void resume_drawing(AppState& state, std::string_view text) {
   for (const Vec2& p : kept->points) commands.push_back(AddPoint{p});
   apply(state, commands);
   const auto again = read_drawing(drawing_text(state.view.drawing, kept->is_hole));
-  fuzz::require(again.has_value() && testing::same_vertices(again->points, state.view.drawing.points));
+  fuzz::require(again.has_value() &&
+                testing::same_vertices(again->points, state.view.drawing.points));
 }
 
 // As page_keep() does it.

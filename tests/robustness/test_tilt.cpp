@@ -93,7 +93,8 @@ TEST_CASE("slopes are ratios, percentages or angles", "[tilt][settings]") {
   CHECK(read("45deg") == 1.0);
   CHECK(read("4.6deg").value() == Approx(std::tan(4.6 * pi / 180)).epsilon(1e-14));
   CHECK(read("0deg") == 0.0);
-  for (const char* wrong : {"8", "101%", "45.1deg", "90deg", "-1%", "-1deg", "%", "deg", "8 %", "x"})
+  for (const char* wrong :
+       {"8", "101%", "45.1deg", "90deg", "-1%", "-1deg", "%", "deg", "8 %", "x"})
     CHECK_FALSE(read(wrong));
   for (const double degrees : {0.0, 1e-9, 10.0, 30.0, 45.0, 60.0, 89.9})
     CHECK(slope_degrees(slope_ratio(degrees)) == Approx(degrees).epsilon(1e-12));
@@ -121,7 +122,8 @@ TEST_CASE("where another load may stand", "[tilt][extra]") {
   CHECK_FALSE(extra_load({placement, document.shown}));
 }
 
-TEST_CASE("three robots at the corners bear any load on the triangle between them", "[tilt][extra]") {
+TEST_CASE("three robots at the corners bear any load on the triangle between them",
+          "[tilt][extra]") {
   Document document;
   document.vertices = {{0, 0}, {3, 0}, {0, 3}};
   document.settings.method = Method::given;
@@ -174,7 +176,8 @@ TEST_CASE("slopes and another load are told in sentences", "[tilt][words]") {
         "Another 50 kg may stand on 50 % of the object without lifting a robot off or overloading "
         "one, if all robots are equally stiff. Up to 33.3 kg may stand anywhere on it.");
   const ShownPlacement of{placement, document.shown};
-  CHECK(plainly(extra_here_in_words(50, {0.5, 0.5}, of).words) == "50 kg here: robots carry 37.5 kg");
+  CHECK(plainly(extra_here_in_words(50, {0.5, 0.5}, of).words) ==
+        "50 kg here: robots carry 37.5 kg");
   CHECK(extra_here_in_words(50, {0.5, 0.5}, of).is_fine);
   CHECK(plainly(extra_here_in_words(50, {0, 0}, of).words) ==
         "50 kg here: robots carry 12.5–62.5 kg · overloaded: robot 1");
@@ -186,7 +189,8 @@ TEST_CASE("a slope at which it tips can be required", "[tilt][requirements]") {
   Document document = square();
   const Placement placement = placed(document);
   const auto kept = [&](const char* condition) {
-    return check_conditions({placement, document.shown}, read_conditions(condition).value())[0].kept;
+    return check_conditions({placement, document.shown}, read_conditions(condition).value())[0]
+        .kept;
   };
   CHECK_FALSE(kept("tip>=1"));  // the height of C is not known
   document.shown.carrying.com_height = 1;

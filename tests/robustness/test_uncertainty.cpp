@@ -112,7 +112,8 @@ TEST_CASE("loads may change by what uneven heights and a tilt do", "[robustness]
   // A plane fits any heights of three robots, and of two at the ends of a line.
   const Points three{{0, 0}, {1, 0}, {0, 1}}, two{{0, 0.5}, {1, 0.5}};
   const Vec2 third(0.3, 0.3);
-  const auto of_three = spring_loads(three, third, 2, 100), of_two = spring_loads(two, middle, 2, 100);
+  const auto of_three = spring_loads(three, third, 2, 100),
+             of_two = spring_loads(two, middle, 2, 100);
   CHECK(load_changes(three, third, 2, 100, *of_three, {.uneven = 1}).by ==
         std::vector<double>{0, 0, 0});
   CHECK(load_changes(two, middle, 2, 100, *of_two, {.uneven = 1}).by == std::vector<double>{0, 0});
@@ -120,8 +121,7 @@ TEST_CASE("loads may change by what uneven heights and a tilt do", "[robustness]
   for (int i = 0; i < 6; ++i)
     hexagon.emplace_back(std::cos(i * std::acos(-1.0) / 3), std::sin(i * std::acos(-1.0) / 3));
   const auto of_six = spring_loads(hexagon, Vec2::Zero(), 2, 600);
-  for (const double by :
-       load_changes(hexagon, Vec2::Zero(), 2, 600, *of_six, {.uneven = 1}).by)
+  for (const double by : load_changes(hexagon, Vec2::Zero(), 2, 600, *of_six, {.uneven = 1}).by)
     CHECK(by == Approx(400.0 / 3));
 }
 

@@ -184,18 +184,18 @@ void Derivation::plan() {
 }
 
 void Derivation::tell_loads() {
-  const bool doubted = doubt_of(now_.shown) != doubt_of(before_.shown);
-  told_ |= robots_ || second_ || now_.load_model != before_.load_model || doubted || asks_anew();
-  if (robots_ || doubted) {
+  const bool disturbed = disturbance_of(now_.shown) != disturbance_of(before_.shown);
+  told_ |= robots_ || second_ || now_.load_model != before_.load_model || disturbed || asks_anew();
+  if (robots_ || disturbed) {
     facts_.failures.clear();
     facts_.failures_due = true;
   }
   if (robots_) {
     if (facts_.failure) fails_ = true;
     facts_.failure.reset();
-  } else if (doubted && facts_.failure) {
+  } else if (disturbed && facts_.failure) {
     facts_.failure->rest =
-        single_failure(*facts_.placement, facts_.failure->robot, doubt_of(now_.shown));
+        single_failure(*facts_.placement, facts_.failure->robot, disturbance_of(now_.shown));
   }
   if (told_) renew_outlooks(facts_, now_.load_model, now_.shown);
 }
@@ -211,7 +211,7 @@ void Derivation::search() {
 void Derivation::offer() {
   facts_.offer_due |= robots_ || now_.challenge != before_.challenge ||
                       now_.shown.capacity != before_.shown.capacity ||
-                      doubt_of(now_.shown) != doubt_of(before_.shown);
+                      disturbance_of(now_.shown) != disturbance_of(before_.shown);
   const bool shown = at_rest() && facts_.placement && facts_.placement->search_ended &&
                      !now_.shown.step && !state_.session.screen.embed && !now_.challenge;
   if (!facts_.offer_due) return;

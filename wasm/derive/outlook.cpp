@@ -14,10 +14,11 @@ double greatest_of(const std::vector<LoadRange>& loads) {
 }
 
 Outlook outlook_of(const Placement& placement, LoadModel model, const Shown& shown) {
-  const Doubt doubt = doubt_of(shown);
+  const Disturbance disturbance = disturbance_of(shown);
   Outlook outlook;
   outlook.robustness = robustness(placement);
-  if (model != LoadModel::plan || doubt.any()) outlook.models = model_loads(placement, doubt);
+  if (model != LoadModel::plan || disturbance.any())
+    outlook.models = model_loads(placement, disturbance);
   if (outlook.models) outlook.model = model;
   outlook.loads = loads_by(model, placement, outlook.models);
   outlook.greatest = greatest_of(outlook.loads);
@@ -30,11 +31,10 @@ Outlook outlook_of(const Placement& placement, const Failure& failure, const Sho
   Outlook outlook;
   outlook.model = LoadModel::springs;
   outlook.robustness.tipping_distance = failure.rest ? failure.rest->tipping_distance : 0;
-  const Doubt doubt = doubt_of(shown);
+  const Disturbance disturbance = disturbance_of(shown);
   const auto ranges =
-      doubt.any() ? ranges_without(placement, failure.robot, doubt) : std::nullopt;
-  outlook.loads =
-      ranges ? *ranges : loads_by(LoadModel::plan, failure.placement, std::nullopt);
+      disturbance.any() ? ranges_without(placement, failure.robot, disturbance) : std::nullopt;
+  outlook.loads = ranges ? *ranges : loads_by(LoadModel::plan, failure.placement, std::nullopt);
   outlook.greatest = greatest_of(outlook.loads);
   return outlook;
 }
@@ -50,8 +50,7 @@ void renew_outlooks(Derived& facts, LoadModel model, const Shown& shown) {
   if (!facts.placement) return;
   facts.outlook = outlook_of(*facts.placement, model, shown);
   facts.second_outlook = facts.second ? outlook_of(*facts.second, model, shown) : Outlook{};
-  if (facts.failure)
-    facts.failure->outlook = outlook_of(*facts.placement, *facts.failure, shown);
+  if (facts.failure) facts.failure->outlook = outlook_of(*facts.placement, *facts.failure, shown);
 }
 
 void renew_failures(Derived& facts, const Shown& shown, bool move) {
@@ -61,7 +60,7 @@ void renew_failures(Derived& facts, const Shown& shown, bool move) {
   facts.failures_due = false;
   facts.failures.clear();
   if (count_robots(placement.teams) <= most_failures_known)
-    facts.failures = single_failures(placement, doubt_of(shown));
+    facts.failures = single_failures(placement, disturbance_of(shown));
 }
 
 void let_fail(Derived& facts, std::size_t robot, const Shown& shown) {
@@ -69,10 +68,11 @@ void let_fail(Derived& facts, std::size_t robot, const Shown& shown) {
   const Placement& placement = *facts.placement;
   if (robot >= count_robots(placement.teams)) return;
   const bool known = robot < facts.failures.size();
-  Failure failure{robot,
-                  known ? facts.failures[robot] : single_failure(placement, robot, doubt_of(shown)),
-                  with_failure(placement, robot),
-                  {}};
+  Failure failure{
+      robot,
+      known ? facts.failures[robot] : single_failure(placement, robot, disturbance_of(shown)),
+      with_failure(placement, robot),
+      {}};
   failure.outlook = outlook_of(placement, failure, shown);
   facts.failure = std::move(failure);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "evenlift/angles.h"
 #include "evenlift/output/carrying_words.h"
 #include "marks/boxed_text.h"
 #include "ui/vec.h"
@@ -87,7 +88,8 @@ void draw_tilt(const Painter& painter, const CanvasView& view) {
     const std::string label = degrees_in_words(degrees);
     const ImVec2 text = text_size(Face::tiny, label);
     const ImVec2 low(at.x - text.x / 2, at.y - size - text.y / 2);
-    painter.list().AddRectFilled(ImVec2(low.x - 3, low.y), ImVec2(low.x + text.x + 3, low.y + text.y),
+    painter.list().AddRectFilled(ImVec2(low.x - 3, low.y),
+                                 ImVec2(low.x + text.x + 3, low.y + text.y),
                                  view.theme.panel.at(0.85f).packed(), 3);
     draw_text(painter.list(), Face::tiny, low, view.theme.text, label);
   }

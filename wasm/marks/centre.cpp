@@ -57,7 +57,7 @@ void draw_halo(const Painter& painter, const CanvasView& view) {
   const ImVec2 at = painter.at(centre_of_mass(state));
   // Where the weight may act: C is off, or the object is tilted or braked.
   const double margin = view.outlook().robustness.tipping_distance,
-               known = doubt_of(shown(state)).reach;
+               known = disturbance_of(shown(state)).reach;
   const auto in_pixels = [&](double length) {
     return static_cast<float>(std::min(length * view.camera.scale, 1e5));
   };

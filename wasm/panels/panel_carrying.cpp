@@ -74,16 +74,15 @@ const OptionalRow give{&Carrying::give,
                        [](const AppState& state, double value) {
                          return with_length_unit(plain(value), shown(state).units);
                        }};
-const OptionalRow extra{&Carrying::extra,
-                        "extra",
-                        "Another load",
-                        "A weight that somebody may put anywhere, such as a person or a box",
-                        "Weight of another load",
-                        "none",
-                        "None",
-                        [](const AppState& state, double value) {
-                          return given_weight(value, shown(state).units);
-                        }};
+const OptionalRow extra{
+    &Carrying::extra,
+    "extra",
+    "Another load",
+    "A further weight that may stand on the object, such as a person or a box",
+    "Weight of another load",
+    "none",
+    "None",
+    [](const AppState& state, double value) { return given_weight(value, shown(state).units); }};
 
 void draw_optional(const Ui& ui, const OptionalRow& row) {
   Carrying changed = shown(ui.state).carrying;

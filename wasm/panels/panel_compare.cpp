@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "evenlift/output/words.h"
-#include "panels/methods.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
 #include "ui/controls.h"
 #include "widgets/dropdown.h"
+#include "widgets/methods.h"
 #include "widgets/text.h"
 
 namespace evenlift::view {

@@ -114,7 +114,7 @@ void draw_rows(const Ui& ui) {
   }
   draw_model(ui);
   draw_length(ui, uncertainty);
-  if (doubt_of(shown(ui.state)).any()) draw_block(ui, uncertainty_words(ui.state), 5);
+  if (disturbance_of(shown(ui.state)).any()) draw_block(ui, uncertainty_words(ui.state), 5);
   draw_length(ui, clear);
   draw_units(ui);
   if (settings(ui.state).method == Method::given) draw_length(ui, snap);

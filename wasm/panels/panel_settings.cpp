@@ -6,7 +6,6 @@
 #include "actions/actions.h"
 #include "evenlift/numbers.h"
 #include "evenlift/output/words.h"
-#include "panels/methods.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
 #include "state/method.h"
@@ -14,6 +13,7 @@
 #include "widgets/buttons.h"
 #include "widgets/dropdown.h"
 #include "widgets/fields.h"
+#include "widgets/methods.h"
 #include "widgets/sliders.h"
 #include "widgets/text.h"
 

@@ -189,7 +189,7 @@ std::string model_words(const AppState& state) {
 
 std::string uncertainty_words(const AppState& state) {
   const std::optional<ModelLoads>& models = state.derived().outlook.models;
-  if (!models || !models->doubt.any()) return {};
+  if (!models || !models->disturbance.any()) return {};
   std::string text =
       uncertainty_in_words(*models, state.derived().outlook.robustness, shown(state));
   if (has_capacities(of(state)))
@@ -208,7 +208,7 @@ std::string carrying_words(const AppState& state) {
 
 Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest) {
   if (!rest) return Mood::falls;
-  return rest->clear && !overloads(of(state), rest) ? Mood::good : Mood::not_quite;
+  return rest->clear && rest->stays && !overloads(of(state), rest) ? Mood::good : Mood::not_quite;
 }
 
 std::string failure_words(const AppState& state, std::size_t robot) {
@@ -263,8 +263,7 @@ std::string summary(const AppState& state) {
   if (const Failure* failure = failing(state))
     return text + loads_while_failing(*failure, shown(state).units);
   for (const std::string& more :
-       {need_in_words(state), model_words(state), uncertainty_words(state),
-        carrying_words(state)})
+       {need_in_words(state), model_words(state), uncertainty_words(state), carrying_words(state)})
     if (!more.empty()) text += " " + more;
   const Placement& placement = *state.derived().placement;
   const Settings& settings = placement.settings;

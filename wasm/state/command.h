@@ -306,10 +306,10 @@ using AnyCommand = std::variant<
     CloseWalkthrough, GoToStep, MoveSteps, MoveChapters, SetPlaying, SetSpeed, SetPredict, Guess,
     PointAtChoice, AskWhy, Measure, HoverFigure, Explain, ShowInLesson, LeaveScript, ShowAllSteps,
     SetPresenting, SelectVertex, SetHover, SetHeld, SetCamera, FitView, ZoomView, SetPanelOpen,
-    SetSectionOpen, SetErases, ListIsOpen, CloseList, SetSheet, MeasureSheet,
-    MeasureNotice, CopyLink, TypeValue, OpenDialog, OpenPage, LayOutAgain, TakeRobots, ShowNotice,
-    EndNotice, SetCanvas, SetPreferences, SetTouch, CoverScreen, MakeRoom, LayPicture,
-    TakePictureAway, SetMeasuring, KeepMotion, KeepComparison, ForgetSteps, AddStep>;
+    SetSectionOpen, SetErases, ListIsOpen, CloseList, SetSheet, MeasureSheet, MeasureNotice,
+    CopyLink, TypeValue, OpenDialog, OpenPage, LayOutAgain, TakeRobots, ShowNotice, EndNotice,
+    SetCanvas, SetPreferences, SetTouch, CoverScreen, MakeRoom, LayPicture, TakePictureAway,
+    SetMeasuring, KeepMotion, KeepComparison, ForgetSteps, AddStep>;
 // One command of any kind. Its special members are compiled once (command.cpp): written out in every
 // file that makes a command, they were half of the time of compiling the panels.
 class Command {

@@ -27,7 +27,7 @@ struct Outlook {
   double greatest = 0;    // the greatest of these loads
   Robustness robustness;  // see placed_robots.h
   std::optional<ModelLoads>
-      models;  // only if the shown model is not the plan, or there is doubt
+      models;  // only if the shown model is not the plan, or there is a disturbance
   std::optional<ExtraLoad> extra;  // where a further load may stand, if one is asked about
 };
 

@@ -82,7 +82,10 @@ const words = [
     "Skew load",
     "The load beyond the plan that a robot carries because heights or stiffness are unequal. The loads at worst are its extreme: the greatest load that each robot can get as long as the object stays up. They follow from equilibrium alone, so they also bound the loads under an object that bends.",
   ],
-  ["Team", "Two robots, one at each end of a chord. The lines beside the two discs of a team are the same: as many as the team's number, and a broad one counts five."],
+  [
+    "Team",
+    "Two robots, one at each end of a chord. The lines beside the two discs of a team are the same: as many as the team's number, and a broad one counts five.",
+  ],
   [
     "Tipping",
     "A downward press outside the lifting base tips the object if the press is strong enough. The colours show the force needed at each point.",

@@ -16,4 +16,9 @@ double cosine(double angle_rad);
 // rounds to -pi is returned as -pi. O(1).
 double arctangent2(double y, double x);
 
+// An angle in degrees, in [0, 90], from the ratio of a slope >= 0; and the ratio of an angle in
+// [0, 90), which is exactly 1 for 45. O(1).
+double slope_degrees(double ratio);
+double slope_ratio(double degrees);
+
 }  // namespace evenlift

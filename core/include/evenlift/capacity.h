@@ -42,7 +42,7 @@ std::vector<std::optional<double>> capacities_of(const ShownPlacement& of);
 std::optional<double> com_radius_within(const ShownPlacement& of, const ModelLoads& loads,
                                         const std::vector<std::optional<double>>& limits);
 
-// Whether a robot may carry more than its capacity after a failure, by springs and within the doubt
+// Whether a robot may carry more than its capacity after a failure, by springs and within the disturbance
 // of `rest`; false if the others do not carry the object. The second function does this for each failure. O(m), O(m^2).
 bool overloads(const ShownPlacement& of, const std::optional<RestOfRobots>& rest);
 std::vector<bool> overloads_after(const ShownPlacement& of,

@@ -203,15 +203,15 @@ struct Settings {
 // The conditions under which the object is carried. They change what loads may become and whether
 // it tips, but not where robots stand (tilt.h, extra_load.h).
 struct Carrying {
-  double com_height = 0;    // of C above the plane of the lifting points, 0 .. max_length
-  double slope = 0;         // greatest slope of the ground in any direction, as a ratio, 0 .. max_slope
-  double acceleration = 0;  // greatest horizontal acceleration in any direction, in g,
-                            // 0 .. max_acceleration
+  double com_height = 0;  // of C above the plane of the lifting points, 0 .. max_length
+  double slope = 0;  // greatest slope of the ground in any direction, as a ratio, 0 .. max_slope
+  double acceleration = 0;     // greatest horizontal acceleration in any direction, in g,
+                               // 0 .. max_acceleration
   std::optional<double> give;  // the length by which a robot gives way under the mean load,
                                // min_length .. max_length; none means that heights do not matter
   double uneven = 0;  // how much the ground, or a robot's height, is off at most, 0 .. max_length
-  std::optional<double> extra;  // a weight that somebody may put anywhere, such as a person or a
-                                // box, min_weight .. max_weight, in the weight's unit
+  std::optional<double> extra;  // a further weight that may stand on the object, such as a person
+                                // or a box, min_weight .. max_weight, in the weight's unit
   bool operator==(const Carrying&) const = default;
 };
 

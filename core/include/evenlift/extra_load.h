@@ -1,5 +1,4 @@
-// Where somebody may put a further load, such as a person or a box (tilt.md, Where a load may
-// stand).
+// Where a further load may stand, such as a person or a box.
 #pragma once
 
 #include <optional>
@@ -15,17 +14,18 @@ struct ExtraLoad {
   // The convex polygon, within the bounding box of the object, in which the load lifts no robot off
   // and overloads none; counter-clockwise, empty if there is no such place.
   Points region;
-  double share = 0;                // of the object's area (without holes) in the region
-  std::optional<double> anywhere;  // the greatest weight that may stand anywhere on the object; none
-                                   // means any weight
+  double share = 0;  // of the object's area (without holes) in the region
+  std::optional<double>
+      anywhere;  // the greatest weight that may stand anywhere on the object; none
+                 // means any weight
 };
 
 // For the weight that Carrying::extra asks about (document.h); nothing if it asks about none, if
 // there are no robots or if the object falls. It presumes equally stiff, level robots and a rigid
 // object: while all robots carry load, a weight w at q adds w (1/m + S^-1 (p_i - p) . (q - p)) to the
 // load of robot i, where p is the robots' centroid. The region is where each load minus its change
-// by the doubt (uncertainty.h) stays above 0, and each load plus that change within the capacity;
-// without doubt and capacities it is the kern, for W + w. If the robots stand on one line, there is
+// by the disturbance (uncertainty.h) stays above 0, and each load plus that change within the capacity;
+// without a disturbance and capacities it is the kern, for W + w. If the robots stand on one line, there is
 // no such place beside the line, so the region is empty. The height of the load itself is not
 // counted. O(m^2 + (m + n) h) for m robots and a region of h corners.
 std::optional<ExtraLoad> extra_load(const ShownPlacement& of);

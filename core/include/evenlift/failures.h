@@ -49,28 +49,29 @@ struct RestOfRobots {
                                            // equal part; none without another team
   double greatest_by_springs = 0, least_greatest = 0;  // see load_models.h: springs and best
   std::vector<double> springs;  // the load of each robot by springs; 0 for the failed one
-  std::vector<double> ends;     // the greatest load of each by springs within the doubt
-                                // (uncertainty.h); without doubt the same as springs
+  std::vector<double> ends;     // the greatest load of each by springs within the disturbance
+                                // (uncertainty.h); without a disturbance the same as springs
   double greatest_end = 0;      // of these
-  bool stays = false;            // the reach of the doubt is at most the tipping distance, within tolerance
+  bool stays =
+      true;  // the reach of the disturbance is at most the tipping distance, within tolerance
 };
 
 // The effect of each robot's failure, in the order of the robots; nothing where the rest does not
 // carry the object. The teams must be those of a placement on the polygon. `inside` is as for
-// failures_steady(), and the doubt as for load_changes() (uncertainty.h). For m robots O(n log n + m n + m^2 log m), O(h n + m h n') for the coverage
+// failures_steady(), and the disturbance as for load_changes() (uncertainty.h). For m robots O(n log n + m n + m^2 log m), O(h n + m h n') for the coverage
 // (stability.h), O(m^3) for the margin, and for the least greatest load O(m^4) up to 65 robots, or
 // O(m^2) for each of about a hundred steps.
 std::vector<std::optional<RestOfRobots>> single_failures(const PolygonWithHoles& object,
                                                          const Vec2& centre, double weight,
                                                          const std::vector<Team>& teams,
                                                          double inside = 0,
-                                                         const Doubt& doubt = {});
+                                                         const Disturbance& disturbance = {});
 
 // The effect of one robot's failure, numbered as in find_robot() (loads.h). A fraction 1/m of the
 // cost of single_failures(), plus O(n log n + h n).
 std::optional<RestOfRobots> single_failure(const PolygonWithHoles& object, const Vec2& centre,
                                            double weight, const std::vector<Team>& teams,
                                            std::size_t robot, double inside = 0,
-                                           const Doubt& doubt = {});
+                                           const Disturbance& disturbance = {});
 
 }  // namespace evenlift

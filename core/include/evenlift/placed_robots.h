@@ -45,19 +45,20 @@ bool loads_are_determined(const Placement& placement);
 // find places leave none. O(m log n + m^2).
 std::vector<Misfit> misfits(const Placement& placement);
 
-// The loads by the models of load_models.h, in the order of the robots, and by how much a doubt may
+// The loads by the models of load_models.h, in the order of the robots, and by how much a disturbance may
 // change them. Nothing if there are no teams, or if the object falls. O(m log m), and O(m^3) up to
-// 64 robots; with doubt O(m h), or O(m^2) if heights are off.
+// 64 robots; with a disturbance O(m h), or O(m^2) if heights are off.
 struct ModelLoads {
   SpringLoads springs;
   double best = 0;
   std::vector<double> worst;
-  Doubt doubt = {};
-  LoadChanges changes = {};  // because of the doubt; empty without doubt
+  Disturbance disturbance = {};
+  LoadChanges changes = {};  // because of the disturbance; empty without a disturbance
 };
-std::optional<ModelLoads> model_loads(const Placement& placement, const Doubt& doubt = {});
+std::optional<ModelLoads> model_loads(const Placement& placement,
+                                      const Disturbance& disturbance = {});
 
-// The load of each robot by a model, for display: a range if there is doubt and the model has ranges
+// The load of each robot by a model, for display: a range if there is a disturbance and the model has ranges
 // (uncertainty.h), otherwise one value. The model `best` yields only the greatest load, so every
 // robot gets that. Without `models` the loads are as planned. O(m).
 std::vector<LoadRange> loads_by(LoadModel model, const Placement& placement,
@@ -68,9 +69,9 @@ std::vector<LoadRange> loads_by(LoadModel model, const Placement& placement,
 bool may_let_go(LoadModel model, const Placement& placement,
                 const std::optional<ModelLoads>& models);
 
-// The planned loads, as ranges if a doubt is given: what verdicts, capacities and requirements
-// judge. O(m), with doubt as model_loads().
-std::vector<LoadRange> loads_in_doubt(const ShownPlacement& of);
+// The planned loads, as ranges if a disturbance is given: what verdicts, capacities and requirements
+// judge. O(m), with a disturbance as model_loads().
+std::vector<LoadRange> loads_when_disturbed(const ShownPlacement& of);
 
 // The failures and the error of C before the object tips or is no longer carried. failures.h
 // defines how failures are counted (-1 without robots), and uncertainty.h defines the tipping distance.
@@ -90,21 +91,21 @@ std::optional<Tilt> tilt_of(const ShownPlacement& of);
 
 // Whether the weight may act outside the lifting base, by more than the tolerance (tau L), under the
 // given conditions. False without robots. O(h).
-bool tips_in_doubt(const ShownPlacement& of);
+bool tips_when_disturbed(const ShownPlacement& of);
 
 // The effect of each single failure, in the order of the robots; failures.h states the cost.
 std::vector<std::optional<RestOfRobots>> single_failures(const Placement& placement,
-                                                         const Doubt& doubt = {});
+                                                         const Disturbance& disturbance = {});
 
 // The effect if this robot fails. Its number is as for find_robot() (loads.h).
 std::optional<RestOfRobots> single_failure(const Placement& placement, std::size_t robot,
-                                           const Doubt& doubt = {});
+                                           const Disturbance& disturbance = {});
 
-// The loads by springs if the robot with this number fails, as ranges if there is doubt. All robots
+// The loads by springs if the robot with this number fails, as ranges if there is a disturbance. All robots
 // are listed, the failed one with load 0. Nothing if the others do not carry the object. O(m log m);
-// with doubt as model_loads().
+// with a disturbance as model_loads().
 std::optional<std::vector<LoadRange>> ranges_without(const Placement& placement, std::size_t robot,
-                                                     const Doubt& doubt);
+                                                     const Disturbance& disturbance);
 
 // The ranges in which a team on the edges of this chord can stand, with the edge of r1 as edge a:
 // the range of the two edges, if they have one, or the parts of it that robots with a size can use

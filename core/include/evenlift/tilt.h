@@ -1,4 +1,4 @@
-// Slopes, starts, stops and uneven ground (tilt.md). All of it follows from the places of the
+// Slopes, starts, stops and uneven ground. All of it follows from the places of the
 // robots, C and the numbers of Carrying (document.h), and places no robot.
 //
 // On ground that slopes by the ratio k1, or with an acceleration of k2 g, the resultant of weight
@@ -17,14 +17,14 @@
 
 namespace evenlift {
 
-// The doubt that the settings com_radius, com_height, slope, acceleration, give and uneven express.
+// The disturbance that the settings com_radius, com_height, slope, acceleration, give and uneven express.
 // O(1).
-Doubt doubt_of(const Shown& shown);
+Disturbance disturbance_of(const Shown& shown);
 
 // When the object tips, in the worst direction.
 struct Tilt {
   double height = 0;        // h > 0
-  double reach = 0;         // Doubt::reach
+  double reach = 0;         // Disturbance::reach
   bool stays = false;       // the reach is at most the tipping distance, within tolerance (tau L)
   double slope = 0;         // the slope at which it tips, as a ratio, if nothing accelerates it
   double degrees = 0;       // the same slope, as an angle
@@ -44,10 +44,5 @@ double tipping_slope(const Points& hull, const Vec2& centre, const Vec2& directi
 
 // The angles in degrees, ascending, that pictures show as circles about C.
 inline constexpr double angles_of_tilt[] = {1, 2, 5, 10, 15, 20, 30, 45, 60};
-
-// An angle in degrees, in [0, 90], from the ratio of a slope >= 0; and the ratio of an angle in
-// [0, 90), which is exactly 1 for 45. O(1).
-double slope_degrees(double ratio);
-double slope_ratio(double degrees);
 
 }  // namespace evenlift

@@ -19,7 +19,7 @@ namespace evenlift {
 double tipping_distance(const Points& hull, const Vec2& centre, double diameter);
 
 // The conditions that are known only roughly.
-struct Doubt {
+struct Disturbance {
   double reach = 0;   // the weight acts anywhere within this distance of C, in units of length
   double uneven = 0;  // heights are off by at most this many times the length by which a robot
                       // gives way under the mean load
@@ -27,7 +27,7 @@ struct Doubt {
                       // acts along the ground
   // Whether loads are ranges. O(1).
   bool any() const { return reach > 0 || uneven > 0 || kept < 1; }
-  bool operator==(const Doubt&) const = default;
+  bool operator==(const Disturbance&) const = default;
 };
 
 struct LoadRange {
@@ -39,13 +39,14 @@ constexpr bool has_ranges(LoadModel model) {
   return model == LoadModel::plan || model == LoadModel::springs;
 }
 
-// By how much the loads of robots that give way like springs may differ because of a doubt.
+// By how much the loads of robots that give way like springs may differ because of a disturbance.
 struct LoadChanges {
-  double kept = 1;                 // of the doubt
-  bool others_may_carry = false;   // robots that carry nothing by springs may come to carry
-  std::vector<double> by;        // each load by at most this, as long as the same robots carry load
-  std::vector<double> at_worst;  // the greatest load that each can get whichever robots let go: as
-                                 // worst_loads() (load_models.h), with C anywhere within the reach
+  double kept = 1;                // of the disturbance
+  bool others_may_carry = false;  // robots that carry nothing by springs may come to carry
+  std::vector<double> by;  // each load by at most this, as long as the same robots carry load
+  std::vector<double>
+      at_worst;  // the greatest load that each can get whichever robots go slack: as
+                 // worst_loads() (load_models.h), with C anywhere within the reach
 };
 
 // For the same robots as `springs`. A height that is off changes the load of robot i by at most
@@ -53,16 +54,16 @@ struct LoadChanges {
 // A (A'A)^-1 A', with a row [1, x_j, y_j] of A for each of the robots that carry load. It is 0 for
 // three of them, if they are not on one line. O(m h), and O(m^2) if heights are off.
 LoadChanges load_changes(const Points& robots, const Vec2& centre, double diameter, double weight,
-                         const SpringLoads& springs, const Doubt& doubt);
+                         const SpringLoads& springs, const Disturbance& disturbance);
 
 // Whether other robots may come to carry the load: some of these loads may fall below 0 by more than
-// the tolerance (tau times the sum of the loads), so that the robot lets go, or others may come to
+// the tolerance (tau times the sum of the loads), so that the robot goes slack, or others may come to
 // carry. O(m).
 bool may_let_go(const std::vector<double>& loads, const LoadChanges& changes);
 
 // The loads of robots that are in equilibrium with `loads` and give way like springs: kept * load -
-// by .. load + by, and never less than 0. If a robot may let go, every greatest load is `at_worst`, which
-// holds whichever robots let go; the least loads presume that the other robots keep carrying. O(m).
+// by .. load + by, and never less than 0. If a robot may go slack, every greatest load is `at_worst`, which
+// holds whichever robots go slack; the least loads presume that the other robots keep carrying. O(m).
 std::vector<LoadRange> load_ranges(const std::vector<double>& loads, const LoadChanges& changes);
 
 // The greatest radius within which C may lie so that, by springs, no robot carries more than its

@@ -472,7 +472,7 @@ constexpr SettingRow rows[] = {
      .changes = Changes::shown,
      .range = {min_weight, max_weight, "none"},
      .option = {OptionGroup::uncertainty, "W",
-                "a weight that somebody may put anywhere, such as a person: where it may stand"},
+                "a further weight, such as a person: where it may stand"},
      .record = 27,
      .in_document = Listed::if_changed,
      .access = of<&Shown::carrying, &Carrying::extra>()},

@@ -1,7 +1,7 @@
 #include "document/slope_setting.h"
 
 #include "document/setting_values.h"
-#include "evenlift/tilt.h"
+#include "evenlift/angles.h"
 
 namespace evenlift {
 namespace {
@@ -12,7 +12,8 @@ struct Notation {
 };
 constexpr Notation notations[] = {
     {"%", [](double percent) { return percent / 100; }},
-    {"deg", [](double degrees) { return degrees >= 0 && degrees < 90 ? slope_ratio(degrees) : -1; }},
+    {"deg",
+     [](double degrees) { return degrees >= 0 && degrees < 90 ? slope_ratio(degrees) : -1; }},
     {"", [](double ratio) { return ratio; }},
 };
 

@@ -70,4 +70,12 @@ double arctangent2(double y, double x) {
   return y < 0 ? -angle : angle;
 }
 
+double slope_degrees(double ratio) { return arctangent2(ratio, 1) * (180 / pi); }
+
+double slope_ratio(double degrees) {
+  if (degrees == 45) return 1;
+  const double angle = degrees * (pi / 180);
+  return sine(angle) / cosine(angle);
+}
+
 }  // namespace evenlift

@@ -58,12 +58,8 @@ inline std::uint32_t overlay_mask(const Overlays& shown) {
 }
 
 inline Overlays overlays_of_mask(std::uint32_t mask, bool tipping) {
-  return {(mask & 1) != 0,
-          (mask & 2) != 0,
-          (mask & 4) != 0,
-          (mask & 8) != 0,
-          (mask & 16) != 0,
-          tipping};
+  return {(mask & 1) != 0, (mask & 2) != 0,  (mask & 4) != 0,
+          (mask & 8) != 0, (mask & 16) != 0, tipping};
 }
 
 template <class Coder>

@@ -175,7 +175,7 @@ std::optional<double> com_radius_within(const ShownPlacement& of, const ModelLoa
                                         const std::vector<std::optional<double>>& limits) {
   Shown other = of.shown;
   other.com_radius = 0;
-  const Doubt besides = doubt_of(other);
+  const Disturbance besides = disturbance_of(other);
   LoadChanges changes;
   if (besides.any())
     if (const auto models = model_loads(of.placement, besides)) changes = models->changes;

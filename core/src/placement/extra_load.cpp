@@ -38,7 +38,7 @@ Points part_above_0(const Points& ring, const Linear& function) {
 // The load of a robot, in parts of the weight that acts at q; and what it may carry besides.
 struct Bearing {
   Linear part;
-  double least_room = 0;     // its load by springs, minus its change by the doubt
+  double least_room = 0;            // its load by springs, minus its change by the disturbance
   double greatest_room = infinity;  // its capacity minus its load, minus that change
 };
 
@@ -69,7 +69,8 @@ class Lift {
   // The corners of the object's bounding box, counter-clockwise.
   Points box() const {
     const Box box = bounding_box(of_.placement.vertices());
-    return seen({box.low, Vec2(box.high.x(), box.low.y()), box.high, Vec2(box.low.x(), box.high.y())});
+    return seen(
+        {box.low, Vec2(box.high.x(), box.low.y()), box.high, Vec2(box.low.x(), box.high.y())});
   }
 
  private:
@@ -82,7 +83,7 @@ class Lift {
     for (const Bearing& bearing : bearings)
       springs.per_length.push_back(weight * (length(bearing.part.slope) / unit_));
     return load_changes(robots_, of_.placement.centre_of_mass, diameter(), weight, springs,
-                        doubt_of(of_.shown))
+                        disturbance_of(of_.shown))
         .by;
   }
 
@@ -156,8 +157,7 @@ std::optional<ExtraLoad> extra_load(const ShownPlacement& of) {
   }
   ExtraLoad extra{*weight, lift.corners(ring), 0, {}};
   if (!extra.region.empty()) extra.share = coverage(of.placement.object, extra.region);
-  extra.anywhere = weight_anywhere(
-      *bearings, lift.seen(convex_hull(of.placement.vertices(), 0)));
+  extra.anywhere = weight_anywhere(*bearings, lift.seen(convex_hull(of.placement.vertices(), 0)));
   return extra;
 }
 

@@ -100,7 +100,7 @@ std::vector<PlacedRobot> placed_robots(const Placement& placement) {
   return robots;
 }
 
-std::optional<ModelLoads> model_loads(const Placement& placement, const Doubt& doubt) {
+std::optional<ModelLoads> model_loads(const Placement& placement, const Disturbance& disturbance) {
   const Points robots = positions_of_all(placement);
   const Vec2& centre = placement.centre_of_mass;
   const double size = diameter(placement), weight = placement.weight();
@@ -108,8 +108,9 @@ std::optional<ModelLoads> model_loads(const Placement& placement, const Doubt& d
   const auto best = best_load(robots, centre, size, weight);
   const auto worst = worst_loads(robots, centre, size, weight);
   if (!springs || !best || !worst) return std::nullopt;
-  ModelLoads models{*springs, *best, *worst, doubt};
-  if (doubt.any()) models.changes = load_changes(robots, centre, size, weight, *springs, doubt);
+  ModelLoads models{*springs, *best, *worst, disturbance};
+  if (disturbance.any())
+    models.changes = load_changes(robots, centre, size, weight, *springs, disturbance);
   return models;
 }
 
@@ -117,20 +118,20 @@ std::vector<LoadRange> loads_by(LoadModel model, const Placement& placement,
                                 const std::optional<ModelLoads>& models) {
   if (!models) model = LoadModel::plan;
   const std::vector<double> loads = loads_of(model, placement, models);
-  if (models && has_ranges(model) && models->doubt.any())
+  if (models && has_ranges(model) && models->disturbance.any())
     return load_ranges(loads, models->changes);
   return single(loads);
 }
 
 bool may_let_go(LoadModel model, const Placement& placement,
                 const std::optional<ModelLoads>& models) {
-  return models && has_ranges(model) && models->doubt.any() &&
+  return models && has_ranges(model) && models->disturbance.any() &&
          evenlift::may_let_go(loads_of(model, placement, models), models->changes);
 }
 
-std::vector<LoadRange> loads_in_doubt(const ShownPlacement& of) {
-  const Doubt doubt = doubt_of(of.shown);
-  const auto models = doubt.any() ? model_loads(of.placement, doubt) : std::nullopt;
+std::vector<LoadRange> loads_when_disturbed(const ShownPlacement& of) {
+  const Disturbance disturbance = disturbance_of(of.shown);
+  const auto models = disturbance.any() ? model_loads(of.placement, disturbance) : std::nullopt;
   return loads_by(LoadModel::plan, of.placement, models);
 }
 
@@ -158,11 +159,11 @@ Robustness robustness(const Placement& placement) {
           failures_steady(robots, centre, size, hold_requirements(placement).clear)};
 }
 
-bool tips_in_doubt(const ShownPlacement& of) {
+bool tips_when_disturbed(const ShownPlacement& of) {
   const Placement& placement = of.placement;
   const double size = diameter(placement);
   return !placement.teams.empty() &&
-         doubt_of(of.shown).reach >
+         disturbance_of(of.shown).reach >
              tipping_distance(placement.lifting_base, placement.centre_of_mass, size) +
                  near_distance(size);
 }
@@ -170,27 +171,27 @@ bool tips_in_doubt(const ShownPlacement& of) {
 std::optional<Tilt> tilt_of(const ShownPlacement& of) {
   if (of.placement.teams.empty()) return std::nullopt;
   const double size = diameter(of.placement);
-  auto tilt = tilt_of(
-      of.shown,
-      tipping_distance(of.placement.lifting_base, of.placement.centre_of_mass, size), size);
+  auto tilt =
+      tilt_of(of.shown,
+              tipping_distance(of.placement.lifting_base, of.placement.centre_of_mass, size), size);
   if (tilt && !of.placement.loads) tilt->stays = false;  // it falls on level ground
   return tilt;
 }
 
 std::vector<std::optional<RestOfRobots>> single_failures(const Placement& placement,
-                                                         const Doubt& doubt) {
+                                                         const Disturbance& disturbance) {
   return single_failures(placement.object, placement.centre_of_mass, placement.weight(),
-                         placement.teams, hold_requirements(placement).clear, doubt);
+                         placement.teams, hold_requirements(placement).clear, disturbance);
 }
 
 std::optional<RestOfRobots> single_failure(const Placement& placement, std::size_t robot,
-                                           const Doubt& doubt) {
+                                           const Disturbance& disturbance) {
   return single_failure(placement.object, placement.centre_of_mass, placement.weight(),
-                        placement.teams, robot, hold_requirements(placement).clear, doubt);
+                        placement.teams, robot, hold_requirements(placement).clear, disturbance);
 }
 
 std::optional<std::vector<LoadRange>> ranges_without(const Placement& placement, std::size_t robot,
-                                                     const Doubt& doubt) {
+                                                     const Disturbance& disturbance) {
   Points others = positions_of_all(placement);
   const auto place = static_cast<std::ptrdiff_t>(robot);
   others.erase(others.begin() + place);
@@ -199,12 +200,12 @@ std::optional<std::vector<LoadRange>> ranges_without(const Placement& placement,
   const auto springs = spring_loads(others, centre, size, weight);
   if (!springs) return std::nullopt;
   // The others are as stiff as before, and their mean load is greater.
-  Doubt of_others = doubt;
+  Disturbance of_others = disturbance;
   of_others.uneven *= static_cast<double>(others.size()) / static_cast<double>(others.size() + 1);
   std::vector<LoadRange> ranges =
-      doubt.any() ? load_ranges(springs->loads, load_changes(others, centre, size, weight, *springs,
-                                                             of_others))
-                  : single(springs->loads);
+      disturbance.any() ? load_ranges(springs->loads, load_changes(others, centre, size, weight,
+                                                                   *springs, of_others))
+                        : single(springs->loads);
   ranges.insert(ranges.begin() + place, LoadRange{});
   return ranges;
 }

@@ -16,18 +16,18 @@ namespace {
 class Crew {
  public:
   Crew(const PolygonWithHoles& object, const Vec2& centre, double weight,
-       const std::vector<Team>& teams, double inside, const Doubt& doubt)
+       const std::vector<Team>& teams, double inside, const Disturbance& disturbance)
       : object_(object),
         centre_(centre),
         weight_(weight),
         inside_(inside),
-        doubt_(doubt),
+        disturbance_(disturbance),
         teams_(teams),
         contacts_(contacts(object, lifting_points(teams))),
         positions_(positions(lifting_points(teams))) {
     // The others are as stiff as before, and their mean load is greater.
     const auto m = static_cast<double>(positions_.size());
-    doubt_.uneven *= (m - 1) / m;
+    disturbance_.uneven *= (m - 1) / m;
     const Points hull = convex_hull(positions_, near());
     if (hull.size() >= 3) coverage_.emplace(object, hull);
   }
@@ -70,7 +70,7 @@ class Crew {
   const PolygonWithHoles& object_;
   Vec2 centre_;
   double weight_, inside_;
-  Doubt doubt_;
+  Disturbance disturbance_;
   const std::vector<Team>& teams_;
   std::vector<Contact> contacts_;
   Points positions_;
@@ -94,15 +94,15 @@ std::optional<RestOfRobots> Crew::without(std::size_t robot) const {
   rest.margin = hold.margin;
   rest.greatest_by_plan = greatest_by_plan(robot);
   rest.greatest_by_springs = *std::max_element(springs->loads.begin(), springs->loads.end());
-  rest.stays = doubt_.reach <= rest.tipping_distance + near();
+  rest.stays = disturbance_.reach <= rest.tipping_distance + near();
   rest.least_greatest = *best;
   rest.springs = springs->loads;
   rest.ends = springs->loads;
-  if (doubt_.any()) {
+  if (disturbance_.any()) {
     rest.ends.clear();
     for (const LoadRange& range :
          load_ranges(springs->loads,
-                     load_changes(others, centre_, diameter, weight_, *springs, doubt_)))
+                     load_changes(others, centre_, diameter, weight_, *springs, disturbance_)))
       rest.ends.push_back(range.greatest);
   }
   rest.greatest_end = *std::max_element(rest.ends.begin(), rest.ends.end());
@@ -116,8 +116,9 @@ std::optional<RestOfRobots> Crew::without(std::size_t robot) const {
 std::vector<std::optional<RestOfRobots>> single_failures(const PolygonWithHoles& object,
                                                          const Vec2& centre, double weight,
                                                          const std::vector<Team>& teams,
-                                                         double inside, const Doubt& doubt) {
-  const Crew crew(object, centre, weight, teams, inside, doubt);
+                                                         double inside,
+                                                         const Disturbance& disturbance) {
+  const Crew crew(object, centre, weight, teams, inside, disturbance);
   std::vector<std::optional<RestOfRobots>> failures;
   for (std::size_t robot = 0; robot < count_robots(teams); ++robot)
     failures.push_back(crew.without(robot));
@@ -126,8 +127,9 @@ std::vector<std::optional<RestOfRobots>> single_failures(const PolygonWithHoles&
 
 std::optional<RestOfRobots> single_failure(const PolygonWithHoles& object, const Vec2& centre,
                                            double weight, const std::vector<Team>& teams,
-                                           std::size_t robot, double inside, const Doubt& doubt) {
-  return Crew(object, centre, weight, teams, inside, doubt).without(robot);
+                                           std::size_t robot, double inside,
+                                           const Disturbance& disturbance) {
+  return Crew(object, centre, weight, teams, inside, disturbance).without(robot);
 }
 
 }  // namespace evenlift

@@ -35,8 +35,8 @@ std::vector<double> sums_of_projection(const Points& robots, const Vec2& centre,
   for (Vec2& place : places) place = frame(place);
   for (std::size_t i = 0; i < k; ++i)
     for (std::size_t j = 0; j < k; ++j)
-      sums[bearing[i]] += std::fabs((i == j ? 1.0 : 0.0) - (1 + dot(places[i], places[j])) /
-                                                               static_cast<double>(k));
+      sums[bearing[i]] += std::fabs((i == j ? 1.0 : 0.0) -
+                                    (1 + dot(places[i], places[j])) / static_cast<double>(k));
   return sums;
 }
 
@@ -53,21 +53,21 @@ double tipping_distance(const Points& hull, const Vec2& centre, double diameter)
 }
 
 LoadChanges load_changes(const Points& robots, const Vec2& centre, double diameter, double weight,
-                         const SpringLoads& springs, const Doubt& doubt) {
-  LoadChanges changes{doubt.kept, false, {}, {}};
+                         const SpringLoads& springs, const Disturbance& disturbance) {
+  LoadChanges changes{disturbance.kept, false, {}, {}};
   const bool some_idle = std::count(springs.loads.begin(), springs.loads.end(), 0.0) > 0;
-  const bool out_of_reach = doubt.reach <= springs.same_within && !(doubt.uneven > 0);
+  const bool out_of_reach = disturbance.reach <= springs.same_within && !(disturbance.uneven > 0);
   changes.others_may_carry = some_idle && !out_of_reach;
   for (const double per_length : springs.per_length)
-    changes.by.push_back(finite(doubt.reach * per_length));
-  if (doubt.uneven > 0) {
+    changes.by.push_back(finite(disturbance.reach * per_length));
+  if (disturbance.uneven > 0) {
     const double mean = weight / static_cast<double>(robots.size());
-    const std::vector<double> sums = sums_of_projection(
-        robots, centre, known_size(robots, centre, diameter), springs.loads);
+    const std::vector<double> sums =
+        sums_of_projection(robots, centre, known_size(robots, centre, diameter), springs.loads);
     for (std::size_t i = 0; i < robots.size(); ++i)
-      changes.by[i] = finite(changes.by[i] + mean * (doubt.uneven * sums[i]));
+      changes.by[i] = finite(changes.by[i] + mean * (disturbance.uneven * sums[i]));
   }
-  changes.at_worst = worst_loads(robots, centre, diameter, weight, doubt.reach).value();
+  changes.at_worst = worst_loads(robots, centre, diameter, weight, disturbance.reach).value();
   return changes;
 }
 

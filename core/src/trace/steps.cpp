@@ -16,7 +16,7 @@ constexpr std::string_view chapter_names[] = {
 static_assert(std::size(chapter_names) == chapter_count);
 
 // The name of a kind of step, and its numbers and figures. Its words are in a row of
-// output/words/step_words.cpp.
+// output/trace_words/step_words.cpp.
 struct StepRow {
   StepKind kind;
   std::string_view name;

@@ -15,9 +15,9 @@ namespace evenlift {
 std::string slope_in_words(double ratio);
 std::string degrees_in_words(double degrees);
 
-// Each condition of the doubt: "with a C uncertainty of 3 cm, on slopes up to 8 %, braked at up to
-// 0.1 g, with heights off by up to 2 mm". Empty without doubt. O(1).
-std::string doubt_in_words(const Shown& shown);
+// Each condition of the disturbance: "with a C uncertainty of 3 cm, on slopes up to 8 %, braked at up to
+// 0.1 g, with heights off by up to 2 mm". Empty without a disturbance. O(1).
+std::string disturbance_in_words(const Shown& shown);
 
 // "It can tip: the centre of mass may be off by 200 mm, and 177 mm in one direction is enough.", or
 // "On a slope of 8 % it tips." Empty if it stays upright under the given conditions. O(1).

@@ -16,10 +16,10 @@ namespace evenlift {
 // loads_in_words() for it. Robots count from 1.
 std::string model_in_words(LoadModel model, const ModelLoads& loads, const Units& units = {});
 
-// By how much the loads of equally stiff robots change within the doubt of `loads`, and that of the
-// placement shown: "If C is off by up to 3 cm and the ground slopes by up to 8 %, …"; if C alone is
-// in doubt, the distance from which on the object can tip; and whether robots may let go. Empty
-// without doubt. O(m).
+// By how much the loads of equally stiff robots change within the disturbance of `loads`, and that of the
+// placement shown: "If C is off by up to 3 cm and the ground slopes by up to 8 %, …"; if only C is
+// uncertain, the distance from which on the object can tip; and whether robots may go slack. Empty
+// without a disturbance. O(m).
 std::string uncertainty_in_words(const ModelLoads& loads, const Robustness& robustness,
                                  const Shown& shown);
 

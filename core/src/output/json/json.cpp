@@ -56,9 +56,8 @@ std::string loads_json(const Placement& placement, const std::optional<ModelLoad
                                        {"spread", json::number(loads->spread)},
                                        {"max_share", json::number(loads->max_share)},
                                        {"models", json::models(models, 2)}};
-  if (models && models->doubt.any()) {
-    members.push_back(
-        {"ranges", json::ranges(loads_by(LoadModel::plan, placement, models))});
+  if (models && models->disturbance.any()) {
+    members.push_back({"ranges", json::ranges(loads_by(LoadModel::plan, placement, models))});
     members.push_back(
         {"may_let_go", json::boolean(may_let_go(LoadModel::plan, placement, models))});
   }
@@ -104,9 +103,9 @@ std::string failure_plan_json(const std::optional<FailurePlan>& plan) {
 std::vector<std::size_t> overloaded_in_json(const ShownPlacement& of) {
   Shown level = of.shown;
   level.com_radius = 0;
-  if (!doubt_of(level).any()) return overloaded_robots(of);
+  if (!disturbance_of(level).any()) return overloaded_robots(of);
   std::vector<double> greatest;
-  for (const LoadRange& range : loads_in_doubt(of)) greatest.push_back(range.greatest);
+  for (const LoadRange& range : loads_when_disturbed(of)) greatest.push_back(range.greatest);
   return overloaded_robots(of, greatest);
 }
 
@@ -161,16 +160,15 @@ void add_stands(std::vector<json::Member>& members, const Placement& placement) 
 void add_carrying(std::vector<json::Member>& members, const ShownPlacement& of) {
   const Carrying& carrying = of.shown.carrying;
   members.push_back({"tilt", json::tilt(tilt_of(of), 1)});
-  if (carrying.extra)
-    members.push_back({"extra", json::extra(extra_load(of), *carrying.extra, 1)});
+  if (carrying.extra) members.push_back({"extra", json::extra(extra_load(of), *carrying.extra, 1)});
 }
 
 std::string failures_json(const ShownPlacement& of) {
-  const Doubt doubt = doubt_of(of.shown);
-  const auto failures = single_failures(of.placement, doubt);
-  return json::failures(
-      failures, has_capacities(of) ? overloads_after(of, failures) : std::vector<bool>(),
-      doubt.any(), 1);
+  const Disturbance disturbance = disturbance_of(of.shown);
+  const auto failures = single_failures(of.placement, disturbance);
+  return json::failures(failures,
+                        has_capacities(of) ? overloads_after(of, failures) : std::vector<bool>(),
+                        disturbance.any(), 1);
 }
 
 std::string verdict_json(const Judgement& judgement) {
@@ -239,7 +237,8 @@ std::string placement_json(const ShownPlacement& of, bool with_candidates,
   const Settings& settings = placement.settings;
   const Document asked{{}, {}, settings, of.shown, {}};
   const bool robots = !placement.teams.empty();
-  const std::optional<ModelLoads> models = robots ? model_loads(placement, doubt_of(of.shown)) : std::nullopt;
+  const std::optional<ModelLoads> models =
+      robots ? model_loads(placement, disturbance_of(of.shown)) : std::nullopt;
   const bool given = settings.method == Method::given;
   std::vector<json::Member> members = {{"polygon", json::points(placement.vertices(), 1)}};
   add_holes(members, placement.object.rings_of_holes());
@@ -266,8 +265,7 @@ std::string placement_json(const ShownPlacement& of, bool with_candidates,
   add_asked(members, settings, of.shown.overlays);
   add_moved(members, placement.moved);
   add_stands(members, placement);
-  if (robots)
-    members.push_back({"robustness", json::robustness(of, models, 1)});
+  if (robots) members.push_back({"robustness", json::robustness(of, models, 1)});
   if (robots && with_failures) members.push_back({"failures", failures_json(of)});
   add_carrying(members, of);
   if (capacity) members.push_back({"capacity", capacity_json(of, *capacity, models)});

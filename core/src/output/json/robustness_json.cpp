@@ -11,7 +11,7 @@ std::string number_or_null(const std::optional<double>& value) {
 }
 
 std::string failure(std::size_t robot, const std::optional<RestOfRobots>& rest,
-                    const std::optional<bool>& overloads, bool with_doubt) {
+                    const std::optional<bool>& overloads, bool with_disturbance) {
   const auto if_carried = [&](const std::string& value) { return rest ? value : "null"; };
   const RestOfRobots known = rest.value_or(RestOfRobots{});
   std::vector<Member> members = {{"robot", std::to_string(robot)},
@@ -26,7 +26,7 @@ std::string failure(std::size_t robot, const std::optional<RestOfRobots>& rest,
                                  {"springs_max", if_carried(number(known.greatest_by_springs))},
                                  {"best_max", if_carried(number(known.least_greatest))}};
   if (overloads) members.push_back({"over_capacity", if_carried(boolean(*overloads))});
-  if (with_doubt) {
+  if (with_disturbance) {
     members.push_back({"greatest_end", if_carried(number(known.greatest_end))});
     members.push_back({"stays", if_carried(boolean(known.stays))});
   }
@@ -100,7 +100,7 @@ std::string robustness(const ShownPlacement& of, const std::optional<ModelLoads>
     members.push_back({"com_radius", number(com_radius)});
     members.push_back({"exact_within", models ? number(models->springs.same_within) : "null"});
   }
-  if (models && models->doubt.any()) {
+  if (models && models->disturbance.any()) {
     members.push_back({"plan_ranges", ranges(loads_by(LoadModel::plan, placement, models))});
     members.push_back({"springs_ranges", ranges(loads_by(LoadModel::springs, placement, models))});
   }
@@ -108,13 +108,13 @@ std::string robustness(const ShownPlacement& of, const std::optional<ModelLoads>
 }
 
 std::string failures(const std::vector<std::optional<RestOfRobots>>& failures,
-                     const std::vector<bool>& overloads, bool with_doubt, int depth) {
+                     const std::vector<bool>& overloads, bool with_disturbance, int depth) {
   std::vector<std::string> items;
   for (std::size_t robot = 0; robot < failures.size(); ++robot)
     items.push_back(
         failure(robot, failures[robot],
                 overloads.empty() ? std::nullopt : std::optional<bool>(overloads[robot]),
-                with_doubt));
+                with_disturbance));
   return long_array(items, depth);
 }
 

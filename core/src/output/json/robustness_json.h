@@ -18,13 +18,13 @@ std::string models(const std::optional<ModelLoads>& models, int depth);
 
 std::string ranges(const std::vector<LoadRange>& ranges);
 
-// With doubt, includes the ranges of the loads.
+// With a disturbance, includes the ranges of the loads.
 std::string robustness(const ShownPlacement& of, const std::optional<ModelLoads>& models,
                        int depth);
 
-// With doubt, includes the greatest loads within it, and whether the object stays upright.
+// With a disturbance, includes the greatest loads within it, and whether the object stays upright.
 std::string failures(const std::vector<std::optional<RestOfRobots>>& failures,
-                     const std::vector<bool>& overloads, bool with_doubt, int depth);
+                     const std::vector<bool>& overloads, bool with_disturbance, int depth);
 
 std::string tilt(const std::optional<Tilt>& tilt, int depth);
 std::string extra(const std::optional<ExtraLoad>& extra, double weight, int depth);

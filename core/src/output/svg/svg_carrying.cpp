@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "evenlift/angles.h"
 #include "evenlift/output/carrying_words.h"
 #include "output/svg/svg_markup.h"
 #include "output/svg/svg_style.h"
@@ -9,16 +10,13 @@
 namespace evenlift::svg {
 namespace {
 
-std::string green() {
-  return attribute("fill", hull_colour) + attribute("fill-opacity", 0.3);
-}
+std::string green() { return attribute("fill", hull_colour) + attribute("fill-opacity", 0.3); }
 
 std::string circle(const Vec2& at, double radius) {
-  return element("circle", attribute("class", "tilt") + attribute("cx", at.x()) +
-                               attribute("cy", at.y()) + attribute("r", radius) +
-                               attribute("fill", "none") +
-                               attribute("stroke", hull_outline_colour) +
-                               attribute("stroke-width", 1.25));
+  return element("circle",
+                 attribute("class", "tilt") + attribute("cx", at.x()) + attribute("cy", at.y()) +
+                     attribute("r", radius) + attribute("fill", "none") +
+                     attribute("stroke", hull_outline_colour) + attribute("stroke-width", 1.25));
 }
 
 }  // namespace

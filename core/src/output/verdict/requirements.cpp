@@ -20,8 +20,8 @@ bool has_robots(const ShownPlacement& of) { return !of.placement.teams.empty(); 
 // The planned loads, under all conditions that are given. Nothing if the object falls, or tips
 // under these conditions.
 std::optional<std::vector<LoadRange>> loads_of(const ShownPlacement& of) {
-  if (!of.placement.loads || tips_in_doubt(of)) return std::nullopt;
-  return loads_in_doubt(of);
+  if (!of.placement.loads || tips_when_disturbed(of)) return std::nullopt;
+  return loads_when_disturbed(of);
 }
 
 Value greatest_load(const ShownPlacement& of) {

@@ -57,7 +57,7 @@ std::vector<std::string> misfits_in_words(const ShownPlacement& of) {
 
 Judgement judge(const ShownPlacement& of) {
   if (of.placement.teams.empty()) return judge(of, {}, {});
-  return judge(of, robustness(of.placement), loads_in_doubt(of));
+  return judge(of, robustness(of.placement), loads_when_disturbed(of));
 }
 
 Judgement judge(const ShownPlacement& of, const Robustness& robustness,

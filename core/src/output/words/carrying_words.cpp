@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "evenlift/angles.h"
 #include "evenlift/capacity.h"
 #include "evenlift/tolerance.h"
 #include "output/words/listed.h"
@@ -39,7 +40,7 @@ std::string slope_in_words(double ratio) { return significant(100 * ratio, 3) + 
 
 std::string degrees_in_words(double degrees) { return significant(degrees, 3) + "°"; }
 
-std::string doubt_in_words(const Shown& shown) {
+std::string disturbance_in_words(const Shown& shown) {
   const Carrying& carrying = shown.carrying;
   std::vector<std::string> conditions;
   if (shown.com_radius > 0)
@@ -58,7 +59,7 @@ std::string doubt_in_words(const Shown& shown) {
 
 std::string tipping_in_words(const Robustness& robustness, const ShownPlacement& of) {
   const Shown& shown = of.shown;
-  const double reach = doubt_of(shown).reach, distance = robustness.tipping_distance;
+  const double reach = disturbance_of(shown).reach, distance = robustness.tipping_distance;
   if (reach > shown.com_radius)
     return reach > distance + near_distance(of.placement.polygon().diameter())
                ? tips_under_these(shown)
@@ -74,19 +75,20 @@ std::string tilt_in_words(const Robustness& robustness, const ShownPlacement& of
       tilt_of(of.shown, robustness.tipping_distance, of.placement.polygon().diameter());
   if (!tilt) return {};
   if (!(tilt->slope > 0)) return "On any slope, and whenever it is braked, it can tip.";
-  const std::string with_doubt =
+  const std::string with_disturbance =
       of.shown.com_radius > 0
           ? ", with C off by up to " + length_in_words(of.shown.com_radius, of.shown.units)
           : std::string();
   return "In the worst direction it tips at a slope of " + degrees_in_words(tilt->degrees) + " (" +
          slope_in_words(tilt->slope) + ") or when it is braked at " +
-         acceleration_in_words(tilt->acceleration) + with_doubt + ".";
+         acceleration_in_words(tilt->acceleration) + with_disturbance + ".";
 }
 
 std::string extra_in_words(const ExtraLoad& extra, const ShownPlacement& of) {
   const Units& units = of.shown.units;
   const std::string load = "Another " + given_weight(extra.weight, units) + " may stand ";
-  const char* harm = has_capacities(of) ? "lifting a robot off or overloading one" : "lifting a robot off";
+  const char* harm =
+      has_capacities(of) ? "lifting a robot off or overloading one" : "lifting a robot off";
   const std::string condition = ", if all robots are equally stiff";
   std::string text;
   if (extra.share >= 1 - tau)
@@ -94,7 +96,8 @@ std::string extra_in_words(const ExtraLoad& extra, const ShownPlacement& of) {
   if (extra.share <= tau)
     text = load + "nowhere on the object without " + harm + condition + ".";
   else
-    text = load + "on " + percentage(extra.share) + " of the object without " + harm + condition + ".";
+    text =
+        load + "on " + percentage(extra.share) + " of the object without " + harm + condition + ".";
   if (extra.anywhere && *extra.anywhere > 0)
     text += " Up to " + load_in_words(*extra.anywhere, *extra.anywhere, units) +
             " may stand anywhere on it.";
@@ -106,8 +109,8 @@ LoadHere extra_here_in_words(double weight, const Vec2& at, const ShownPlacement
   const auto loads = loads_with(of.placement, weight, at);
   if (!loads) return {here + " tip it", false};
   const auto [least, greatest] = std::minmax_element(loads->begin(), loads->end());
-  std::string words = here + ": robots carry " +
-                      load_in_words(*least, *greatest, *greatest, of.shown.units);
+  std::string words =
+      here + ": robots carry " + load_in_words(*least, *greatest, *greatest, of.shown.units);
   const std::vector<std::size_t> overloaded = overloaded_robots(of, *loads);
   std::vector<std::size_t> idle;
   for (std::size_t i = 0; i < loads->size(); ++i)
@@ -117,7 +120,7 @@ LoadHere extra_here_in_words(double weight, const Vec2& at, const ShownPlacement
              numbers_from_1(overloaded);
   if (!idle.empty())
     words += (idle.size() == 1 ? " · robot " : " · robots ") + numbers_from_1(idle) +
-             (idle.size() == 1 ? " lets go" : " let go");
+             (idle.size() == 1 ? " goes slack" : " go slack");
   return {words, overloaded.empty() && idle.empty()};
 }
 

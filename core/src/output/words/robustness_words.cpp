@@ -62,6 +62,12 @@ std::string conditions_in_words(const Shown& shown) {
   return text;
 }
 
+// The greatest load after a failure, within the disturbance.
+double greatest_after(const RestOfRobots& rest) {
+  return std::max(rest.greatest_by_springs, rest.greatest_end);
+}
+bool is_disturbed(const RestOfRobots& rest) { return rest.greatest_end > rest.greatest_by_springs; }
+
 std::string robots_or(const Robots& robots) {
   return (robots.size() == 1 ? "robot " : "any of robots ") + listed(robots);
 }
@@ -88,14 +94,14 @@ std::string model_in_words(LoadModel model, const ModelLoads& loads, const Units
 
 std::string uncertainty_in_words(const ModelLoads& loads, const Robustness& robustness,
                                  const Shown& shown) {
-  if (!loads.doubt.any()) return {};
+  if (!loads.disturbance.any()) return {};
   const Units& units = shown.units;
   const SpringLoads& springs = loads.springs;
   const double change = *std::max_element(loads.changes.by.begin(), loads.changes.by.end());
   std::string text = "If " + conditions_in_words(shown) +
                      ", the loads of equally stiff robots change by up to " +
                      load_in_words(change, change, units) + ".";
-  if (loads.doubt.reach == shown.com_radius && shown.com_radius > 0) {
+  if (loads.disturbance.reach == shown.com_radius && shown.com_radius > 0) {
     if (robustness.tipping_distance == 0)
       return text + " Even the smallest error can tip the object.";
     if (shown.com_radius >= robustness.tipping_distance)
@@ -106,7 +112,7 @@ std::string uncertainty_in_words(const ModelLoads& loads, const Robustness& robu
   double greatest = 0;
   for (const LoadRange& range : load_ranges(springs.loads, loads.changes))
     greatest = std::max(greatest, range.greatest);
-  return text + " A robot may let go then, and another may have to carry up to " +
+  return text + " A robot may go slack then, and another may have to carry up to " +
          load_in_words(greatest, greatest, units) + ".";
 }
 
@@ -118,11 +124,13 @@ std::string uncertainty_for_capacity_in_words(const ModelLoads& loads, const Sho
   const auto radius = com_radius_within(of, loads, capacities);
   if (!radius)
     return "If all robots are equally stiff, some " +
-           std::string(doubt_in_words(of.shown).empty() ? "carry more than " : "may carry more than ") +
+           std::string(disturbance_in_words(of.shown).empty() ? "carry more than "
+                                                              : "may carry more than ") +
            (has_own ? "they can" : limit) + ".";
   // Loads farther out are unknown; this may end the range, rather than the capacity.
   const bool ends_known =
-      *radius == com_radius_within(of, loads, std::vector<std::optional<double>>(capacities.size()));
+      *radius ==
+      com_radius_within(of, loads, std::vector<std::optional<double>>(capacities.size()));
   return "Equally stiff robots stay within " + (has_own ? "their capacities" : limit) +
          " as long as C is off by at most " + length_in_words(*radius, units) +
          (ends_known ? "; beyond that, loads are not known in advance." : ".");
@@ -133,18 +141,21 @@ std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& fa
                               const std::string& limit) {
   Robots needed, for_steadiness, for_capacity;
   double greatest = 0;
+  bool disturbed = false;
   for (std::size_t i = 0; i < failures.size(); ++i) {
     if (!failures[i]) {
       needed.push_back(i + 1);
       continue;
     }
-    if (!failures[i]->clear) for_steadiness.push_back(i + 1);
+    if (!failures[i]->clear || !failures[i]->stays) for_steadiness.push_back(i + 1);
     if (i < overloads.size() && overloads[i]) for_capacity.push_back(i + 1);
-    greatest = std::max(greatest, failures[i]->greatest_by_springs);
+    greatest = std::max(greatest, greatest_after(*failures[i]));
+    disturbed = disturbed || is_disturbed(*failures[i]);
   }
   if (needed.size() == failures.size()) return "The object falls whichever robot fails.";
-  const std::string most =
-      "at most " + load_in_words(greatest, greatest, units) + " each if equally stiff.";
+  const std::string most = "at most " + load_in_words(greatest, greatest, units) +
+                           " each if equally stiff" +
+                           (disturbed ? ", within the given conditions." : ".");
   std::string text = needed.empty() ? "Whichever robot fails, the others carry the object, " + most
                                     : "The object falls if " + robots_or(needed) +
                                           " fails. If another fails, the others carry it, " + most;
@@ -160,13 +171,14 @@ std::string failure_in_words(std::size_t robot, std::size_t robots,
   const std::string fails = "Robot " + std::to_string(robot + 1) + " fails: ";
   const std::string others = "the other " + in_letters(robots - 1);
   if (!rest) return fails + others + " cannot carry the object.";
-  const double greatest = rest->greatest_by_springs;
+  const double greatest = greatest_after(*rest);
   const std::string overload = capacity && greatest > *capacity
                                    ? " Capacity: " + given_weight(*capacity, units) + "."
                                    : std::string();
   return fails + others + (robots == 2 ? " carries" : " carry") + " the object, at most " +
          load_in_words(greatest, greatest, units) + " each" +
-         (rest->clear ? "." : ", but it can tip.") + overload;
+         (is_disturbed(*rest) ? " within the given conditions" : "") +
+         (rest->clear && rest->stays ? "." : ", but it can tip.") + overload;
 }
 
 std::string rest_in_words(const ShownPlacement& of) {
@@ -195,13 +207,14 @@ std::vector<Fact> robustness_facts(const ShownPlacement& of, const Robustness& r
       {"Tipping distance", length_in_words(robustness.tipping_distance, of.shown.units),
        "If C is farther off than this, the object can tip; nearer it does not, if robots push back "
        "and none is overloaded"}};
-  const auto tilt = tilt_of(of.shown, robustness.tipping_distance,
-                            of.placement.polygon().diameter());
+  const auto tilt =
+      tilt_of(of.shown, robustness.tipping_distance, of.placement.polygon().diameter());
   if (tilt)
-    facts.push_back({"It tips on a slope of",
-                     degrees_in_words(tilt->degrees) + " (" + slope_in_words(tilt->slope) + ")",
-                     "In the worst direction, standing still; on level ground the same number of g, "
-                     "as a ratio, when it is braked"});
+    facts.push_back(
+        {"It tips on a slope of",
+         degrees_in_words(tilt->degrees) + " (" + slope_in_words(tilt->slope) + ")",
+         "In the worst direction, standing still; on level ground the same number of g, "
+         "as a ratio, when it is braked"});
   return facts;
 }
 

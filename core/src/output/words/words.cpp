@@ -141,7 +141,7 @@ std::string loads_in_words(const ShownPlacement& of, LoadModel shown,
   const Units& units = of.shown.units;
   const std::string in_all =
       " (" + weight_in_words(of) + (placement.settings.cargo.empty() ? " in all)." : ").");
-  const std::string doubt = doubt_in_words(of.shown);
+  const std::string disturbance = disturbance_in_words(of.shown);
   const LoadSummary& loads = *placement.loads;
   const bool given = placement.settings.method == Method::given;
   const std::string stiff = given && !loads_are_determined(placement) ? "equally stiff " : "";
@@ -154,14 +154,14 @@ std::string loads_in_words(const ShownPlacement& of, LoadModel shown,
                              (number == 1 ? "robot" : "robots"),
                     carry = number == 1 ? " carries " : " carry ",
                     each = number == 1 ? "" : " each";
-  if (shown == LoadModel::plan && !doubt.empty() && !ranges.empty()) {
+  if (shown == LoadModel::plan && !disturbance.empty() && !ranges.empty()) {
     double least = ranges.front().least, greatest = 0;
     for (const LoadRange& range : ranges) {
       least = std::min(least, range.least);
       greatest = std::max(greatest, range.greatest);
     }
-    return robots + carry + load_in_words(least, greatest, greatest, units) + each +
-           ", " + doubt + in_all;
+    return robots + carry + load_in_words(least, greatest, greatest, units) + each + ", " +
+           disturbance + in_all;
   }
   if (placement.settings.method == Method::balanced)
     return robots + " carry equal loads of " + load_in_words(loads.max, loads.max, units) + in_all;

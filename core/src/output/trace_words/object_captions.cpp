@@ -7,8 +7,8 @@
 #include "evenlift/output/words.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/stands.h"
-#include "output/words/step_captions.h"
-#include "output/words/step_formulas.h"
+#include "output/trace_words/step_captions.h"
+#include "output/trace_words/step_formulas.h"
 
 namespace evenlift {
 namespace {

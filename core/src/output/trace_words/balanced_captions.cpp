@@ -3,9 +3,9 @@
 
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/output/words.h"
+#include "output/trace_words/step_captions.h"
+#include "output/trace_words/step_formulas.h"
 #include "output/words/listed.h"
-#include "output/words/step_captions.h"
-#include "output/words/step_formulas.h"
 
 namespace evenlift {
 namespace {

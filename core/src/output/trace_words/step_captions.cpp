@@ -1,5 +1,5 @@
 // One to three sentences for each kind of step.
-#include "output/words/step_captions.h"
+#include "output/trace_words/step_captions.h"
 
 #include <algorithm>
 

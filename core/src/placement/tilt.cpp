@@ -20,20 +20,20 @@ double slope_within(double room, double height) {
 
 }  // namespace
 
-Doubt doubt_of(const Shown& shown) {
+Disturbance disturbance_of(const Shown& shown) {
   const Carrying& carrying = shown.carrying;
-  Doubt doubt;
-  doubt.reach =
+  Disturbance disturbance;
+  disturbance.reach =
       shown.com_radius + carrying.com_height * (carrying.slope + carrying.acceleration);
-  if (carrying.give) doubt.uneven = std::min(carrying.uneven / *carrying.give, most);
-  doubt.kept = 1 / std::sqrt(1 + carrying.slope * carrying.slope);
-  return doubt;
+  if (carrying.give) disturbance.uneven = std::min(carrying.uneven / *carrying.give, most);
+  disturbance.kept = 1 / std::sqrt(1 + carrying.slope * carrying.slope);
+  return disturbance;
 }
 
 std::optional<Tilt> tilt_of(const Shown& shown, double tipping_distance, double diameter) {
   const double height = shown.carrying.com_height;
   if (!(height > 0)) return std::nullopt;
-  const double reach = doubt_of(shown).reach;
+  const double reach = disturbance_of(shown).reach;
   const double slope = slope_within(tipping_distance - shown.com_radius, height);
   return Tilt{height,
               reach,
@@ -57,14 +57,6 @@ double tipping_slope(const Points& hull, const Vec2& centre, const Vec2& directi
     least = std::min(least, slope_within(room, shown.carrying.com_height * towards));
   }
   return least;
-}
-
-double slope_degrees(double ratio) { return arctangent2(ratio, 1) * (180 / pi); }
-
-double slope_ratio(double degrees) {
-  if (degrees == 45) return 1;
-  const double angle = degrees * (pi / 180);
-  return sine(angle) / cosine(angle);
 }
 
 }  // namespace evenlift

@@ -1,4 +1,4 @@
-#include "output/words/trace_text.h"
+#include "output/trace_words/trace_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,13 @@
 // The texts of each kind of step, one row each. Their numbers and figures are rows of
 // trace/steps.cpp.
-#include "output/words/step_words.h"
+#include "output/trace_words/step_words.h"
 
 #include <iterator>
 
 #include "evenlift/output/trace_words.h"
 #include "evenlift/stands.h"
-#include "output/words/step_captions.h"
-#include "output/words/step_formulas.h"
+#include "output/trace_words/step_captions.h"
+#include "output/trace_words/step_formulas.h"
 
 namespace evenlift {
 namespace {

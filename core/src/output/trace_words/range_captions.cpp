@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "evenlift/output/words.h"
+#include "output/trace_words/step_captions.h"
+#include "output/trace_words/swap_answers.h"
 #include "output/words/listed.h"
-#include "output/words/step_captions.h"
-#include "output/words/swap_answers.h"
 
 namespace evenlift {
 namespace {

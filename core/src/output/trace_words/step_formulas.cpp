@@ -1,4 +1,4 @@
-#include "output/words/step_formulas.h"
+#include "output/trace_words/step_formulas.h"
 
 #include <algorithm>
 #include <cmath>

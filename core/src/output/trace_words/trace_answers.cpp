@@ -3,9 +3,9 @@
 
 #include "evenlift/output/trace_words.h"
 #include "evenlift/output/words.h"
+#include "output/trace_words/swap_answers.h"
+#include "output/trace_words/trace_text.h"
 #include "output/words/listed.h"
-#include "output/words/swap_answers.h"
-#include "output/words/trace_text.h"
 
 namespace evenlift {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "evenlift/output/trace_words.h"
 #include "evenlift/output/words.h"
-#include "output/words/trace_text.h"
+#include "output/trace_words/trace_text.h"
 
 namespace evenlift {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "evenlift/trace.h"
-#include "output/words/trace_text.h"
+#include "output/trace_words/trace_text.h"
 #include "trace/step_rows.h"
 
 namespace evenlift {

@@ -1,10 +1,10 @@
 // Questions about swaps of teams, and the results of other answers.
-#include "output/words/swap_answers.h"
+#include "output/trace_words/swap_answers.h"
 
 #include "evenlift/output/trace_words.h"
 #include "evenlift/output/words.h"
 #include "evenlift/why_not.h"
-#include "output/words/trace_text.h"
+#include "output/trace_words/trace_text.h"
 
 namespace evenlift {
 namespace {

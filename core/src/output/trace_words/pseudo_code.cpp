@@ -1,12 +1,12 @@
 // The algorithm as pseudo-code, one statement per line.
-#include "output/words/pseudo_code.h"
+#include "output/trace_words/pseudo_code.h"
 
 #include <algorithm>
 #include <span>
 
 #include "evenlift/output/trace_words.h"
 #include "evenlift/stands.h"
-#include "output/words/step_words.h"
+#include "output/trace_words/step_words.h"
 
 namespace evenlift {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "output/words/pseudo_code.h"
+#include "output/trace_words/pseudo_code.h"
 
 namespace evenlift {
 

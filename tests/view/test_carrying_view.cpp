@@ -1,0 +1,104 @@
+// Slopes, starts, uneven ground and another load, as the page shows them.
+#include <string>
+
+#include "evenlift/output/carrying_words.h"
+#include "kit/catch.h"
+#include "kit/texts.h"
+#include "panels/summary.h"
+#include "tools/pick.h"
+#include "view/view_page.h"
+
+using namespace evenlift;
+using namespace evenlift::view;
+using namespace view_page;
+using evenlift::testing::plainly;
+
+namespace {
+
+AppState piano() {
+  AppState state;
+  begin(state, placed(document(asset(EVENLIFT_ASSETS_DIR "/polygons/grand-piano.txt"))));
+  return state;
+}
+
+void carry(AppState& state, const Carrying& carrying) {
+  give(state, showing(state, &Shown::carrying, carrying));
+}
+
+bool says(const AppState& state, const std::string& words) {
+  return plainly(summary(state)).find(words) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a slope makes ranges of the loads, and a steep one tips the object", "[view][tilt]") {
+  AppState state = piano();
+  const double level = state.derived().outlook.greatest;
+  CHECK(carrying_words(state).empty());
+  carry(state, {.com_height = 600});
+  CHECK(says(state, "In the worst direction it tips at a slope of 27.9°"));
+  CHECK(state.derived().outlook.greatest == level);
+  carry(state, {.com_height = 600, .slope = 0.1});
+  CHECK(state.derived().outlook.greatest > level);
+  CHECK(state.derived().outlook.loads[0].least < state.derived().outlook.loads[0].greatest);
+  CHECK(says(state, "on slopes up to 10 %"));
+  const Mood calm = verdict(state).mood;
+  carry(state, {.com_height = 600, .slope = 0.6});
+  CHECK(verdict(state).mood == Mood::not_quite);
+  CHECK(plainly(verdict(state).detail).starts_with("On a slope of 60 % it tips."));
+  CHECK(calm == Mood::good);
+  give(state, Undo{});
+  CHECK(verdict(state).mood == calm);
+  CHECK(in_words(state.work.history.redoes()) == "changed the slope");
+}
+
+TEST_CASE("nothing of how the object is carried places robots", "[view][tilt]") {
+  AppState state = piano();
+  const Points before = positions(lifting_points(state.derived().placement->teams));
+  const auto placed = state.derived().placed;
+  carry(
+      state,
+      {.com_height = 100, .slope = 0.1, .acceleration = 0.2, .give = 3, .uneven = 1, .extra = 80});
+  CHECK(positions(lifting_points(state.derived().placement->teams)) == before);
+  CHECK(state.derived().placed.settings == placed.settings);
+}
+
+TEST_CASE("another load is followed as the capacity changes", "[view][tilt]") {
+  AppState state = piano();
+  CHECK_FALSE(state.derived().outlook.extra);
+  carry(state, {.extra = 50});
+  REQUIRE(state.derived().outlook.extra);
+  const double free = state.derived().outlook.extra->share;
+  CHECK(says(state, "Another 50 kg may stand "));
+  give(state, showing(state, &Shown::capacity, 30));
+  CHECK(state.derived().outlook.extra->share < free);
+  carry(state, {});
+  CHECK_FALSE(state.derived().outlook.extra);
+}
+
+TEST_CASE("the failures that tip it on a slope are told, and those that hold are not",
+          "[view][tilt][failing]") {
+  AppState state = piano();
+  const auto mood = [&](std::size_t robot) {
+    return mood_of(state, state.derived().failures[robot]);
+  };
+  CHECK(mood(4) == Mood::good);
+  carry(state, {.com_height = 600, .slope = 0.5});
+  CHECK(mood(4) == Mood::not_quite);
+  give(state, Fail{4});
+  CHECK(plainly(verdict(state).headline).find("but it can tip") != std::string::npos);
+  carry(state, {.com_height = 600, .slope = 0.05});
+  CHECK(plainly(verdict(state).headline).find("within the given conditions.") != std::string::npos);
+}
+
+TEST_CASE("the grip of the ring sets the C uncertainty beyond what a slope adds", "[view][tilt]") {
+  AppState state = piano();
+  Shown now = shown(state);
+  now.overlays.halo = true;
+  now.com_radius = 20;
+  now.carrying = {.com_height = 600, .slope = 0.1};
+  give(state, SetShown{now});
+  const auto grip = uncertainty_grip(state);
+  REQUIRE(grip);
+  CHECK(std::abs(uncertainty_for_grip(state, *grip) - 20) < 1 / state.view.camera.scale);
+}
