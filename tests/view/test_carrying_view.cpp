@@ -34,6 +34,7 @@ bool says(const AppState& state, const std::string& words) {
 TEST_CASE("a slope makes ranges of the loads, and a steep one tips the object", "[view][tilt]") {
   AppState state = piano();
   const double level = state.derived().outlook.greatest;
+  const std::string before = verdict(state).detail;
   CHECK(carrying_words(state).empty());
   carry(state, {.com_height = 600});
   CHECK(says(state, "In the worst direction it tips at a slope of 27.9°"));
@@ -42,13 +43,12 @@ TEST_CASE("a slope makes ranges of the loads, and a steep one tips the object", 
   CHECK(state.derived().outlook.greatest > level);
   CHECK(state.derived().outlook.loads[0].least < state.derived().outlook.loads[0].greatest);
   CHECK(says(state, "on slopes up to 10 %"));
-  const Mood calm = verdict(state).mood;
+  CHECK(verdict(state).detail == before);
   carry(state, {.com_height = 600, .slope = 0.6});
   CHECK(verdict(state).mood == Mood::not_quite);
   CHECK(plainly(verdict(state).detail).starts_with("On a slope of 60 % it tips."));
-  CHECK(calm == Mood::good);
   give(state, Undo{});
-  CHECK(verdict(state).mood == calm);
+  CHECK(verdict(state).detail == before);
   CHECK(in_words(state.work.history.redoes()) == "changed the slope");
 }
 

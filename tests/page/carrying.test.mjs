@@ -1,0 +1,86 @@
+// Slopes, starts, uneven ground and another load in the page.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import {
+  asset,
+  controlIfShown,
+  evenlift,
+  idle,
+  link,
+  load,
+  press,
+  sharedBrowser,
+  set,
+  state,
+  summary,
+  toScreen,
+  undo,
+} from "./browser.mjs";
+
+const browser = sharedBrowser();
+
+const plainly = (text) => text.replaceAll("\u00a0", " ");
+
+test("a slope is typed, and the page says the same as the program", async () => {
+  const page = await browser.open({ viewport: { width: 1280, height: 1300 } });
+  await load(page, asset("grand-piano"));
+  await press(page, "carrying");
+  for (const [field, typed] of [
+    ["com height", "600"],
+    ["slope", "8%"],
+    ["acceleration", "0.1"],
+    ["give", "10"],
+    ["uneven", "1"],
+    ["extra", "12"],
+  ]) {
+    await press(page, field);
+    await page.keyboard.press("Control+a");
+    await page.keyboard.type(typed);
+    await page.keyboard.press("Enter");
+    await idle(page);
+  }
+  const now = await state(page);
+  const printed = JSON.parse(evenlift("place", `#${await link(page)}`, "--json", "--candidates"));
+  assert.equal(now.slope, 0.08);
+  assert.deepEqual(now.tilt, printed.tilt);
+  assert.deepEqual(now.extra, printed.extra);
+  assert.deepEqual(now.loads, printed.loads);
+  assert.match(plainly(await summary(page)), /In the worst direction it tips at a slope of 27\.9° \(52\.9 %\)/);
+  assert.match(plainly(await summary(page)), /Another 12 kg may stand on \d+ % of the object/);
+  await undo(page);
+  await idle(page);
+  assert.equal((await state(page)).extra, undefined);
+  await page.done();
+});
+
+test("the overlays of slopes and of another load explain what is under the pointer", async () => {
+  const page = await browser.open();
+  await load(page, asset("grand-piano"));
+  assert.equal(await controlIfShown(page, "Tilt"), null, "nothing to show without a height");
+  await set(page, { com_height: 600, extra: 12, capacity: 25 });
+  await idle(page);
+  const before = await page.screenshot();
+  await press(page, "Tilt");
+  await idle(page);
+  const tilted = await page.screenshot();
+  assert.notDeepEqual(tilted, before);
+  await page.keyboard.press("Shift+L");
+  await page.mouse.move(...(await toScreen(page, [200, 300])));
+  await idle(page);
+  assert.notDeepEqual(await page.screenshot(), tilted);
+  assert.match(await link(page), /^2\./);
+  const overlays = (await state(page)).overlays;
+  assert.equal(overlays.tilt && overlays.load, true);
+  await page.done();
+});
+
+test("a link beyond the slope at which it tips opens with that warning", async () => {
+  const page = await browser.open();
+  await load(page, asset("grand-piano"));
+  await set(page, { com_height: 600, slope: "60%" });
+  await idle(page);
+  assert.match(plainly(await summary(page)), /On a slope of 60 % it tips\./);
+  const { verdict } = await state(page);
+  assert.equal(verdict.kind, "warning");
+  await page.done();
+});
