@@ -76,7 +76,8 @@ void draw_tilt(const Painter& painter, const CanvasView& view) {
   double farthest = 0;
   for (const Vec2& corner : view.placement->lifting_base)
     farthest = std::max(farthest, length(corner - centre));
-  constexpr double least_gap = 16;  // pixels between two circles
+  // Pixels between two circles, and of the smallest one whose label does not cover the mark of C.
+  constexpr double least_gap = 16, least_labelled = 40;
   const ImVec2 at = painter.at(centre);
   double drawn = 0;
   for (const double degrees : angles_of_tilt) {
@@ -85,6 +86,7 @@ void draw_tilt(const Painter& painter, const CanvasView& view) {
     drawn = pixels;
     const auto size = static_cast<float>(pixels);
     painter.list().AddCircle(at, size, view.theme.hull_text.at(0.7f).packed(), 96, 1.25f);
+    if (pixels < least_labelled) continue;
     const std::string label = degrees_in_words(degrees);
     const ImVec2 text = text_size(Face::tiny, label);
     const ImVec2 low(at.x - text.x / 2, at.y - size - text.y / 2);

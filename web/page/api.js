@@ -6,8 +6,8 @@ import { idle } from "./work.js";
 // Writes the changes for set() as text for the program, which checks them (settings.h). A value that is neither a
 // number nor a word is written as JSON, which every setting refuses.
 const lists = ["com", "overlays"];
-// As the program itself reads them: "r=30,reach=5", "3,5:0.25-0.75", "0,0 160,0@30", "30,none".
-const texts = ["robot", "no_go", "supports", "support_capacities", "cargo"];
+// As the program itself reads them: "r=30,reach=5", "3,5:0.25-0.75", "0,0 160,0@30", "30,none", "8%".
+const texts = ["robot", "no_go", "supports", "support_capacities", "cargo", "slope"];
 
 function word(value) {
   const other = typeof value === "object" || (typeof value === "string" && !/^[a-zA-Z]+$/.test(value));
@@ -24,7 +24,7 @@ function written(name, value) {
   if (Array.isArray(value) && name === "support_capacities") return value.map((load) => word(load ?? "none")).join(",");
   if (Array.isArray(value) && name === "cargo") return value.map(load).join(" ") || "none";
   if (Array.isArray(value) && lists.includes(name)) return value.map(word).join(",") || "none";
-  if (typeof value === "string" && texts.includes(name) && /^[\w=.,:+@ -]+$/.test(value)) return value;
+  if (typeof value === "string" && texts.includes(name) && /^[\w=.,:+@% -]+$/.test(value)) return value;
   // JavaScript may have rounded a whole number this large.
   if (name === "seed" && typeof value === "number" && !Number.isSafeInteger(value)) return "rounded";
   return word(value);

@@ -51,15 +51,16 @@ std::string tilt_circles(const ShownPlacement& of, const Paper& paper) {
   double farthest = 0;
   for (const Vec2& corner : of.placement.lifting_base)
     farthest = std::max(farthest, length(paper(corner) - centre));
-  constexpr double least_gap = 16;
+  constexpr double least_gap = 16, least_labelled = 30;  // pixels, as on the page
   double drawn = 0;
   std::string out;
   for (const double degrees : angles_of_tilt) {
     const double radius = height * slope_ratio(degrees) * paper.scale;
     if (radius > farthest || radius < drawn + least_gap) continue;
     drawn = radius;
-    out += circle(centre, radius) +
-           text(centre - Vec2(0, radius - 4), 11, degrees_in_words(degrees),
+    out += circle(centre, radius);
+    if (radius < least_labelled) continue;
+    out += text(centre - Vec2(0, radius - 4), 11, degrees_in_words(degrees),
                 attribute("text-anchor", "middle") + attribute("fill", text_colour) +
                     attribute("stroke", "#FFFFFF") + attribute("stroke-width", 3) +
                     attribute("paint-order", "stroke"));
