@@ -129,12 +129,15 @@ void draw_rows(const Ui& ui) {
 
 }  // namespace
 
-void draw_carrying(const Ui& ui) {
+void draw_carrying_button(const Ui& ui, float width) {
   const bool open = ui.state.view.carrying_open;
-  const float head = ImGui::GetCursorPosY();
-  if (flat_button(ui, "carrying", open ? "Hide slopes and starts" : "Slopes, starts, another load",
-                  ImGui::GetContentRegionAvail().x))
+  if (flat_button(ui, "carrying", open ? "Hide carrying" : "Carrying", width))
     ui.push(SetSectionOpen{&View::carrying_open, !open});
+  if (ImGui::IsItemHovered()) tip(ui, "Slopes, starts, uneven ground and another load");
+}
+
+void draw_carrying(const Ui& ui, float head) {
+  const bool open = ui.state.view.carrying_open;
   if (open) draw_rows(ui);
   show_opened(ui, "carrying is open", open, head);
 }

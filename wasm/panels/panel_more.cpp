@@ -125,12 +125,14 @@ void draw_rows(const Ui& ui) {
 
 }  // namespace
 
-void draw_more(const Ui& ui) {
+void draw_more_button(const Ui& ui, float width) {
   const bool open = ui.state.view.more_open;
-  const float head = ImGui::GetCursorPosY();
-  if (flat_button(ui, "more settings", open ? "Fewer settings" : "More settings",
-                  ImGui::GetContentRegionAvail().x))
+  if (flat_button(ui, "more settings", open ? "Fewer settings" : "More settings", width))
     ui.push(SetSectionOpen{&View::more_open, !open});
+}
+
+void draw_more(const Ui& ui, float head) {
+  const bool open = ui.state.view.more_open;
   if (open) draw_rows(ui);
   show_opened(ui, "more settings are open", open, head);
 }

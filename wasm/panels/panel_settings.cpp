@@ -226,6 +226,21 @@ void draw_teams_stepper(const Ui& ui) {
   }
 }
 
+namespace {
+
+// Two sections that open below their buttons, which stand in one row.
+void draw_further_settings(const Ui& ui) {
+  constexpr float gap = 8;
+  const float head = ImGui::GetCursorPosY(), half = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  draw_carrying_button(ui, half);
+  ImGui::SameLine(0, gap);
+  draw_more_button(ui, half);
+  draw_carrying(ui, head);
+  draw_more(ui, head);
+}
+
+}  // namespace
+
 void draw_settings(const Ui& ui) {
   draw_method(ui);
   // On a narrow screen the closed sheet already has this stepper.
@@ -236,8 +251,7 @@ void draw_settings(const Ui& ui) {
   draw_seed(ui);
   if (settings(ui.state).method == Method::balanced) draw_goal(ui);
   draw_centre(ui);
-  draw_carrying(ui);
-  draw_more(ui);
+  draw_further_settings(ui);
   draw_robot_size(ui);
   if (!walkthrough_is_open(ui.state)) draw_compare(ui);
 }

@@ -28,8 +28,11 @@ void draw_teams_stepper(const Ui& ui);
 void draw_capacity(const Ui& ui);
 void draw_goal(const Ui& ui);  // for a method that has one
 void draw_robot_size(const Ui& ui);
-void draw_carrying(const Ui& ui);  // slopes, uneven ground and a further load
-void draw_more(const Ui& ui);      // settings that are seldom needed
+// Slopes, uneven ground and a further load, below their button; `head` is where the button begins.
+void draw_carrying_button(const Ui& ui, float width);
+void draw_carrying(const Ui& ui, float head);
+void draw_more_button(const Ui& ui, float width);
+void draw_more(const Ui& ui, float head);  // settings that are seldom needed
 void draw_compare(const Ui& ui);
 void draw_comparison(const Ui& ui);  // with a second method
 void draw_overlays(const Ui& ui);
