@@ -98,6 +98,10 @@ def check_placements(samples):
         # l_shape on robots that already stand, and falling from others:
         (l_shape, {"supports": [(0, 0), (4, 0), (0, 3), (1, 1)], "support_capacities": [30, None, 40, 50], "snap": 0.1, "require": "held"}),
         (l_shape, {"holes": [[(0.5, 0.5), (1, 0.5), (1, 1)]], "cargo": [((3, 0.5), 20, "motor"), {"at": (0.2, 2), "weight": 5}], "teams": 2}),
+        (
+            texts["hammer"],
+            {"com_height": 9, "slope": "8%", "acceleration": 0.1, "give": 3, "uneven": 1, "extra": 20, "failures": True},
+        ),
         (l_shape, {"cargo": '3,0.5:20:"a motor" 0.2,2:5', "teams": 2}),
         (l_shape, {"supports": "0,0 0,3", "failures": True, "robot": "r=100", "even_out": False}),
     ]
