@@ -176,13 +176,23 @@ TEST_CASE("slopes and another load are told in sentences", "[tilt][words]") {
         "Another 50 kg may stand on 50 % of the object without lifting a robot off or overloading "
         "one, if all robots are equally stiff. Up to 33.3 kg may stand anywhere on it.");
   const ShownPlacement of{placement, document.shown};
-  CHECK(plainly(extra_here_in_words(50, {0.5, 0.5}, of).words) ==
+  CHECK(plainly(extra_here_in_words(*extra_load(of), {0.5, 0.5}, of).words) ==
         "50 kg here: robots carry 37.5 kg");
-  CHECK(extra_here_in_words(50, {0.5, 0.5}, of).is_fine);
-  CHECK(plainly(extra_here_in_words(50, {0, 0}, of).words) ==
+  CHECK(extra_here_in_words(*extra_load(of), {0.5, 0.5}, of).is_fine);
+  CHECK(plainly(extra_here_in_words(*extra_load(of), {0, 0}, of).words) ==
         "50 kg here: robots carry 12.5–62.5 kg · overloaded: robot 1");
-  CHECK_FALSE(extra_here_in_words(50, {0, 0}, of).is_fine);
-  CHECK(plainly(extra_here_in_words(500, {5, 5}, of).words) == "500 kg here tip it");
+  CHECK_FALSE(extra_here_in_words(*extra_load(of), {0, 0}, of).is_fine);
+  CHECK(plainly(extra_here_in_words({500}, {5, 5}, of).words) == "500 kg here tips it");
+}
+
+TEST_CASE("a height next to nothing tips at no slope, and says so without overflow", "[tilt]") {
+  Document document = square();
+  document.shown.carrying.com_height = 5e-324;
+  const Placement placement = placed(document);
+  const auto tilt = tilt_of({placement, document.shown});
+  CHECK(tilt->degrees == 90);
+  CHECK(std::isfinite(100 * tilt->slope));
+  CHECK_FALSE(tilt_in_words(robustness(placement), {placement, document.shown}).empty());
 }
 
 TEST_CASE("a slope at which it tips can be required", "[tilt][requirements]") {

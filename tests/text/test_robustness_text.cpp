@@ -217,7 +217,7 @@ TEST_CASE("a C uncertainty is told in sentences", "[words][robustness]") {
   CHECK(plainly(words(4, 30)) == off + "4" + change + "4.00 kg.");
   CHECK(plainly(words(25, 30)) ==
         off + "25" + change +
-            "25.0 kg. A robot may go slack then, and another may have to carry up to 12.0 kg.");
+            "25.0 kg. One of them may go slack then, and another may have to carry up to 12.0 kg.");
   CHECK(plainly(words(31, 30)) ==
         off + "31" + change + "31.0 kg. From 30.0 on, the object can tip.");
   CHECK(plainly(words(1, 0)) ==

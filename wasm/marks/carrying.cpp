@@ -81,7 +81,8 @@ void draw_tilt(const Painter& painter, const CanvasView& view) {
   const ImVec2 at = painter.at(centre);
   double drawn = 0;
   for (const double degrees : angles_of_tilt) {
-    const double radius = height * slope_ratio(degrees), pixels = radius * view.camera.scale;
+    const double radius = shown(view.state).com_radius + height * slope_ratio(degrees),
+                 pixels = radius * view.camera.scale;
     if (radius > farthest || pixels < drawn + least_gap) continue;
     drawn = pixels;
     const auto size = static_cast<float>(pixels);
@@ -102,7 +103,7 @@ bool draw_carrying_here(const Painter& painter, const CanvasView& view) {
   if (hover.kind != Pick::Kind::object || hover.second != view.second) return false;
   const ShownPlacement of{*view.placement, shown(view.state)};
   if (const ExtraLoad* extra = shown_extra(view)) {
-    const LoadHere here = extra_here_in_words(extra->weight, hover.at, of);
+    const LoadHere here = extra_here_in_words(*extra, hover.at, of);
     draw_figure(painter.list(), painter.at(hover.at),
                 here.is_fine ? view.theme.hull_text : view.theme.amber_on_object, view.theme.panel);
     draw_words(painter, view, hover.at, here.words, here.is_fine);

@@ -92,7 +92,7 @@ const words = [
   ],
   [
     "Tipping distance",
-    "The distance that C may be off before the object tips, if the conditions given under Coverage are met. It is the radius of the dashed circle about C. The ring that you can drag shows the C uncertainty: the true C lies inside the ring. Riggers call the area inside the ring the CoG envelope (CoG: centre of gravity).",
+    "The distance that C may be off before the object tips, if the conditions given under Coverage are met. It is the radius of the dashed circle about C. The ring that you can drag shows the C uncertainty, and what slopes and braking add: the weight acts inside the ring. Riggers call the area inside the ring the CoG envelope (CoG: centre of gravity).",
   ],
   [
     "Zero moment point",

@@ -11,7 +11,8 @@
 namespace evenlift {
 namespace {
 
-constexpr double most = std::numeric_limits<double>::max();
+// Far beyond any slope; a hundred times it is still a number.
+constexpr double most = 1e300;
 
 // The slope at which the point that is `room` away reaches the edge.
 double slope_within(double room, double height) {

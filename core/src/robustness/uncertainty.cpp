@@ -95,8 +95,11 @@ std::optional<double> radius_within_capacity(const SpringLoads& springs, double 
                                              const LoadChanges& besides, double reach) {
   double radius = std::max(0.0, std::min(springs.same_within, tipping_distance) - reach);
   for (std::size_t i = 0; i < springs.loads.size(); ++i) {
-    if (!capacities[i]) continue;
     const double more = besides.by.empty() ? 0 : besides.by[i];
+    // Heights that are off make a robot go slack sooner.
+    if (more > 0 && springs.per_length[i] > 0)
+      radius = std::min(radius, std::max(0.0, springs.loads[i] - more) / springs.per_length[i]);
+    if (!capacities[i]) continue;
     const double room = *capacities[i] - springs.loads[i] - more;
     if (room < 0) return std::nullopt;
     if (springs.per_length[i] > 0) radius = std::min(radius, room / springs.per_length[i]);

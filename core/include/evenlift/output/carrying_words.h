@@ -31,14 +31,14 @@ std::string tilt_in_words(const Robustness& robustness, const ShownPlacement& of
 // all are equally stiff. Up to 33.3 kg may stand anywhere on it." O(1).
 std::string extra_in_words(const ExtraLoad& extra, const ShownPlacement& of);
 
-// What a further load of this weight would do at a place: "80 kg here: robots carry 12.1–54.2 kg",
+// What a further load would do at a place: "80 kg here: robots carry 12.1–54.2 kg",
 // and whether all robots keep carrying within their capacities. If some do not, the text says so; or
-// "80 kg here tip it". O(m log m).
+// "80 kg here tips it". O(m log m).
 struct LoadHere {
   std::string words;
   bool is_fine = false;
 };
-LoadHere extra_here_in_words(double weight, const Vec2& at, const ShownPlacement& of);
+LoadHere extra_here_in_words(const ExtraLoad& extra, const Vec2& at, const ShownPlacement& of);
 
 // "Downhill this way it tips at 14° (25 %)", for the direction from C to a place other than C. Empty
 // without a height of C, or without an area of H. O(h).

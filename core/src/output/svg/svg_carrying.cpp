@@ -55,7 +55,7 @@ std::string tilt_circles(const ShownPlacement& of, const Paper& paper) {
   double drawn = 0;
   std::string out;
   for (const double degrees : angles_of_tilt) {
-    const double radius = height * slope_ratio(degrees) * paper.scale;
+    const double radius = (of.shown.com_radius + height * slope_ratio(degrees)) * paper.scale;
     if (radius > farthest || radius < drawn + least_gap) continue;
     drawn = radius;
     out += circle(centre, radius);

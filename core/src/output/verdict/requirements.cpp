@@ -51,9 +51,9 @@ Value within_capacity(const ShownPlacement& of) {
 Value greatest_after_failure(const ShownPlacement& of) {
   if (!of.placement.loads) return std::nullopt;
   double greatest = 0;
-  for (const auto& rest : single_failures(of.placement)) {
+  for (const auto& rest : single_failures(of.placement, disturbance_of(of.shown))) {
     if (!rest) return std::nullopt;
-    greatest = std::max(greatest, rest->greatest_by_springs);
+    greatest = std::max(greatest, rest->greatest_end);
   }
   return greatest;
 }

@@ -34,6 +34,15 @@ std::string tips_under_these(const Shown& shown) {
   return text + " it tips.";
 }
 
+// Whether the point is in the convex region, within tolerance (tau L).
+bool is_within(const Points& region, const Vec2& at, double diameter) {
+  for (std::size_t i = 0; i < region.size(); ++i) {
+    const Vec2 &a = region[i], along = region[(i + 1) % region.size()] - a;
+    if (cross(along, at - a) < -near_distance(diameter) * length(along)) return false;
+  }
+  return !region.empty();
+}
+
 }  // namespace
 
 std::string slope_in_words(double ratio) { return significant(100 * ratio, 3) + "\u00A0%"; }
@@ -104,10 +113,10 @@ std::string extra_in_words(const ExtraLoad& extra, const ShownPlacement& of) {
   return text;
 }
 
-LoadHere extra_here_in_words(double weight, const Vec2& at, const ShownPlacement& of) {
-  const std::string here = given_weight(weight, of.shown.units) + " here";
-  const auto loads = loads_with(of.placement, weight, at);
-  if (!loads) return {here + " tip it", false};
+LoadHere extra_here_in_words(const ExtraLoad& extra, const Vec2& at, const ShownPlacement& of) {
+  const std::string here = given_weight(extra.weight, of.shown.units) + " here";
+  const auto loads = loads_with(of.placement, extra.weight, at);
+  if (!loads) return {here + " tips it", false};
   const auto [least, greatest] = std::minmax_element(loads->begin(), loads->end());
   std::string words =
       here + ": robots carry " + load_in_words(*least, *greatest, *greatest, of.shown.units);
@@ -121,7 +130,9 @@ LoadHere extra_here_in_words(double weight, const Vec2& at, const ShownPlacement
   if (!idle.empty())
     words += (idle.size() == 1 ? " · robot " : " · robots ") + numbers_from_1(idle) +
              (idle.size() == 1 ? " goes slack" : " go slack");
-  return {words, overloaded.empty() && idle.empty()};
+  const bool is_fine = is_within(extra.region, at, of.placement.polygon().diameter());
+  if (!is_fine && overloaded.empty() && idle.empty()) words += " · not under all given conditions";
+  return {words, is_fine};
 }
 
 std::string tilt_towards_in_words(const Vec2& at, const ShownPlacement& of) {

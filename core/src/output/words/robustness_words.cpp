@@ -97,23 +97,32 @@ std::string uncertainty_in_words(const ModelLoads& loads, const Robustness& robu
   if (!loads.disturbance.any()) return {};
   const Units& units = shown.units;
   const SpringLoads& springs = loads.springs;
-  const double change = *std::max_element(loads.changes.by.begin(), loads.changes.by.end());
+  const bool slack = may_let_go(springs.loads, loads.changes);
+  const bool only_centre = loads.disturbance == Disturbance{.reach = shown.com_radius};
+  double greatest = 0, change = 0;
+  const std::vector<LoadRange> ranges = load_ranges(springs.loads, loads.changes);
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    greatest = std::max(greatest, ranges[i].greatest);
+    change = std::max(change, loads.changes.by[i]);
+    if (!slack) change = std::max(change, springs.loads[i] - ranges[i].least);
+  }
+  const std::string most = load_in_words(greatest, greatest, units) + ".";
+  if (slack && !only_centre)
+    return "If " + conditions_in_words(shown) +
+           ", one of equally stiff robots may go slack, and another may have to carry up to " +
+           most;
   std::string text = "If " + conditions_in_words(shown) +
                      ", the loads of equally stiff robots change by up to " +
                      load_in_words(change, change, units) + ".";
-  if (loads.disturbance.reach == shown.com_radius && shown.com_radius > 0) {
+  if (only_centre) {
     if (robustness.tipping_distance == 0)
       return text + " Even the smallest error can tip the object.";
     if (shown.com_radius >= robustness.tipping_distance)
       return text + " From " + length_in_words(robustness.tipping_distance, units) +
              " on, the object can tip.";
   }
-  if (!may_let_go(springs.loads, loads.changes)) return text;
-  double greatest = 0;
-  for (const LoadRange& range : load_ranges(springs.loads, loads.changes))
-    greatest = std::max(greatest, range.greatest);
-  return text + " A robot may go slack then, and another may have to carry up to " +
-         load_in_words(greatest, greatest, units) + ".";
+  if (!slack) return text;
+  return text + " One of them may go slack then, and another may have to carry up to " + most;
 }
 
 std::string uncertainty_for_capacity_in_words(const ModelLoads& loads, const ShownPlacement& of) {
@@ -213,8 +222,8 @@ std::vector<Fact> robustness_facts(const ShownPlacement& of, const Robustness& r
     facts.push_back(
         {"It tips on a slope of",
          degrees_in_words(tilt->degrees) + " (" + slope_in_words(tilt->slope) + ")",
-         "In the worst direction, standing still; on level ground the same number of g, "
-         "as a ratio, when it is braked"});
+         "In the worst direction, at rest. On level ground it tips when it is braked at that ratio "
+         "in g: 25 % means 0.25 g"});
   return facts;
 }
 

@@ -59,15 +59,22 @@ std::string overload_in_words(const ShownPlacement& of, const std::vector<std::s
          which + ".";
 }
 
-// The plan counts with all robots working and C as given. If other loads are shown, the text states
+// Whether loads may change for other reasons than a C uncertainty.
+bool needs_level(const Shown& shown) {
+  return disturbance_of(shown) != Disturbance{.reach = shown.com_radius};
+}
+
+// The plan counts with all robots working, level and even ground, and C as given. If other loads are shown, the text states
 // this.
 std::string need_in_words(const CapacityPlan& plan, const ShownPlacement& of, LoadModel model,
                           const std::optional<std::size_t>& failed) {
   const Settings& settings = of.placement.settings;
   const std::string presumed = failed                     ? "with no failures, "
                                : model != LoadModel::plan ? "as planned, "
-                               : of.shown.com_radius > 0  ? "with C known exactly, "
-                                                          : "";
+                               : needs_level(of.shown)
+                                   ? "on level, even ground and with C known exactly, "
+                               : of.shown.com_radius > 0 ? "with C known exactly, "
+                                                         : "";
   // For balanced robots only the weight counts (plan_capacity).
   const bool balanced = settings.method == Method::balanced;
   if (plan.possible)
