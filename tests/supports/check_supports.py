@@ -1255,10 +1255,11 @@ def drawn(kind, seed, index, program):
     raise AssertionError(f"no case of {kind.__name__}")
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def check_all(description, examples, shares, usual_cases):
+    """Reads the options, and checks the examples and a number of cases of each kind by its share in per cent."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
-    parser.add_argument("--cases", type=int, default=300)
+    parser.add_argument("--cases", type=int, default=usual_cases)
     parser.add_argument("--seed", type=int, default=1)
     asked = parser.parse_args()
     begin, problems = time.monotonic(), []
@@ -1275,8 +1276,8 @@ def main():
             problems.append((problem, run))
     print(f"examples: {count}")
 
-    for kind, share in SHARES:
-        cases, names = max(1, asked.cases * share // 100), collections.Counter()
+    for kind, share in shares:
+        cases, names = max(1, round(asked.cases * share / 100)), collections.Counter()
         for index in range(cases):
             run, check = drawn(kind, asked.seed, index, asked.program)
             try:
@@ -1287,7 +1288,8 @@ def main():
             names.update(found)
             if problem:
                 problems.append((f"{kind.__name__} {index}: {problem}", run))
-        print(f"{kind.__name__.replace('_', ' ')}: {cases} ({', '.join(f'{n} {name}' for name, n in sorted(names.items()))})")
+        told = ", ".join(f"{n} {name}" for name, n in sorted(names.items()))
+        print(f"{kind.__name__.replace('_', ' ')}: {cases} ({told})")
 
     for problem, run in problems[:20]:
         print(f"\n{problem}\n    {run}", file=sys.stderr)
@@ -1297,4 +1299,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    check_all(__doc__, examples, SHARES, 300)

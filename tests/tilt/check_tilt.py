@@ -10,7 +10,6 @@ Some numbers are also checked without any oracle, by runs with C moved or with t
 is a double and is taken as exact. A case that lies within a few tolerances of a decision is drawn again.
 """
 
-import argparse
 import collections
 import dataclasses
 import functools
@@ -18,15 +17,14 @@ import itertools
 import math
 import pathlib
 import sys
-import time
 from fractions import Fraction
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "supports"))
 
 from check_supports import (  # noqa: E402
-    LOADS, TAU, Ambiguous, Polygon, Run, along, as_doubles, convex_hull, convex_polygon, cross, decimal, disagreement,
-    distance, dot, drawn, edges_of, expect, expect_near, grid_point, minus, nearest_on_segment, pairs_of,
+    LOADS, TAU, Ambiguous, Polygon, Run, along, as_doubles, check_all, convex_hull, convex_polygon, cross, decimal,
+    distance, dot, edges_of, expect, expect_near, grid_point, minus, nearest_on_segment, pairs_of,
     random_polygon, standing_of, star_polygon, steps_polygon, strictly_inside_hull, support, twice_area)  # fmt: skip
 
 NEAR = 1e-7  # a case is drawn again if a decision is nearer than this part of the weight or the size
@@ -1066,42 +1064,5 @@ def examples(program):
 SHARES = [(judged, 80), (sampled_directions, 1.5), (worst_points, 5), (places_of_the_weight, 5), (one_answer, 8)]
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
-    parser.add_argument("--cases", type=int, default=120)
-    parser.add_argument("--seed", type=int, default=1)
-    asked = parser.parse_args()
-    begin, problems, count = time.monotonic(), [], 0
-
-    for run, check in examples(asked.program):
-        def of_result(answer, check=check):
-            expect(answer.result is not None, answer.error)
-            check(answer.result)
-
-        problem, _ = disagreement(run, of_result)
-        count += 1
-        if problem:
-            problems.append((problem, run))
-    print(f"examples: {count}")
-
-    for kind, share in SHARES:
-        cases, names = max(1, round(asked.cases * share / 100)), collections.Counter()
-        for index in range(cases):
-            run, check = drawn(kind, asked.seed, index, asked.program)
-            problem, found = disagreement(run, check)
-            names.update(found)
-            if problem:
-                problems.append((f"{kind.__name__} {index}: {problem}", run))
-        told = ", ".join(f"{n} {name}" for name, n in sorted(names.items()))
-        print(f"{kind.__name__.replace('_', ' ')}: {cases} ({told})")
-
-    for problem, run in problems[:20]:
-        print(f"\n{problem}\n    {run}", file=sys.stderr)
-    print(f"{time.monotonic() - begin:.1f} s, seed {asked.seed}")
-    if problems:
-        sys.exit(f"{len(problems)} disagreements")
-
-
 if __name__ == "__main__":
-    main()
+    check_all(__doc__, examples, SHARES, 120)
