@@ -102,6 +102,8 @@ std::string robustness_lines(const ShownPlacement& of, const RobustnessKnown& kn
     const std::string tips = tipping_in_words(known.robustness, of);
     if (!tips.empty()) text += tips + "\n";
   }
+  const std::string idle = without_effect_in_words(of.shown);
+  if (!idle.empty()) text += idle + "\n";
   const std::string tilt = tilt_in_words(known.robustness, of);
   if (!tilt.empty()) text += tilt + "\n";
   if (const auto extra = extra_load(of)) text += extra_in_words(*extra, of) + "\n";

@@ -195,6 +195,20 @@ TEST_CASE("a height next to nothing tips at no slope, and says so without overfl
   CHECK_FALSE(tilt_in_words(robustness(placement), {placement, document.shown}).empty());
 }
 
+TEST_CASE("a condition that changes nothing alone says what is missing", "[tilt][words]") {
+  Shown shown;
+  CHECK(without_effect_in_words(shown).empty());
+  shown.carrying.acceleration = 0.1;
+  CHECK(without_effect_in_words(shown) ==
+        "The acceleration changes nothing without the height of the centre of mass.");
+  shown.carrying.com_height = 1;
+  shown.carrying.uneven = 2;
+  CHECK(without_effect_in_words(shown) ==
+        "Uneven heights change nothing unless it is known how far robots give way.");
+  shown.carrying.give = 4;
+  CHECK(without_effect_in_words(shown).empty());
+}
+
 TEST_CASE("a slope at which it tips can be required", "[tilt][requirements]") {
   Document document = square();
   const Placement placement = placed(document);

@@ -200,9 +200,11 @@ std::string uncertainty_words(const AppState& state) {
 std::string carrying_words(const AppState& state) {
   const Derived& facts = state.derived();
   if (!facts.placement || facts.refusal || !facts.placement->loads) return {};
-  std::string text = tilt_in_words(facts.outlook.robustness, of(state));
-  if (facts.outlook.extra)
-    text += (text.empty() ? "" : " ") + extra_in_words(*facts.outlook.extra, of(state));
+  std::string text;
+  for (const std::string& sentence :
+       {without_effect_in_words(shown(state)), tilt_in_words(facts.outlook.robustness, of(state)),
+        facts.outlook.extra ? extra_in_words(*facts.outlook.extra, of(state)) : std::string()})
+    if (!sentence.empty()) text += (text.empty() ? "" : " ") + sentence;
   return text;
 }
 

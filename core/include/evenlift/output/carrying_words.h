@@ -19,6 +19,14 @@ std::string degrees_in_words(double degrees);
 // 0.1 g, with heights off by up to 2 mm". Empty without a disturbance. O(1).
 std::string disturbance_in_words(const Shown& shown);
 
+// The same as a clause: "C is off by up to 3 cm, the ground slopes by up to 8 % and heights are off by
+// up to 2 mm". O(1).
+std::string disturbance_as_clause(const Shown& shown);
+
+// Which of the given conditions change nothing because another number is missing: "The acceleration
+// changes nothing without the height of the centre of mass." Empty if all of them count. O(1).
+std::string without_effect_in_words(const Shown& shown);
+
 // "It can tip: the centre of mass may be off by 200 mm, and 177 mm in one direction is enough.", or
 // "On a slope of 8 % it tips." Empty if it stays upright under the given conditions. O(1).
 std::string tipping_in_words(const Robustness& robustness, const ShownPlacement& of);

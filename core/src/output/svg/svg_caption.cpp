@@ -103,10 +103,11 @@ Caption make_caption(const ShownPlacement& of, const Seen& seen, double top, dou
     }
     y += 2;
   };
-  paragraph(loads_in_words(of), 17, dark + attribute("font-weight", 600));
+  paragraph(loads_in_words(of, LoadModel::plan, loads_when_disturbed(of)), 17,
+            dark + attribute("font-weight", 600));
   paragraph(detail_in_words(of), 15, dark);
   if (seen.tilt) paragraph(tilt_in_words(robustness(of.placement), of), 15, dark);
-  if (seen.load) paragraph(extra_in_words(*extra_load(of), of), 15, dark);
+  if (seen.load) paragraph(extra_in_words(*seen.load, of), 15, dark);
   paragraph(settings_line(of), 13, grey);
 
   double x = caption_margin;

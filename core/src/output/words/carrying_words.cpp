@@ -34,6 +34,31 @@ std::string tips_under_these(const Shown& shown) {
   return text + " it tips.";
 }
 
+// A condition that changes loads, as an addition to a sentence and as a clause, each followed by how
+// great it is.
+struct Condition {
+  std::string as_addition, as_clause, amount;
+};
+
+// The conditions that change loads.
+std::vector<Condition> conditions_of(const Shown& shown) {
+  const Carrying& carrying = shown.carrying;
+  std::vector<Condition> conditions;
+  if (shown.com_radius > 0)
+    conditions.push_back({"with a C uncertainty of ", "C is off by up to ",
+                          length_in_words(shown.com_radius, shown.units)});
+  if (carrying.slope > 0)
+    conditions.push_back(
+        {"on slopes up to ", "the ground slopes by up to ", slope_in_words(carrying.slope)});
+  if (carrying.acceleration > 0 && carrying.com_height > 0)
+    conditions.push_back({"braked at up to ", "the object is braked at up to ",
+                          acceleration_in_words(carrying.acceleration)});
+  if (carrying.uneven > 0 && carrying.give)
+    conditions.push_back({"with heights off by up to ", "heights are off by up to ",
+                          length_in_words(carrying.uneven, shown.units)});
+  return conditions;
+}
+
 // Whether the point is in the convex region, within tolerance (tau L).
 bool is_within(const Points& region, const Vec2& at, double diameter) {
   for (std::size_t i = 0; i < region.size(); ++i) {
@@ -50,19 +75,31 @@ std::string slope_in_words(double ratio) { return significant(100 * ratio, 3) + 
 std::string degrees_in_words(double degrees) { return significant(degrees, 3) + "°"; }
 
 std::string disturbance_in_words(const Shown& shown) {
-  const Carrying& carrying = shown.carrying;
-  std::vector<std::string> conditions;
-  if (shown.com_radius > 0)
-    conditions.push_back("with a C uncertainty of " +
-                         length_in_words(shown.com_radius, shown.units));
-  if (carrying.slope > 0) conditions.push_back("on slopes up to " + slope_in_words(carrying.slope));
-  if (carrying.acceleration > 0 && carrying.com_height > 0)
-    conditions.push_back("braked at up to " + acceleration_in_words(carrying.acceleration));
-  if (carrying.uneven > 0 && carrying.give)
-    conditions.push_back("with heights off by up to " +
-                         length_in_words(carrying.uneven, shown.units));
   std::string text;
-  for (const std::string& condition : conditions) text += (text.empty() ? "" : ", ") + condition;
+  for (const Condition& condition : conditions_of(shown))
+    text += (text.empty() ? "" : ", ") + (condition.as_addition + condition.amount);
+  return text;
+}
+
+std::string disturbance_as_clause(const Shown& shown) {
+  const std::vector<Condition> conditions = conditions_of(shown);
+  std::string text;
+  for (std::size_t i = 0; i < conditions.size(); ++i)
+    text += (i == 0                      ? ""
+             : i + 1 < conditions.size() ? ", "
+                                         : " and ") +
+            (conditions[i].as_clause + conditions[i].amount);
+  return text;
+}
+
+std::string without_effect_in_words(const Shown& shown) {
+  const Carrying& carrying = shown.carrying;
+  std::string text;
+  if (carrying.acceleration > 0 && !(carrying.com_height > 0))
+    text = "The acceleration changes nothing without the height of the centre of mass.";
+  if (carrying.uneven > 0 && !carrying.give)
+    text += std::string(text.empty() ? "" : " ") +
+            "Uneven heights change nothing unless it is known how far robots give way.";
   return text;
 }
 
@@ -70,9 +107,9 @@ std::string tipping_in_words(const Robustness& robustness, const ShownPlacement&
   const Shown& shown = of.shown;
   const double reach = disturbance_of(shown).reach, distance = robustness.tipping_distance;
   if (reach > shown.com_radius)
-    return reach > distance + near_distance(of.placement.polygon().diameter())
-               ? tips_under_these(shown)
-               : std::string();
+    return is_within_base(reach, distance, of.placement.polygon().diameter())
+               ? std::string()
+               : tips_under_these(shown);
   if (!(reach > 0) || reach < distance) return {};
   return "It can tip: the centre of mass may be off by " + length_in_words(reach, shown.units) +
          ", and " + with_length_unit(amount(distance, distance), shown.units) +

@@ -41,27 +41,6 @@ std::string in_letters(std::size_t number) {
   return number < words.size() ? words[number] : std::to_string(number);
 }
 
-// "C is off by up to 3 cm and the ground slopes by up to 8 %"
-std::string conditions_in_words(const Shown& shown) {
-  const Carrying& carrying = shown.carrying;
-  std::vector<std::string> conditions;
-  if (shown.com_radius > 0)
-    conditions.push_back("C is off by up to " +
-                         with_length_unit(plain(shown.com_radius), shown.units));
-  if (carrying.slope > 0)
-    conditions.push_back("the ground slopes by up to " + slope_in_words(carrying.slope));
-  if (carrying.acceleration > 0 && carrying.com_height > 0)
-    conditions.push_back("the object is braked at up to " + significant(carrying.acceleration, 3) +
-                         "\u00A0g");
-  if (carrying.uneven > 0 && carrying.give)
-    conditions.push_back("heights are off by up to " +
-                         with_length_unit(plain(carrying.uneven), shown.units));
-  std::string text;
-  for (std::size_t i = 0; i < conditions.size(); ++i)
-    text += (i == 0 ? "" : i + 1 < conditions.size() ? ", " : " and ") + conditions[i];
-  return text;
-}
-
 // The greatest load after a failure, within the disturbance.
 double greatest_after(const RestOfRobots& rest) {
   return std::max(rest.greatest_by_springs, rest.greatest_end);
@@ -108,10 +87,10 @@ std::string uncertainty_in_words(const ModelLoads& loads, const Robustness& robu
   }
   const std::string most = load_in_words(greatest, greatest, units) + ".";
   if (slack && !only_centre)
-    return "If " + conditions_in_words(shown) +
+    return "If " + disturbance_as_clause(shown) +
            ", one of equally stiff robots may go slack, and another may have to carry up to " +
            most;
-  std::string text = "If " + conditions_in_words(shown) +
+  std::string text = "If " + disturbance_as_clause(shown) +
                      ", the loads of equally stiff robots change by up to " +
                      load_in_words(change, change, units) + ".";
   if (only_centre) {
