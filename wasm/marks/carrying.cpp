@@ -4,7 +4,6 @@
 #include <cmath>
 #include <string>
 
-#include "evenlift/angles.h"
 #include "evenlift/output/carrying_words.h"
 #include "marks/boxed_text.h"
 #include "ui/vec.h"
@@ -19,9 +18,7 @@ const ExtraLoad* shown_extra(const CanvasView& view) {
 }
 
 bool shows_tilt(const CanvasView& view) {
-  return shown(view.state).overlays.tilt && shown(view.state).carrying.com_height > 0 &&
-         view.current() && view.placement && view.placement->lifting_base.size() >= 3 &&
-         view.placement->loads;
+  return shown(view.state).overlays.tilt && view.current() && view.placement;
 }
 
 // The rows cut into stripes at 45 degrees.
@@ -71,24 +68,13 @@ void draw_load_region(const Painter& painter, const CanvasView& view) {
 
 void draw_tilt(const Painter& painter, const CanvasView& view) {
   if (!shows_tilt(view)) return;
-  const Vec2& centre = view.placement->centre_of_mass;
-  const double height = shown(view.state).carrying.com_height;
-  double farthest = 0;
-  for (const Vec2& corner : view.placement->lifting_base)
-    farthest = std::max(farthest, length(corner - centre));
-  // Pixels between two circles, and of the smallest one whose label does not cover the mark of C.
-  constexpr double least_gap = 16, least_labelled = 40;
-  const ImVec2 at = painter.at(centre);
-  double drawn = 0;
-  for (const double degrees : angles_of_tilt) {
-    const double radius = shown(view.state).com_radius + height * slope_ratio(degrees),
-                 pixels = radius * view.camera.scale;
-    if (radius > farthest || pixels < drawn + least_gap) continue;
-    drawn = pixels;
-    const auto size = static_cast<float>(pixels);
+  const ImVec2 at = painter.at(view.placement->centre_of_mass);
+  for (const TiltCircle& circle :
+       tilt_circles({*view.placement, shown(view.state)}, view.camera.scale)) {
+    const auto size = static_cast<float>(circle.radius * view.camera.scale);
     painter.list().AddCircle(at, size, view.theme.hull_text.at(0.7f).packed(), 96, 1.25f);
-    if (pixels < least_labelled) continue;
-    const std::string label = degrees_in_words(degrees);
+    if (!circle.is_labelled) continue;
+    const std::string label = degrees_in_words(circle.degrees);
     const ImVec2 text = text_size(Face::tiny, label);
     const ImVec2 low(at.x - text.x / 2, at.y - size - text.y / 2);
     painter.list().AddRectFilled(ImVec2(low.x - 3, low.y),

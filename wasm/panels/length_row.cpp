@@ -39,6 +39,37 @@ double first_length(double size_of_object) {
   return std::pow(10.0, std::floor(std::log10(size_of_object / 50)));
 }
 
+bool draw_optional(const Ui& ui, const OptionalRow& row) {
+  const SettingRow& setting = row_of(row.setting);
+  const std::string id(setting.name);
+  Document changed{{}, {}, settings(ui.state), shown(ui.state)};
+  const std::optional<double> value = read_number(text_of(row.setting, changed));
+  const float width = labelled(ui, row.label, row.about), clear = ui.control();
+  if (!value) {
+    text_field(ui, id.c_str(), row.spoken.c_str(), id.c_str(), row.without, width);
+    return false;
+  }
+  const Units& units = shown(ui.state).units;
+  const int by = stepper(
+      ui, id.c_str(),
+      setting.is_length ? with_length_unit(plain(*value), units) : given_weight(*value, units),
+      width - clear - 4,
+      {.can_lower = *value > 1e-3,
+       .can_raise = *value < 1e9,
+       .label = row.spoken.c_str(),
+       .setting = id.c_str(),
+       .exact = shortest(*value)});
+  ImGui::SameLine(0, 4);
+  const bool unsets = icon_button(ui, row.unset_id, Icon::close, true, row.unset, clear);
+  if (unsets || by != 0) {
+    read_setting(row.setting,
+                 unsets ? std::string(setting.range.unset) : shortest(stepped(*value, by)),
+                 changed);
+    push(ui, row.setting, changed);
+  }
+  return true;
+}
+
 void draw_length(const Ui& ui, const LengthRow& row) {
   Document changed{{}, {}, settings(ui.state), shown(ui.state)};
   const std::optional<double> length = read_number(text_of(row.setting, changed));

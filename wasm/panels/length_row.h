@@ -1,7 +1,8 @@
-// Panel rows that step a setting that is a length up and down, or take a typed value.
+// Panel rows that step a setting up and down, or take a typed value.
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "evenlift/settings.h"
 #include "ui/ui.h"
@@ -16,6 +17,17 @@ struct LengthRow {
   const char* usual = nullptr;
 };
 void draw_length(const Ui& ui, const LengthRow& row);
+
+// A length or a weight that need not be given.
+struct OptionalRow {
+  Setting setting;
+  const char *label, *about;
+  std::string spoken;
+  const char* without;           // what stands there if it is not given
+  const char *unset_id, *unset;  // the button that takes it away
+};
+// Returns whether the value is given.
+bool draw_optional(const Ui& ui, const OptionalRow& row);
 
 // The size of the object; and the first step of a length from 0: a round number near a hundredth of
 // the size.

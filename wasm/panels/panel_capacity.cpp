@@ -2,12 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "evenlift/numbers.h"
 #include "evenlift/output/words.h"
+#include "panels/length_row.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
 #include "widgets/buttons.h"
-#include "widgets/fields.h"
 #include "widgets/text.h"
 
 namespace evenlift::view {
@@ -56,25 +55,15 @@ void draw_need(const Ui& ui) {
 }  // namespace
 
 void draw_capacity(const Ui& ui) {
-  const std::optional<double>& capacity = shown(ui.state).capacity;
-  const float width =
-      labelled(ui, "A robot carries",
-               "The greatest load of one robot; type it to see the number of robots needed");
-  const std::string label = "Capacity of a robot, in " + weight_unit(ui.state);
-  if (!capacity) return text_field(ui, "capacity", label.c_str(), "capacity", "no limit", width);
-  const float clear = ui.control();
-  const int by =
-      stepper(ui, "capacity", given_weight(*capacity, shown(ui.state).units), width - clear - 4,
-              {.can_lower = *capacity > 1e-3,
-               .can_raise = *capacity < 1e9,
-               .label = label.c_str(),
-               .setting = "capacity",
-               .exact = shortest(*capacity)});
-  if (by != 0) ui.push(showing(ui.state, &Shown::capacity, stepped(*capacity, by)));
-  ImGui::SameLine(0, 4);
-  if (icon_button(ui, "any", Icon::close, true, "No limit", clear))
-    ui.push(showing(ui.state, &Shown::capacity, std::nullopt));
-  draw_need(ui);
+  const OptionalRow capacity{
+      Setting::capacity,
+      "A robot carries",
+      "The greatest load of one robot; type it to see the number of robots needed",
+      "Capacity of a robot, in " + weight_unit(ui.state),
+      "no limit",
+      "any",
+      "No limit"};
+  if (draw_optional(ui, capacity)) draw_need(ui);
 }
 
 }  // namespace evenlift::view

@@ -57,51 +57,21 @@ void draw_ratio(const Ui& ui, const RatioRow& row) {
   ui.push(showing(ui.state, &Shown::carrying, changed));
 }
 
-// A value that need not be given.
-struct OptionalRow {
-  std::optional<double> Carrying::*member;
-  const char *id, *label, *about, *spoken, *without, *unset;
-  std::string (*text)(const AppState& state, double value);
-};
-const OptionalRow give{&Carrying::give,
-                       "give",
+const OptionalRow give{Setting::give,
                        "Robots give way",
                        "By how much a robot gives way under its mean load: its springs, tyres or "
                        "rubber. It decides what uneven ground does",
                        "Length by which a robot gives way",
                        "not known",
-                       "Not known",
-                       [](const AppState& state, double value) {
-                         return with_length_unit(plain(value), shown(state).units);
-                       }};
-const OptionalRow extra{
-    &Carrying::extra,
-    "extra",
-    "Another load",
-    "A further weight that may stand on the object, such as a person or a box",
-    "Weight of another load",
-    "none",
-    "None",
-    [](const AppState& state, double value) { return given_weight(value, shown(state).units); }};
-
-void draw_optional(const Ui& ui, const OptionalRow& row) {
-  Carrying changed = shown(ui.state).carrying;
-  std::optional<double>& value = changed.*row.member;
-  const float width = labelled(ui, row.label, row.about), clear = ui.control();
-  if (!value) return text_field(ui, row.id, row.spoken, row.id, row.without, width);
-  const int by = stepper(ui, row.id, row.text(ui.state, *value), width - clear - 4,
-                         {.can_lower = *value > 1e-3,
-                          .can_raise = *value < 1e9,
-                          .label = row.spoken,
-                          .setting = row.id,
-                          .exact = shortest(*value)});
-  ImGui::SameLine(0, 4);
-  const std::string id = std::string("no ") + row.id;
-  const bool unsets = icon_button(ui, id.c_str(), Icon::close, true, row.unset, clear);
-  if (!unsets && by == 0) return;
-  value = unsets ? std::nullopt : std::optional(stepped(*value, by));
-  ui.push(showing(ui.state, &Shown::carrying, changed));
-}
+                       "no give",
+                       "Not known"};
+const OptionalRow extra{Setting::extra,
+                        "Another load",
+                        "A further weight that may stand on the object, such as a person or a box",
+                        "Weight of another load",
+                        "none",
+                        "no extra",
+                        "None"};
 
 // Shows or hides one of the two overlays that explain these numbers.
 void draw_show(const Ui& ui, bool Overlays::*overlay, ActionId toggle, const char* show,

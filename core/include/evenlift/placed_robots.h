@@ -93,6 +93,16 @@ std::optional<Tilt> tilt_of(const ShownPlacement& of);
 // given conditions. False without robots. O(h).
 bool tips_when_disturbed(const ShownPlacement& of);
 
+// The circles about C that a picture shows for slopes: where one leaves the lifting base, the object
+// tips on that slope, if that direction is downhill. From small to large, `scale` pixels to a unit of
+// length, so far apart that one sees them; some without a label, which would cover C. None without a
+// height of C, if the lifting base has no area, or if the object falls. O(h).
+struct TiltCircle {
+  double degrees = 0, radius = 0;  // the radius in units of length, with the C uncertainty
+  bool is_labelled = true;
+};
+std::vector<TiltCircle> tilt_circles(const ShownPlacement& of, double scale);
+
 // The effect of each single failure, in the order of the robots; failures.h states the cost.
 std::vector<std::optional<RestOfRobots>> single_failures(const Placement& placement,
                                                          const Disturbance& disturbance = {});

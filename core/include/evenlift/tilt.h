@@ -42,7 +42,4 @@ std::optional<Tilt> tilt_of(const Shown& shown, double tipping_distance, double 
 double tipping_slope(const Points& hull, const Vec2& centre, const Vec2& direction,
                      const Shown& shown);
 
-// The angles in degrees, ascending, that pictures show as circles about C.
-inline constexpr double angles_of_tilt[] = {1, 2, 5, 10, 15, 20, 30, 45, 60};
-
 }  // namespace evenlift

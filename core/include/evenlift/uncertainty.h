@@ -30,6 +30,10 @@ struct Disturbance {
   bool operator==(const Disturbance&) const = default;
 };
 
+// Whether the object stays upright while the weight acts anywhere within the reach: that is at most the
+// tipping distance, within tolerance (tau L). O(1).
+bool is_within_base(double reach, double tipping_distance, double diameter);
+
 struct LoadRange {
   double least = 0, greatest = 0;
 };

@@ -1,5 +1,7 @@
 #include "evenlift/placed_robots.h"
 
+#include <algorithm>
+
 #include "evenlift/angles.h"
 #include "evenlift/closure.h"
 #include "evenlift/tilt.h"
@@ -163,9 +165,9 @@ bool tips_when_disturbed(const ShownPlacement& of) {
   const Placement& placement = of.placement;
   const double size = diameter(placement);
   return !placement.teams.empty() &&
-         disturbance_of(of.shown).reach >
-             tipping_distance(placement.lifting_base, placement.centre_of_mass, size) +
-                 near_distance(size);
+         !is_within_base(disturbance_of(of.shown).reach,
+                         tipping_distance(placement.lifting_base, placement.centre_of_mass, size),
+                         size);
 }
 
 std::optional<Tilt> tilt_of(const ShownPlacement& of) {
@@ -176,6 +178,25 @@ std::optional<Tilt> tilt_of(const ShownPlacement& of) {
               tipping_distance(of.placement.lifting_base, of.placement.centre_of_mass, size), size);
   if (tilt && !of.placement.loads) tilt->stays = false;  // it falls on level ground
   return tilt;
+}
+
+std::vector<TiltCircle> tilt_circles(const ShownPlacement& of, double scale) {
+  constexpr double angles_deg[] = {1, 2, 5, 10, 15, 20, 30, 45, 60};
+  constexpr double least_gap = 16, least_labelled = 40;  // pixels
+  const double height = of.shown.carrying.com_height;
+  const Placement& placement = of.placement;
+  std::vector<TiltCircle> circles;
+  if (!(height > 0) || placement.lifting_base.size() < 3 || !placement.loads) return circles;
+  double farthest = 0, drawn = 0;
+  for (const Vec2& corner : placement.lifting_base)
+    farthest = std::max(farthest, length(corner - placement.centre_of_mass));
+  for (const double degrees : angles_deg) {
+    const double radius = of.shown.com_radius + height * slope_ratio(degrees);
+    if (radius > farthest || radius * scale < drawn + least_gap) continue;
+    drawn = radius * scale;
+    circles.push_back({degrees, radius, drawn >= least_labelled});
+  }
+  return circles;
 }
 
 std::vector<std::optional<RestOfRobots>> single_failures(const Placement& placement,

@@ -6,7 +6,6 @@
 
 #include "evenlift/angles.h"
 #include "evenlift/predicates.h"
-#include "evenlift/tolerance.h"
 
 namespace evenlift {
 namespace {
@@ -36,12 +35,9 @@ std::optional<Tilt> tilt_of(const Shown& shown, double tipping_distance, double 
   if (!(height > 0)) return std::nullopt;
   const double reach = disturbance_of(shown).reach;
   const double slope = slope_within(tipping_distance - shown.com_radius, height);
-  return Tilt{height,
-              reach,
-              reach <= tipping_distance + near_distance(diameter),
-              slope,
-              slope_degrees(slope),
-              slope};
+  return Tilt{
+      height, reach, is_within_base(reach, tipping_distance, diameter), slope, slope_degrees(slope),
+      slope};
 }
 
 double tipping_slope(const Points& hull, const Vec2& centre, const Vec2& direction,

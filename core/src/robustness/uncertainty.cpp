@@ -52,6 +52,10 @@ double tipping_distance(const Points& hull, const Vec2& centre, double diameter)
   return least > near_distance(known_size(hull, centre, diameter)) ? least : 0;
 }
 
+bool is_within_base(double reach, double tipping_distance, double diameter) {
+  return reach <= tipping_distance + near_distance(diameter);
+}
+
 LoadChanges load_changes(const Points& robots, const Vec2& centre, double diameter, double weight,
                          const SpringLoads& springs, const Disturbance& disturbance) {
   LoadChanges changes{disturbance.kept, false, {}, {}};
@@ -67,7 +71,9 @@ LoadChanges load_changes(const Points& robots, const Vec2& centre, double diamet
     for (std::size_t i = 0; i < robots.size(); ++i)
       changes.by[i] = finite(changes.by[i] + mean * (disturbance.uneven * sums[i]));
   }
-  changes.at_worst = worst_loads(robots, centre, diameter, weight, disturbance.reach).value();
+  // If only rounding puts C outside H, no bound is known but the whole weight.
+  changes.at_worst = worst_loads(robots, centre, diameter, weight, disturbance.reach)
+                         .value_or(std::vector<double>(robots.size(), weight));
   return changes;
 }
 

@@ -180,16 +180,15 @@ class Drawing {
 
   // Where a further load may stand.
   std::string load() {
-    const auto extra = of_.shown.overlays.load ? extra_load(of_) : std::nullopt;
-    seen_.load = extra.has_value();
-    if (!extra) return "";
+    if (of_.shown.overlays.load) seen_.load = extra_load(of_);
+    if (!seen_.load) return "";
     std::vector<Points> rings = {outline_};
     rings.insert(rings.end(), holes_.begin(), holes_.end());
-    return load_region(rings, paper_(extra->region));
+    return load_region(rings, paper_(seen_.load->region));
   }
 
   std::string tilt() {
-    const std::string circles = of_.shown.overlays.tilt ? tilt_circles(of_, paper_) : std::string();
+    const std::string circles = of_.shown.overlays.tilt ? tilt_marks(of_, paper_) : std::string();
     seen_.tilt = !circles.empty();
     return circles;
   }

@@ -1,8 +1,10 @@
 // The caption below the picture: the verdict, the settings, and a key to the visible colours.
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "evenlift/extra_load.h"
 #include "evenlift/placement.h"
 
 namespace evenlift::svg {
@@ -11,7 +13,8 @@ namespace evenlift::svg {
 struct Seen {
   bool hull = false, clockwise = false, counterclockwise = false;
   bool no_go = false, unusable = false, body = false, overload = false, slide = false;
-  bool cargo = false, own_centre = false, load = false, tilt = false;
+  bool cargo = false, own_centre = false, tilt = false;
+  std::optional<ExtraLoad> load = {};
 };
 
 struct Caption {

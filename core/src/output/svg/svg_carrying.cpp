@@ -1,8 +1,5 @@
 #include "output/svg/svg_carrying.h"
 
-#include <algorithm>
-
-#include "evenlift/angles.h"
 #include "evenlift/output/carrying_words.h"
 #include "output/svg/svg_markup.h"
 #include "output/svg/svg_style.h"
@@ -44,26 +41,17 @@ std::string load_swatch() {
                              attribute("height", 12) + attribute("rx", 2) + green());
 }
 
-std::string tilt_circles(const ShownPlacement& of, const Paper& paper) {
-  const double height = of.shown.carrying.com_height;
-  if (!(height > 0) || of.placement.lifting_base.size() < 3 || !of.placement.loads) return {};
+std::string tilt_marks(const ShownPlacement& of, const Paper& paper) {
   const Vec2 centre = paper(of.placement.centre_of_mass);
-  double farthest = 0;
-  for (const Vec2& corner : of.placement.lifting_base)
-    farthest = std::max(farthest, length(paper(corner) - centre));
-  constexpr double least_gap = 16, least_labelled = 30;  // pixels, as on the page
-  double drawn = 0;
   std::string out;
-  for (const double degrees : angles_of_tilt) {
-    const double radius = (of.shown.com_radius + height * slope_ratio(degrees)) * paper.scale;
-    if (radius > farthest || radius < drawn + least_gap) continue;
-    drawn = radius;
+  for (const TiltCircle& each : tilt_circles(of, paper.scale)) {
+    const double radius = each.radius * paper.scale;
     out += circle(centre, radius);
-    if (radius < least_labelled) continue;
-    out += text(centre - Vec2(0, radius - 4), 11, degrees_in_words(degrees),
-                attribute("text-anchor", "middle") + attribute("fill", text_colour) +
-                    attribute("stroke", "#FFFFFF") + attribute("stroke-width", 3) +
-                    attribute("paint-order", "stroke"));
+    if (each.is_labelled)
+      out += text(centre - Vec2(0, radius - 4), 11, degrees_in_words(each.degrees),
+                  attribute("text-anchor", "middle") + attribute("fill", text_colour) +
+                      attribute("stroke", "#FFFFFF") + attribute("stroke-width", 3) +
+                      attribute("paint-order", "stroke"));
   }
   return out;
 }

@@ -15,7 +15,7 @@ std::string load_swatch();
 
 // Circles about C for slopes, up to the farthest corner of the lifting base. Empty without a height
 // of C, or if the object falls.
-std::string tilt_circles(const ShownPlacement& of, const Paper& paper);
+std::string tilt_marks(const ShownPlacement& of, const Paper& paper);
 std::string tilt_swatch();
 
 }  // namespace evenlift::svg
