@@ -134,24 +134,39 @@ TEST_CASE("the worst load while C may be off is that at the worst place of C",
     const auto worst = worst_loads(set.robots, set.centre, set.diameter, 1, reach);
     REQUIRE(worst);
     INFO(number << ", " << set.kind << ", reach " << reach);
-    std::vector<double> sampled(set.robots.size(), 0);
-    constexpr int directions = 720;
-    for (int i = 0; i < directions; ++i) {
-      const double angle = 2 * std::acos(-1.0) * i / directions;
-      for (const double part : {0.25, 0.5, 0.75, 1.0}) {
-        const Vec2 centre = set.centre + part * reach * Vec2(std::cos(angle), std::sin(angle));
-        const auto here = worst_loads(set.robots, centre, set.diameter, 1);
-        if (!here) {
-          ++tips;
-          continue;
-        }
-        for (std::size_t robot = 0; robot < sampled.size(); ++robot)
-          sampled[robot] = std::max(sampled[robot], (*here)[robot]);
-      }
+    // The worst load of a robot while C is at this angle of the circle; below 0 where it tips.
+    const auto load_at = [&](std::size_t robot, double angle) {
+      const Vec2 centre = set.centre + reach * Vec2(std::cos(angle), std::sin(angle));
+      const auto here = worst_loads(set.robots, centre, set.diameter, 1);
+      return here ? (*here)[robot] : -1;
+    };
+    constexpr std::size_t directions = 720;
+    const double step = 2 * std::acos(-1.0) / directions;
+    std::vector<std::vector<double>> samples;
+    for (std::size_t i = 0; i < directions; ++i) {
+      const double turned = static_cast<double>(i) * step;
+      const Vec2 centre = set.centre + reach * Vec2(std::cos(turned), std::sin(turned));
+      const auto here = worst_loads(set.robots, centre, set.diameter, 1);
+      if (!here) ++tips;
+      samples.push_back(here.value_or(std::vector<double>(set.robots.size(), -1)));
     }
-    for (std::size_t robot = 0; robot < sampled.size(); ++robot) {
-      CHECK(sampled[robot] <= (*worst)[robot] + 1e-9);
-      CHECK(sampled[robot] >= (*worst)[robot] - 0.03);
+    for (std::size_t robot = 0; robot < set.robots.size(); ++robot) {
+      const Vec2 to = set.robots[robot] - set.centre;
+      // A load falls along each ray from its robot: C is worst at the robot, or on the circle.
+      double angle = std::atan2(to.y(), to.x());
+      double sampled = length(to) <= reach ? 1 : load_at(robot, angle);
+      for (std::size_t i = 0; i < directions; ++i) {
+        if (samples[i][robot] <= sampled) continue;
+        sampled = samples[i][robot];
+        angle = static_cast<double>(i) * step;
+      }
+      for (double by = step; sampled < 1 && by > 1e-9; by /= 2)
+        for (const double turned : {angle - by, angle + by})
+          if (const double load = load_at(robot, turned); load > sampled) {
+            sampled = load;
+            angle = turned;
+          }
+      CHECK((*worst)[robot] == Approx(sampled).margin(1e-6));
     }
   }
   CHECK(tips > 1000);
