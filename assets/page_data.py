@@ -4,7 +4,7 @@
   page_data.py samples FOLDER samples.json [opening_sample.inc]
   page_data.py lessons FOLDER POLYGONS lessons.json polygons.json
 
-FOLDER/index.txt lists its files by name and title; headings, after the first, are groups.
+FOLDER/index.txt lists its files by name and title; headings, after the comment at its top, are groups.
 opening_sample.inc is the first polygon as a C++ string literal: the page opens on it.
 """
 import json
@@ -19,12 +19,13 @@ def read(path):
 
 def listed(folder):
     """(name, title, group) for each file of the index, in its order."""
-    group, seen = "", False
+    group, after_top = "", False
     for line in read(folder / "index.txt").splitlines():
         if line.startswith("#"):
-            group = line.lstrip("# ") if seen else ""  # the first is the heading of the file itself
-        elif line.strip():
-            seen = True
+            group = line.lstrip("# ") if after_top else ""
+            continue
+        after_top = True
+        if line.strip():
             name, title = line.split(maxsplit=1)
             yield name, title, group
 
@@ -47,15 +48,17 @@ def samples(folder, target, opening=None):
         opening.write_text(f'R"polygon({entries[0]["text"]})polygon"\n', encoding="utf-8")
 
 
-def lesson(folder, polygons, name, title):
+def lesson(folder, polygons, name, title, group):
     text = read(folder / f"{name}.txt")
     polygon = re.search(r"^polygon:\s*([a-z0-9-]+)", text, re.MULTILINE)
-    return {"name": name, "title": title, "stops": len(re.findall(r"^\[(?!(?:question|answer)\])", text, re.MULTILINE)), "text": text,
+    return {"name": name, "title": title, "session": group,
+            "stops": len(re.findall(r"^\[(?!(?:task|question|answer)\])", text, re.MULTILINE)),
+            "task": bool(re.search(r"^\[task\]", text, re.MULTILINE)), "text": text,
             "polygon": read(polygons / f"{polygon[1]}.txt") if polygon else ""}
 
 
 def lessons(folder, polygons, target, polygons_target):
-    write_lines(target, "[]", (text_of(lesson(folder, polygons, name, title)) for name, title, _ in listed(folder)))
+    write_lines(target, "[]", (text_of(lesson(folder, polygons, *entry)) for entry in listed(folder)))
     # All samples by name, for lessons that come from elsewhere.
     files = sorted(file for file in polygons.glob("*.txt") if file.name != "index.txt")
     write_lines(polygons_target, "{}", (f"{text_of(file.stem)}: {text_of(read(file))}" for file in files))

@@ -8,6 +8,17 @@ if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
     string(REGEX REPLACE "(................................................................................)" "\\1\n" bytes "${bytes}")
     file(WRITE "${OUTPUT}" "${bytes}\n")
   endif()
+  if(DEFINED TEXTS_IN)
+    # The texts in a folder as rows {"name", "text"}, for #include inside braces.
+    file(GLOB files "${TEXTS_IN}/*.txt")
+    set(rows "")
+    foreach(file IN LISTS files)
+      cmake_path(GET file STEM name)
+      file(READ "${file}" text)
+      string(APPEND rows "{\"${name}\", R\"text(${text})text\"},\n")
+    endforeach()
+    file(WRITE "${OUTPUT}" "${rows}")
+  endif()
   return()
 endif()
 include_guard()
@@ -30,4 +41,18 @@ function(evenlift_embed variable)
   endforeach()
   set(${variable} "${outputs}" PARENT_SCOPE)
   set(${variable}_DIR "${folder}" PARENT_SCOPE)
+endfunction()
+
+# evenlift_embed_texts(<variable> <folder>): the same for all texts in a folder, as one header named after it, with a row
+# {"name", "text"} for each.
+function(evenlift_embed_texts variable folder)
+  cmake_path(GET folder FILENAME name)
+  set(output "${CMAKE_CURRENT_BINARY_DIR}/embedded/${name}.inc")
+  file(GLOB files CONFIGURE_DEPENDS "${folder}/*.txt")
+  add_custom_command(
+    OUTPUT "${output}"
+    COMMAND "${CMAKE_COMMAND}" "-DTEXTS_IN=${folder}" "-DOUTPUT=${output}" -P "${evenlift_embed_script}"
+    DEPENDS ${files} "${evenlift_embed_script}"
+    VERBATIM)
+  set(${variable} "${output}" PARENT_SCOPE)
 endfunction()

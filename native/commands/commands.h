@@ -14,6 +14,7 @@ void cmd_link(const Arguments& arguments);
 void cmd_generate(const Arguments& arguments);
 void cmd_trace(const Arguments& arguments);
 void cmd_optimum(const Arguments& arguments);
+void cmd_check(const Arguments& arguments);
 void cmd_experiment(const Arguments& arguments);
 
 }  // namespace evenlift::native

@@ -22,6 +22,7 @@ constexpr Command commands[] = {
     {"link", "a polygon and its settings as a share link, and back", cmd_link},
     {"generate", "a polygon from a family, a size and a seed", cmd_generate},
     {"optimum", "how far the greedy choice of teams is from the best one", cmd_optimum},
+    {"check", "whether links solve the task of a lesson: homework", cmd_check},
     {"experiment", "the measurements of chapter 5 on many polygons, with a report", cmd_experiment},
 };
 

@@ -64,7 +64,7 @@ struct Source {
 
 Source read_source(const std::string& file) {
   if (file.empty()) throw Failure{bad_input_status, "FILE", "its name is empty"};
-  if (file == "-") return {"standard input", read_all(stdin, "standard input")};
+  if (file == "-") return {"standard input", read_standard_input()};
   const File opened(std::fopen(file.c_str(), "rb"));
   if (!opened) throw Failure{bad_input_status, file, system_error()};
   return {file, read_all(opened.get(), file)};
@@ -93,6 +93,8 @@ InputShapes read_all_shapes(const std::string& file, const ShapeOptions& options
   const Source source = read_source(file);
   return {source.name, all_shapes(source.text, source.name, options)};
 }
+
+std::string read_standard_input() { return read_all(stdin, "standard input"); }
 
 std::optional<std::string> read_file(const std::string& path) {
   const File opened(std::fopen(path.c_str(), "rb"));

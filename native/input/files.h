@@ -25,6 +25,9 @@ struct InputShapes {
 };
 InputShapes read_all_shapes(const std::string& file, const ShapeOptions& options = {});
 
+// Standard input to its end, cut off after max_text_bytes + 1. Throws Failure.
+std::string read_standard_input();
+
 // The contents of a file, cut off after max_text_bytes + 1; nothing if it cannot be read.
 std::optional<std::string> read_file(const std::string& path);
 

@@ -1,6 +1,8 @@
 #include "app/open_lesson.h"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "app/conclude.h"
 #include "edits/open_document.h"
@@ -31,46 +33,93 @@ std::optional<InputError> join(AppState& state, Script script) {
   return std::nullopt;
 }
 
+// Opens the document in place of an earlier lesson.
+void open_anew(AppState& state, Opened of_it, LessonStart start) {
+  const std::optional<Script>& former = state.view.walkthrough.script;
+  const bool previewed = state.view.previews || (former && former->preview);
+  const bool previews = start == LessonStart::preview;
+  if (previews && previewed) {
+    show_opened(state, std::move(of_it));
+  } else {
+    leave_lesson_for_another(state);
+    open(state, std::move(of_it), Edit::lesson_opened);
+  }
+  state.view.previews = previews;
+  conclude(state);
+}
+
+// The settings of a lesson that are no part of a document.
+void show_as(AppState& state, const Lesson& lesson) {
+  if (lesson.loads) state.view.load_model = *lesson.loads;
+  if (lesson.failed) state.view.fails.ask(lesson.failed);
+}
+
+void begin_task(AppState& state, OpenTask task) {
+  task.depth = state.work.history.depth();
+  state.view.task = std::move(task);
+}
+
+// A lesson without steps: its object and its task. A task that is joined must be about the open
+// document's shape, unless that may be changed.
+std::optional<InputError> open_task(AppState& state, OpenTask task, Opened of_it,
+                                    LessonStart start) {
+  const std::vector<Movable>& may = task.lesson.task->may;
+  const bool same_shape = state.work.document().vertices == of_it.document.vertices;
+  const bool other_shape = std::find(may.begin(), may.end(), Movable::vertices) != may.end();
+  if (start == LessonStart::join && !same_shape && !other_shape)
+    return InputError{ErrorCode::bad_syntax, "it is about another polygon than the link", {}};
+  if (start != LessonStart::join) {
+    open_anew(state, std::move(of_it), start);
+    show_as(state, task.lesson);
+  }
+  begin_task(state, std::move(task));
+  state.view.challenge = true;
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<InputError> open_lesson(AppState& state, const std::string& text,
-                                      const std::string& polygon, LessonStart start) {
+                                      const std::string& polygon, LessonStart start,
+                                      std::uint64_t number) {
   Result<Lesson> lesson = parse_lesson(text);
   if (!lesson) return lesson.error();
   Document sample;
-  if (lesson->link.empty()) {
+  if (!lesson->polygon.empty()) {
     Result<Document> read = read_polygon(polygon);
     if (!read) return read.error();
     sample = std::move(read).value();
   }
-  Result<Document> document = lesson_document(*lesson, sample);
-  if (!document) return document.error();
-  Result<Opened> of_it = opened(std::move(document).value());
+  Result<Exercise> begun = exercise(*lesson, sample, number);
+  if (!begun) return at_line(begun.error(), *lesson);
+  Result<Opened> of_it = opened(begun->start);
   if (!of_it) return at_line(of_it.error(), *lesson);
+  if (lesson->steps.empty())
+    return open_task(state, {*std::move(lesson), *std::move(begun), number, 0},
+                     *std::move(of_it), start);
   Result<Trace> trace = compute_trace(of_it->placement, of_it->document.shown.units);
   if (!trace) return at_line(trace.error(), *lesson);
   if (auto problem = check_lesson(*lesson, *trace)) return problem;
   Script script;
   script.lesson = std::move(lesson).value();
   script.of = of_it->document;
+  std::optional<OpenTask> task;
+  if (script.lesson.task) task = {script.lesson, *std::move(begun), number, 0};
   if (start == LessonStart::join) {
-    return join(state, std::move(script));
+    if (auto problem = join(state, std::move(script))) return problem;
+    if (task) begin_task(state, *std::move(task));
+    return std::nullopt;
   }
   script.preview = start == LessonStart::preview;
   const std::optional<std::uint32_t> first = find_step(*trace, script.lesson.steps[0].address);
   of_it->placement = trace->placement;  // for balanced robots, with the result of their search
   of_it->document.shown.step = first;
   of_it->trace = std::move(trace).value();
-  const std::optional<Script>& former = state.view.walkthrough.script;
-  if (script.preview && former && former->preview) {
-    show_opened(state, std::move(of_it).value());
-  } else {
-    leave_lesson_for_another(state);
-    open(state, std::move(of_it).value(), Edit::lesson_opened);
-  }
-  conclude(state);
+  open_anew(state, *std::move(of_it), start);
+  show_as(state, script.lesson);
   begin_script(state, std::move(script));
   state.view.walkthrough.of_lesson = true;
+  if (task) begin_task(state, *std::move(task));
   conclude(state);
   return std::nullopt;
 }

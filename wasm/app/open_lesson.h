@@ -1,4 +1,4 @@
-// Opens a lesson: its document, and the walkthrough with the lesson's script.
+// Opens a lesson: its document, and the walkthrough with the lesson's script, or its task.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,11 @@ namespace evenlift::view {
 // while the user writes it, in place of the last preview.
 enum class LessonStart : std::uint8_t { anew, join, preview };
 
-// `polygon` is the text of the sample that the lesson names, if any. If the lesson cannot be
-// opened, returns why and changes nothing.
+// `polygon` is the text of the sample that the lesson names, if any; `number` is the learner's
+// (evenlift/task.h). If the lesson cannot be opened, returns why and changes nothing.
 std::optional<InputError> open_lesson(AppState& state, const std::string& text,
                                       const std::string& polygon,
-                                      LessonStart start = LessonStart::anew);
+                                      LessonStart start = LessonStart::anew,
+                                      std::uint64_t number = 1);
 
 }  // namespace evenlift::view

@@ -97,6 +97,7 @@ struct Applier {
       move_robot(state, c.robot, c.to);
   }
   void operator()(const PlaceYourself& c) const { place_yourself(state, c.robots); }
+  void operator()(const CloseTask&) const { leave_task(state); }
   void operator()(const SetChallenge& c) const { state.view.challenge = c.on; }
   void operator()(const AddRobot& c) const { add_support(state, c.at); }
   void operator()(const PutRobot& c) const { put_support(state, c.robot, c.at); }

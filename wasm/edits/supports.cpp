@@ -117,47 +117,11 @@ void move_support(AppState& state, std::size_t robot, const Vec2& to) {
   if (spot) hand_over(state, robot);
 }
 
-Settings with_small_table(Settings settings, const PolygonWithHoles& object, const Vec2& centre,
-                          std::size_t robots) {
-  const Polygon& polygon = object.outline();
-  Vec2 corner = centre;
-  for (const Vec2& vertex : polygon.vertices())
-    if (length(vertex - centre) > length(corner - centre)) corner = vertex;
-  settings = with_method(std::move(settings), Method::given, 1);
-  const SupportPlacer placer(object, settings);
-  // Short numbers, for a short link.
-  const double digits = 3 - std::floor(std::log10(polygon.diameter()));
-  const double scale = std::pow(10, std::abs(digits));
-  const auto rounded = [&](double value) {
-    return digits > 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
-  };
-  // Smaller until all are inside the object.
-  for (double size = 0.15 * polygon.diameter(); size > 1e-3 * polygon.diameter(); size /= 2) {
-    const Vec2 middle = centre + 0.8 * size / length(corner - centre) * (corner - centre);
-    settings.supports.clear();
-    for (std::size_t i = 0; i < robots; ++i) {
-      // Along the sides of a square, from its corner at the lower left.
-      const double way = 4.0 * static_cast<double>(i) / static_cast<double>(robots);
-      const double part = 2 * (way - std::floor(way)) - 1;
-      const Vec2 leg = way < 1   ? Vec2(part, -1)
-                       : way < 2 ? Vec2(1, part)
-                       : way < 3 ? Vec2(-part, 1)
-                                 : Vec2(-1, -part);
-      const Vec2 at = middle + size * leg;
-      const Vec2 short_at(rounded(at.x()), rounded(at.y()));
-      if (placer.place(short_at)) settings.supports.push_back(short_at);
-    }
-    if (settings.supports.size() == robots) return settings;
-  }
-  settings.supports.assign(robots, polygon.vertex(0));
-  return settings;
-}
-
 void place_yourself(AppState& state, std::size_t robots) {
   if (!has_robots(state)) return;
   const Placement& placement = *state.derived().placement;
-  Settings own =
-      with_small_table(settings(state), placement.object, placement.centre_of_mass, robots);
+  Settings own = with_method(settings(state), Method::given, 1);
+  own.supports = supports_to_place(placement.object, placement.centre_of_mass, robots, own);
   edit(state, false, Edit::robots_moved).settings = std::move(own);
   state.work.show().support_capacities.clear();
 }

@@ -21,11 +21,9 @@ bool stands_freely(const Placement& placement);
 // object the robot is taken away, until it returns; the last robot stays. O(m + n), plus a placement.
 void move_support(AppState& state, std::size_t robot, const Vec2& to);
 
-// Puts robots beneath the object, like the legs of a small table between its middle and its farthest
-// corner, for the user to move: in a document, or with one step of undo.
+// Puts robots beneath the object for the user to move (supports_to_place() of supports.h), with one
+// step of undo.
 inline constexpr std::size_t usual_robots_to_place = 4;
-Settings with_small_table(Settings settings, const PolygonWithHoles& object, const Vec2& centre,
-                          std::size_t robots = usual_robots_to_place);
 void place_yourself(AppState& state, std::size_t robots = usual_robots_to_place);
 
 // The places of the robots as supports (for robots with a size, their contacts); empty without a

@@ -22,6 +22,14 @@ void recall_backdrop(AppState& state, const std::optional<Backdrop>& picture) {
     state.work.backdrop->traced = false;
 }
 
+// Whether a lesson or its task is open.
+bool is_open(const AppState& state) { return in_lesson(state) || state.view.task; }
+
+void close_task(AppState& state) {
+  state.view.task.reset();
+  state.view.challenge = false;
+}
+
 // Shows a document of the history in place of the open one.
 void show_recalled(AppState& state, History::Recalled recalled) {
   const bool other_shape = count_handles(recalled.document) != count_handles(state.work.document());
@@ -43,7 +51,9 @@ void step_back(AppState& state, History::Recalled recalled, const char* what) {
   Walkthrough& walk = state.view.walkthrough;
   Shown& former = recalled.document.shown;
   const Edit edit = recalled.edit;
-  const bool leaves_lesson = in_lesson(state) && edit == Edit::lesson_opened;
+  const bool leaves_lesson = is_open(state) && edit == Edit::lesson_opened;
+  if (state.view.task && (leaves_lesson || state.work.history.depth() < state.view.task->depth))
+    close_task(state);
   if (leaves_lesson || (walk.script && state.work.history.depth() < walk.script->depth)) {
     walk.script.reset();
     walk.aside.reset();
@@ -59,9 +69,9 @@ void step_back(AppState& state, History::Recalled recalled, const char* what) {
   announce(state, what + in_words(edit) + ".");
 }
 
-// The document before the lesson, if a lesson is open.
+// The document before the lesson or task, if one is open.
 std::optional<History::Recalled> before_lesson(AppState& state) {
-  if (!in_lesson(state) || state.session.screen.embed) return std::nullopt;
+  if (!is_open(state) || state.session.screen.embed) return std::nullopt;
   return state.work.history.leave_lesson(state.work.document(), beside(state.work));
 }
 
@@ -120,8 +130,21 @@ void leave_walkthrough(AppState& state) {
   tell_of_return(state, state.work.history.depth() > depth);
 }
 
+void leave_task(AppState& state) {
+  if (!state.view.task) return;
+  const std::size_t depth = state.work.history.depth();
+  std::optional<History::Recalled> before = before_lesson(state);
+  close_task(state);
+  if (!before) return;
+  state.view.selected.reset();
+  fit_view(state);
+  show_recalled(state, *std::move(before));
+  tell_of_return(state, state.work.history.depth() > depth);
+}
+
 void leave_lesson_for_another(AppState& state) {
   std::optional<History::Recalled> before = before_lesson(state);
+  if (state.view.task) close_task(state);
   if (!before) return;
   state.work.edit() = std::move(before->document);
   state.work.second_method = before->beside.second_method;

@@ -13,7 +13,11 @@ void redo(AppState& state);
 // that. In an <iframe> the lesson's object stays, since nothing was open before it.
 void leave_walkthrough(AppState& state);
 
-// Leaves the open lesson, if any, because another one opens at once: nothing is placed or shown.
+// The same for the task of a lesson. Without a task nothing happens.
+void leave_task(AppState& state);
+
+// Leaves the open lesson or task, if any, because another one opens at once: nothing is placed or
+// shown.
 void leave_lesson_for_another(AppState& state);
 
 // Forgets a selected or held vertex that no longer exists. O(1).

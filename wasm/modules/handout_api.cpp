@@ -1,4 +1,4 @@
-// Steps of the algorithm as plain data for a printed page (web/windows/handout.js), as a separate
+// Steps of the algorithm as plain data for a printed page (web/lessons/handout.js), as a separate
 // WebAssembly module, loaded on first use.
 #include <emscripten/emscripten.h>
 

@@ -22,6 +22,16 @@
 using namespace evenlift::view;
 namespace json = evenlift::json;
 
+namespace {
+
+const evenlift::Lesson* open_lesson_or_task() {
+  const View& view = app().state.view;
+  if (view.walkthrough.script) return &view.walkthrough.script->lesson;
+  return view.task ? &view.task->lesson : nullptr;
+}
+
+}  // namespace
+
 extern "C" {
 
 // The sample that a lesson names; the text of its polygon is passed to page_open_lesson(). Empty if
@@ -31,12 +41,14 @@ EMSCRIPTEN_KEEPALIVE const char* page_lesson_polygon(const char* text) {
   return hand_over(lesson ? lesson->polygon : std::string());
 }
 
-// Opens a lesson (LessonStart: 0 anew, 1 join, 2 preview). Returns why it cannot be opened, or an
-// empty text.
-EMSCRIPTEN_KEEPALIVE const char* page_open_lesson(const char* text, const char* polygon,
-                                                  int start) {
+// Opens a lesson (LessonStart: 0 anew, 1 join, 2 preview) for the learner with this number. Returns
+// why it cannot be opened, or an empty text.
+EMSCRIPTEN_KEEPALIVE const char* page_open_lesson(const char* text, const char* polygon, int start,
+                                                  double number) {
+  const auto most = static_cast<double>(evenlift::max_learner);
   const std::optional<evenlift::InputError> problem =
-      open_lesson(app().state, text, polygon, static_cast<LessonStart>(start));
+      open_lesson(app().state, text, polygon, static_cast<LessonStart>(start),
+                  static_cast<std::uint64_t>(std::clamp(number, 0.0, most)));
   if (problem) return hand_over(sentence(*problem));
   carried_out();
   return hand_over({});
@@ -113,16 +125,47 @@ EMSCRIPTEN_KEEPALIVE const char* page_lesson() {
                                  {"passed", std::to_string(guesses.passed_over())}}));
 }
 
-// The question at the end of the open lesson, and its answer, in paragraphs separated by "\n".
-// Empty without a question.
+// The question at the end of the open lesson or task, and its answer, in paragraphs separated by
+// "\n". Empty without a question.
 EMSCRIPTEN_KEEPALIVE const char* page_lesson_question() {
-  const std::optional<Script>& script = app().state.view.walkthrough.script;
-  return hand_over(script ? script->lesson.question : std::string());
+  const evenlift::Lesson* lesson = open_lesson_or_task();
+  return hand_over(lesson ? lesson->question : std::string());
 }
 
 EMSCRIPTEN_KEEPALIVE const char* page_lesson_answer() {
-  const std::optional<Script>& script = app().state.view.walkthrough.script;
-  return hand_over(script ? script->lesson.answer : std::string());
+  const evenlift::Lesson* lesson = open_lesson_or_task();
+  return hand_over(lesson ? lesson->answer : std::string());
 }
+
+// The open task and what is reached: {"title", "words", "may", "goals": [{"words", "value", "kept"}],
+// "changed", "kept", "number", "numbered"}. `numbered` is whether another number of the learner makes
+// another task. Empty without a task.
+EMSCRIPTEN_KEEPALIVE const char* page_task() {
+  const AppState& state = app().state;
+  if (!state.view.task) return hand_over({});
+  const OpenTask& open = *state.view.task;
+  const evenlift::Task& task = *open.lesson.task;
+  evenlift::Attempt attempt;
+  if (state.derived().placement && !state.derived().refusal)
+    attempt = evenlift::check_task(task, open.exercise, state.work.document(),
+                                   {*state.derived().placement, shown(state)});
+  std::vector<std::string> goals, changed;
+  for (const evenlift::Goalpost& goal : attempt.goals)
+    goals.push_back(json::object({{"words", json::text(goal.words)},
+                                  {"value", json::text(goal.value)},
+                                  {"kept", json::boolean(goal.kept)}}));
+  for (const std::string& each : attempt.changed) changed.push_back(json::text(each));
+  return hand_over(json::object({{"title", json::text(open.lesson.title)},
+                                 {"words", json::text(task.words)},
+                                 {"may", json::text(evenlift::movable_in_words(task))},
+                                 {"goals", json::array(goals)},
+                                 {"changed", json::array(changed)},
+                                 {"kept", json::boolean(attempt.kept)},
+                                 {"number", std::to_string(open.number)},
+                                 {"numbered", json::boolean(evenlift::is_numbered(open.lesson))}}));
+}
+
+EMSCRIPTEN_KEEPALIVE int page_task_is_open() { return app().state.view.task ? 1 : 0; }
+EMSCRIPTEN_KEEPALIVE void page_close_task() { carry_out({CloseTask{}}); }
 
 }  // extern "C"

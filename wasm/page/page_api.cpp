@@ -29,6 +29,7 @@
 #include "evenlift/settings.h"
 #include "page/browser.h"
 #include "panels/summary.h"
+#include "state/method.h"
 #include "state/layout.h"
 #include "tools/drawing.h"
 #include "ui/controls.h"
@@ -193,8 +194,10 @@ EMSCRIPTEN_KEEPALIVE const char* page_as_challenge(const char* text, int robots)
   Result<Opened> object = opened(*document);
   if (!object) return hand_over(text);
   const evenlift::Placement& placement = object->placement;
-  document->settings = with_small_table(document->settings, placement.object,
-                                        placement.centre_of_mass, static_cast<std::size_t>(robots));
+  document->settings = with_method(document->settings, Method::given, 1);
+  document->settings.supports =
+      evenlift::supports_to_place(placement.object, placement.centre_of_mass,
+                                  static_cast<std::size_t>(robots), document->settings);
   return hand_over(link_or_nothing(*document));
 }
 

@@ -67,6 +67,7 @@ struct MoveRobot {
 struct PlaceYourself {  // robots beneath the object, to play with
   std::size_t robots = 4;
 };
+struct CloseTask {};     // brings back what was open before it
 struct SetChallenge {  // whether the page keeps its own answers to itself
   bool on;
 };
@@ -299,7 +300,7 @@ struct AddStep {
 
 using AnyCommand = std::variant<
     SetSettings, SetMethod, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex,
-    AddWeight, SetCargo, OpenDocument, SetPolygon, EndEdit, MoveRobot, PlaceYourself, SetChallenge,
+    AddWeight, SetCargo, OpenDocument, SetPolygon, EndEdit, MoveRobot, PlaceYourself, CloseTask, SetChallenge,
     AddRobot, PutRobot, RemoveRobot, EvenOut, ResetRobots, Undo, Redo, SetShown, SetTool,
     GripPolygon, AddPoint, MovePoint, TakePointBack, PutPointBack, FinishDrawing, SetDrawCursor,
     TypeEdge, WithdrawEdge, SetSnap, Compare, Fail, SetLoadModel, SetMotion, OpenWalkthrough,

@@ -9,6 +9,7 @@
 #include "evenlift/document.h"
 #include "evenlift/load_models.h"
 #include "evenlift/result.h"
+#include "evenlift/task.h"
 #include "state/camera.h"
 #include "state/explanation.h"
 #include "state/walkthrough_state.h"
@@ -70,6 +71,14 @@ struct Wanted {
   }
 };
 
+// The task of a lesson, while it is open.
+struct OpenTask {
+  Lesson lesson;
+  Exercise exercise;
+  std::uint64_t number = 1;  // the learner's
+  std::size_t depth = 0;     // edits in the history at its opening; undoing more leaves it
+};
+
 struct View {
   Tool tool = Tool::parts;
   Drawing drawing;
@@ -88,7 +97,9 @@ struct View {
   bool erases = false;     // what the brush does while it is held
   bool measuring = false;  // the user chooses two points of the backdrop, to set its scale
 
-  bool challenge = false;  // a challenge is open: the page keeps its own answers to itself
+  bool challenge = false;  // a challenge or a task is open: the page keeps its own answers to itself
+  std::optional<OpenTask> task;
+  bool previews = false;  // the open lesson is being written
 
   LoadModel load_model = LoadModel::plan;  // the model of the shown loads
   Wanted<std::size_t> fails;               // the robot that should fail, by its number from 0

@@ -1,13 +1,21 @@
-// The query of the page's address: `?lesson=NAME`, `challenge=1`, `place=4` with `beat=…`, and `embed=1`.
+// The query of the page's address: `?lesson=NAME` with a learner's `number=`, `challenge=1`, `place=4` with `beat=…`, and
+// `embed=1`.
 export function readAddress() {
   const asked = new URLSearchParams(location.search);
   return {
     embed: asked.get("embed") === "1",
     challenge: asked.get("challenge") === "1",
     lesson: asked.get("lesson") ?? "",
+    number: learnersNumber(asked.get("number")) ?? 1,
     place: robotsToPlace(asked.get("place")),
     beat: scoreToBeat(asked.get("beat")),
   };
+}
+
+// The number of a learner, who gets a task of their own by it (core/include/evenlift/task.h); undefined for any other
+// text.
+export function learnersNumber(text) {
+  return /^\d{1,9}$/.test(text ?? "") ? Number(text) : undefined;
 }
 
 // The number of robots that a challenge asks for, from 3 to 9, or 0.
@@ -29,10 +37,11 @@ function scoreToBeat(text) {
   return sound ? numbers : undefined;
 }
 
-// Puts the lesson and the challenge into an address, or removes them. The rest of its query stays.
-export function withLesson(url, { lesson = "", challenge = false }) {
-  const rest = partsOf(url, /^(lesson|challenge)(=|$)/);
+// Puts the lesson, the learner's number and the challenge into an address, or removes them. The rest of its query stays.
+export function withLesson(url, { lesson = "", number = 1, challenge = false }) {
+  const rest = partsOf(url, /^(lesson|number|challenge)(=|$)/);
   if (lesson) rest.push(`lesson=${lesson}`); // its characters need no escape (lesson_source.js)
+  if (number !== 1) rest.push(`number=${number}`);
   if (challenge) rest.push("challenge=1");
   url.search = rest.join("&");
   return url;

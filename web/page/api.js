@@ -53,7 +53,7 @@ function loadLesson(program, text) {
   throwIf(unreadable(text));
   const sample = program.text("page_lesson_polygon", text);
   if (sample) throw new Error(`load() opens only lessons that have a link; this one is about the sample “${sample}”`);
-  throwIf(program.text("page_open_lesson", text, "", 0));
+  throwIf(program.text("page_open_lesson", text, "", 0, 1));
 }
 
 // A point as an array [x, y], as everywhere in state(), with the members x and y added.

@@ -78,7 +78,7 @@ export class Bindings {
       notice: (text, problem) => this.#publisher.notice(text, problem),
       announce: (text) => this.announce(text), // for screen readers: nothing is shown
       pictures: this.#pictures, // gets an event "drawn" after each frame of the program
-      nameLesson: (name) => this.#publisher.nameLesson(name),
+      nameLesson: (name, number) => this.#publisher.nameLesson(name, number),
     };
     if (!embed) connectDropAndPaste(this.#page);
     document.addEventListener("fullscreenchange", () => {
@@ -88,7 +88,7 @@ export class Bindings {
 
   // Opens the lesson and the challenge of the address; with `join`, for the open document.
   async beginLesson(join) {
-    const { lesson, challenge, place, beat } = readAddress();
+    const { lesson, number, challenge, place, beat } = readAddress();
     if (place && !lesson) {
       this.#program.call("page_set_challenge", 1);
       const all = await underWay(this.#windows()).catch(() => undefined);
@@ -98,7 +98,7 @@ export class Bindings {
     if (!lesson && !challenge) return;
     this.#publisher.holdLesson(true);
     const all = await underWay(this.#windows()).catch(() => undefined);
-    if (all) await underWay(all.beginFromAddress(this.#page, { lesson, challenge, join }));
+    if (all) await underWay(all.beginFromAddress(this.#page, { lesson, number, challenge, join }));
     this.#publisher.holdLesson(false);
   }
 
@@ -239,7 +239,7 @@ export class Bindings {
     const url = new URL(location.href);
     url.search = "";
     url.hash = link;
-    return withLesson(url, { lesson: this.#publisher.lesson(), challenge }).href;
+    return withLesson(url, { ...this.#publisher.lesson(), challenge }).href;
   }
 
   // Of a challenge to place robots.
@@ -252,7 +252,7 @@ export class Bindings {
 
   // First the contents and the omissions of the link, then its length.
   #aboutLink(url) {
-    const ownWords = this.#program.number("page_script") && !this.#publisher.lesson();
+    const ownWords = this.#program.number("page_script") && !this.#publisher.lesson().lesson;
     const lacking = [
       this.#program.text("page_link_lacks"),
       ownWords ? "It does not hold the words of this lesson: also send the lesson’s file." : "",

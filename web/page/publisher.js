@@ -52,6 +52,7 @@ export class Publisher {
   #writeTimer = 0;
   #speakTimer = 0;
   #lesson = "";
+  #number = 1; // the learner's
   #held = false;
   #changed = false; // since the start; until then the next visit continues with the latest change of another tab
   #told = []; // the lines of the last news
@@ -183,9 +184,10 @@ export class Publisher {
     this.#program.call("page_keep", read(lasting, preferencesKey));
   }
 
-  // Sets the name of the ready-made lesson in an address; "" if it has none.
-  nameLesson(name) {
+  // Sets the name of the lesson in an address, "" if it has none, and the learner's number.
+  nameLesson(name, number = 1) {
     this.#lesson = name;
+    this.#number = number;
     this.nameInAddress();
   }
 
@@ -194,11 +196,13 @@ export class Publisher {
     this.#held = held;
   }
 
-  // The lesson's name, as long as an address with it would open what is on the screen. Editing its polygon ends that.
+  // The lesson's name and the learner's number, as long as an address with them would open what is on the screen. Editing
+  // its polygon ends that, but not where the lesson's task is open.
   lesson() {
     const open = this.#program.number("page_script");
-    if (!open) this.#lesson = "";
-    return open === 2 ? this.#lesson : "";
+    const task = this.#program.number("page_task_is_open") === 1;
+    if (!open && !task) [this.#lesson, this.#number] = ["", 1];
+    return open === 2 || task ? { lesson: this.#lesson, number: this.#number } : {};
   }
 
   // Writes anything still to be written; with `drawn`, only if it was drawn.
@@ -227,7 +231,7 @@ export class Publisher {
     const challenge = readAddress().challenge && this.#program.number("page_walkthrough_is_open") === 1;
     const url = new URL(location.href),
       before = url.hash.slice(1);
-    if (!this.#held) withLesson(url, { lesson: this.lesson(), challenge });
+    if (!this.#held) withLesson(url, { ...this.lesson(), challenge });
     url.hash = link;
     if (url.href !== location.href) history.replaceState(history.state, "", url);
     this.#keepAs(link, `${link}\n${before}`);

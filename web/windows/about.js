@@ -2,7 +2,7 @@
 import { buttonTo, openWindow } from "../kit/dialogs.js";
 import { el } from "../kit/elements.js";
 import { ask, fetchJson } from "../kit/fetched.js";
-import { show as showGlossary } from "./glossary.js";
+import { show as showGlossary } from "../lessons/glossary.js";
 import { show as showKeys } from "./keys.js";
 import { show as showTour } from "./tour.js";
 import { show as showWelcome } from "./welcome.js";

@@ -1,7 +1,7 @@
 // The list of keys, by groups, from the program's own table (wasm/actions/key_list.h).
 import { buttonTo, fadeFoot, openWindow } from "../kit/dialogs.js";
 import { el } from "../kit/elements.js";
-import { show as showGlossary } from "./glossary.js";
+import { show as showGlossary } from "../lessons/glossary.js";
 import { show as showTour } from "./tour.js";
 
 const groups = ["Files and sharing", "Drawing and editing", "Teams and method", "What is shown", "Lesson", "Help"];

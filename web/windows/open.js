@@ -3,7 +3,7 @@ import { closeWindows, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, lowered, number } from "../kit/elements.js";
 import { readShapes } from "../kit/import.js";
 import { nameOpened, openedName, stemOf } from "./document_name.js";
-import { openLessonText } from "./lesson_source.js";
+import { openLessonText } from "../lessons/lesson_source.js";
 import { isLesson } from "../page/lesson_text.js";
 import { isPhoto, layBehind, photoLine } from "../photo/photo.js";
 import { lengthInWords, sentences, showShapes } from "./shapes.js";

@@ -19,18 +19,20 @@
 //   [answer]
 //   None: all carry the same load.
 //
-// The settings come first, one per line. `title` and either `polygon` (the name of a sample) or
-// `link` (a share link) are required. The options of `evenlift place` (settings.h) and `overlays`
-// override the link; `predict: yes` asks the learner to guess. The steps follow in the order in
-// which they are shown, each with its address in brackets and its words. Addresses count from 1, as
-// captions do:
+// The settings come first, one per line. `title` and one of `polygon` (the name of a sample),
+// `link` (a share link) and `generate` (a family of generate.h) are required. The options of
+// `evenlift place` (settings.h) and `overlays` override the link; `predict: yes` asks the learner to
+// guess, `loads` names the model of the shown loads, and `failed` the robot that fails. The steps follow in the order in which they are shown, each with its address in brackets
+// and its words. Addresses count from 1, as captions do:
 //   KIND or KIND N   a step's kind as in `evenlift trace --json`, and its number: "team 2"
 //   vertex N         the ray from that vertex
 //   pair N           the outcome of that edge pair
 //   edges A B        the outcome of the edge pair with these edges
 //   step N           its number in the whole trace, which changes with the polygon
 //   end              the last step
-// The lesson may end with a question to think about and its answer, which is shown on request.
+// After the steps, or in their place, may follow a task (task.h): `[task]` and a sentence; the
+// settings `require`, `move`, `place` and `find` say what is to be reached and how. The lesson may
+// end with a question to think about and its answer, which is shown on request.
 #pragma once
 
 #include <cstddef>
@@ -42,6 +44,9 @@
 #include <vector>
 
 #include "evenlift/document.h"
+#include "evenlift/generate.h"
+#include "evenlift/load_models.h"
+#include "evenlift/output/requirements.h"
 #include "evenlift/result.h"
 #include "evenlift/settings.h"
 #include "evenlift/trace.h"
@@ -53,6 +58,7 @@ inline constexpr std::size_t max_lesson_bytes = 1u << 16;
 inline constexpr std::size_t max_lesson_steps = 200;
 inline constexpr std::size_t max_lesson_title = 100;     // bytes
 inline constexpr std::size_t max_lesson_words = 1000;    // bytes, of one step
+inline constexpr std::size_t max_lesson_task = 300;      // bytes
 inline constexpr std::size_t max_lesson_question = 300;  // bytes
 inline constexpr std::size_t max_lesson_answer = 600;    // bytes
 
@@ -88,6 +94,26 @@ struct GivenSetting {
   std::size_t line = 0;  // from 1
 };
 
+// `generate: star n=9 seed={number}`: a polygon of generate.h.
+struct GeneratedPolygon {
+  Family family = Family::convex;
+  std::size_t n = 12;
+  std::optional<std::uint64_t> seed;  // none means the learner's number
+};
+
+// What a learner may change to solve a task: where robots stand, and how many there are; the number
+// and the choice of teams of two; the centre of mass; the outline and its holes; the cargo.
+enum class Movable : std::uint8_t { robots, teams, centre, vertices, cargo };
+std::string_view name(Movable part);  // "robots"; O(1)
+
+struct Task {
+  std::string words;                  // not empty; "\n" separates paragraphs
+  std::vector<Condition> conditions;  // none only if `find_centre`
+  std::vector<Movable> may;           // at least one, in ascending order
+  std::size_t place = 0;     // this number of robots stands ready to be placed; 0 leaves the robots as they are
+  bool find_centre = false;  // the centre of mass is hidden, and is to be found from the loads
+};
+
 struct LessonStep {
   StepAddress address;
   std::string words;     // not empty; "\n" separates paragraphs
@@ -97,10 +123,14 @@ struct LessonStep {
 struct Lesson {
   std::string title;
   std::string polygon;                 // a sample's name, or empty
-  std::string link;                    // a share link, or empty; exactly one of the two is given
+  std::string link;                    // a share link, or empty
+  std::optional<GeneratedPolygon> generated;  // exactly one of the three is given
   std::vector<GivenSetting> settings;  // each at most once; as read_setting() reads them
   bool predict = false;
-  std::vector<LessonStep> steps;  // at least one
+  std::optional<LoadModel> loads;      // the model of the loads that are shown
+  std::optional<std::size_t> failed;   // the robot that fails, from 0; shown where no step is
+  std::vector<LessonStep> steps;  // at least one, unless there is a task
+  std::optional<Task> task;
   std::string question, answer;   // at the end, formatted like `words`; both empty or neither
 };
 
@@ -109,9 +139,12 @@ struct Lesson {
 // O(bytes).
 Result<Lesson> parse_lesson(std::string_view text);
 
-// The lesson's document with the lesson's own settings: the document of its link, or else `sample`,
-// the sample that `polygon` names, which the caller has read. Errors are those of decode_link().
-Result<Document> lesson_document(const Lesson& lesson, const Document& sample);
+// The lesson's document with the lesson's own settings, for the learner with this number: the
+// document of its link, the polygon that it generates, or else `sample`, the sample that `polygon`
+// names, which the caller has read. Errors are those of decode_link() and generate(). A task may
+// change more (task.h).
+Result<Document> lesson_document(const Lesson& lesson, const Document& sample,
+                                 std::uint64_t number = 1);
 
 // The same error, from that document or from its placement, at the line of the lesson's own setting
 // if the error concerns one. O(settings).

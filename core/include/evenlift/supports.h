@@ -59,6 +59,12 @@ class SupportPlacer {
 Result<std::vector<LiftingPoint>> place_supports(const PolygonWithHoles& object,
                                                  const Settings& settings);
 
+// Places for robots that the user is about to move: beneath the object, like the legs of a small
+// table between its middle and its farthest corner, at short coordinates. 1 <= robots <=
+// most_supports. The settings give the snap distance. O(n robots).
+Points supports_to_place(const PolygonWithHoles& object, const Vec2& centre, std::size_t robots,
+                         const Settings& settings);
+
 // The place on the outline where one more robot adds most to the area of the lifting base: a vertex,
 // the first of equal ones. If none adds anything, the middle of the edge that is farthest from all
 // robots. O(n m log m).

@@ -66,11 +66,22 @@ struct Absence {
   std::string operator()(const at::End&) const { return {}; }  // each trace has an end
 };
 
+Result<Document> opened_object(const Lesson& lesson, const Document& sample, std::uint64_t number) {
+  if (!lesson.link.empty()) return decode_link(lesson.link);
+  if (!lesson.generated) return sample;
+  const GeneratedPolygon& polygon = *lesson.generated;
+  Result<Points> vertices = generate(polygon.family, polygon.n, polygon.seed.value_or(number));
+  if (!vertices) return vertices.error();
+  Document document;
+  document.vertices = *std::move(vertices);
+  return document;
+}
+
 }  // namespace
 
-Result<Document> lesson_document(const Lesson& lesson, const Document& sample) {
-  Result<Document> document =
-      lesson.link.empty() ? Result<Document>(sample) : decode_link(lesson.link);
+Result<Document> lesson_document(const Lesson& lesson, const Document& sample,
+                                 std::uint64_t number) {
+  Result<Document> document = opened_object(lesson, sample, number);
   if (!document) return document;
   for (const GivenSetting& given : lesson.settings)
     if (auto error = read_setting(given.setting, given.text, *document))

@@ -20,6 +20,31 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+constexpr struct {
+  Movable part;
+  std::string_view name;
+} movables[] = {{Movable::robots, "robots"},
+                {Movable::teams, "teams"},
+                {Movable::centre, "centre"},
+                {Movable::vertices, "vertices"},
+                {Movable::cargo, "cargo"}};
+
+std::optional<Movable> movable_from_name(std::string_view text) {
+  for (const auto& movable : movables)
+    if (movable.name == text) return movable.part;
+  return std::nullopt;
+}
+
+std::string names_of_movable() {
+  std::string names;
+  for (const auto& movable : movables)
+    names += (names.empty() ? "" : movable.part == Movable::cargo ? " and " : ", ") +
+             std::string(movable.name);
+  return names;
+}
+
+constexpr std::size_t most_robots_to_place = 64;
+
 class Reader {
  public:
   explicit Reader(std::string_view text) : text_(text) {}
@@ -72,6 +97,8 @@ class Reader {
     if (std::find(seen_.begin(), seen_.end(), given) != seen_.end())
       return refuse("the setting is given twice");
     seen_.push_back(given);
+    for (const std::string_view of_task : keys_of_tasks)
+      if (of_task == key && task_key_line_ == 0) task_key_line_ = line_;
     for (const Key& own : keys)
       if (own.name == key) return (this->*own.take)(value);
     if (setting) return take_setting(value, *setting);
@@ -91,6 +118,76 @@ class Reader {
   }
 
   void take_link(std::string_view value) { lesson_.link = value; }
+
+  void take_loads(std::string_view value) {
+    lesson_.loads = load_model_from_name(value);
+    if (!lesson_.loads) refuse(requirement(Setting::loads));
+  }
+
+  void take_failed(std::string_view value) {
+    const auto robot = read_failed(value);
+    if (!robot || *robot > most_supports) return refuse(requirement(Setting::failed));
+    if (*robot > 0) lesson_.failed = static_cast<std::size_t>(*robot - 1);
+  }
+
+  // "star n=9 seed={number}": the numbers may be left out.
+  void take_generate(std::string_view value) {
+    const std::optional<Family> family = family_from_name(next_word(value));
+    bool sound = family.has_value();
+    GeneratedPolygon polygon;
+    polygon.family = family.value_or(polygon.family);
+    polygon.seed = 1;
+    while (!value.empty()) {
+      const std::string_view word = next_word(value);
+      const std::string_view number = word.substr(std::min(word.size(), word.find('=') + 1));
+      const auto whole = read_whole(number);
+      const bool is_size = word.starts_with("n="), is_seed = word.starts_with("seed=");
+      if (is_size && whole && *whole <= max_link_vertices)
+        polygon.n = static_cast<std::size_t>(*whole);
+      else if (is_seed && number == "{number}")
+        polygon.seed.reset();
+      else if (is_seed && whole)
+        polygon.seed = *whole;
+      else
+        sound = false;
+    }
+    if (!sound)
+      return refuse(
+          "expected a family of polygons, its number of vertices and a seed, such as star n=9 seed={number}");
+    lesson_.generated = polygon;
+  }
+
+  void take_require(std::string_view value) {
+    Result<std::vector<Condition>> conditions = read_conditions(value);
+    if (!conditions) return refuse(conditions.error().message);
+    task_.conditions = *std::move(conditions);
+  }
+
+  void take_move(std::string_view value) {
+    std::vector<Movable> may;
+    while (true) {
+      const std::size_t comma = value.find(',');
+      const auto part = movable_from_name(trimmed(value.substr(0, comma)));
+      if (!part) return refuse("what may be moved is one or more of " + names_of_movable());
+      if (std::find(may.begin(), may.end(), *part) == may.end()) may.push_back(*part);
+      if (comma == std::string_view::npos) break;
+      value.remove_prefix(comma + 1);
+    }
+    std::sort(may.begin(), may.end());
+    task_.may = std::move(may);
+  }
+
+  void take_place(std::string_view value) {
+    const auto robots = read_whole(value);
+    if (!robots || *robots < 1 || *robots > most_robots_to_place)
+      return refuse("the number of robots to place must be a whole number from 1 to 64");
+    task_.place = static_cast<std::size_t>(*robots);
+  }
+
+  void take_find(std::string_view value) {
+    if (value != "centre") return refuse("only the centre can be found: find: centre");
+    task_.find_centre = true;
+  }
 
   // Reads a setting of the algorithm here only to check its value.
   void take_setting(std::string_view value, Setting setting) {
@@ -112,7 +209,15 @@ class Reader {
   static constexpr Key keys[] = {{"title", &Reader::take_title},
                                  {"polygon", &Reader::take_polygon},
                                  {"link", &Reader::take_link},
-                                 {"predict", &Reader::take_predict}};
+                                 {"generate", &Reader::take_generate},
+                                 {"predict", &Reader::take_predict},
+                                 {"loads", &Reader::take_loads},
+                                 {"failed", &Reader::take_failed},
+                                 {"require", &Reader::take_require},
+                                 {"move", &Reader::take_move},
+                                 {"place", &Reader::take_place},
+                                 {"find", &Reader::take_find}};
+  static constexpr std::string_view keys_of_tasks[] = {"require", "move", "place", "find"};
   static bool is_key(const SettingRow& row) {
     return row.option.group != OptionGroup::none || row.setting == Setting::overlays;
   }
@@ -151,6 +256,7 @@ class Reader {
     gap_ = false;
     if (line.back() != ']') return refuse("a step's address must end in ]");
     const std::string_view name = trimmed(line.substr(1, line.size() - 2));
+    if (name == "task") return begin_task();
     if (name == "question") return begin_question();
     if (name == "answer") return begin_answer();
     begin_step(name);
@@ -158,6 +264,7 @@ class Reader {
 
   void begin_step(std::string_view name) {
     if (asked_) return refuse("a step after the question, which must be the end of the lesson");
+    if (lesson_.task) return refuse("a step after the task, which must come after all steps");
     if (lesson_.steps.size() == max_lesson_steps) return refuse("a lesson has at most 200 steps");
     const auto address = read_address(name);
     if (!address)
@@ -168,9 +275,22 @@ class Reader {
              "a step has more than 1000 bytes of text", "the step has no text", line_};
   }
 
+  void begin_task() {
+    if (lesson_.task) return refuse("a lesson has at most one task");
+    if (asked_) return refuse("the task must come before the question");
+    if (task_.conditions.empty() && !task_.find_centre)
+      return refuse("the task has no conditions; give them above, such as require: max<=30, robots<=4");
+    if (task_.may.empty())
+      return refuse("the task does not say what may be moved; say it above, such as move: robots");
+    lesson_.task = task_;
+    part_ = {&lesson_.task->words, max_lesson_task, "the task is longer than 300 bytes",
+             "the task has no text", line_};
+  }
+
   void begin_question() {
     if (asked_) return refuse("a lesson has at most one question, at its end");
-    if (lesson_.steps.empty()) return refuse("the question must come after the steps");
+    if (lesson_.steps.empty() && !lesson_.task)
+      return refuse("the question must come after the steps");
     asked_ = line_;
     part_ = {&lesson_.question, max_lesson_question, "the question is longer than 300 bytes",
              "the question has no text", line_};
@@ -231,13 +351,16 @@ class Reader {
     if (asked_ && lesson_.answer.empty())
       refuse("the question has no answer; write one below [answer]", *asked_);
     if (error_) return;
-    const char* missing = lesson_.title.empty() ? "the lesson has no title"
-                          : lesson_.polygon.empty() && lesson_.link.empty()
-                              ? "the lesson has neither a polygon nor a link"
-                          : !lesson_.polygon.empty() && !lesson_.link.empty()
-                              ? "the lesson has both a polygon and a link; give only one"
-                          : lesson_.steps.empty() ? "the lesson has no steps"
-                                                  : nullptr;
+    if (task_key_line_ > 0 && !lesson_.task)
+      return refuse("the lesson has no task; write it below [task]", task_key_line_);
+    const int objects =
+        !lesson_.polygon.empty() + !lesson_.link.empty() + lesson_.generated.has_value();
+    const char* missing =
+        lesson_.title.empty() ? "the lesson has no title"
+        : objects == 0        ? "the lesson has neither a polygon nor a link"
+        : objects > 1 ? "the lesson has two of a polygon, a link and a generated polygon; give only one"
+        : lesson_.steps.empty() && !lesson_.task ? "the lesson has no steps"
+                                                 : nullptr;
     if (missing) refuse(missing, line_ > 0 ? line_ : 1);
   }
 
@@ -248,10 +371,14 @@ class Reader {
   Part part_;
   bool gap_ = false;                  // an empty line follows the last words
   std::optional<std::size_t> asked_;  // the line of the question
+  Task task_;                         // as far as it was read
+  std::size_t task_key_line_ = 0;     // of the first setting of a task
   std::optional<InputError> error_;
 };
 
 }  // namespace
+
+std::string_view name(Movable part) { return movables[static_cast<std::size_t>(part)].name; }
 
 Result<Lesson> parse_lesson(std::string_view text) { return Reader(text).read(); }
 

@@ -24,6 +24,7 @@ namespace evenlift {
 //   max_after_failure  the greatest load by springs after any one robot has failed
 //   margin             of form closure
 //   tipping_distance   the distance that C may be off before the object tips
+//   tip                the slope in degrees at which it tips in the worst direction (tilt.h)
 //   robots             their number
 //
 // The first four are true or false. `capacity`, `max` and `min` are kept wherever C lies within its
@@ -57,6 +58,11 @@ std::vector<Requirement> check_conditions(const ShownPlacement& of,
 
 // Whether its quantity is true or false. O(1).
 bool is_yes_or_no(const Condition& condition);
+
+// "The greatest load is at most 30 kg", "The robots hold the object"; and the value, such as
+// "33.3 kg" or "no", or nothing if there is none. O(1).
+std::string condition_in_words(const Condition& condition, const Units& units);
+std::string value_in_words(const Requirement& requirement, const Units& units);
 
 // "coverage>=0.8: 0.834, kept", "held: no, not kept". O(1).
 std::string requirement_in_words(const Requirement& requirement);

@@ -65,10 +65,11 @@ Value tipping_angle(const ShownPlacement& of) {
 }
 
 // What rounding may change in a value, as a part of this unit.
-enum class Unit : std::uint8_t { none, share, weight, length, degrees };
+enum class Unit : std::uint8_t { none, number, share, weight, length, degrees };
 
 struct Row {
   std::string_view name;
+  std::string_view words;  // a sentence if it is true or false, and otherwise its subject
   bool yes_or_no;
   Unit unit;
   Value (*value)(const ShownPlacement&);
@@ -76,21 +77,24 @@ struct Row {
 
 // clang-format off
 const Row rows[] = {
-    {"held", true, Unit::none, [](const ShownPlacement& of) -> Value { return has_robots(of) && is_held(of.placement); }},
-    {"stands", true, Unit::none, [](const ShownPlacement& of) -> Value { return of.placement.loads.has_value(); }},
-    {"steady", true, Unit::none, [](const ShownPlacement& of) -> Value { return has_robots(of) && robustness(of.placement).failures_clear >= 1; }},
-    {"capacity", true, Unit::none, within_capacity},
-    {"coverage", false, Unit::share, [](const ShownPlacement& of) -> Value { return of.placement.coverage; }},
-    {"max", false, Unit::weight, greatest_load},
-    {"min", false, Unit::weight, least_load},
-    {"spread", false, Unit::weight,
+    {"held", "The robots hold the object", true, Unit::none,
+     [](const ShownPlacement& of) -> Value { return has_robots(of) && is_held(of.placement); }},
+    {"stands", "The object stands on its robots", true, Unit::none,
+     [](const ShownPlacement& of) -> Value { return of.placement.loads.has_value(); }},
+    {"steady", "Any one robot may fail without tipping the object", true, Unit::none,
+     [](const ShownPlacement& of) -> Value { return has_robots(of) && robustness(of.placement).failures_clear >= 1; }},
+    {"capacity", "No robot carries more than its capacity", true, Unit::none, within_capacity},
+    {"coverage", "The coverage", false, Unit::share, [](const ShownPlacement& of) -> Value { return of.placement.coverage; }},
+    {"max", "The greatest load", false, Unit::weight, greatest_load},
+    {"min", "The least load", false, Unit::weight, least_load},
+    {"spread", "The greatest load minus the least", false, Unit::weight,
      [](const ShownPlacement& of) { return of.placement.loads ? Value(of.placement.loads->spread) : std::nullopt; }},
-    {"max_after_failure", false, Unit::weight, greatest_after_failure},
-    {"margin", false, Unit::share, [](const ShownPlacement& of) { return of.placement.closure.margin; }},
-    {"tipping_distance", false, Unit::length,
+    {"max_after_failure", "The greatest load after any one failure", false, Unit::weight, greatest_after_failure},
+    {"margin", "The margin of form closure", false, Unit::number, [](const ShownPlacement& of) { return of.placement.closure.margin; }},
+    {"tipping_distance", "The tipping distance", false, Unit::length,
      [](const ShownPlacement& of) -> Value { return has_robots(of) ? robustness(of.placement).tipping_distance : 0; }},
-    {"tip", false, Unit::degrees, tipping_angle},
-    {"robots", false, Unit::none,
+    {"tip", "The slope at which it tips", false, Unit::degrees, tipping_angle},
+    {"robots", "The number of robots", false, Unit::none,
      [](const ShownPlacement& of) -> Value { return static_cast<double>(count_robots(of.placement.teams)); }},
 };
 // clang-format on
@@ -142,9 +146,28 @@ InputError refused(const std::string& condition) {
                                     (quotable ? ", not \"" + condition + "\"" : std::string()));
 }
 
+std::string with_unit(double value, Unit unit, const Units& units) {
+  const std::string number = significant(unit == Unit::share ? 100 * value : value, 4);
+  switch (unit) {
+    case Unit::share:
+      return number + "\u00a0%";
+    case Unit::weight:
+      return with_weight_unit(number, units);
+    case Unit::length:
+      return with_length_unit(number, units);
+    case Unit::degrees:
+      return number + "°";
+    case Unit::number:
+    case Unit::none:
+      break;
+  }
+  return number;
+}
+
 double slack(Unit unit, const Placement& placement) {
   switch (unit) {
     case Unit::share:
+    case Unit::number:
       return tau;
     case Unit::weight:
       return tau * placement.weight();
@@ -190,6 +213,19 @@ std::vector<Requirement> check_conditions(const ShownPlacement& of,
     requirements.push_back(std::move(requirement));
   }
   return requirements;
+}
+
+std::string condition_in_words(const Condition& condition, const Units& units) {
+  const Row& row = row_of(condition);
+  if (row.yes_or_no) return std::string(row.words);
+  return std::string(row.words) + (condition.at_least ? " is at least " : " is at most ") +
+         with_unit(condition.limit, row.unit, units);
+}
+
+std::string value_in_words(const Requirement& requirement, const Units& units) {
+  if (!requirement.value) return {};
+  if (is_yes_or_no(requirement.condition)) return *requirement.value == 1 ? "yes" : "no";
+  return with_unit(*requirement.value, row_of(requirement.condition).unit, units);
 }
 
 std::string requirement_in_words(const Requirement& requirement) {

@@ -5,6 +5,7 @@ import { button, el, unbroken } from "../kit/elements.js";
 import { fetchJson } from "../kit/fetched.js";
 import { lasting, read, write } from "../page/storage.js";
 import { underWay } from "../page/under_way.js";
+import { show as showTask } from "./task.js";
 
 const seenKey = "evenlift.lessons";
 
@@ -31,15 +32,21 @@ export function openLessonOf(program) {
 // The state of a walkthrough (wasm/page/lesson_api.cpp); null if none is open.
 export const standing = (program) => program.json("page_lesson");
 
-// Opens a lesson, with the text of the polygon if it names one; with `join` for the open document. Returns why it was
-// refused, or undefined.
-export function openLesson(page, { name, text, polygon = "" }, join = false) {
-  const problem = page.program.text("page_open_lesson", text, polygon, join ? 1 : 0);
-  if (!problem) {
-    page.nameLesson(name);
-    watch(page, { name, text });
-  }
-  return problem;
+// Opens a lesson for the learner with this number, with the text of the polygon if it names one; with `join` for the open
+// document. Returns why it was refused, or undefined.
+export function openLesson(page, { name, text, polygon = "" }, { join = false, number = 1 } = {}) {
+  const problem = page.program.text("page_open_lesson", text, polygon, join ? 1 : 0, number);
+  if (problem) return problem;
+  page.nameLesson(name, number);
+  watch(page, { name, text });
+  if (page.program.number("page_task_is_open") && !standing(page.program))
+    underWay(
+      showTask(page, {
+        again: (another) => openLesson(page, { name, text, polygon }, { number: another }),
+        done: () => markSeen(name),
+      }),
+    );
+  return undefined;
 }
 
 // Call this whenever a lesson or a challenge was opened in another way.

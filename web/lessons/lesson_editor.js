@@ -272,7 +272,7 @@ class Editor {
       const line = text.split("\n").findIndex((each) => /^polygon\s*:/.test(each.trim())) + 1;
       return `Line ${line}: ${lowered(noSample(sample, Object.keys(this.#samples)))}`;
     }
-    const problem = program.text("page_open_lesson", text, sample ? this.#samples[sample] : "", 2);
+    const problem = program.text("page_open_lesson", text, sample ? this.#samples[sample] : "", 2, 1);
     if (!problem) this.#page.nameLesson("");
     return problem;
   }

@@ -103,14 +103,14 @@ function ofThisPolygon(page, close) {
   );
 }
 
-// The approximate duration of a lesson: reading its words, and looking at each step and its caption.
-function minutes({ text, stops }) {
+// The approximate duration of a lesson: reading its words, looking at each step and its caption, and trying its task.
+function minutes({ text, stops, task }) {
   const words = text
     .split("\n")
     .filter((line) => !/^(#|\[|[a-z-]+:)/.test(line))
     .join(" ")
     .split(/\s+/).length;
-  return Math.max(1, Math.round(words / 150 + stops * 0.25));
+  return Math.max(1, Math.round(words / 150 + stops * 0.25 + (task ? 3 : 0)));
 }
 
 async function load(page, list, choose) {
@@ -138,27 +138,29 @@ async function load(page, list, choose) {
     ]
       .filter(Boolean)
       .join(" · ");
-  const total = lessons.reduce((sum, lesson) => sum + minutes(lesson), 0);
-  list.replaceChildren(
-    el(
-      "h3",
+  const entry = (lesson) => {
+    const i = lessons.indexOf(lesson);
+    return el(
+      "li",
       {},
-      `In order, about ${total} minutes in total${seen.size ? `; ${lessons.filter(({ name }) => seen.has(name)).length} of ${lessons.length} seen` : ""}`,
-    ),
-    el(
-      "ol",
-      { class: "choices lessons" },
-      ...lessons.map((lesson, i) =>
-        el(
-          "li",
-          {},
-          choice(`${i + 1}. ${lesson.title}`, about(lesson, i), () => choose(lesson), {
-            "data-name": lesson.name,
-            "aria-current": lesson.name === open ? "true" : undefined,
-            mark: seen.has(lesson.name) ? icon("check") : undefined,
-          }),
-        ),
-      ),
-    ),
+      choice(`${i + 1}. ${lesson.title}`, about(lesson, i), () => choose(lesson), {
+        "data-name": lesson.name,
+        "aria-current": lesson.name === open ? "true" : undefined,
+        mark: seen.has(lesson.name) ? icon("check") : undefined,
+      }),
+    );
+  };
+  const total = (some) => some.reduce((sum, lesson) => sum + minutes(lesson), 0);
+  const done = seen.size ? `; ${lessons.filter(({ name }) => seen.has(name)).length} of ${lessons.length} seen` : "";
+  const sessions = [...new Set(lessons.map(({ session }) => session))];
+  list.replaceChildren(
+    el("h3", {}, `In order, about ${total(lessons)} minutes in total${done}`),
+    ...sessions.flatMap((session, number) => {
+      const some = lessons.filter((lesson) => lesson.session === session);
+      return [
+        el("h4", {}, `Session ${number + 1}: ${session}, about ${total(some)} minutes`),
+        el("ol", { class: "choices lessons", start: String(lessons.indexOf(some[0]) + 1) }, ...some.map(entry)),
+      ];
+    }),
   );
 }

@@ -13,12 +13,13 @@ export function titleOf(text) {
   return /^title[ \t]*:(.*)$/m.exec(text)?.[1].trim() ?? "";
 }
 
-// Opens the text of a lesson, with the sample that it names. `name` is the lesson's name in an address, if it has one.
-export async function openLessonText(page, text, name = "", join = false) {
+// Opens the text of a lesson, with the sample that it names. `name` is the lesson's name in an address, if it has one;
+// `how` is as for openLesson().
+export async function openLessonText(page, text, name = "", how = {}) {
   const problem = unreadable(text);
   if (problem) return problem;
   const sample = page.program.text("page_lesson_polygon", text);
-  if (!sample) return openLesson(page, { name, text }, join);
+  if (!sample) return openLesson(page, { name, text }, how);
   let samples;
   try {
     samples = await fetchJson("polygons.json");
@@ -26,7 +27,7 @@ export async function openLessonText(page, text, name = "", join = false) {
     return `Its polygon cannot be fetched: ${error.message}`;
   }
   if (!Object.hasOwn(samples, sample)) return noSample(sample, Object.keys(samples));
-  return openLesson(page, { name, text, polygon: samples[sample] }, join);
+  return openLesson(page, { name, text, polygon: samples[sample] }, how);
 }
 
 // The message about an unknown sample, with the nearest names.
@@ -56,17 +57,17 @@ function distance(a, b) {
 const readyMade = /^[a-z0-9-]+$/;
 const besideThePage = /^(?:[\w-][\w.-]*\/)*[\w-][\w.-]*\.txt$/;
 
-export async function openNamedLesson(page, name, join) {
+export async function openNamedLesson(page, name, how) {
   if (readyMade.test(name)) {
     const lesson = (await fetchJson("lessons.json")).find((l) => l.name === name);
-    return lesson ? openLesson(page, lesson, join) : "there is no ready-made lesson with that name";
+    return lesson ? openLesson(page, lesson, how) : "there is no ready-made lesson with that name";
   }
   if (!besideThePage.test(name) || name.length > 200)
     return "an address can name a ready-made lesson, or a .txt file in the page's own folder or below";
   const text = await read(
     await ask(new URL(name, location.href), { redirect: "error", signal: AbortSignal.timeout(patience) }),
   );
-  return text === undefined ? "A lesson has at most 65,536 bytes" : openLessonText(page, text, name, join);
+  return text === undefined ? "A lesson has at most 65,536 bytes" : openLessonText(page, text, name, how);
 }
 
 // Reads the text of a response; undefined if it is longer than a lesson may be, and then the rest is not read.
@@ -88,9 +89,9 @@ async function read(answer) {
 
 // Opens the lesson and the challenge of the address, once its link is open. A challenge begins at the first step,
 // whatever was open.
-export async function beginFromAddress(page, { lesson, challenge, join }) {
+export async function beginFromAddress(page, { lesson, number, challenge, join }) {
   if (lesson) {
-    const problem = await openNamedLesson(page, lesson, join).catch((error) => error.message);
+    const problem = await openNamedLesson(page, lesson, { join, number }).catch((error) => error.message);
     if (problem) {
       page.nameLesson("");
       page.notice(`The lesson “${lesson.slice(0, 60)}” cannot be opened: ${lowered(problem)}.`, true);

@@ -1,0 +1,22 @@
+// Lessons by their names or from files.
+#pragma once
+
+#include <string>
+
+#include "evenlift/document.h"
+#include "evenlift/lesson.h"
+
+namespace evenlift::native {
+
+// A lesson and the sample polygon that it names, if it names one.
+struct LessonText {
+  std::string source;  // its name in errors
+  Lesson lesson;
+  Document sample;
+};
+
+// The lesson in a file, or the ready-made lesson with this name if there is no such file. Throws
+// Failure about `option`, or about the lesson.
+LessonText read_lesson(const std::string& option, const std::string& name_or_file);
+
+}  // namespace evenlift::native

@@ -1,0 +1,181 @@
+// Tasks of lessons in the page: the card follows every change, and what is handed in is marked by the program.
+import assert from "node:assert/strict";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { test } from "node:test";
+import { drag, evenlift, idle, link, phone, reload, set, sharedBrowser, state, toScreen, undo } from "../page/browser.mjs";
+import { closeAll, openWindow, paste, violations } from "../page/windows.mjs";
+
+const browser = sharedBrowser();
+const clipboard = ["clipboard-read", "clipboard-write"];
+const plainly = (text) => text.replaceAll("\u00a0", " ");
+
+const card = (page) => page.locator("#task");
+async function goals(page) {
+  return (await card(page).locator(".goals li").allInnerTexts()).map((text) => plainly(text).replaceAll("\n", " "));
+}
+const ticks = (page) => card(page).locator(".tick.kept").count();
+
+// Waits until the card says this.
+const says = (page, words) => card(page).locator('[role="status"]', { hasText: words }).waitFor();
+
+async function copied(page) {
+  await page.locator("#task .ways").getByRole("button", { name: "Copy result" }).click();
+  await idle(page);
+  return page.evaluate(() => navigator.clipboard.readText());
+}
+
+test("a task is done by hand, and the copied result is marked as done by the program", async () => {
+  const page = await browser.open({ address: "?lesson=place-yourself", permissions: clipboard });
+  await card(page).waitFor();
+  assert.equal(await card(page).locator("h2").innerText(), "Place robots yourself");
+  await says(page, "Only the robots may be changed.");
+  assert.equal(await ticks(page), 0);
+  const to = [
+    [200, 200],
+    [800, 150],
+    [850, 600],
+    [200, 600],
+  ];
+  for (const [robot, at] of to.entries()) {
+    const { robots } = await state(page);
+    await drag(page, await toScreen(page, robots[robot].at), await toScreen(page, at));
+    await idle(page);
+  }
+  await says(page, "Done!");
+  assert.equal(await ticks(page), 2);
+  assert.match((await goals(page))[1], /^The greatest load is at most 30 kg \d+\.\d+ kg$/);
+  const address = await copied(page);
+  assert.match(address, /\?lesson=place-yourself#/);
+  assert.match(evenlift("check", address, "--task", "place-yourself"), /The task is done\./);
+  assert.deepEqual(await violations(page), []);
+  // The address of the result opens the result, with the task and its ticks.
+  const other = await browser.open({ address: address.slice(address.indexOf("?")) });
+  await says(other, "Done!");
+  assert.deepEqual(await state(other), await state(page));
+  await other.done();
+  await page.done();
+});
+
+test("each number has a task of its own, which stays in the address and after a reload", async () => {
+  const page = await browser.open({ address: "?lesson=task-thirty&number=4711", permissions: clipboard });
+  await card(page).waitFor();
+  const first = await state(page);
+  const [, made] = [0, evenlift("generate", "star", "--n", "9", "--seed", "4711")];
+  assert.equal(first.polygon.length, 9);
+  assert.ok(made.includes(`(${first.polygon[0].join(",")})`));
+  await idle(page);
+  await page.waitForFunction(() => location.hash.length > 1);
+  assert.match(page.url(), /\?lesson=task-thirty&number=4711#/);
+  await reload(page);
+  await card(page).waitFor();
+  assert.deepEqual((await state(page)).polygon, first.polygon);
+  // Another learner types another number.
+  const field = card(page).getByLabel("Your number");
+  assert.equal(await field.inputValue(), "4711");
+  await field.fill("12");
+  await field.press("Enter");
+  await page.waitForFunction(() => location.search.includes("number=12"));
+  assert.notDeepEqual((await state(page)).polygon, first.polygon);
+  await page.done();
+});
+
+test("what a task does not allow is said, and undo brings it back", async () => {
+  const page = await browser.open({ address: "?lesson=task-motor" });
+  await card(page).waitFor();
+  await set(page, { weight: 90 });
+  await idle(page);
+  await card(page).getByText("You changed the weight, which this task does not allow.").waitFor();
+  await undo(page);
+  await card(page).getByText("You changed").waitFor({ state: "detached" });
+  await set(page, { cargo: "381.4,389.6:40:motor" });
+  await says(page, "Done!");
+  // The question waits, and its answer is a second press away.
+  await card(page).getByRole("button", { name: "Question" }).click();
+  await card(page).getByText("Must the motor lie above C").waitFor();
+  await card(page).getByRole("button", { name: "Answer" }).click();
+  await card(page).getByText("No. All four carry the same").waitFor();
+  await page.done();
+});
+
+test("C is hidden, and is found by the loads that the scales show", async () => {
+  const page = await browser.open({ address: "?lesson=task-where-is-c&number=3" });
+  await card(page).waitFor();
+  const rows = await goals(page);
+  assert.equal(rows.length, 3);
+  const readings = rows.map((row) => Number(/carries ([\d.]+) kg/.exec(row)[1]));
+  const { supports } = await state(page);
+  const sum = readings.reduce((a, b) => a + b);
+  const centre = [0, 1].map((axis) => readings.reduce((total, load, i) => total + load * supports[i][axis], 0) / sum);
+  await set(page, { com: centre });
+  await says(page, "Done!");
+  await page.done();
+});
+
+test("closing a task brings back the work from before it, and it is marked as seen once it was done", async () => {
+  const page = await browser.open();
+  await set(page, { teams: 4 });
+  await idle(page);
+  const before = await link(page);
+  await openWindow(page, "lessons");
+  await page.locator('[data-name="task-beat-balanced"]').click();
+  await card(page).waitFor();
+  await set(page, { min_ratio: 0.6 });
+  await says(page, "Done!");
+  await card(page).getByRole("button", { name: "Close" }).click();
+  await idle(page);
+  assert.equal(await link(page), before);
+  assert.doesNotMatch(page.url(), /lesson=/);
+  await openWindow(page, "lessons");
+  assert.match(await page.locator('[data-name="task-beat-balanced"]').innerText(), /seen/);
+  assert.match(await page.locator("#lessons").innerText(), /Session 2: The algorithm, about \d+ minutes/);
+  await closeAll(page);
+  await page.done();
+});
+
+test("a task of one's own is pasted, and undoing past its beginning closes it", async () => {
+  const page = await browser.open();
+  const before = await link(page);
+  await paste(page, "title: Mine\npolygon: square\nrequire: held\nmove: teams\n\n[task]\nMake it held.\n");
+  await card(page).waitFor();
+  assert.deepEqual(await goals(page), ["The robots hold the object no"]);
+  await undo(page);
+  await card(page).waitFor({ state: "detached" });
+  assert.equal(await link(page), before);
+  await page.done();
+});
+
+test("on a phone the card leaves the object in sight", async () => {
+  const page = await browser.open({ address: "?lesson=place-yourself", viewport: phone, hasTouch: true });
+  await card(page).waitFor();
+  await idle(page);
+  const box = await card(page).boundingBox();
+  for (const robot of (await state(page)).robots) {
+    const at = await toScreen(page, robot.at);
+    assert.ok(at[1] < box.y, `a robot at ${at[1]} is below the card's edge at ${box.y}`);
+  }
+  await page.done();
+});
+
+test("a file of what a class hands in is marked with one command", async () => {
+  const page = await browser.open({ address: "?lesson=task-thirty&number=1", permissions: clipboard });
+  await card(page).waitFor();
+  const one = await copied(page);
+  const folder = mkdtempSync(path.join(tmpdir(), "evenlift-"));
+  try {
+    const file = path.join(folder, "handed-in.txt");
+    writeFileSync(file, `Ada ${one}\nBen;${one.replace("#", "?x#")}\n`);
+    assert.throws(
+      () => evenlift("check", file, "--task", "task-thirty"),
+      (error) => {
+        assert.equal(error.status, 3);
+        assert.match(String(error.stdout), / 1 +Ada +1 +no /);
+        return true;
+      },
+    );
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+  await page.done();
+});
