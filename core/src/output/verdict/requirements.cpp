@@ -1,6 +1,7 @@
 #include "evenlift/output/requirements.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "document/stand_settings.h"
@@ -146,8 +147,10 @@ InputError refused(const std::string& condition) {
                                     (quotable ? ", not \"" + condition + "\"" : std::string()));
 }
 
-std::string with_unit(double value, Unit unit, const Units& units) {
-  const std::string number = significant(unit == Unit::share ? 100 * value : value, 4);
+// A share in per cent; any other value as it is.
+double in_unit(double value, Unit unit) { return unit == Unit::share ? 100 * value : value; }
+
+std::string with_unit(const std::string& number, Unit unit, const Units& units) {
   switch (unit) {
     case Unit::share:
       return number + "\u00a0%";
@@ -219,13 +222,20 @@ std::string condition_in_words(const Condition& condition, const Units& units) {
   const Row& row = row_of(condition);
   if (row.yes_or_no) return std::string(row.words);
   return std::string(row.words) + (condition.at_least ? " is at least " : " is at most ") +
-         with_unit(condition.limit, row.unit, units);
+         with_unit(plain(in_unit(condition.limit, row.unit)), row.unit, units);
 }
 
 std::string value_in_words(const Requirement& requirement, const Units& units) {
   if (!requirement.value) return {};
   if (is_yes_or_no(requirement.condition)) return *requirement.value == 1 ? "yes" : "no";
-  return with_unit(*requirement.value, row_of(requirement.condition).unit, units);
+  const Unit unit = row_of(requirement.condition).unit;
+  const double value = in_unit(*requirement.value, unit);
+  const double limit = in_unit(requirement.condition.limit, unit);
+  const double largest = std::max(std::abs(value), std::abs(limit));
+  std::string number = unit == Unit::none ? plain(value) : amount(value, largest);
+  // A value that misses its limit does not look the same.
+  if (!requirement.kept && number == amount(limit, largest)) number = significant(value, 6);
+  return with_unit(number, unit, units);
 }
 
 std::string requirement_in_words(const Requirement& requirement) {
