@@ -156,7 +156,7 @@ void cmd_check(const Arguments& arguments) {
       "LINK is a share link, an address that ends in one, or a file of them (- for standard input): one\n"
       "in each line, perhaps with a name before it. Exit status: 0 if all are done, 3 if one is not.\n\n"
       "Examples:\n"
-      "  evenlift check \"$LINK\" --task thirty-kilograms\n"
+      "  evenlift check \"$LINK\" --task task-thirty\n"
       "  evenlift check handed-in.txt --task my-lesson.txt --csv >marks.csv\n");
   std::string link_or_file;
   std::optional<std::string> task, number_text;

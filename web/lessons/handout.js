@@ -3,6 +3,7 @@
 import { coreModule } from "../kit/core_module.js";
 import { openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, unbroken } from "../kit/elements.js";
+import { qrCode } from "../kit/qr_code.js";
 import { legend, picture } from "./handout_picture.js";
 import { titleOf } from "./lesson_source.js";
 import { openLessonOf } from "./lesson_watch.js";
@@ -53,11 +54,39 @@ function questionOf({ question, answer }) {
   ];
 }
 
+// The address that opens the same, in words and as a QR code, as far as it fits.
+const longestPrinted = 300; // characters that a student might type, or at least compare
+async function wayBack(address) {
+  if (!address) return [];
+  const code = await qrCode(address).catch(() => undefined);
+  return [
+    el(
+      "p",
+      { class: "paper-way" },
+      code ? el("img", { alt: "QR code of the address", src: `data:image/svg+xml,${encodeURIComponent(code)}` }) : "",
+      address.length <= longestPrinted ? el("span", {}, address) : "",
+    ),
+  ];
+}
+
+// A task on paper: its object, what is to be reached, and a place for the learner's name and number.
+function taskOf(program, { words, goals, may, numbered }) {
+  const drawing = `data:image/svg+xml,${encodeURIComponent(program.text("page_svg"))}`;
+  return [
+    ...paragraphs(words).map((each) => el("p", {}, each)),
+    el("img", { class: "paper-task", alt: "The object and its robots", src: drawing }),
+    el("ul", {}, ...goals.map((goal) => el("li", {}, goal.words))),
+    el("p", {}, may),
+    el("p", {}, `Name: ______________________________${numbered ? "   Number: ____________" : ""}`),
+  ];
+}
+
 export async function show(page) {
   const { program } = page;
   const lesson = openLessonOf(program);
+  const task = lesson ? null : program.json("page_task");
   const link = program.text("page_link");
-  const title = lesson ? titleOf(lesson.text) : "The algorithm step by step";
+  const title = lesson ? titleOf(lesson.text) : task ? task.title : "The algorithm step by step";
   const problem = problemLine();
   const pages = el("div", { class: "pages" }, el("p", { class: "second", role: "status" }, "Drawing the pictures …"));
   const print = button("Print …", { class: "button primary", disabled: true, onclick: () => globalThis.print() });
@@ -72,7 +101,9 @@ export async function show(page) {
         el(
           "p",
           { class: "second" },
-          lesson
+          task
+            ? "It shows the open task."
+            : lesson
             ? "It shows the steps of the open lesson."
             : "It shows the main steps for the open polygon. To print a lesson, open it first.",
         ),
@@ -83,6 +114,18 @@ export async function show(page) {
   if (!root) return;
   try {
     if (!link) throw new Error(`this polygon has no link: ${program.text("page_link_problem")}`);
+    if (task) {
+      const { question, answer } = { question: program.text("page_lesson_question"), answer: program.text("page_lesson_answer") };
+      pages.replaceChildren(
+        el("h2", { class: "paper-title" }, title),
+        ...taskOf(program, task),
+        ...questionOf({ question, answer }),
+        ...(await wayBack(page.address(link))),
+        el("p", { class: "paper-foot" }, "Made with evenlift."),
+      );
+      print.disabled = false;
+      return print.focus();
+    }
     const handout = (await handoutModule()).json("handout_steps", link, lesson?.text ?? "");
     if (handout.problem) throw new Error(handout.problem);
     const figures = handout.steps.map((step) => figureOf(handout, step));
@@ -91,6 +134,7 @@ export async function show(page) {
       ...legend(handout),
       el("div", { class: "steps" }, ...figures),
       ...questionOf(handout),
+      ...(await wayBack(page.address(link))),
       el("p", { class: "paper-foot" }, "Made with evenlift."),
     );
     print.disabled = false;

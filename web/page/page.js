@@ -86,10 +86,21 @@ async function loadMirror(program, field, publisher) {
   return createMirror(program, field, (text, problem) => publisher.notice(text, problem));
 }
 
+// The visitor may see evenlift for the first time: one line says what it shows, until the first touch.
+function introduce(program) {
+  program.call(
+    "page_notice",
+    "You see an object from above, and the robots that lift it. Drag a robot, a corner or the centre of mass.",
+    0,
+  );
+  const ends = () => program.call("page_end_notice");
+  for (const type of ["pointerdown", "keydown"]) addEventListener(type, ends, { once: true, capture: true, passive: true });
+}
+
 let started; // the result of beginStart()
 
 // The first frame is drawn, and the user can begin: load and connect the parts that need a running page.
-function loadTheRest(program, bindings, { begins }) {
+function loadTheRest(program, bindings, { begins, introduces }) {
   for (const type of ["pointerdown", "keydown"]) addEventListener(type, workGoesOn, { capture: true, passive: true });
   if (embed) return;
   // If this module cannot be loaded, undo starts empty.
@@ -97,6 +108,7 @@ function loadTheRest(program, bindings, { begins }) {
   underWay(import("./offline.js"))
     .then(({ keepForOffline }) => keepForOffline(() => bindings.openDialog("newVersion")))
     .catch(() => {});
+  if (introduces && !location.search && !read(lasting, "evenlift.welcomed")) introduce(program);
   if (begins && !location.search && !read(lasting, "evenlift.welcomed")) bindings.openDialog("firstVisit");
 }
 
@@ -206,7 +218,7 @@ async function start() {
   program.onStop = (error) => startAnew(error, { opening, work: publisher.stop() });
   // For exceptions in SDL's own event handlers, which call the program.
   addEventListener("error", ({ error }) => error instanceof WebAssembly.RuntimeError && program.stop(error));
-  loadTheRest(program, bindings, { begins: !fragment && !kept.work });
+  loadTheRest(program, bindings, { begins: !fragment && !kept.work, introduces: fragment && !problem && !kept.own });
 }
 
 // The program stopped while it ran. Its memory cannot be trusted any more, so the page is loaded again with the last

@@ -267,6 +267,7 @@ export class Publisher {
       sentences.map((text, i) => (i ? ` ${text}` : text)),
       true,
     );
+    document.title = sentences[0] ? `${sentences[0].replace(/[.:]$/, "")} – evenlift` : "evenlift";
     // Assistive technology can read the state of each overlay's switch. The message reports only that a switch changed.
     const news = this.#program.text("page_news").split("\n").filter(Boolean);
     const overlay = (line) => /^(?:Shown|Hidden): (.*)/.exec(line)?.[1];

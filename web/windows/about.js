@@ -13,6 +13,7 @@ const link = (file, text) =>
 // Documentation in the page's folder (assets/docs_html.py).
 const docs = [
   ["docs-lessons.html", "How to write a lesson"],
+  ["docs-teaching.html", "Teaching with evenlift: three sessions"],
   ["docs-page.html", "The page: links, embedding, scripting"],
   ["docs-algorithm.html", "The algorithm, stage by stage"],
   ["docs-stands.html", "Robots with a size, and where they can stand"],

@@ -155,8 +155,23 @@ function share(page, address, problem) {
     said.textContent = `The link is copied. ${page.aboutLink(address)}`;
     setTimeout(() => copy.replaceChildren(icon("copy"), "Copy"), 2500);
   });
+  const embed = button("Copy code to embed", {
+    onclick: async () => {
+      const done = await page.copy(embedCode(address));
+      if (done) said.textContent = "The code is copied: a figure of this polygon for an article or a course page.";
+      else problem.say("The browser did not allow copying");
+    },
+  });
   const qr = button("QR code", { onclick: async () => problem.say(await showQr(address)) }, "qr");
-  return [el("h3", {}, "Link"), el("div", { class: "row" }, field, copy, qr), said];
+  return [el("h3", {}, "Link"), el("div", { class: "row" }, field, copy, qr), el("div", { class: "row" }, said, embed)];
+}
+
+// An <iframe> that shows the address as a figure.
+function embedCode(address) {
+  const url = new URL(address);
+  url.searchParams.set("embed", "1");
+  const escaped = url.href.replaceAll("&", "&amp;").replaceAll('"', "&quot;");
+  return `<iframe src="${escaped}" title="evenlift" width="720" height="480" style="border: 0; max-width: 100%"></iframe>`;
 }
 
 // In a walkthrough: the same steps with guesses. Otherwise: the object alone, on which somebody places robots.
