@@ -146,6 +146,22 @@ test("a task of one's own is pasted, and undoing past its beginning closes it", 
   await page.done();
 });
 
+test("a task after the steps of a lesson waits at its last step", async () => {
+  const page = await browser.open();
+  await paste(
+    page,
+    "title: Mine\npolygon: square\nteams: 1\nrequire: robots>=4\nmove: teams\n\n[centre]\nC.\n\n[end]\nE.\n\n[task]\nMore.\n",
+  );
+  await page.waitForFunction(() => document.getElementById("summary").textContent.includes("Step 1 of 2"));
+  await page.keyboard.press("End");
+  await card(page).waitFor();
+  await set(page, { teams: 2 });
+  await says(page, "Done!");
+  await page.keyboard.press("Home");
+  await card(page).waitFor({ state: "detached" });
+  await page.done();
+});
+
 test("on a phone the card leaves the object in sight", async () => {
   const page = await browser.open({ address: "?lesson=place-yourself", viewport: phone, hasTouch: true });
   await card(page).waitFor();

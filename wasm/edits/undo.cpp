@@ -117,6 +117,7 @@ void leave_walkthrough(AppState& state) {
   std::optional<History::Recalled> before = before_lesson(state);
   close_walkthrough(state);
   state.view.walkthrough.of_lesson = false;
+  if (state.view.task) close_task(state);
   if (!before) return;
   // Step by step continues at the restored document's own step.
   Walkthrough& walk = state.view.walkthrough;

@@ -38,14 +38,9 @@ export function openLesson(page, { name, text, polygon = "" }, { join = false, n
   const problem = page.program.text("page_open_lesson", text, polygon, join ? 1 : 0, number);
   if (problem) return problem;
   page.nameLesson(name, number);
-  watch(page, { name, text });
-  if (page.program.number("page_task_is_open") && !standing(page.program))
-    underWay(
-      showTask(page, {
-        again: (another) => openLesson(page, { name, text, polygon }, { number: another }),
-        done: () => markSeen(name),
-      }),
-    );
+  const again = (another) => openLesson(page, { name, text, polygon }, { number: another });
+  watch(page, { name, text, again });
+  if (page.program.number("page_task_is_open") && !standing(page.program)) underWay(showTaskOf(page, playing));
   return undefined;
 }
 
@@ -59,6 +54,12 @@ export function watch(page, lesson = {}) {
   playing = { page, lesson, atEnd: Boolean(now && now.at + 1 === now.count) };
 }
 
+// The card of the open task. After a lesson's steps it takes the place of the card at the end.
+async function showTaskOf(page, of) {
+  const { name, again } = of.lesson;
+  of.card = await showTask(page, { again, done: () => markSeen(name) });
+}
+
 function look() {
   const { page, lesson } = playing;
   const now = standing(page.program);
@@ -69,6 +70,10 @@ function look() {
   if (atEnd === playing.atEnd) return;
   playing.atEnd = atEnd;
   if (!atEnd) return playing.card?.close();
+  if (page.program.number("page_task_is_open")) {
+    underWay(showTaskOf(page, playing));
+    return;
+  }
   markSeen(lesson.name);
   underWay(showEnd(page, lesson, now, playing));
 }

@@ -33,7 +33,8 @@ export async function show(page, { again, done }) {
     ],
     closed: (byPerson) => {
       leave.abort();
-      if (byPerson) program.call("page_close_task");
+      // After a lesson's steps the lesson stays open, and its last step opens the card again.
+      if (byPerson && !program.number("page_walkthrough_is_open")) program.call("page_close_task");
     },
   });
 
@@ -97,6 +98,7 @@ export async function show(page, { again, done }) {
   }
   page.pictures.addEventListener("drawn", refresh, { signal: leave.signal });
   refresh();
+  return card;
 }
 
 const tick = (kept) =>
