@@ -109,7 +109,8 @@ std::string cell(std::string text) {
 
 std::string as_csv(const std::vector<Marked>& all) {
   std::string text = "line,name,number,done";
-  for (const std::string& goal : goals_of(all)) text += "," + cell(goal) + "," + cell(goal + " kept");
+  for (const std::string& goal : goals_of(all))
+    text += "," + cell(goal) + "," + cell(goal + " kept");
   text += ",remark\n";
   const std::size_t goals = goals_of(all).size();
   for (const Marked& marked : all) {
@@ -133,18 +134,18 @@ std::string as_json(const LessonText& lesson, const std::vector<Marked>& all) {
                                     {"value", json::text(goal.value)},
                                     {"kept", json::boolean(goal.kept)}}));
     for (const std::string& each : marked.attempt.changed) changed.push_back(json::text(each));
-    results.push_back(json::object(
-        {{"line", std::to_string(marked.of->line)},
-         {"name", json::text(marked.of->name)},
-         {"number", std::to_string(marked.number)},
-         {"done", json::boolean(marked.attempt.kept)},
-         {"goals", json::array(goals)},
-         {"changed", json::array(changed)},
-         {"problem", marked.problem.empty() ? "null" : json::text(marked.problem)}}));
+    results.push_back(
+        json::object({{"line", std::to_string(marked.of->line)},
+                      {"name", json::text(marked.of->name)},
+                      {"number", std::to_string(marked.number)},
+                      {"done", json::boolean(marked.attempt.kept)},
+                      {"goals", json::array(goals)},
+                      {"changed", json::array(changed)},
+                      {"problem", marked.problem.empty() ? "null" : json::text(marked.problem)}}));
   }
-  return json::long_object({{"task", json::text(lesson.lesson.title)},
-                            {"results", json::long_array(results, 1)}},
-                           0) +
+  return json::long_object(
+             {{"task", json::text(lesson.lesson.title)}, {"results", json::long_array(results, 1)}},
+             0) +
          "\n";
 }
 
@@ -163,13 +164,16 @@ void cmd_check(const Arguments& arguments) {
   bool csv = false, json = false;
   line.positional(link_or_file, "LINK", "a link, or a file of links");
   line.value(task, "--task", "NAME", "a ready-made lesson, or a file, with a task");
-  line.value(number_text, "--number", "N", "the learner's number, for addresses without one (default 1)");
+  line.value(number_text, "--number", "N",
+             "the learner's number, for addresses without one (default 1)");
   line.flag(csv, "--csv", "print a table for a spreadsheet");
   line.flag(json, "--json", "print JSON");
   if (!line.parse(arguments)) return;
-  if (!task) throw Failure{bad_input_status, "--task", "missing: the name of a lesson, or its file"};
+  if (!task)
+    throw Failure{bad_input_status, "--task", "missing: the name of a lesson, or its file"};
   if (csv && json) throw Failure{bad_input_status, "--csv", "cannot be combined with --json"};
-  const std::uint64_t number = number_text ? whole_option("--number", *number_text, max_learner) : 1;
+  const std::uint64_t number =
+      number_text ? whole_option("--number", *number_text, max_learner) : 1;
   const LessonText lesson = read_lesson("--task", *task);
   if (!lesson.lesson.task) throw Failure{bad_input_status, *task, "this lesson has no task"};
   const std::vector<HandedIn> links = read_handed_in(link_or_file);
@@ -177,7 +181,8 @@ void cmd_check(const Arguments& arguments) {
   std::vector<Marked> all;
   {
     const Waiting waiting("marking the links");
-    for (const HandedIn& link : links) all.push_back(mark(link, lesson, link.number.value_or(number)));
+    for (const HandedIn& link : links)
+      all.push_back(mark(link, lesson, link.number.value_or(number)));
   }
   const bool alone = all.size() == 1 && links[0].name.empty();
   if (alone && !all[0].problem.empty() && !csv && !json)

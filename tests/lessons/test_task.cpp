@@ -38,8 +38,8 @@ void refused(const std::string& text, std::size_t line, const std::string& part)
 }
 
 Lesson ready_made(const std::string& name) {
-  return lesson_of(corpus::read_file(std::filesystem::path(EVENLIFT_ASSETS_DIR) / "lessons" /
-                                     (name + ".txt")));
+  return lesson_of(
+      corpus::read_file(std::filesystem::path(EVENLIFT_ASSETS_DIR) / "lessons" / (name + ".txt")));
 }
 
 Exercise begun(const Lesson& lesson, std::uint64_t number = 1) {
@@ -69,8 +69,9 @@ Document with_supports(Document document, const Points& supports) {
 }  // namespace
 
 TEST_CASE("a task is read with its conditions and with what may be moved", "[task]") {
-  const Lesson lesson = lesson_of(heading + "require: max<=30 , held\nmove: teams,robots\nplace: 5\n" +
-                                  "[task]\nOne\nline.\n\nMore.\n[question]\nQ\n[answer]\nA\n");
+  const Lesson lesson =
+      lesson_of(heading + "require: max<=30 , held\nmove: teams,robots\nplace: 5\n" +
+                "[task]\nOne\nline.\n\nMore.\n[question]\nQ\n[answer]\nA\n");
   CHECK(lesson.steps.empty());
   REQUIRE(lesson.task);
   CHECK(lesson.task->words == "One line.\nMore.");
@@ -105,7 +106,8 @@ TEST_CASE("a wrong task is refused with its line", "[task]") {
   refused(heading + asked + "[end]\nWords.\n", 3, "write it below [task]");
   refused(heading + asked + task + task, 7, "at most one task");
   refused(heading + asked + task + "[end]\nWords.\n", 7, "after the task");
-  refused(heading + asked + "[end]\nW.\n[question]\nQ\n[answer]\nA\n" + task, 11, "before the question");
+  refused(heading + asked + "[end]\nW.\n[question]\nQ\n[answer]\nA\n" + task, 11,
+          "before the question");
   refused(heading + "require: weight<=3\n", 3, "a condition must be");
   refused(heading + "move: cargo, sofa\n", 3, "robots, teams, centre, vertices and cargo");
   refused(heading + "place: 0\n", 3, "from 1 to 64");
@@ -135,7 +137,8 @@ TEST_CASE("an exercise that cannot be made says why", "[task]") {
   CHECK(why("title: T\ngenerate: comb n=5\n" + asked + task).find("vertices") != std::string::npos);
 }
 
-TEST_CASE("no ready-made task is done at its start, and each says what is to be reached", "[task]") {
+TEST_CASE("no ready-made task is done at its start, and each says what is to be reached",
+          "[task]") {
   for (const char* name : {"place-yourself", "task-thirty", "task-motor", "task-where-is-c",
                            "task-beat-balanced", "task-closed", "task-steady"}) {
     INFO(name);
@@ -157,7 +160,9 @@ TEST_CASE("no ready-made task is done at its start, and each says what is to be 
 TEST_CASE("each ready-made task can be done", "[task]") {
   {
     const Lesson lesson = ready_made("place-yourself");
-    CHECK(attempt(lesson, with_supports(begun(lesson).start, {{200, 200}, {800, 150}, {850, 600}, {200, 600}})).kept);
+    CHECK(attempt(lesson, with_supports(begun(lesson).start,
+                                        {{200, 200}, {800, 150}, {850, 600}, {200, 600}}))
+              .kept);
   }
   {
     const Lesson lesson = ready_made("task-motor");
@@ -182,7 +187,8 @@ TEST_CASE("each ready-made task can be done", "[task]") {
     Document document = begun(lesson).start;
     const Vec2 centre = placed(document).centre_of_mass;
     Points five;
-    for (const Vec2& to : {Vec2(300, 0), Vec2(93, 285), Vec2(-243, 176), Vec2(-243, -176), Vec2(93, -285)})
+    for (const Vec2& to :
+         {Vec2(300, 0), Vec2(93, 285), Vec2(-243, 176), Vec2(-243, -176), Vec2(93, -285)})
       five.push_back(centre + to);
     CHECK(attempt(lesson, with_supports(document, five)).kept);
   }
@@ -246,7 +252,9 @@ TEST_CASE("only what a task allows may be changed", "[task]") {
   const auto more_teams = [](Document& d) { d.settings.teams = 3; };
   const auto other_weight = [](Document& d) { d.settings.weight = 50; };
   const auto cut_hole = [](Document& d) { d.holes = {{{400, 400}, {450, 400}, {450, 450}}}; };
-  const auto stand = [](Document& d) { d = with_supports(d, {{400, 400}, {600, 400}, {500, 600}}); };
+  const auto stand = [](Document& d) {
+    d = with_supports(d, {{400, 400}, {600, 400}, {500, 600}});
+  };
   const auto balanced = [](Document& d) { d.settings.method = Method::balanced; };
   const auto look = [](Document& d) {
     d.shown.overlays.tipping = true;
@@ -275,7 +283,8 @@ TEST_CASE("robots to be placed stand beneath every sample", "[task][supports]") 
     const Result<Placement> placement = place(document);
     if (!placement) continue;
     for (const std::size_t robots : {1u, 3u, 4u, 9u, 64u}) {
-      const Points supports = supports_to_place(placement->object, placement->centre_of_mass, robots, {});
+      const Points supports =
+          supports_to_place(placement->object, placement->centre_of_mass, robots, {});
       CHECK(supports.size() == robots);
       const SupportPlacer placer(placement->object, {});
       for (const Vec2& support : supports) CHECK(placer.place(support));

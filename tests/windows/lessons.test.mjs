@@ -742,7 +742,20 @@ test("what the editor says about an unknown setting names every one that a lesso
   );
   const names = said.split(/, | and /);
   const [own, settings] = [
-    ["title", "polygon", "link", "generate", "predict", "overlays", "require", "move", "place", "find", "loads", "failed"],
+    [
+      "title",
+      "polygon",
+      "link",
+      "generate",
+      "predict",
+      "overlays",
+      "require",
+      "move",
+      "place",
+      "find",
+      "loads",
+      "failed",
+    ],
     ["teams", "robots", "capacity", "unit"],
   ];
   for (const name of [...own, ...settings]) assert.ok(names.includes(name), name);

@@ -4,7 +4,19 @@ import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { test } from "node:test";
-import { drag, evenlift, idle, link, phone, reload, set, sharedBrowser, state, toScreen, undo } from "../page/browser.mjs";
+import {
+  drag,
+  evenlift,
+  idle,
+  link,
+  phone,
+  reload,
+  set,
+  sharedBrowser,
+  state,
+  toScreen,
+  undo,
+} from "../page/browser.mjs";
 import { closeAll, openWindow, paste, violations } from "../page/windows.mjs";
 
 const browser = sharedBrowser();

@@ -95,8 +95,8 @@ std::optional<InputError> open_lesson(AppState& state, const std::string& text,
   Result<Opened> of_it = opened(begun->start);
   if (!of_it) return at_line(of_it.error(), *lesson);
   if (lesson->steps.empty())
-    return open_task(state, {*std::move(lesson), *std::move(begun), number, 0},
-                     *std::move(of_it), start);
+    return open_task(state, {*std::move(lesson), *std::move(begun), number, 0}, *std::move(of_it),
+                     start);
   Result<Trace> trace = compute_trace(of_it->placement, of_it->document.shown.units);
   if (!trace) return at_line(trace.error(), *lesson);
   if (auto problem = check_lesson(*lesson, *trace)) return problem;

@@ -29,8 +29,8 @@
 #include "evenlift/settings.h"
 #include "page/browser.h"
 #include "panels/summary.h"
-#include "state/method.h"
 #include "state/layout.h"
+#include "state/method.h"
 #include "tools/drawing.h"
 #include "ui/controls.h"
 

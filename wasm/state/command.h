@@ -67,7 +67,7 @@ struct MoveRobot {
 struct PlaceYourself {  // robots beneath the object, to play with
   std::size_t robots = 4;
 };
-struct CloseTask {};     // brings back what was open before it
+struct CloseTask {};   // brings back what was open before it
 struct SetChallenge {  // whether the page keeps its own answers to itself
   bool on;
 };
@@ -300,17 +300,17 @@ struct AddStep {
 
 using AnyCommand = std::variant<
     SetSettings, SetMethod, MoveVertex, MoveCentre, ReleaseCentre, InsertVertex, RemoveVertex,
-    AddWeight, SetCargo, OpenDocument, SetPolygon, EndEdit, MoveRobot, PlaceYourself, CloseTask, SetChallenge,
-    AddRobot, PutRobot, RemoveRobot, EvenOut, ResetRobots, Undo, Redo, SetShown, SetTool,
-    GripPolygon, AddPoint, MovePoint, TakePointBack, PutPointBack, FinishDrawing, SetDrawCursor,
-    TypeEdge, WithdrawEdge, SetSnap, Compare, Fail, SetLoadModel, SetMotion, OpenWalkthrough,
-    CloseWalkthrough, GoToStep, MoveSteps, MoveChapters, SetPlaying, SetSpeed, SetPredict, Guess,
-    PointAtChoice, AskWhy, Measure, HoverFigure, Explain, ShowInLesson, LeaveScript, ShowAllSteps,
-    SetPresenting, SelectVertex, SetHover, SetHeld, SetCamera, FitView, ZoomView, SetPanelOpen,
-    SetSectionOpen, SetErases, ListIsOpen, CloseList, SetSheet, MeasureSheet, MeasureNotice,
-    CopyLink, TypeValue, OpenDialog, OpenPage, LayOutAgain, TakeRobots, ShowNotice, EndNotice,
-    SetCanvas, SetPreferences, SetTouch, CoverScreen, MakeRoom, LayPicture, TakePictureAway,
-    SetMeasuring, KeepMotion, KeepComparison, ForgetSteps, AddStep>;
+    AddWeight, SetCargo, OpenDocument, SetPolygon, EndEdit, MoveRobot, PlaceYourself, CloseTask,
+    SetChallenge, AddRobot, PutRobot, RemoveRobot, EvenOut, ResetRobots, Undo, Redo, SetShown,
+    SetTool, GripPolygon, AddPoint, MovePoint, TakePointBack, PutPointBack, FinishDrawing,
+    SetDrawCursor, TypeEdge, WithdrawEdge, SetSnap, Compare, Fail, SetLoadModel, SetMotion,
+    OpenWalkthrough, CloseWalkthrough, GoToStep, MoveSteps, MoveChapters, SetPlaying, SetSpeed,
+    SetPredict, Guess, PointAtChoice, AskWhy, Measure, HoverFigure, Explain, ShowInLesson,
+    LeaveScript, ShowAllSteps, SetPresenting, SelectVertex, SetHover, SetHeld, SetCamera, FitView,
+    ZoomView, SetPanelOpen, SetSectionOpen, SetErases, ListIsOpen, CloseList, SetSheet,
+    MeasureSheet, MeasureNotice, CopyLink, TypeValue, OpenDialog, OpenPage, LayOutAgain, TakeRobots,
+    ShowNotice, EndNotice, SetCanvas, SetPreferences, SetTouch, CoverScreen, MakeRoom, LayPicture,
+    TakePictureAway, SetMeasuring, KeepMotion, KeepComparison, ForgetSteps, AddStep>;
 // One command of any kind. Its special members are compiled once (command.cpp): written out in every
 // file that makes a command, they were half of the time of compiling the panels.
 class Command {

@@ -97,7 +97,8 @@ struct View {
   bool erases = false;     // what the brush does while it is held
   bool measuring = false;  // the user chooses two points of the backdrop, to set its scale
 
-  bool challenge = false;  // a challenge or a task is open: the page keeps its own answers to itself
+  bool challenge =
+      false;  // a challenge or a task is open: the page keeps its own answers to itself
   std::optional<OpenTask> task;
   bool previews = false;  // the open lesson is being written
 

@@ -104,8 +104,8 @@ export async function show(page) {
           task
             ? "It shows the open task."
             : lesson
-            ? "It shows the steps of the open lesson."
-            : "It shows the main steps for the open polygon. To print a lesson, open it first.",
+              ? "It shows the steps of the open lesson."
+              : "It shows the main steps for the open polygon. To print a lesson, open it first.",
         ),
         print,
       ),
@@ -115,7 +115,10 @@ export async function show(page) {
   try {
     if (!link) throw new Error(`this polygon has no link: ${program.text("page_link_problem")}`);
     if (task) {
-      const { question, answer } = { question: program.text("page_lesson_question"), answer: program.text("page_lesson_answer") };
+      const { question, answer } = {
+        question: program.text("page_lesson_question"),
+        answer: program.text("page_lesson_answer"),
+      };
       pages.replaceChildren(
         el("h2", { class: "paper-title" }, title),
         ...taskOf(program, task),

@@ -21,7 +21,11 @@ export async function show(page, { again, done }) {
       el(
         "div",
         { class: "said" },
-        el("h2", {}, begun.title.replace(/^Task: /, "").replace(/^./, (letter) => letter.toUpperCase())),
+        el(
+          "h2",
+          {},
+          begun.title.replace(/^Task: /, "").replace(/^./, (letter) => letter.toUpperCase()),
+        ),
         ...unbroken(begun.words)
           .split("\n")
           .map((words) => el("p", {}, words)),
@@ -52,7 +56,10 @@ export async function show(page, { again, done }) {
   function question() {
     const asked = program.text("page_lesson_question");
     if (!asked) return [];
-    const words = (text, attributes = {}) => unbroken(text).split("\n").map((each) => el("p", attributes, each));
+    const words = (text, attributes = {}) =>
+      unbroken(text)
+        .split("\n")
+        .map((each) => el("p", attributes, each));
     const ask = button("Question", {
       onclick: () => {
         const first = answer.children.length === 0;
@@ -102,10 +109,19 @@ export async function show(page, { again, done }) {
 }
 
 const tick = (kept) =>
-  el("span", { class: kept ? "tick kept" : "tick", role: "img", "aria-label": kept ? "kept" : "not kept" }, icon(kept ? "check" : "close"));
+  el(
+    "span",
+    { class: kept ? "tick kept" : "tick", role: "img", "aria-label": kept ? "kept" : "not kept" },
+    icon(kept ? "check" : "close"),
+  );
 
 const row = ({ words, value, kept }) =>
   el("li", {}, tick(kept), el("span", {}, words), el("span", { class: "value" }, value || "–"));
 
 const changedRow = (what) =>
-  el("li", {}, tick(false), el("span", {}, `You changed ${what}, which this task does not allow. Undo brings it back.`));
+  el(
+    "li",
+    {},
+    tick(false),
+    el("span", {}, `You changed ${what}, which this task does not allow. Undo brings it back.`),
+  );

@@ -1,6 +1,7 @@
 // Recognizes lessons (docs/lessons.md): their first line that is not a comment is a setting. `com:` does not count, as
 // polygons may have it.
-const setting = /^(title|polygon|link|teams|metric|min-ratio|weight|seed|predict|generate|require|move|place|find)[ \t]*:/;
+const setting =
+  /^(title|polygon|link|teams|metric|min-ratio|weight|seed|predict|generate|require|move|place|find)[ \t]*:/;
 const mostBytes = 65536; // core/include/evenlift/lesson.h
 
 export function isLesson(text) {

@@ -94,7 +94,8 @@ function introduce(program) {
     0,
   );
   const ends = () => program.call("page_end_notice");
-  for (const type of ["pointerdown", "keydown"]) addEventListener(type, ends, { once: true, capture: true, passive: true });
+  for (const type of ["pointerdown", "keydown"])
+    addEventListener(type, ends, { once: true, capture: true, passive: true });
 }
 
 let started; // the result of beginStart()

@@ -110,7 +110,8 @@ struct Task {
   std::string words;                  // not empty; "\n" separates paragraphs
   std::vector<Condition> conditions;  // none only if `find_centre`
   std::vector<Movable> may;           // at least one, in ascending order
-  std::size_t place = 0;     // this number of robots stands ready to be placed; 0 leaves the robots as they are
+  std::size_t place =
+      0;  // this number of robots stands ready to be placed; 0 leaves the robots as they are
   bool find_centre = false;  // the centre of mass is hidden, and is to be found from the loads
 };
 
@@ -122,16 +123,16 @@ struct LessonStep {
 
 struct Lesson {
   std::string title;
-  std::string polygon;                 // a sample's name, or empty
-  std::string link;                    // a share link, or empty
+  std::string polygon;                        // a sample's name, or empty
+  std::string link;                           // a share link, or empty
   std::optional<GeneratedPolygon> generated;  // exactly one of the three is given
-  std::vector<GivenSetting> settings;  // each at most once; as read_setting() reads them
+  std::vector<GivenSetting> settings;         // each at most once; as read_setting() reads them
   bool predict = false;
-  std::optional<LoadModel> loads;      // the model of the loads that are shown
-  std::optional<std::size_t> failed;   // the robot that fails, from 0; shown where no step is
-  std::vector<LessonStep> steps;  // at least one, unless there is a task
+  std::optional<LoadModel> loads;     // the model of the loads that are shown
+  std::optional<std::size_t> failed;  // the robot that fails, from 0; shown where no step is
+  std::vector<LessonStep> steps;      // at least one, unless there is a task
   std::optional<Task> task;
-  std::string question, answer;   // at the end, formatted like `words`; both empty or neither
+  std::string question, answer;  // at the end, formatted like `words`; both empty or neither
 };
 
 // Reads a lesson in UTF-8 with lines that end in \n or \r\n. Any bytes give a lesson or an error,

@@ -38,7 +38,9 @@ std::optional<Movable> movable_from_name(std::string_view text) {
 std::string names_of_movable() {
   std::string names;
   for (const auto& movable : movables)
-    names += (names.empty() ? "" : movable.part == Movable::cargo ? " and " : ", ") +
+    names += (names.empty()                    ? ""
+              : movable.part == Movable::cargo ? " and "
+                                               : ", ") +
              std::string(movable.name);
   return names;
 }
@@ -206,17 +208,13 @@ class Reader {
     std::string_view name;
     void (Reader::*take)(std::string_view value);
   };
-  static constexpr Key keys[] = {{"title", &Reader::take_title},
-                                 {"polygon", &Reader::take_polygon},
-                                 {"link", &Reader::take_link},
-                                 {"generate", &Reader::take_generate},
-                                 {"predict", &Reader::take_predict},
-                                 {"loads", &Reader::take_loads},
-                                 {"failed", &Reader::take_failed},
-                                 {"require", &Reader::take_require},
-                                 {"move", &Reader::take_move},
-                                 {"place", &Reader::take_place},
-                                 {"find", &Reader::take_find}};
+  static constexpr Key keys[] = {
+      {"title", &Reader::take_title},     {"polygon", &Reader::take_polygon},
+      {"link", &Reader::take_link},       {"generate", &Reader::take_generate},
+      {"predict", &Reader::take_predict}, {"loads", &Reader::take_loads},
+      {"failed", &Reader::take_failed},   {"require", &Reader::take_require},
+      {"move", &Reader::take_move},       {"place", &Reader::take_place},
+      {"find", &Reader::take_find}};
   static constexpr std::string_view keys_of_tasks[] = {"require", "move", "place", "find"};
   static bool is_key(const SettingRow& row) {
     return row.option.group != OptionGroup::none || row.setting == Setting::overlays;
@@ -279,7 +277,8 @@ class Reader {
     if (lesson_.task) return refuse("a lesson has at most one task");
     if (asked_) return refuse("the task must come before the question");
     if (task_.conditions.empty() && !task_.find_centre)
-      return refuse("the task has no conditions; give them above, such as require: max<=30, robots<=4");
+      return refuse(
+          "the task has no conditions; give them above, such as require: max<=30, robots<=4");
     if (task_.may.empty())
       return refuse("the task does not say what may be moved; say it above, such as move: robots");
     lesson_.task = task_;
@@ -358,7 +357,8 @@ class Reader {
     const char* missing =
         lesson_.title.empty() ? "the lesson has no title"
         : objects == 0        ? "the lesson has neither a polygon nor a link"
-        : objects > 1 ? "the lesson has two of a polygon, a link and a generated polygon; give only one"
+        : objects > 1
+            ? "the lesson has two of a polygon, a link and a generated polygon; give only one"
         : lesson_.steps.empty() && !lesson_.task ? "the lesson has no steps"
                                                  : nullptr;
     if (missing) refuse(missing, line_ > 0 ? line_ : 1);

@@ -35,15 +35,18 @@ Vec2 drawn_centre(const Points& supports, std::uint64_t number) {
 std::optional<InputError> hide_centre(Exercise& exercise, std::uint64_t number) {
   Document& document = exercise.start;
   if (document.settings.method != Method::given || document.settings.supports.size() < 3)
-    return task_error("the centre of mass can only be found from the loads of three or more supports");
+    return task_error(
+        "the centre of mass can only be found from the loads of three or more supports");
   if (!document.centre_of_mass)
     document.centre_of_mass = drawn_centre(document.settings.supports, number);
   const Result<Placement> placement = place(document);
   if (!placement) return placement.error();
   if (!placement->loads || placement->lifting_base.size() < 3)
-    return task_error(placement->loads ? "the supports stand in a line, so their loads do not tell where C is"
-                                       : "the object falls, so its supports have no loads to read");
-  for (const PlacedRobot& robot : placed_robots(*placement)) exercise.readings.push_back(robot.load);
+    return task_error(placement->loads
+                          ? "the supports stand in a line, so their loads do not tell where C is"
+                          : "the object falls, so its supports have no loads to read");
+  for (const PlacedRobot& robot : placed_robots(*placement))
+    exercise.readings.push_back(robot.load);
   document.centre_of_mass.reset();
   return std::nullopt;
 }
@@ -133,7 +136,9 @@ std::vector<Goalpost> found(const Exercise& exercise, const ShownPlacement& of) 
     const double reading = exercise.readings[i];
     const bool carries = of.placement.loads && i < robots.size();
     goals.push_back(
-        {"load " + std::to_string(i + 1), "Robot " + std::to_string(i + 1) + " carries " + load_in_words(reading, largest, of.shown.units),
+        {"load " + std::to_string(i + 1),
+         "Robot " + std::to_string(i + 1) + " carries " +
+             load_in_words(reading, largest, of.shown.units),
          carries ? load_in_words(robots[i].load, largest, of.shown.units) : std::string(),
          carries && std::abs(robots[i].load - reading) <= found_within * of.placement.weight()});
   }
@@ -167,12 +172,13 @@ Attempt check_task(const Task& task, const Exercise& exercise, const Document& d
   Attempt attempt;
   if (task.find_centre) attempt.goals = found(exercise, of);
   for (const Requirement& requirement : check_conditions(of, task.conditions))
-    attempt.goals.push_back({requirement.condition.text, condition_in_words(requirement.condition, of.shown.units),
+    attempt.goals.push_back({requirement.condition.text,
+                             condition_in_words(requirement.condition, of.shown.units),
                              value_in_words(requirement, of.shown.units), requirement.kept});
   attempt.changed = changed_against(task, exercise.start, document);
-  attempt.kept = attempt.changed.empty() &&
-                 std::all_of(attempt.goals.begin(), attempt.goals.end(),
-                             [](const Goalpost& goal) { return goal.kept; });
+  attempt.kept =
+      attempt.changed.empty() && std::all_of(attempt.goals.begin(), attempt.goals.end(),
+                                             [](const Goalpost& goal) { return goal.kept; });
   return attempt;
 }
 
@@ -181,7 +187,9 @@ std::string movable_in_words(const Task& task) {
                                                "the shape", "the cargo"};
   std::string text;
   for (std::size_t i = 0; i < task.may.size(); ++i)
-    text += (i == 0 ? "" : i + 1 < task.may.size() ? ", " : " and ") +
+    text += (i == 0                    ? ""
+             : i + 1 < task.may.size() ? ", "
+                                       : " and ") +
             std::string(words[static_cast<std::size_t>(task.may[i])]);
   return "Only " + text + " may be changed.";
 }
