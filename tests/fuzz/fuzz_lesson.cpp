@@ -21,8 +21,13 @@ void require_refusal(const InputError& error) { fuzz::require(!error.message.emp
 
 void check_bounds(const Lesson& lesson) {
   fuzz::require(!lesson.title.empty() && lesson.title.size() <= max_lesson_title);
-  fuzz::require(lesson.polygon.empty() != lesson.link.empty());
-  fuzz::require(!lesson.steps.empty() && lesson.steps.size() <= max_lesson_steps);
+  fuzz::require(!lesson.polygon.empty() + !lesson.link.empty() + lesson.generated.has_value() == 1);
+  fuzz::require((lesson.task || !lesson.steps.empty()) && lesson.steps.size() <= max_lesson_steps);
+  if (lesson.task) {
+    fuzz::require(!lesson.task->words.empty() && lesson.task->words.size() <= max_lesson_task);
+    fuzz::require(lesson.task->find_centre || !lesson.task->conditions.empty());
+    fuzz::require(!lesson.task->may.empty());
+  }
   for (const LessonStep& step : lesson.steps)
     fuzz::require(!step.words.empty() && step.words.size() <= max_lesson_words);
   fuzz::require(lesson.question.empty() == lesson.answer.empty());
@@ -31,9 +36,11 @@ void check_bounds(const Lesson& lesson) {
 }
 
 void open(const Lesson& lesson) {
+  // Placing more vertices would take most of the time.
+  if (lesson.generated && lesson.generated->n > 40) return;
   const Result<Document> document = lesson_document(lesson, sample());
   if (!document) return require_refusal(document.error());
-  if (document->vertices.size() > 40) return;  // placing them would take most of the time
+  if (document->vertices.size() > 40) return;
   const Result<Placement> placement = place(*document);
   if (!placement) return require_refusal(placement.error());
   const Result<Trace> trace = make_trace(*placement);
