@@ -37,8 +37,8 @@ std::string help() {
     text += "  " + name + command.summary + "\n";
   }
   return text +
-         "\n`evenlift COMMAND --help` explains a command. Exit status: 0 done, 2 bad usage or\n"
-         "bad input, 1 anything else.\n";
+         "\n`evenlift COMMAND --help` explains a command. Exit status: 0 done, 3 a condition\n"
+         "is not kept or a task is not done, 2 bad usage or bad input, 1 anything else.\n";
 }
 
 void run(Arguments arguments) {

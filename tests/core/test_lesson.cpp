@@ -9,11 +9,12 @@
 #include "evenlift/random.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
-#include "kit/data_table.h"
+#include "kit/lessons.h"
 #include "kit/placed.h"
 #include "kit/traced.h"
 
 using namespace evenlift;
+using testing::lesson_of, testing::lessons_folder, testing::ready_made, testing::refused;
 
 namespace {
 
@@ -40,29 +41,6 @@ const std::string good =
     "[ cut   8 ]\nSeven.\n[end]\nEight.\n"
     "[question]\nWhy\neight?\n\n[ answer ]\nThat is\n\nas many as there are.\n";
 
-Lesson lesson_of(const std::string& text) {
-  const Result<Lesson> lesson = parse_lesson(text);
-  INFO((lesson ? "" : lesson.error().message));
-  REQUIRE(lesson.ok());
-  return *lesson;
-}
-
-// The refusal's line and message.
-void refused(const std::string& text, std::size_t line, const std::string& part) {
-  const Result<Lesson> lesson = parse_lesson(text);
-  INFO(text);
-  REQUIRE_FALSE(lesson.ok());
-  INFO(lesson.error().message);
-  CHECK(lesson.error().place.kind == Place::Kind::line);
-  CHECK(lesson.error().place.index == line);
-  CHECK(lesson.error().message.find(part) != std::string::npos);
-  CHECK(testing::is_one_sentence(lesson.error().message));
-}
-
-std::filesystem::path lessons_folder() {
-  return std::filesystem::path(EVENLIFT_ASSETS_DIR) / "lessons";
-}
-
 // Name and title of each line of the index.
 std::vector<std::pair<std::string, std::string>> index() {
   std::istringstream lines(corpus::read_file(lessons_folder() / "index.txt"));
@@ -77,9 +55,7 @@ std::vector<std::pair<std::string, std::string>> index() {
 }
 
 Trace trace_of(const Lesson& lesson) {
-  Document sample;
-  if (!lesson.polygon.empty()) sample = corpus::polygon(lesson.polygon);
-  const Result<Document> document = lesson_document(lesson, sample);
+  const Result<Document> document = lesson_document(lesson, testing::sample_of(lesson));
   REQUIRE(document.ok());
   return testing::traced(testing::placed(*document));
 }
@@ -295,7 +271,7 @@ TEST_CASE("every ready-made lesson opens and has its steps", "[lesson]") {
   for (const auto& [name, title] : entries) {
     INFO(name);
     listed.insert(name);
-    const Lesson lesson = lesson_of(corpus::read_file(lessons_folder() / (name + ".txt")));
+    const Lesson lesson = ready_made(name);
     CHECK(lesson.title == title);
     CHECK((lesson.task || lesson.steps.size() >= 4));
     CHECK_FALSE(lesson.question.empty());
@@ -333,9 +309,7 @@ TEST_CASE("the example in docs/lessons.md is a lesson", "[lesson]") {
 
 // The numbers that the lessons claim about their polygons.
 TEST_CASE("what the ready-made lessons claim is so", "[lesson]") {
-  const auto trace = [](const char* name) {
-    return trace_of(lesson_of(corpus::read_file(lessons_folder() / (std::string(name) + ".txt"))));
-  };
+  const auto trace = [](const char* name) { return trace_of(ready_made(name)); };
   const auto ratio_of_vertex = [](const Trace& t, std::uint32_t vertex) {
     const auto at = std::find(t.rays.vertices.begin(), t.rays.vertices.end(), vertex - 1);
     REQUIRE(at != t.rays.vertices.end());
@@ -438,10 +412,8 @@ TEST_CASE("what the ready-made lessons claim is so", "[lesson]") {
 // The numbers in the answers to the questions at the lessons' ends.
 TEST_CASE("what the ready-made lessons answer is so", "[lesson][slow]") {
   const auto placed = [](const char* name, auto change) {
-    const Lesson lesson =
-        lesson_of(corpus::read_file(lessons_folder() / (std::string(name) + ".txt")));
-    Document document = *lesson_document(
-        lesson, lesson.polygon.empty() ? Document{} : corpus::polygon(lesson.polygon));
+    const Lesson lesson = ready_made(name);
+    Document document = *lesson_document(lesson, testing::sample_of(lesson));
     change(document);
     const Result<Placement> placement = place(document);
     REQUIRE(placement.ok());

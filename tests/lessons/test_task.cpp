@@ -1,6 +1,5 @@
 // Tasks of lessons: the reader, the ready-made ones, and what counts as done.
 #include <cmath>
-#include <filesystem>
 #include <set>
 
 #include "evenlift/link.h"
@@ -10,41 +9,19 @@
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/data_table.h"
+#include "kit/lessons.h"
 #include "kit/placed.h"
 
 using namespace evenlift;
-using testing::placed;
+using testing::lesson_of, testing::placed, testing::ready_made, testing::refused;
 
 namespace {
 
 const std::string heading = "title: T\npolygon: square\n";
 const std::string asked = "require: max<=30, robots<=4\nmove: robots\n";
 
-Lesson lesson_of(const std::string& text) {
-  const Result<Lesson> lesson = parse_lesson(text);
-  INFO((lesson ? "" : lesson.error().message));
-  REQUIRE(lesson.ok());
-  return *lesson;
-}
-
-void refused(const std::string& text, std::size_t line, const std::string& part) {
-  const Result<Lesson> lesson = parse_lesson(text);
-  INFO(text);
-  REQUIRE_FALSE(lesson.ok());
-  INFO(lesson.error().message);
-  CHECK(lesson.error().place.index == line);
-  CHECK(lesson.error().message.find(part) != std::string::npos);
-  CHECK(testing::is_one_sentence(lesson.error().message));
-}
-
-Lesson ready_made(const std::string& name) {
-  return lesson_of(
-      corpus::read_file(std::filesystem::path(EVENLIFT_ASSETS_DIR) / "lessons" / (name + ".txt")));
-}
-
 Exercise begun(const Lesson& lesson, std::uint64_t number = 1) {
-  const Result<Exercise> made = exercise(
-      lesson, lesson.polygon.empty() ? Document{} : corpus::polygon(lesson.polygon), number);
+  const Result<Exercise> made = exercise(lesson, testing::sample_of(lesson), number);
   INFO((made ? "" : made.error().message));
   REQUIRE(made.ok());
   return *made;

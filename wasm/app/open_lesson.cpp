@@ -33,18 +33,16 @@ std::optional<InputError> join(AppState& state, Script script) {
   return std::nullopt;
 }
 
-// Opens the document in place of an earlier lesson.
-void open_anew(AppState& state, Opened of_it, LessonStart start) {
-  const std::optional<Script>& former = state.view.walkthrough.script;
-  const bool previewed = state.view.previews || (former && former->preview);
-  const bool previews = start == LessonStart::preview;
-  if (previews && previewed) {
+// Opens the document; a preview takes the place of the last one.
+void open_anew(AppState& state, Opened of_it, bool preview) {
+  const std::optional<Script>& script = state.view.walkthrough.script;
+  const std::optional<OpenTask>& task = state.view.task;
+  if (preview && ((script && script->preview) || (task && task->preview))) {
     show_opened(state, std::move(of_it));
   } else {
     leave_lesson_for_another(state);
     open(state, std::move(of_it), Edit::lesson_opened);
   }
-  state.view.previews = previews;
   conclude(state);
 }
 
@@ -69,7 +67,7 @@ std::optional<InputError> open_task(AppState& state, OpenTask task, Opened of_it
   if (start == LessonStart::join && !same_shape && !other_shape)
     return InputError{ErrorCode::bad_syntax, "it is about another polygon than the link", {}};
   if (start != LessonStart::join) {
-    open_anew(state, std::move(of_it), start);
+    open_anew(state, std::move(of_it), task.preview);
     show_as(state, task.lesson);
   }
   begin_task(state, std::move(task));
@@ -94,9 +92,10 @@ std::optional<InputError> open_lesson(AppState& state, const std::string& text,
   if (!begun) return at_line(begun.error(), *lesson);
   Result<Opened> of_it = opened(begun->start);
   if (!of_it) return at_line(of_it.error(), *lesson);
+  const bool preview = start == LessonStart::preview;
   if (lesson->steps.empty())
-    return open_task(state, {*std::move(lesson), *std::move(begun), number, 0}, *std::move(of_it),
-                     start);
+    return open_task(state, {*std::move(lesson), *std::move(begun), number, preview},
+                     *std::move(of_it), start);
   Result<Trace> trace = compute_trace(of_it->placement, of_it->document.shown.units);
   if (!trace) return at_line(trace.error(), *lesson);
   if (auto problem = check_lesson(*lesson, *trace)) return problem;
@@ -104,18 +103,18 @@ std::optional<InputError> open_lesson(AppState& state, const std::string& text,
   script.lesson = std::move(lesson).value();
   script.of = of_it->document;
   std::optional<OpenTask> task;
-  if (script.lesson.task) task = {script.lesson, *std::move(begun), number, 0};
+  if (script.lesson.task) task = {script.lesson, *std::move(begun), number, preview};
   if (start == LessonStart::join) {
     if (auto problem = join(state, std::move(script))) return problem;
     if (task) begin_task(state, *std::move(task));
     return std::nullopt;
   }
-  script.preview = start == LessonStart::preview;
+  script.preview = preview;
   const std::optional<std::uint32_t> first = find_step(*trace, script.lesson.steps[0].address);
   of_it->placement = trace->placement;  // for balanced robots, with the result of their search
   of_it->document.shown.step = first;
   of_it->trace = std::move(trace).value();
-  open_anew(state, *std::move(of_it), start);
+  open_anew(state, *std::move(of_it), preview);
   show_as(state, script.lesson);
   begin_script(state, std::move(script));
   state.view.walkthrough.of_lesson = true;

@@ -76,6 +76,7 @@ struct OpenTask {
   Lesson lesson;
   Exercise exercise;
   std::uint64_t number = 1;  // the learner's
+  bool preview = false;      // its lesson is being written
   std::size_t depth = 0;     // edits in the history at its opening; undoing more leaves it
 };
 
@@ -100,7 +101,6 @@ struct View {
   bool challenge =
       false;  // a challenge or a task is open: the page keeps its own answers to itself
   std::optional<OpenTask> task;
-  bool previews = false;  // the open lesson is being written
 
   LoadModel load_model = LoadModel::plan;  // the model of the shown loads
   Wanted<std::size_t> fails;               // the robot that should fail, by its number from 0

@@ -64,6 +64,14 @@ export async function rasterise(svg, scale) {
 // "82 %" stays on one line.
 export const unbroken = (text) => text.replace(/(?<=\d) (?=%)/g, "\u00a0");
 
+// A text whose lines are paragraphs, each with these attributes (el()); nothing for an empty text.
+export const paragraphs = (text, attributes = {}) =>
+  text
+    ? unbroken(text)
+        .split("\n")
+        .map((words) => el("p", attributes, words))
+    : [];
+
 export const number = (value) => value.toLocaleString("en");
 
 // A typed number, with a decimal comma allowed; NaN for any other text.

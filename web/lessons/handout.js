@@ -2,16 +2,13 @@
 // (wasm/modules/handout_api.cpp); handout_picture.js draws them.
 import { coreModule } from "../kit/core_module.js";
 import { openWindow, problemLine } from "../kit/dialogs.js";
-import { button, el, unbroken } from "../kit/elements.js";
+import { button, el, paragraphs, unbroken } from "../kit/elements.js";
 import { qrCode } from "../kit/qr_code.js";
 import { legend, picture } from "./handout_picture.js";
 import { titleOf } from "./lesson_source.js";
 import { openLessonOf } from "./lesson_watch.js";
 
 const handoutModule = coreModule(() => import("./handout_core.js"));
-
-// The paragraphs of a teacher's words.
-const paragraphs = (words) => (words ? unbroken(words).split("\n") : []);
 
 // "5. Candidates (2 of 4)": each step has a title of its own, though a chapter may have several.
 function titleOfStep({ steps }, step) {
@@ -29,7 +26,7 @@ function figureOf(handout, step) {
       "figcaption",
       {},
       el("b", {}, titleOfStep(handout, step)),
-      ...paragraphs(step.in_words).map((words) => el("p", {}, words)),
+      ...paragraphs(step.in_words),
       el("p", { class: step.in_words ? "own" : "" }, unbroken(step.caption)),
       step.formula ? el("p", { class: "formula" }, step.formula) : "",
     ),
@@ -44,12 +41,8 @@ function questionOf({ question, answer }) {
       "section",
       { class: "paper-question" },
       el("h3", {}, "A question"),
-      ...paragraphs(question).map((words) => el("p", {}, words)),
-      el(
-        "div",
-        { class: "upside-down", role: "group", "aria-label": "The answer" },
-        ...paragraphs(answer).map((words) => el("p", {}, words)),
-      ),
+      ...paragraphs(question),
+      el("div", { class: "upside-down", role: "group", "aria-label": "The answer" }, ...paragraphs(answer)),
     ),
   ];
 }
@@ -57,7 +50,6 @@ function questionOf({ question, answer }) {
 // The address that opens the same, in words and as a QR code, as far as it fits.
 const longestPrinted = 300; // characters that a student might type, or at least compare
 async function wayBack(address) {
-  if (!address) return [];
   const code = await qrCode(address).catch(() => undefined);
   return [
     el(
@@ -73,7 +65,7 @@ async function wayBack(address) {
 function taskOf(program, { words, goals, may, numbered }) {
   const drawing = `data:image/svg+xml,${encodeURIComponent(program.text("page_svg"))}`;
   return [
-    ...paragraphs(words).map((each) => el("p", {}, each)),
+    ...paragraphs(words),
     el("img", { class: "paper-task", alt: "The object and its robots", src: drawing }),
     el("ul", {}, ...goals.map((goal) => el("li", {}, goal.words))),
     el("p", {}, may),
@@ -81,12 +73,33 @@ function taskOf(program, { words, goals, may, numbered }) {
   ];
 }
 
+// What is printed: its title, a sentence about it, and a function that makes its elements.
+function subjectOf(program, link) {
+  const lesson = openLessonOf(program);
+  const steps = async () => {
+    const handout = (await handoutModule()).json("handout_steps", link, lesson?.text ?? "");
+    if (handout.problem) throw new Error(handout.problem);
+    const figures = handout.steps.map((step) => figureOf(handout, step));
+    return [...legend(handout), el("div", { class: "steps" }, ...figures), ...questionOf(handout)];
+  };
+  if (lesson) return { title: titleOf(lesson.text), about: "It shows the steps of the open lesson.", make: steps };
+  const task = program.json("page_task");
+  if (!task)
+    return {
+      title: "The algorithm step by step",
+      about: "It shows the main steps for the open polygon. To print a lesson, open it first.",
+      make: steps,
+    };
+  const question = program.text("page_lesson_question");
+  const answer = program.text("page_lesson_answer");
+  const make = async () => [...taskOf(program, task), ...questionOf({ question, answer })];
+  return { title: task.title, about: "It shows the open task.", make };
+}
+
 export async function show(page) {
   const { program } = page;
-  const lesson = openLessonOf(program);
-  const task = lesson ? null : program.json("page_task");
   const link = program.text("page_link");
-  const title = lesson ? titleOf(lesson.text) : task ? task.title : "The algorithm step by step";
+  const { title, about, make } = subjectOf(program, link);
   const problem = problemLine();
   const pages = el("div", { class: "pages" }, el("p", { class: "second", role: "status" }, "Drawing the pictures …"));
   const print = button("Print …", { class: "button primary", disabled: true, onclick: () => globalThis.print() });
@@ -95,48 +108,15 @@ export async function show(page) {
     title: "Handout",
     body: [
       el("div", { class: "scroll", tabindex: "0", role: "group", "aria-label": "The handout" }, problem, pages),
-      el(
-        "footer",
-        {},
-        el(
-          "p",
-          { class: "second" },
-          task
-            ? "It shows the open task."
-            : lesson
-              ? "It shows the steps of the open lesson."
-              : "It shows the main steps for the open polygon. To print a lesson, open it first.",
-        ),
-        print,
-      ),
+      el("footer", {}, el("p", { class: "second" }, about), print),
     ],
   });
   if (!root) return;
   try {
     if (!link) throw new Error(`this polygon has no link: ${program.text("page_link_problem")}`);
-    if (task) {
-      const { question, answer } = {
-        question: program.text("page_lesson_question"),
-        answer: program.text("page_lesson_answer"),
-      };
-      pages.replaceChildren(
-        el("h2", { class: "paper-title" }, title),
-        ...taskOf(program, task),
-        ...questionOf({ question, answer }),
-        ...(await wayBack(page.address(link))),
-        el("p", { class: "paper-foot" }, "Made with evenlift."),
-      );
-      print.disabled = false;
-      return print.focus();
-    }
-    const handout = (await handoutModule()).json("handout_steps", link, lesson?.text ?? "");
-    if (handout.problem) throw new Error(handout.problem);
-    const figures = handout.steps.map((step) => figureOf(handout, step));
     pages.replaceChildren(
       el("h2", { class: "paper-title" }, title),
-      ...legend(handout),
-      el("div", { class: "steps" }, ...figures),
-      ...questionOf(handout),
+      ...(await make()),
       ...(await wayBack(page.address(link))),
       el("p", { class: "paper-foot" }, "Made with evenlift."),
     );

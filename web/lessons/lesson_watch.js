@@ -1,7 +1,7 @@
 // Tracks the open lesson, and shows the card at its end: the result of the guesses, a question with its answer, and the
 // next lesson.
 import { closingButton, openCard } from "../kit/card.js";
-import { button, el, unbroken } from "../kit/elements.js";
+import { button, el, paragraphs } from "../kit/elements.js";
 import { fetchJson } from "../kit/fetched.js";
 import { lasting, read, write } from "../page/storage.js";
 import { underWay } from "../page/under_way.js";
@@ -77,11 +77,6 @@ function look() {
   markSeen(lesson.name);
   underWay(showEnd(page, lesson, now, playing));
 }
-
-const paragraphs = (text, attributes = {}) =>
-  unbroken(text)
-    .split("\n")
-    .map((words) => el("p", attributes, words));
 
 // The question at the lesson's end, and the button that shows its answer. Once shown, the answer is there whenever the
 // end is reached again.

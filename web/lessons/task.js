@@ -1,6 +1,6 @@
 // The task of a lesson: what is to be reached, with ticks that follow every change. Its card stays over the canvas.
 import { openCard } from "../kit/card.js";
-import { button, el, icon, unbroken } from "../kit/elements.js";
+import { button, el, icon, paragraphs } from "../kit/elements.js";
 import { learnersNumber } from "../page/address.js";
 
 // `again(number)` opens the task of another learner; `done` is called when the task is done for the first time.
@@ -26,9 +26,7 @@ export async function show(page, { again, done }) {
           {},
           begun.title.replace(/^Task: /, "").replace(/^./, (letter) => letter.toUpperCase()),
         ),
-        ...unbroken(begun.words)
-          .split("\n")
-          .map((words) => el("p", {}, words)),
+        ...paragraphs(begun.words),
         list,
         state,
         answer,
@@ -56,16 +54,12 @@ export async function show(page, { again, done }) {
   function question() {
     const asked = program.text("page_lesson_question");
     if (!asked) return [];
-    const words = (text, attributes = {}) =>
-      unbroken(text)
-        .split("\n")
-        .map((each) => el("p", attributes, each));
     const ask = button("Question", {
       onclick: () => {
         const first = answer.children.length === 0;
         answer.replaceChildren(
-          ...words(asked, { class: "question" }),
-          ...(first ? [] : words(program.text("page_lesson_answer"))),
+          ...paragraphs(asked, { class: "question" }),
+          ...(first ? [] : paragraphs(program.text("page_lesson_answer"))),
         );
         ask.textContent = "Answer";
         if (!first) ask.remove();

@@ -22,8 +22,9 @@
 // The settings come first, one per line. `title` and one of `polygon` (the name of a sample),
 // `link` (a share link) and `generate` (a family of generate.h) are required. The options of
 // `evenlift place` (settings.h) and `overlays` override the link; `predict: yes` asks the learner to
-// guess, `loads` names the model of the shown loads, and `failed` the robot that fails. The steps follow in the order in which they are shown, each with its address in brackets
-// and its words. Addresses count from 1, as captions do:
+// guess, `loads` names the model of the shown loads, and `failed` the robot that fails. The steps
+// follow in the order in which they are shown, each with its address in brackets and its words.
+// Addresses count from 1, as captions do:
 //   KIND or KIND N   a step's kind as in `evenlift trace --json`, and its number: "team 2"
 //   vertex N         the ray from that vertex
 //   pair N           the outcome of that edge pair
@@ -110,8 +111,7 @@ struct Task {
   std::string words;                  // not empty; "\n" separates paragraphs
   std::vector<Condition> conditions;  // none only if `find_centre`
   std::vector<Movable> may;           // at least one, in ascending order
-  std::size_t place =
-      0;  // this number of robots stands ready to be placed; 0 leaves the robots as they are
+  std::size_t place = 0;     // robots that stand ready to be placed; 0 leaves the lesson's own
   bool find_centre = false;  // the centre of mass is hidden, and is to be found from the loads
 };
 
