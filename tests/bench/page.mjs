@@ -10,7 +10,7 @@ for (const { name, bytes } of files) line(name, `${bytes} bytes`);
 line("before the first picture, gzip -9", `${start} bytes`);
 line("with what is loaded when it is asked for", `${all} bytes`);
 
-const browser = await startBrowser();
+const browser = await startBrowser([], { drawn: true });
 
 const starts = [];
 for (let i = 0; i < 7; ++i) {

@@ -5,7 +5,7 @@ import { test } from "node:test";
 import { asset, idle, load, phone, sharedBrowser } from "../page/browser.mjs";
 import { openWindow } from "../page/windows.mjs";
 
-const browser = sharedBrowser();
+const browser = sharedBrowser({ drawn: true });
 
 async function forced({ colorScheme = "light", ...options } = {}) {
   const page = await browser.open({ colorScheme, forcedColors: "active", reducedMotion: "reduce", ...options });

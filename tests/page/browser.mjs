@@ -69,7 +69,7 @@ export function gallery() {
 }
 
 // Serves the page and starts a browser; close() ends both.
-export async function startBrowser(extraOptions = []) {
+export async function startBrowser(extraOptions = [], { drawn: always = false } = {}) {
   const server = await serve(pageFolder, 0);
   const browser = await chromium.launch({ executablePath: executable, args: [...options, ...extraOptions] });
   async function close() {
@@ -78,7 +78,8 @@ export async function startBrowser(extraOptions = []) {
   }
 
   // Opens a page with storage of its own. Any complaint of the page, or request to another host, fails the test at
-  // close(). With `hasty`, a test can fire the page's timers early. With `first`, the card of the first visit is shown.
+  // close(). The canvas is painted only with `drawn`, for tests that look at its pixels: without graphics hardware,
+  // painting takes half of a test's time. With `hasty`, a test can fire the page's timers early. With `first`, the card of the first visit is shown.
   // With `offline`, the browser may keep the page for later; `site` is the address of another server.
   async function open({
     address = "",
@@ -86,6 +87,7 @@ export async function startBrowser(extraOptions = []) {
     quiet = true,
     context: reused,
     script,
+    drawn = always,
     hasty = false,
     first = false,
     offline = false,
@@ -97,6 +99,7 @@ export async function startBrowser(extraOptions = []) {
     const context = reused ?? (await browser.newContext({ ...usual, ...contextOptions }));
     context.setDefaultTimeout(patience);
     const page = await context.newPage();
+    if (!drawn) await paintNothing(page);
     if (hasty) await page.addInitScript(keepTimers);
     const complaints = [];
     page.on("pageerror", (error) => complaints.push(`exception: ${error.message}`));
@@ -143,10 +146,11 @@ export async function startBrowser(extraOptions = []) {
 }
 
 // A browser for all tests of a file. It starts before them and then runs `begin`; after them it runs `end` and closes.
-export function sharedBrowser({ begin = () => {}, end = () => {} } = {}) {
+// With `drawn`, its pages paint their canvas.
+export function sharedBrowser({ begin = () => {}, end = () => {}, drawn = false } = {}) {
   const shared = {};
   before(async () => {
-    Object.assign(shared, await startBrowser());
+    Object.assign(shared, await startBrowser([], { drawn }));
     await begin();
   });
   after(async () => {
@@ -157,6 +161,15 @@ export function sharedBrowser({ begin = () => {}, end = () => {} } = {}) {
     }
   });
   return shared;
+}
+
+// The canvas of the page stays empty: everything else, from the commands for WebGL to the frames, is as usual.
+async function paintNothing(page) {
+  await page.addInitScript(() => {
+    const { prototype } = globalThis.WebGL2RenderingContext ?? {};
+    if (prototype) prototype.drawElements = prototype.drawArrays = () => {};
+  });
+  page.screenshot = () => assert.fail("this page paints nothing: open it with `drawn`");
 }
 
 // Runs in a browser, which has a PNG decoder.

@@ -98,7 +98,7 @@ test("it opens by its key and is left by it, and where it was left it begins aga
 });
 
 test("every step forward and back, by keys: the same state, the same picture", async () => {
-  const page = await inLesson();
+  const page = await inLesson("stone-slab", 0, { drawn: true });
   await page.keyboard.press("u");
   const links = [];
   const pictures = new Map();
@@ -737,7 +737,7 @@ test("the window begins the polygon's own lesson, or a challenge from its first 
 
 test("embedded, the player alone moves any moment of any lesson", async () => {
   for (const address of [`?embed=1#${await linkAt("stone-slab", find("scores", 1))}`, "?embed=1&lesson=moved"]) {
-    const page = await browser.open({ address, viewport: { width: 800, height: 480 } });
+    const page = await browser.open({ drawn: true, address, viewport: { width: 800, height: 480 } });
     const shown = await page.screenshot();
     await page.locator("#canvas").focus();
     const at = await step(page);
@@ -855,7 +855,7 @@ test("under a finger: buttons on a phone, and the sheet says the step", async ()
 });
 
 test("a step looks the same, whether the lesson began at it or came to it", async () => {
-  const begun = await browser.open({ reducedMotion: "reduce" });
+  const begun = await browser.open({ drawn: true });
   await load(begun, asset("arrow"));
   await begun.evaluate(() => {
     document
@@ -864,7 +864,7 @@ test("a step looks the same, whether the lesson began at it or came to it", asyn
     evenlift.set({ step: 30 });
   });
   await idle(begun);
-  const come = await inLesson("arrow", 30);
+  const come = await inLesson("arrow", 30, { drawn: true });
   const { share } = await browser.compare(await begun.screenshot(), await come.screenshot());
   assert.equal(share, 0);
   await begun.done();

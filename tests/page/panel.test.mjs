@@ -701,7 +701,7 @@ test("a candidate that is pressed says why it was not taken; Esc closes the card
 });
 
 test("a tip covers neither the button that it is about nor a neighbour", async () => {
-  const page = await browser.open();
+  const page = await browser.open({ drawn: true });
   await page.mouse.move(600, 600);
   const pictures = async (...names) =>
     Promise.all(

@@ -9,7 +9,7 @@ import { fileURLToPath } from "node:url";
 import { asset, idle, load, phone, press, set, sharedBrowser, tap, toScreen, wide } from "./browser.mjs";
 import { openWindow } from "./windows.mjs";
 
-const browser = sharedBrowser();
+const browser = sharedBrowser({ drawn: true });
 
 const expected = fileURLToPath(new URL("expected/", import.meta.url));
 const ofReadme = fileURLToPath(new URL("../../docs/page.png", import.meta.url));

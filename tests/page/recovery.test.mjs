@@ -33,7 +33,7 @@ for (const [n, ratio] of [
   [1048576, 3],
 ]) {
   test(`${n} vertices are drawn with ${ratio} device pixels for a CSS pixel, and undo leads back`, async () => {
-    const page = await browser.open({ deviceScaleFactor: ratio, colorScheme: "dark" });
+    const page = await browser.open({ drawn: true, deviceScaleFactor: ratio, colorScheme: "dark" });
     const before = await state(page);
     await idle(page);
     const frames = await page.evaluate(() => evenlift.frames);

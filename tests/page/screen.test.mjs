@@ -75,7 +75,7 @@ test("the object stays in sight when the window changes, and everything is withi
 });
 
 test("light and dark follow the system while the page runs", async () => {
-  const page = await browser.open();
+  const page = await browser.open({ drawn: true });
   await idle(page);
   const bright = await lightness(page);
   await page.emulateMedia({ colorScheme: "dark" });
@@ -103,7 +103,7 @@ async function lightness(page) {
 }
 
 test("a lost WebGL context comes back with everything on it", async () => {
-  const page = await browser.open();
+  const page = await browser.open({ drawn: true });
   await idle(page);
   const before = await page.screenshot();
   await page.evaluate(() => {

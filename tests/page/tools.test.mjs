@@ -163,7 +163,7 @@ test("undo of a shape that was made larger shows it as large as it was", async (
 });
 
 test("two methods are compared side by side, and the drawing changes on both sides", async () => {
-  const page = await opened();
+  const page = await opened({ drawn: true });
   const alone = await page.screenshot();
   await page.keyboard.press("k");
   await idle(page);

@@ -1,7 +1,9 @@
 // `./dev soak` after everything is built: searches for broken promises with fresh seeds, and reports what was tried.
 //
-//   node tests/soak/soak.mjs [MINUTES] [SEED]
+//   node tests/soak/soak.mjs [--compare] [MINUTES] [SEED]
 //
+// With --compare, only the comparisons run: the core against the oracle and against itself, native against WebAssembly.
+// They need no build but that of `./dev test`; fuzzing needs all code once more, instrumented.
 // Searches run side by side, one for each processor, for MINUTES in all. Prints every failure with the command that
 // repeats it, and a table at the end. The exit status is 0 if nothing failed.
 import { randomBytes } from "node:crypto";
@@ -84,15 +86,15 @@ const fuzz = (name) => async (seconds, seed) => {
 };
 
 // The searches, each with its part of the time.
-const searches = [
+const comparisons = [
   { part: 4, search: searchOf("oracle") },
   { part: 4, search: searchOf("one-shape") },
   { part: 4, search: searchPlacements },
-  ...Object.keys(fuzzers).map((name) => ({ part: 1, search: fuzz(name) })),
 ];
+const fuzzing = Object.keys(fuzzers).map((name) => ({ part: 1, search: fuzz(name) }));
 
-// Runs all searches, `together` at a time, in about this many seconds. Returns their rows, in the order of the table.
-async function runAll(seconds, seed, together) {
+// Runs the searches, `together` at a time, in about this many seconds. Returns their rows, in the order of the table.
+async function runAll(searches, seconds, seed, together) {
   const parts = searches.reduce((sum, { part }) => sum + part, 0);
   const rows = [];
   let next = 0;
@@ -127,14 +129,17 @@ function table(rows) {
   return [text(lines[0]), rule, ...lines.slice(1).map(text)].join("\n");
 }
 
-async function main(argv) {
+async function main([...argv]) {
+  const onlyCompares = argv[0] === "--compare";
+  if (onlyCompares) argv.shift();
   const minutes = numberFrom(argv[0] ?? "10", "the minutes", 0.1, 10000);
   // Far below 2^53, so that counting up from it stays exact.
   const seed = argv[1] === undefined ? randomBytes(6).readUIntBE(0, 6) : numberFrom(argv[1], "the seed", 0, 2 ** 48);
   console.log(`evenlift: soaking for ${minutes} minutes, seed ${seed}`);
   await rm(found, { recursive: true, force: true });
   await mkdir(found, { recursive: true });
-  const rows = await runAll(minutes * 60, seed, Math.max(1, cpus().length));
+  const searches = onlyCompares ? comparisons : [...comparisons, ...fuzzing];
+  const rows = await runAll(searches, minutes * 60, seed, Math.max(1, cpus().length));
   console.log(table(rows));
   // A search that tried nothing proves nothing.
   const failures = rows.reduce((sum, { failures }) => sum + failures, 0);

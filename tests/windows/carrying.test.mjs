@@ -54,7 +54,7 @@ test("a slope is typed, and the page says the same as the program", async () => 
 });
 
 test("the overlays of slopes and of another load explain what is under the pointer", async () => {
-  const page = await browser.open();
+  const page = await browser.open({ drawn: true });
   await load(page, asset("grand-piano"));
   assert.equal(await controlIfShown(page, "Tilt"), null, "nothing to show without a height");
   await set(page, { com_height: 600, extra: 12, capacity: 25 });

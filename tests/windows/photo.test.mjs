@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { fragment, idle, set, sharedBrowser, state } from "../page/browser.mjs";
 
-const browser = sharedBrowser();
+const browser = sharedBrowser({ drawn: true });
 
 // Drops a red picture of this size, in pixels, made by the browser itself.
 const dropPicture = (page, { name = "table.png", type = "image/png", width = 400, height = 200 } = {}) =>
