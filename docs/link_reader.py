@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Reads evenlift's share links, as docs/link-format.md describes them; no dependencies.
 
-    python3 link_reader.py LINK...      prints what each link holds, as JSON
+    python3 link_reader.py LINK...      prints what each link holds, as JSON; the text of a lesson
 
 A second reader, written from the description and not from the program, so that each checks the
 other. It reads any good link of versions 1 and 2; unlike the program it does not look for links that no
@@ -9,6 +9,7 @@ program writes.
 """
 
 import json
+import pathlib
 import struct
 import sys
 
@@ -338,13 +339,9 @@ def read_centre(coder, on_scale, kind, zero_bits):
 # --- The whole -----------------------------------------------------------------------------------
 
 
-def read_link(link):
-    version, point, payload = link.partition(".")
-    if not point or not version.isdigit():
-        raise LinkError("a link begins with its version and a full stop")
-    if version not in ("1", "2"):
-        raise LinkError("only versions 1 and 2 are known here")
-    digits = digits_of(payload)
+def checked_digits(link):
+    """The digits of a link's payload, after a look at its checksum."""
+    digits = digits_of(link.partition(".")[2])
     if len(digits) < 4:
         raise LinkError("the link is cut off")
     checksum = 0
@@ -352,8 +349,16 @@ def read_link(link):
         checksum = checksum * 64 + digit
     if checksum != crc24(link[:-4]):
         raise LinkError("the link was cut off or altered")
+    return digits[:-4]
 
-    coder = Coder(digits[:-4])
+
+def read_link(link):
+    version, point, _ = link.partition(".")
+    if not point or not version.isdigit():
+        raise LinkError("a link begins with its version and a full stop")
+    if version not in ("1", "2"):
+        raise LinkError("only versions 1 and 2 are known here")
+    coder = Coder(checked_digits(link))
     settings = read_settings(coder)
     count = coder.integer(16)
     if count > 32768:
@@ -367,9 +372,54 @@ def read_link(link):
     return {"vertices": vertices, "centre_of_mass": centre, "settings": settings}
 
 
+# --- Lessons -------------------------------------------------------------------------------------
+
+
+class Predictor:
+    """The bits of a text, each by what followed the last three bytes, or the last one."""
+
+    def __init__(self):
+        self.models = {}
+        self.last_three = 0
+
+    def byte(self, bit):
+        """The next byte, where bit(model) gives its next bit."""
+        node = 1
+        while node < 256:
+            near = self.models.setdefault((1, self.last_three & 0xFF, node), [1, 1])
+            far = self.models.setdefault((3, self.last_three, node), [1, 1])
+            value = bit(list(near if sum(far) == 2 else far))
+            for model in (near, far):
+                model[value] += 8
+                if sum(model) > 255:
+                    model[:] = [(count + 1) // 2 for count in model]
+            node = 2 * node + value
+        self.last_three = (self.last_three << 8 | node & 0xFF) & 0xFFFFFF
+        return node & 0xFF
+
+
+def read_lesson_link(link):
+    """The bytes of a lesson's text."""
+    if not link.startswith("L1."):
+        raise LinkError("only version L1 is known here")
+    coder = Coder(checked_digits(link))
+    length = coder.integer(17)
+    if length > 65536:
+        raise LinkError("the lesson is too long")
+    predictor = Predictor()
+    primer = pathlib.Path(__file__).with_name("lesson-primer.txt").read_bytes()
+    for byte in primer:
+        bits = iter([byte >> shift & 1 for shift in range(7, -1, -1)])
+        predictor.byte(lambda model: next(bits))
+    return bytes(predictor.byte(coder.bit) for _ in range(length))
+
+
 def main():
     for link in sys.argv[1:]:
-        print(json.dumps(read_link(link)))
+        if link.startswith("L"):
+            print(read_lesson_link(link).decode("utf-8"))
+        else:
+            print(json.dumps(read_link(link)))
 
 
 if __name__ == "__main__":

@@ -163,7 +163,7 @@ void cmd_check(const Arguments& arguments) {
   std::optional<std::string> task, number_text;
   bool csv = false, json = false;
   line.positional(link_or_file, "LINK", "a link, or a file of links");
-  line.value(task, "--task", "NAME", "a ready-made lesson, or a file, with a task");
+  line.value(task, "--task", "NAME", "a lesson with a task: a ready-made one, a file, or a link");
   line.value(number_text, "--number", "N",
              "the learner's number, for addresses without one (default 1)");
   line.flag(csv, "--csv", "print a table for a spreadsheet");

@@ -1,9 +1,11 @@
 #include "evenlift/link.h"
 #include "commands/commands.h"
 #include "evenlift/centre_of_mass.h"
+#include "evenlift/lesson_link.h"
 #include "evenlift/output/json.h"
 #include "evenlift/placement.h"
 #include "evenlift/polygon.h"
+#include "input/lesson_texts.h"
 #include "input/options.h"
 
 namespace evenlift::native {
@@ -43,18 +45,37 @@ void encode(const Arguments& arguments) {
 
 void decode(const Arguments& arguments) {
   CommandLine line(
-      "evenlift link decode", "Prints the contents of a share link as JSON.",
-      "LINK is a link's fragment, with or without #, or a whole address that ends in one.\n");
+      "evenlift link decode", "Prints the contents of a share link as JSON, or the text of a lesson.",
+      "LINK is a link's fragment, with or without #, or a whole address that ends in one. Of an\n"
+      "address with a polygon and a lesson, the lesson is printed.\n");
   std::string link;
   line.positional(link, "LINK", "VERSION.PAYLOAD");
   if (!line.parse(arguments)) return;
+  if (has_lesson_link(link)) {
+    const Result<std::string> lesson = decode_lesson_link(link);
+    if (!lesson) throw bad_input("link", lesson.error());
+    return write_output(*lesson);
+  }
   const Result<Document> document = decode_link(link);
   if (!document) throw bad_input("link", document.error());
   write_output(document_json(*document));
 }
 
+void encode_lesson(const Arguments& arguments) {
+  CommandLine line("evenlift link lesson", "Prints a lesson as a share link's fragment, without #.",
+                   "LESSON is a file, - for standard input, or the name of a ready-made lesson.\n");
+  std::string name;
+  line.positional(name, "LESSON", "the text of a lesson");
+  if (!line.parse(arguments)) return;
+  const LessonText lesson = read_lesson("link", name);
+  const Result<std::string> link = encode_lesson_link(lesson.text);
+  if (!link) throw bad_input(name, link.error());
+  write_output(*link + "\n");
+}
+
 constexpr const char* help =
     "Usage: evenlift link encode FILE [options]\n"
+    "       evenlift link lesson LESSON\n"
     "       evenlift link decode LINK\n\n"
     "See also `evenlift link encode --help` and `evenlift link decode --help`.\n";
 
@@ -62,13 +83,14 @@ constexpr const char* help =
 
 void cmd_link(const Arguments& arguments) {
   if (arguments.empty())
-    throw Failure{bad_input_status, "link", "expected encode or decode after it"};
+    throw Failure{bad_input_status, "link", "expected encode, lesson or decode after it"};
   const std::string& direction = arguments.front();
   const Arguments rest(arguments.begin() + 1, arguments.end());
   if (direction == "encode") return encode(rest);
+  if (direction == "lesson") return encode_lesson(rest);
   if (direction == "decode") return decode(rest);
   if (direction == "--help" || direction == "-h") return write_output(help);
-  throw bad_value("link", "expected encode or decode", direction);
+  throw bad_value("link", "expected encode, lesson or decode", direction);
 }
 
 }  // namespace evenlift::native

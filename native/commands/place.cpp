@@ -3,6 +3,7 @@
 #include "commands/commands.h"
 #include "commands/place_all.h"
 #include "commands/place_options.h"
+#include "evenlift/capacity.h"
 #include "evenlift/link.h"
 #include "evenlift/output/json.h"
 #include "evenlift/output/markup.h"
@@ -20,7 +21,7 @@ namespace {
 
 // Names the team's robots that carry more than the capacity.
 std::string overloaded(double load1, double load2, double capacity) {
-  const bool first = load1 > capacity, second = load2 > capacity;
+  const bool first = exceeds(load1, capacity), second = exceeds(load2, capacity);
   return first && second ? "both" : first ? "first" : second ? "second" : "-";
 }
 
@@ -44,7 +45,7 @@ std::string robot_table(const ShownPlacement& of, const ShownLoads& shown) {
     const std::optional<double> capacity = capacity_of(of, i);
     if (has_own) rows.back().push_back(capacity ? plain(*capacity) : "-");
     if (has_capacities(of))
-      rows.back().push_back(capacity && shown.greatest[i] > *capacity ? "yes" : "-");
+      rows.back().push_back(capacity && exceeds(shown.greatest[i], *capacity) ? "yes" : "-");
   }
   return table(rows);
 }

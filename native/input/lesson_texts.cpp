@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "evenlift/formats.h"
+#include "evenlift/lesson_link.h"
 #include "input/failure.h"
 #include "input/files.h"
 
@@ -39,26 +40,32 @@ std::vector<std::string> names_of_tasks() {
   return names;
 }
 
+std::string text_of_lesson(const std::string& option, const std::string& given) {
+  if (given == "-") return read_standard_input();
+  if (std::optional<std::string> text = read_file(given)) return *std::move(text);
+  if (has_lesson_link(given)) {
+    Result<std::string> text = decode_lesson_link(given);
+    if (!text) throw bad_input(option, text.error());
+    return *std::move(text);
+  }
+  if (const auto ready_made = find(lessons, given)) return std::string(*ready_made);
+  throw Failure{bad_input_status, option,
+                "there is neither a file nor a ready-made lesson \"" + given +
+                    "\"; the ready-made lessons with tasks are:",
+                names_of_tasks()};
+}
+
 }  // namespace
 
-LessonText read_lesson(const std::string& option, const std::string& name_or_file) {
-  std::optional<std::string> text = read_file(name_or_file);
-  if (!text) {
-    const auto ready_made = find(lessons, name_or_file);
-    if (!ready_made)
-      throw Failure{bad_input_status, option,
-                    "there is neither a file nor a ready-made lesson \"" + name_or_file +
-                        "\"; the ready-made lessons with tasks are:",
-                    names_of_tasks()};
-    text = *ready_made;
-  }
-  Result<Lesson> lesson = parse_lesson(*text);
-  if (!lesson) throw bad_input(name_or_file, lesson.error());
-  LessonText read{name_or_file, *std::move(lesson), {}};
+LessonText read_lesson(const std::string& option, const std::string& given) {
+  const std::string text = text_of_lesson(option, given);
+  Result<Lesson> lesson = parse_lesson(text);
+  if (!lesson) throw bad_input(given, lesson.error());
+  LessonText read{given, text, *std::move(lesson), {}};
   if (read.lesson.polygon.empty()) return read;
   const auto polygon = find(polygons, read.lesson.polygon);
   if (!polygon)
-    throw Failure{bad_input_status, name_or_file,
+    throw Failure{bad_input_status, given,
                   "there is no sample polygon \"" + read.lesson.polygon + "\""};
   Result<Document> sample = read_polygon(*polygon);
   if (!sample) throw bad_input(read.lesson.polygon, sample.error());

@@ -11,12 +11,13 @@ namespace evenlift::native {
 // A lesson and the sample polygon that it names, if it names one.
 struct LessonText {
   std::string source;  // its name in errors
+  std::string text;
   Lesson lesson;
   Document sample;
 };
 
-// The lesson in a file, or the ready-made lesson with this name if there is no such file. Throws
-// Failure about `option`, or about the lesson.
-LessonText read_lesson(const std::string& option, const std::string& name_or_file);
+// The lesson in a file or on standard input ("-"), in a link or an address with one, or the
+// ready-made lesson with this name. Throws Failure about `option`, or about the lesson.
+LessonText read_lesson(const std::string& option, const std::string& given);
 
 }  // namespace evenlift::native

@@ -44,6 +44,11 @@ for link, held in [*rows("links_version_1.txt"), *rows("links_version_2.txt")]:
         sys.exit(f"the readers differ: {link}")
     count += 1
 
+for link, text in rows("lesson_links.txt"):
+    if link_reader.read_lesson_link(link).decode("utf-8") != json.loads(text):
+        sys.exit(f"the readers of lessons differ: {link}")
+    count += 1
+
 # It promises to detect damage, but not every form that no writer produces.
 for code, link, why in rows("hostile_links.txt"):
     if code == "bad_link":

@@ -186,9 +186,28 @@ TEST_CASE("presenting shows the drawing and the words alone, and Escape ends it 
   CHECK(page.app.state.session.screen.zoom == 1);
   CHECK(page.app.state.session.screen.width == width);
   CHECK(walkthrough_is_open(page.app.state));
+}
+
+TEST_CASE("presenting without a lesson enlarges the tool with its settings, and a lesson in it begins enlarged",
+          "[view][lesson]") {
+  Page page;
+  set_canvas(page.app.state, 1920, 1080, 1);
   page.press({"P"});
+  CHECK(page.app.state.view.presenting);
+  CHECK_FALSE(walkthrough_is_open(page.app.state));
+  const double zoom = page.app.state.session.screen.zoom;
+  CHECK(zoom == 2);
+  CHECK(layout(page.app.state).panel.width() > 0);
+  CHECK(layout(page.app.state).toolbar.width() > 0);
   page.press({"b"});
+  CHECK(layout(page.app.state).panel.width() == 0);
+  CHECK(page.app.state.session.screen.zoom > zoom);  // the steps have the screen to themselves
+  page.press({"b"});
+  CHECK(page.app.state.view.presenting);
+  CHECK(page.app.state.session.screen.zoom == zoom);
+  page.press({"Escape"});
   CHECK_FALSE(page.app.state.view.presenting);
+  CHECK(page.app.state.session.screen.zoom == 1);
 }
 
 TEST_CASE("an edit during the lesson keeps the place, and undo is of the edit", "[view][lesson]") {

@@ -252,7 +252,7 @@ const std::vector<Action> table = {
      [](const AppState& s, Commands& out) { out.push_back(SetPredict{!s.view.walkthrough.predict}); }},
     {ActionId::all_steps, Group::lesson, Icon::none, "All steps, or only the main ones", "U", {{"u"}}, when::in_walkthrough,
      [](const AppState& s, Commands& out) { out.push_back(ShowAllSteps{s.view.walkthrough.script || !s.view.walkthrough.all_steps}); }},
-    {ActionId::present, Group::lesson, Icon::present, "Presentation mode, full screen", "Shift+P", {{"P"}}, when::can_present,
+    {ActionId::present, Group::lesson, Icon::present, "Presentation mode, full screen", "Shift+P", {{"P"}}, when::editing,
      [](const AppState& s, Commands& out) { out.push_back(SetPresenting{!s.view.presenting}); }},
     {ActionId::open, Group::files, Icon::folder, "Open", "O", {{"o"}}, when::editing, show<Dialog::open>},
     {ActionId::save, Group::files, Icon::save, "Save", "S", {{"s"}}, when::editing, show<Dialog::save>},

@@ -76,8 +76,6 @@ bool can_teach(const AppState& s) {
   return s.derived().placement && !s.derived().refusal && !draws(s.view.tool);
 }
 
-bool can_present(const AppState& s) { return editing(s) && (in_walkthrough(s) || can_teach(s)); }
-
 bool can_go_on(const AppState& s) {
   const Timeline t = timeline(s);
   return in_walkthrough(s) && (t.at + 1 < t.count || s.view.walkthrough.ask);
@@ -108,7 +106,7 @@ bool can_fail(const AppState& s) {
 
 bool anything_open(const AppState& s) {
   return s.session.list_open || s.derived().explanation || failing(s) || s.view.selected ||
-         s.view.tool != Tool::parts || !s.session.notice.text.empty() ||
+         s.view.tool != Tool::parts || !s.session.notice.text.empty() || s.view.presenting ||
          (in_walkthrough(s) && (editing(s) || !s.view.walkthrough.why.empty()));
 }
 

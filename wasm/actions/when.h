@@ -32,7 +32,6 @@ bool can_redo(const AppState& s);
 
 // The walkthrough.
 bool can_teach(const AppState& s);
-bool can_present(const AppState& s);
 bool can_go_on(const AppState& s);
 bool can_go_back(const AppState& s);
 

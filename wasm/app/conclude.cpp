@@ -7,6 +7,7 @@
 #include "evenlift/output/words.h"
 #include "state/notice.h"
 #include "state/opened.h"
+#include "state/screen.h"
 #include "walkthrough/walkthrough.h"
 
 namespace evenlift::view {
@@ -61,6 +62,7 @@ void conclude(AppState& state) {
   tell_of_refusal(state, refusal);
   if (facts.basis.edits != before.edits || before.haste == Haste::drag) tell_of_no_swap(state);
   follow_trace(state);
+  scale_screen(state);
 }
 
 }  // namespace evenlift::view

@@ -170,14 +170,7 @@ struct Applier {
   }
   void operator()(const LeaveScript&) const { leave_script(state); }
   void operator()(const ShowAllSteps& c) const { show_all_steps(state, c.all); }
-  void operator()(const SetPresenting& c) const {
-    if (c.on && !walkthrough_is_open(state)) put_teams_back(state);
-    if (c.on) {
-      open_own_steps(state);
-      conclude(state);  // finds out whether there are steps
-    }
-    set_presenting(state, c.on && walkthrough_is_open(state));
-  }
+  void operator()(const SetPresenting& c) const { set_presenting(state, c.on); }
   void operator()(const SetDrawCursor& c) const { set_draw_cursor(state, c); }
   void operator()(const TypeEdge& c) const { type_edge(state, c); }
   void operator()(const WithdrawEdge&) const { withdraw_edge(state); }
@@ -282,7 +275,10 @@ struct Applier {
     screen.reduced_motion = c.reduced_motion;
     screen.finger = c.finger;
   }
-  void operator()(const SetTouch& c) const { state.session.screen.touch = c.on; }
+  void operator()(const SetTouch& c) const {
+    state.session.screen.touch = c.on;
+    state.session.screen.asking = c.asking;
+  }
   void operator()(const CoverScreen& c) const { cover_screen(state, c.left, c.right, c.foot); }
   void operator()(const MakeRoom& c) const { make_room(state, c.height); }
   void operator()(const LayPicture& c) const { lay_behind(state, c.low, c.high); }

@@ -11,6 +11,7 @@
 #include "app/app.h"
 #include "app/open_lesson.h"
 #include "evenlift/lesson.h"
+#include "evenlift/lesson_link.h"
 #include "evenlift/output/json_text.h"
 #include "evenlift/output/words.h"
 #include "page/hand_over.h"
@@ -28,6 +29,11 @@ const evenlift::Lesson* open_lesson_or_task() {
   const View& view = app().state.view;
   if (view.walkthrough.script) return &view.walkthrough.script->lesson;
   return view.task ? &view.task->lesson : nullptr;
+}
+
+std::string text_or_problem(const evenlift::Result<std::string>& text) {
+  return text ? json::object({{"text", json::text(*text)}})
+              : json::object({{"problem", json::text(sentence(text.error()))}});
 }
 
 }  // namespace
@@ -52,6 +58,15 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_lesson(const char* text, const char* 
   if (problem) return hand_over(sentence(*problem));
   carried_out();
   return hand_over({});
+}
+
+// The link to a lesson with this text, and the text of the lesson of a link: {"text"}, or {"problem"}
+// if there is none.
+EMSCRIPTEN_KEEPALIVE const char* page_lesson_link(const char* text) {
+  return hand_over(text_or_problem(evenlift::encode_lesson_link(text)));
+}
+EMSCRIPTEN_KEEPALIVE const char* page_linked_lesson(const char* link) {
+  return hand_over(text_or_problem(evenlift::decode_lesson_link(link)));
 }
 
 // For each step of this lesson, whether the algorithm takes it on the open polygon. Empty if there

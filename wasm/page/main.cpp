@@ -171,8 +171,9 @@ bool pass(bool may_draw) {
 void take_input() {
   App& a = app();
   page.input.take(a.state.session.screen);
-  if (a.state.session.screen.touch == page.input.touch()) return;
-  a.commands.push_back(SetTouch{page.input.touch()});
+  const Screen& screen = a.state.session.screen;
+  if (screen.touch == page.input.touch() && screen.asking == page.input.asks()) return;
+  a.commands.push_back(SetTouch{page.input.touch(), page.input.asks()});
   settle();
 }
 
@@ -300,6 +301,13 @@ EMSCRIPTEN_KEEPALIVE void page_catch_up() { catch_up(); }
 EMSCRIPTEN_KEEPALIVE void page_press(double time, int clicks) {
   page.press_time = time;
   page.press_clicks = clicks;
+}
+
+// A finger has rested in one place for a while.
+EMSCRIPTEN_KEEPALIVE void page_ask() {
+  catch_up();
+  page.input.ask();
+  ask_for_frames(frames_after_input);
 }
 
 // Lays out the panels until nothing changes any more.

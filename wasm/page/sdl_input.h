@@ -25,11 +25,15 @@ class SdlInput {
   // A trackpad's two fingers, which browsers report as a wheel.
   void pinch(const Vec2& at, double factor);
 
+  // The finger that is down asks what it rests on, until it is lifted or another one comes down.
+  void ask() { asks_ = touch_ && down_ && !two_fingers_; }
+
   // The pointer in this pass, in the same pixels. Call after ImGui::NewFrame().
   Pointer pointer(double zoom);
 
   bool waiting() const { return !queue_.empty(); }
   bool touch() const { return touch_; }
+  bool asks() const { return asks_; }
 
  private:
   enum class What { move, down, up, leave, wheel, pinch };
@@ -59,7 +63,7 @@ class SdlInput {
   std::vector<Finger> fingers_;
   // From here on, all places are in CSS pixels.
   Vec2 at_ = Vec2(-1e6, -1e6);
-  bool down_ = false, touch_ = false;
+  bool down_ = false, touch_ = false, asks_ = false;
   Vec2 pressed_at_ = Vec2::Zero();
   std::optional<Uint32> pressed_time_;  // nothing: a finger's next press is a first one
   bool two_fingers_ = false;  // until all are lifted: the last finger of a pinch drags nothing

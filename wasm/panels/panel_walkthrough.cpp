@@ -129,10 +129,18 @@ void draw_words(const Ui& ui, const Faces& faces) {
 // The formula, and the meaning of its letters.
 void draw_formula(const Ui& ui, const Faces& faces) {
   const Walkthrough& walk = ui.state.view.walkthrough;
-  if (walk.formula.empty()) return;
+  if (walk.formula.empty() || !ui.state.view.formal_open) return;
   draw_box(ui.theme.well, ui.theme.text, faces.formula, walk.formula);
   if (const std::string_view letters = formula_letters(*walk.trace, walk.detail); !letters.empty())
     text_block(faces.label, ui.theme.second_text, std::string(letters));
+}
+
+// A step explains itself in words. Its formula and the algorithm are shown only on request: with
+// them, a first step would look like a lecture.
+void draw_formal_button(const Ui& ui, const char* show, const char* hide) {
+  const bool open = ui.state.view.formal_open;
+  if (flat_button(ui, "formula", open ? hide : show, full_width()))
+    ui.push(SetSectionOpen{&View::formal_open, !open});
 }
 
 void draw_left_out(const Ui& ui, const Faces& faces) {
@@ -156,6 +164,7 @@ void draw_walkthrough_step(const Ui& ui) {
   draw_left_out(ui, in_panel);
   draw_answers(ui, in_panel);
   draw_question(ui, in_panel);
+  draw_formal_button(ui, "Show formula and algorithm", "Hide formula and algorithm");
   ImGui::PopStyleVar();
 }
 
@@ -187,6 +196,7 @@ void draw_walkthrough_briefly(const Ui& ui, float height) {
     draw_words(ui, faces);
     draw_formula(ui, faces);
     draw_left_out(ui, faces);
+    if (!walk.formula.empty()) draw_formal_button(ui, "Show the formula", "Hide the formula");
   }
   end_scrolling_box(ui);
   if (apart) draw_choices(ui, *walk.ask, true);

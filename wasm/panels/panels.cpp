@@ -29,10 +29,11 @@ bool ranks(const AppState& s) {
   return scores && !scores->ranking.empty();
 }
 bool has_history(const AppState& s) { return s.view.walkthrough.visited.size() > 1; }
+bool is_formal(const AppState& s) { return s.view.formal_open; }
 constexpr Panel walkthrough_panel[] = {
     {"step", draw_walkthrough_step, true},
     {"ranking", draw_walkthrough_ranking, true, ranks},
-    {"code", draw_walkthrough_code, true},
+    {"code", draw_walkthrough_code, true, is_formal},
     {"settings", draw_settings, false},
     {"history", draw_walkthrough_history, true, has_history},
 };
@@ -248,7 +249,7 @@ void draw_sheet(const Ui& ui) {
 // The player at the foot of the drawing; in an <iframe> and in presentation mode it also has the
 // step's words.
 void draw_floating_player(const Ui& ui) {
-  const bool tells = ui.state.session.screen.embed || ui.state.view.presenting;
+  const bool tells = ui.state.session.screen.embed || presents_steps(ui.state);
   begin_card(ui, "player", ui.layout.player,
              {.fixed_height = true,
               .padding = ui.state.session.screen.embed ? 8.0f : 12.0f,
@@ -268,7 +269,7 @@ void draw_panels(const AppState& state, Commands& commands) {
   apply_style(state, places.control);
   Pick row;
   const Ui ui{state, theme(state), places, commands, row};
-  if (!state.session.screen.embed && !state.view.presenting) {
+  if (!state.session.screen.embed && !presents_steps(state)) {
     if (!places.wide)
       draw_sheet(ui);
     else if (state.view.panel_open)
@@ -278,11 +279,11 @@ void draw_panels(const AppState& state, Commands& commands) {
     draw_view_tools(ui);
   }
   if (walkthrough_is_open(state) &&
-      (places.wide || state.session.screen.embed || state.view.presenting))
+      (places.wide || state.session.screen.embed || presents_steps(state)))
     draw_floating_player(ui);
   else if (state.session.screen.embed)
     draw_embedded_verdict(ui);
-  if (!state.session.screen.embed && !state.view.presenting) {
+  if (!state.session.screen.embed && !presents_steps(state)) {
     draw_toolbar(ui);
     draw_tool_bar(ui);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "evenlift/capacity.h"
 #include "evenlift/output/carrying_words.h"
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/output/verdict.h"
@@ -30,7 +31,7 @@ bool is_overloaded(const AppState& state) {
 
 bool is_overloaded(const AppState& state, std::size_t robot) {
   const std::optional<double> capacity = capacity_of(of(state), robot);
-  return capacity && shown_outlook(state).loads[robot].greatest > *capacity;
+  return capacity && exceeds(shown_outlook(state).loads[robot].greatest, *capacity);
 }
 
 namespace {

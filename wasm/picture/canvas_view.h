@@ -30,7 +30,7 @@ struct CanvasView {
   const Failure* failure() const { return second ? nullptr : failing(state); }
   bool overloads(std::size_t robot, double load) const {
     const std::optional<double> capacity = capacity_of({*placement, shown(state)}, robot);
-    return capacity && load > *capacity;
+    return capacity && exceeds(load, *capacity);
   }
   bool current() const { return placement && !state.derived().refusal; }
 };

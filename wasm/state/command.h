@@ -266,8 +266,8 @@ struct SetCanvas {
 struct SetPreferences {
   bool dark, reduced_motion, finger;
 };
-struct SetTouch {  // whether the pointer is a finger now
-  bool on;
+struct SetTouch {  // whether the pointer is a finger now, and whether it rests and asks
+  bool on, asking;
 };
 // A window of the page covers this much of the canvas at the left, at the right and at the foot, in
 // CSS pixels.

@@ -102,14 +102,14 @@ Layout embedded(const AppState& state) {
   return l;
 }
 
-// In presentation mode a card is below the words, so that the drawing keeps its size.
+// Beside presented steps a card is below the words, so that the drawing keeps its size.
 bool seats_card_below_words(const AppState& state) {
   const Screen& screen = state.session.screen;
-  return state.view.presenting && screen.width > screen.height &&
+  return presents_steps(state) && screen.width > screen.height &&
          screen.height >= least_height_for_both;
 }
 
-// Presentation mode: the drawing with the words beside it, or below it on an upright screen.
+// Presented steps: the drawing with the words beside it, or below it on an upright screen.
 Layout presenting(const AppState& state) {
   const Screen& screen = state.session.screen;
   Layout l;
@@ -230,7 +230,7 @@ Layout narrow(const AppState& state) {
 
 Layout in_mode(const AppState& state) {
   const Screen& screen = state.session.screen;
-  if (state.view.presenting) return presenting(state);
+  if (presents_steps(state)) return presenting(state);
   if (screen.embed) return embedded(state);
   // A phone on its side also counts as wide: a sheet would leave no room for the drawing.
   const bool side = screen.width >= 900 || (screen.width >= 640 && screen.width > screen.height);
@@ -254,7 +254,7 @@ Rect seat_of_card(const AppState& state, const Layout& l) {
     return {l.player.left, l.player.top + share_of_words * height, l.player.right,
             height - l.margin};
   }
-  if (state.session.screen.embed || state.view.presenting || state.session.screen.window_foot > 0)
+  if (state.session.screen.embed || presents_steps(state) || state.session.screen.window_foot > 0)
     return {left, l.free.top, right, l.free.bottom + state.session.screen.foot - l.margin};
   if (!l.wide && state.view.sheet == Sheet::full)
     return {left, l.panel.top + (state.session.screen.height - l.panel.top) / 2, right,
@@ -274,11 +274,11 @@ Rect inset(const Rect& r, double by) {
 // head.
 Rect seat_of_notice(const AppState& state, const Layout& l) {
   constexpr double gap = 8, least_height = 100, widest = 560;
-  if (!l.wide && state.view.sheet == Sheet::full && !state.view.presenting &&
+  if (!l.wide && state.view.sheet == Sheet::full && !presents_steps(state) &&
       !state.session.screen.embed)
     return {l.margin, l.panel.middle().y(), state.session.screen.width - l.margin,
             l.panel.bottom - gap};
-  const Rect seat = state.view.presenting ? inset(l.free, gap) : seat_of_card(state, l);
+  const Rect seat = presents_steps(state) ? inset(l.free, gap) : seat_of_card(state, l);
   const double middle = seat.middle().x(), half = std::min(seat.width(), widest) / 2,
                head = l.toolbar.bottom + 12;
   const double foot = std::min(seat.bottom, l.free.bottom - gap);
@@ -292,7 +292,7 @@ void make_room_for_notice(const AppState& state, Layout& l) {
   constexpr double robot = 16;
   const bool two = l.second.width() > 0;
   const bool over_sheet = !l.wide && state.view.sheet == Sheet::closed &&
-                          state.session.screen.foot == 0 && !state.view.presenting &&
+                          state.session.screen.foot == 0 && !presents_steps(state) &&
                           !state.session.screen.embed;
   const double lowest = l.room.bottom + (two ? l.second.bottom - l.first.bottom : 0);
   const double covered =

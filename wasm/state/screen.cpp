@@ -9,19 +9,33 @@ namespace evenlift::view {
 namespace {
 
 // In presentation mode the screen counts as about this large, so that its letters are legible from
-// the last row.
-constexpr double room_width = 880, room_height = 500;
+// the last row: steps have the screen to themselves, and the tool needs room for its settings.
+struct Room {
+  double width, height;
+};
+constexpr Room room_of_steps{880, 500}, room_of_tool{960, 540};
+
+double zoom_for(const AppState& state) {
+  if (!state.view.presenting) return 1;
+  const Screen& screen = state.session.screen;
+  const Room& room = presents_steps(state) ? room_of_steps : room_of_tool;
+  const double fitting = std::min(screen.css_width / room.width, screen.css_height / room.height);
+  return std::clamp(fitting, 1.0, 5.0);
+}
 
 void measure_screen(AppState& state) {
   Screen& screen = state.session.screen;
-  const double fitting = std::min(screen.css_width / room_width, screen.css_height / room_height);
-  screen.zoom = state.view.presenting ? std::clamp(fitting, 1.0, 5.0) : 1;
+  screen.zoom = zoom_for(state);
   screen.width = screen.css_width / screen.zoom;
   screen.height = screen.css_height / screen.zoom;
   screen.ratio = screen.css_ratio * screen.zoom;
 }
 
 }  // namespace
+
+void scale_screen(AppState& state) {
+  if (zoom_for(state) != state.session.screen.zoom) measure_screen(state);
+}
 
 void set_canvas(AppState& state, double css_width, double css_height, double css_ratio) {
   Screen& screen = state.session.screen;

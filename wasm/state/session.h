@@ -23,6 +23,7 @@ struct Screen {
   bool embed = false;   // the page is in an <iframe>, and shows no panels for editing
   bool finger = false;  // the main pointer is a finger, so controls are larger
   bool touch = false;   // the last pointer was a finger, which cannot hover
+  bool asking = false;  // a finger rests on the screen, and asks what is under it: tips are shown
   double foot = 0;      // height that a card of the page covers at the drawing's foot, in pixels
   double card = 0;      // the height of that card
   // The part that a window of the page covers: at the left, at the right, or from below over the

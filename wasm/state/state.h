@@ -29,6 +29,11 @@ inline bool walkthrough_is_open(const AppState& state) {
   return state.view.walkthrough.trace != nullptr;
 }
 
+// Whether the steps alone are presented: the drawing with their words, and no settings. O(1).
+inline bool presents_steps(const AppState& state) {
+  return state.view.presenting && walkthrough_is_open(state);
+}
+
 // Whether the walkthrough was opened as a lesson: closing it restores what was open before. O(1).
 inline bool in_lesson(const AppState& state) {
   return walkthrough_is_open(state) && state.view.walkthrough.of_lesson;

@@ -106,7 +106,7 @@ struct View {
   Wanted<std::size_t> fails;               // the robot that should fail, by its number from 0
   Wanted<Pick> card;                       // the part that the card explains
   Walkthrough walkthrough;
-  bool presenting = false;  // presentation mode
+  bool presenting = false;  // presentation mode: enlarged, on the full screen
 
   Camera camera;
   bool camera_follows = true;  // the view fits its window until the user pans or zooms
@@ -116,6 +116,7 @@ struct View {
 
   bool panel_open = true;
   bool carrying_open = false;  // the settings of slopes, uneven ground and a further load are open
+  bool formal_open = false;    // the formula of a step and the algorithm are open
   bool more_open = false;      // the seldom-used settings are open
   bool robot_open = false;     // the settings of the robots' size are open
   Sheet sheet = Sheet::closed;

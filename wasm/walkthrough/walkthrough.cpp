@@ -8,7 +8,6 @@
 #include "evenlift/main_steps.h"
 #include "evenlift/output/words.h"
 #include "state/notice.h"
-#include "state/screen.h"
 #include "walkthrough/ask_why.h"
 #include "walkthrough/script.h"
 #include "walkthrough/timeline.h"
@@ -183,7 +182,6 @@ void close_walkthrough(AppState& state) {
   walk.figures.clear();
   walk.visited.clear();
   publish(state, std::nullopt);
-  set_presenting(state, false);
 }
 
 void go_to_step(AppState& state, std::uint32_t step) {

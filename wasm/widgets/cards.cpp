@@ -151,7 +151,8 @@ bool is_dragged() {
 }
 
 bool tapped(const Ui& ui, bool pressed) {
-  return pressed && !(ui.state.session.screen.touch && is_dragged());
+  const Screen& screen = ui.state.session.screen;
+  return pressed && !screen.asking && !(screen.touch && is_dragged());
 }
 
 void end_card(const Ui& ui) {

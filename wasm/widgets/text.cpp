@@ -86,13 +86,23 @@ void rule(const Ui& ui) {
 
 namespace {
 
+// A finger's tip appears above the finger, or below it at the top of the screen.
+void place_tip_of_finger(const Screen& screen, ImVec2 size) {
+  constexpr float above = 44, below = 56;
+  const ImVec2 at = ImGui::GetIO().MousePos;
+  const float most = std::max(8.0f, static_cast<float>(screen.width) - size.x - 8),
+              top = at.y - above - size.y;
+  ImGui::SetNextWindowPos(
+      ImVec2(std::clamp(at.x - size.x / 2, 8.0f, most), top >= 8 ? top : at.y + below));
+}
+
 // A tip covers neither its control nor the neighbours: it appears beside the panel, and below or
 // above a bar.
-void place_tip(const Ui& ui, const char* text) {
+void place_tip(const Ui& ui, ImVec2 size) {
   constexpr float away = 14;
+  if (ui.state.session.screen.asking) return place_tip_of_finger(ui.state.session.screen, size);
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax(),
-               pointer = ImGui::GetIO().MousePos,
-               size(text_size(Face::label, text).x + 20, line_height(Face::label) + 14);
+               pointer = ImGui::GetIO().MousePos;
   const float panel = static_cast<float>(ui.layout.panel.left);
   if (ui.layout.wide && ui.layout.panel.width() > 0 && pointer.x >= panel)
     return ImGui::SetNextWindowPos(
@@ -110,12 +120,21 @@ void place_tip(const Ui& ui, const char* text) {
 }  // namespace
 
 void tip(const Ui& ui, const char* text) {
-  if (!text || ui.state.session.screen.touch || ui.state.session.screen.finger) return;
-  place_tip(ui, text);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10, 7));
+  const Screen& screen = ui.state.session.screen;
+  if (!text || ((screen.touch || screen.finger) && !screen.asking)) return;
+  const ImVec2 padding(10, 7);
+  const std::vector<std::string_view> lines =
+      broken_lines(Face::label, text, static_cast<float>(screen.width) - 16 - 2 * padding.x);
+  float width = 0;
+  for (const std::string_view line : lines)
+    width = std::max(width, text_size(Face::label, line).x);
+  place_tip(ui, ImVec2(width + 2 * padding.x, height_of(Face::label, lines) + 2 * padding.y));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 7.0f);
   ImGui::BeginTooltip();
-  text_line(Face::label, ui.theme.text, text);
+  draw_lines(*ImGui::GetWindowDrawList(), Face::label, ImGui::GetCursorScreenPos(), ui.theme.text,
+             lines);
+  ImGui::Dummy(ImVec2(width, height_of(Face::label, lines)));
   ImGui::EndTooltip();
   ImGui::PopStyleVar(2);
 }

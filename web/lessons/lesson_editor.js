@@ -83,7 +83,7 @@ export async function show(page) {
       editor.problem,
       editor.toLine,
       editor.status,
-      el("footer", {}, editor.help, editor.save),
+      el("footer", {}, editor.help, editor.copy, editor.save),
     ],
     focus: editor.field,
     closed: () => editor.close(),
@@ -98,6 +98,7 @@ class Editor {
   #shown = {}; // the lesson on the canvas: { text, stop }
   #before; // the lesson that was open before, if any: { name, text, at }
   #begun; // the text with which the editor began
+  #wrong = ""; // the problem of the text, if it has one
   #leave = new AbortController();
 
   constructor(page, samples, lessons, gallery) {
@@ -126,6 +127,7 @@ class Editor {
       ...choiceOfSamples(Object.keys(samples), gallery),
     );
     this.save = button("Save as a file", { class: "button primary", onclick: () => this.#save() }, "save");
+    this.copy = button("Copy link to this lesson", { onclick: () => underWay(this.#copyLink()) }, "link");
     this.help = el(
       "a",
       { class: "second", href: new URL("docs-lessons.html", import.meta.url).href, target: "_blank", rel: "noopener" },
@@ -184,7 +186,10 @@ class Editor {
   close() {
     this.#leave.abort();
     const { program } = this.#page;
-    if (this.field.value !== this.#begun) return this.#keep();
+    if (this.field.value !== this.#begun) {
+      this.#page.nameLesson(program.json("page_lesson_link", this.#shown.text ?? "").text);
+      return this.#keep();
+    }
     if (!this.#shown.text) return;
     program.number("page_key", "z", 1, 0);
     if (this.#before) underWay(this.#reopen(this.#before));
@@ -242,6 +247,7 @@ class Editor {
 
   // Shows a problem of the text; with "" it removes the message.
   #say(problem) {
+    this.#wrong = problem;
     this.problem.say(problem);
     this.line = Number(/^line (\d+)/i.exec(problem)?.[1] ?? 0);
     this.toLine.hidden = !this.line;
@@ -307,6 +313,15 @@ class Editor {
     this.field.setSelectionRange(from, from);
     this.field.scrollTop = 0;
     this.#soon();
+  }
+
+  async #copyLink() {
+    if (this.#wrong) return this.problem.say(`Correct the lesson before you link to it: ${lowered(this.#wrong)}`);
+    const { text, problem } = this.#page.program.json("page_lesson_link", this.field.value);
+    if (problem) return this.problem.say(problem);
+    const address = this.#page.lessonAddress(text);
+    if (!(await this.#page.copy(address))) return this.problem.say("The browser did not allow copying");
+    this.status.textContent = `The link is copied. It holds the whole lesson, in ${address.length.toLocaleString("en")} characters.`;
   }
 
   #save() {

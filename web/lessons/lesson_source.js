@@ -2,6 +2,7 @@
 // returns why it was refused, or undefined.
 import { lowered } from "../kit/elements.js";
 import { ask, fetchJson } from "../kit/fetched.js";
+import { isLessonLink } from "../page/address.js";
 import { unreadable } from "../page/lesson_text.js";
 import { openLesson, watch } from "./lesson_watch.js";
 
@@ -18,6 +19,8 @@ export function titleOf(text) {
 export async function openLessonText(page, text, name = "", how = {}) {
   const problem = unreadable(text);
   if (problem) return problem;
+  // A lesson that has no name is named by a link that holds its text, so that every address of it opens it again.
+  if (!name && !how.preview) name = page.program.json("page_lesson_link", text).text ?? "";
   const sample = page.program.text("page_lesson_polygon", text);
   if (!sample) return openLesson(page, { name, text }, how);
   let samples;
@@ -52,12 +55,16 @@ function distance(a, b) {
   return row[b.length] - (a && (b.includes(a) || a.includes(b)) ? Math.min(a.length, b.length) : 0);
 }
 
-// The values of `?lesson=`: a ready-made lesson, or a text file in the page's folder or below. Other addresses are
+// The names of lessons in addresses: a link, which is a name by itself; a ready-made lesson, or a text file in the page's folder or below. Other addresses are
 // refused: the author of a link must not choose what the reader's browser requests elsewhere.
 const readyMade = /^[a-z0-9-]+$/;
 const besideThePage = /^(?:[\w-][\w.-]*\/)*[\w-][\w.-]*\.txt$/;
 
 export async function openNamedLesson(page, name, how) {
+  if (isLessonLink(name)) {
+    const { text, problem } = page.program.json("page_linked_lesson", name);
+    return problem ?? openLessonText(page, text, name, how);
+  }
   if (readyMade.test(name)) {
     const lesson = (await fetchJson("lessons.json")).find((l) => l.name === name);
     return lesson ? openLesson(page, lesson, how) : "there is no ready-made lesson with that name";
@@ -94,7 +101,8 @@ export async function beginFromAddress(page, { lesson, number, challenge, join }
     const problem = await openNamedLesson(page, lesson, { join, number }).catch((error) => error.message);
     if (problem) {
       page.nameLesson("");
-      page.notice(`The lesson “${lesson.slice(0, 60)}” cannot be opened: ${lowered(problem)}.`, true);
+      const which = isLessonLink(lesson) ? "The lesson of this address" : `The lesson “${lesson.slice(0, 60)}”`;
+      page.notice(`${which} cannot be opened: ${lowered(problem.replace(/^Link, /, ""))}.`, true);
     }
   }
   if (!challenge) return;

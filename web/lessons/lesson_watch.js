@@ -3,6 +3,7 @@
 import { closingButton, openCard } from "../kit/card.js";
 import { button, el, paragraphs } from "../kit/elements.js";
 import { fetchJson } from "../kit/fetched.js";
+import { isLessonLink } from "../page/address.js";
 import { lasting, read, write } from "../page/storage.js";
 import { underWay } from "../page/under_way.js";
 import { show as showTask } from "./task.js";
@@ -17,7 +18,7 @@ export function seenLessons() {
 
 function markSeen(name) {
   const seen = seenLessons();
-  if (!name) return;
+  if (!name || isLessonLink(name)) return;
   seen.delete(name);
   write(lasting, seenKey, [...seen, name].join(" "));
 }

@@ -1,16 +1,27 @@
-// The query of the page's address: `?lesson=NAME` with a learner's `number=`, `challenge=1`, `place=4` with `beat=…`, and
+// The page's address. Its fragment is the link of a document, the link of a lesson (`L1.…`), or both with an `&`
+// between them; programs that know only documents ignore what follows an `&`. Its query: `?lesson=NAME` with a learner's `number=`, `challenge=1`, `place=4` with `beat=…`, and
 // `embed=1`.
 export function readAddress() {
   const asked = new URLSearchParams(location.search);
   return {
     embed: asked.get("embed") === "1",
     challenge: asked.get("challenge") === "1",
-    lesson: asked.get("lesson") ?? "",
+    lesson: asked.get("lesson") ?? lessonLinkIn(location.hash),
     number: learnersNumber(asked.get("number")) ?? 1,
     place: robotsToPlace(asked.get("place")),
     beat: scoreToBeat(asked.get("beat")),
   };
 }
+
+// The link of the document in an address's fragment, and that of a lesson; "" for none.
+export function linkIn(fragment) {
+  const [first] = fragment.replace(/^#/, "").split("&");
+  return isLessonLink(first) ? "" : first;
+}
+export function lessonLinkIn(text) {
+  return /(?:^|[#&])(L\d+\.[^\s&]*)/.exec(text.trim())?.[1] ?? "";
+}
+export const isLessonLink = (text) => /^L\d+\./.test(text);
 
 // The number of a learner, who gets a task of their own by it (core/include/evenlift/task.h); undefined for any other
 // text.
@@ -37,13 +48,16 @@ function scoreToBeat(text) {
   return sound ? numbers : undefined;
 }
 
-// Puts the lesson, the learner's number and the challenge into an address, or removes them. The rest of its query stays.
+// Puts the lesson, the learner's number and the challenge into an address, or removes them. The rest of its query, and
+// its document, stay. A lesson that is a link goes into the fragment, which browsers do not send to the server.
 export function withLesson(url, { lesson = "", number = 1, challenge = false }) {
   const rest = partsOf(url, /^(lesson|number|challenge)(=|$)/);
-  if (lesson) rest.push(`lesson=${lesson}`); // its characters need no escape (lesson_source.js)
+  const linked = isLessonLink(lesson) ? lesson : "";
+  if (lesson && !linked) rest.push(`lesson=${lesson}`); // its characters need no escape (lesson_source.js)
   if (number !== 1) rest.push(`number=${number}`);
   if (challenge) rest.push("challenge=1");
   url.search = rest.join("&");
+  url.hash = [linkIn(url.hash), linked].filter(Boolean).join("&");
   return url;
 }
 

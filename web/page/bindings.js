@@ -1,5 +1,5 @@
 // The browser functions that the program calls (wasm/page/browser.cpp), and the page functions that its windows call.
-import { readAddress, withLesson, withPlaces } from "./address.js";
+import { linkIn, readAddress, withLesson, withPlaces } from "./address.js";
 import { copy } from "./clipboard.js";
 import { connectDropAndPaste } from "./drop_and_paste.js";
 import { createSearch } from "./search.js";
@@ -72,6 +72,7 @@ export class Bindings {
       copy,
       address: (link, challenge) => this.#address(link, challenge),
       placesAddress: (link, challenge) => this.#placesAddress(link, challenge),
+      lessonAddress: (lesson) => this.#lessonAddress(lesson),
       leavePlaces: () => history.replaceState(history.state, "", withPlaces(new URL(location.href))),
       aboutLink: (url) => this.#aboutLink(url),
       windows: () => this.#windows(),
@@ -117,9 +118,17 @@ export class Bindings {
         return; // the program has stopped, and the page knows
       }
       this.#onFrame();
+      this.#enlarge();
       this.#pictures.dispatchEvent(new Event("drawn"));
       end();
     });
+  }
+
+  // Presentation mode enlarges the page's windows as it does the canvas (dialogs.css).
+  #enlarge() {
+    const zoom = String(this.#program.number("page_zoom"));
+    const { style } = document.documentElement;
+    if ((style.getPropertyValue("--zoom") || "1") !== zoom) style.setProperty("--zoom", zoom);
   }
 
   frameAfter(seconds) {
@@ -220,7 +229,7 @@ export class Bindings {
   openPage() {
     this.#publisher.flush();
     const { challenge } = readAddress();
-    open(this.#address(location.hash.slice(1), challenge), "_blank", "noopener");
+    open(this.#address(linkIn(location.hash), challenge), "_blank", "noopener");
   }
 
   openDialog(name) {
@@ -240,6 +249,13 @@ export class Bindings {
     url.search = "";
     url.hash = link;
     return withLesson(url, { ...this.#publisher.lesson(), challenge }).href;
+  }
+
+  // Of a lesson that is a link, alone.
+  #lessonAddress(lesson) {
+    const url = new URL(location.href);
+    url.search = url.hash = "";
+    return withLesson(url, { lesson }).href;
   }
 
   // Of a challenge to place robots.

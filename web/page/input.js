@@ -24,6 +24,7 @@ export function connectInput(program, field, { embed }) {
   addEventListener("keydown", (event) => event.key === "Tab" && root.classList.add("by-key"), { capture: true });
   connectKeys(program, canvas, field, { embed });
   connectPresses(program);
+  connectAsking(program);
 
   canvas.addEventListener("pointerdown", (event) => {
     if (isGuest() && event.pointerType !== "mouse") return; // it may become a swipe
@@ -122,6 +123,30 @@ function connectPresses(program) {
   for (const type of ["mousedown", "touchstart"]) {
     addEventListener(type, (event) => program.press(event.timeStamp, event.detail), { capture: true, passive: true });
   }
+}
+
+// A finger that rests in one place asks what it rests on: the program then shows the tip that a mouse would show.
+function connectAsking(program) {
+  const rest = 500; // milliseconds
+  const options = { capture: true, passive: true };
+  let timer, from;
+  const end = () => clearTimeout(timer);
+  addEventListener(
+    "touchstart",
+    ({ touches }) => {
+      end();
+      if (touches.length !== 1 || touches[0].target.id !== "canvas") return;
+      from = touches[0];
+      timer = setTimeout(() => program.call("page_ask"), rest);
+    },
+    options,
+  );
+  addEventListener(
+    "touchmove",
+    ({ changedTouches: [to] }) => from && Math.hypot(to.clientX - from.clientX, to.clientY - from.clientY) > mostOfTap && end(),
+    options,
+  );
+  for (const type of ["touchend", "touchcancel"]) addEventListener(type, end, options);
 }
 
 function connectKeys(program, canvas, field, { embed }) {

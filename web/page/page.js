@@ -1,5 +1,5 @@
 // Starts the page: checks whether it can run, loads the program, and connects it to the browser.
-import { readAddress } from "./address.js";
+import { lessonLinkIn, linkIn, readAddress } from "./address.js";
 import { createApi } from "./api.js";
 import { Bindings } from "./bindings.js";
 import { connectInput } from "./input.js";
@@ -49,11 +49,11 @@ function toOpen(program, text) {
 // Calls `say` with a message about a refused link, and `opened` after any other link.
 function followAddress(program, say, opened) {
   addEventListener("hashchange", () => {
-    const link = location.hash.slice(1);
-    if (!link) return;
+    const link = linkIn(location.hash);
+    if (!link) return void (lessonLinkIn(location.hash) && opened(false));
     const problem = program.text("page_open_link", toOpen(program, link));
     if (problem) say(`${refused(problem)} Nothing was changed.`);
-    else opened();
+    else opened(true);
   });
 }
 
@@ -125,7 +125,7 @@ async function startStill(program, publisher, bindings) {
   };
   publisher.keepNothing();
   publisher.holdLesson(true); // lessons need the canvas, and the address still names its own
-  const problem = program.text("page_start", location.hash.slice(1), "", "", embed ? 1 : 0);
+  const problem = program.text("page_start", linkIn(location.hash), "", "", embed ? 1 : 0);
   api.connect(program);
   publisher.connect(program);
   bindings.connect(program, undefined, { embed: true });
@@ -163,7 +163,7 @@ async function start() {
     afterPicture = await startStill(program, publisher, bindings);
     return;
   }
-  const fragment = location.hash.slice(1);
+  const fragment = linkIn(location.hash);
   const kept = publisher.kept(fragment);
   const asked = { ...kept, fragment: kept.own ? "" : fragment };
   started = embed ? asked : await beginStart(asked);
@@ -191,7 +191,7 @@ async function start() {
   followAddress(
     program,
     (text) => program.call("page_notice", text, 1),
-    () => bindings.beginLesson(true),
+    (join) => bindings.beginLesson(join),
   );
   // If the document of the address is open, the lesson that the address names continues at the link's step.
   await bindings.beginLesson(fragment !== "" && !problem && !started.problem);

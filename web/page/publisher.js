@@ -1,4 +1,4 @@
-import { readAddress, withLesson } from "./address.js";
+import { lessonLinkIn, linkIn, readAddress, withLesson } from "./address.js";
 import { historyKey, lasting, ofThisTab, read, workKey, write } from "./storage.js";
 import { begin, end, isAwaited, whenAwaited } from "./work.js";
 
@@ -65,7 +65,7 @@ export class Publisher {
     addEventListener("pagehide", () => this.#leave());
     document.addEventListener("visibilitychange", () => document.hidden && this.#leave());
     // The browser had put this page aside, and meanwhile the tab may have shown another one.
-    addEventListener("pageshow", ({ persisted }) => persisted && this.adopt(location.hash.slice(1)));
+    addEventListener("pageshow", ({ persisted }) => persisted && this.adopt(linkIn(location.hash)));
     whenAwaited(() => {
       if (this.#writeTimer) this.#writeSoon();
       if (this.#speakTimer) this.#speakSoon();
@@ -230,9 +230,9 @@ export class Publisher {
     // If the polygon is too large for a link, the address has none: an old link would be wrong.
     const challenge = readAddress().challenge && this.#program.number("page_walkthrough_is_open") === 1;
     const url = new URL(location.href),
-      before = url.hash.slice(1);
+      before = linkIn(url.hash);
+    url.hash = [link, this.#held && lessonLinkIn(url.hash)].filter(Boolean).join("&");
     if (!this.#held) withLesson(url, { ...this.lesson(), challenge });
-    url.hash = link;
     if (url.href !== location.href) history.replaceState(history.state, "", url);
     this.#keepAs(link, `${link}\n${before}`);
     end();

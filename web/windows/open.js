@@ -3,7 +3,8 @@ import { closeWindows, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, lowered, number } from "../kit/elements.js";
 import { readShapes } from "../kit/import.js";
 import { nameOpened, openedName, stemOf } from "./document_name.js";
-import { openLessonText } from "../lessons/lesson_source.js";
+import { openLessonText, openNamedLesson } from "../lessons/lesson_source.js";
+import { lessonLinkIn } from "../page/address.js";
 import { isLesson } from "../page/lesson_text.js";
 import { isPhoto, layBehind, photoLine } from "../photo/photo.js";
 import { lengthInWords, sentences, showShapes } from "./shapes.js";
@@ -23,8 +24,9 @@ let curved;
 async function openText(page, text, what, { how = "page_load", name = "" } = {}) {
   if (tooLong(text.length)) return tooLong(text.length);
   if (!text.trim()) return "It is empty";
-  if (how === "page_load" && isLesson(text)) {
-    const problem = await openLessonText(page, text);
+  const linked = how === "page_load" ? lessonLinkIn(text) : "";
+  if (linked || (how === "page_load" && isLesson(text))) {
+    const problem = linked ? await openNamedLesson(page, linked) : await openLessonText(page, text);
     if (!problem) done(page, `${what} is opened. ${undo}`);
     return problem;
   }

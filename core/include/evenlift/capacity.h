@@ -24,6 +24,10 @@ std::uint32_t most_teams_tried(const Settings& settings);
 // (loads.h). O(1).
 std::optional<double> capacity_of(const ShownPlacement& of, std::size_t robot);
 
+// Whether a load is more than a capacity. A load that exceeds it by at most tau (tolerance.h) times
+// the capacity is within it: rounding alone could add as much. O(1).
+bool exceeds(double load, double capacity);
+
 // Whether any robot has a capacity, and whether supports have capacities of their own. O(1).
 bool has_capacities(const ShownPlacement& of);
 bool has_own_capacities(const ShownPlacement& of);

@@ -46,6 +46,7 @@
 
 #include "evenlift/document.h"
 #include "evenlift/generate.h"
+#include "evenlift/lesson_link.h"
 #include "evenlift/load_models.h"
 #include "evenlift/output/requirements.h"
 #include "evenlift/result.h"
@@ -55,7 +56,6 @@
 namespace evenlift {
 
 // Limits. Longer lessons are refused.
-inline constexpr std::size_t max_lesson_bytes = 1u << 16;
 inline constexpr std::size_t max_lesson_steps = 200;
 inline constexpr std::size_t max_lesson_title = 100;     // bytes
 inline constexpr std::size_t max_lesson_words = 1000;    // bytes, of one step

@@ -7,48 +7,11 @@
 
 #include "evenlift/numbers.h"
 #include "evenlift/settings.h"
+#include "link/link_text.h"
 #include "link/payload.h"
-#include "numbers/text_cursor.h"
 
 namespace evenlift {
 namespace {
-
-constexpr std::string_view alphabet =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
-constexpr std::size_t checksum_digits = 4;
-
-bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_white_space(char c) { return is_space_in_line(c) || ends_line(c); }
-
-// The value 0 .. 63 of a character of the alphabet.
-std::optional<std::uint8_t> digit_of(char c) {
-  const std::size_t at = alphabet.find(c);
-  if (at == std::string_view::npos) return std::nullopt;
-  return static_cast<std::uint8_t>(at);
-}
-
-// The CRC-24 of OpenPGP (RFC 4880, 6.1). It detects every change within 24 consecutive bits, which
-// includes a changed character and two swapped neighbours. It misses one in 16 million other
-// changes.
-std::uint32_t checksum(std::string_view text) {
-  std::uint32_t crc = 0xb704ce;
-  for (const char c : text) {
-    crc ^= static_cast<std::uint32_t>(static_cast<unsigned char>(c)) << 16;
-    for (int bit = 0; bit < 8; ++bit) {
-      crc <<= 1;
-      if ((crc & 0x1000000u) != 0) crc ^= 0x1864cfbu;
-    }
-  }
-  return crc;
-}
-
-// The checksum of the text, as characters of the alphabet.
-std::string checksum_text(std::string_view text) {
-  std::uint32_t rest = checksum(text);
-  std::string digits(checksum_digits, ' ');
-  for (std::size_t i = checksum_digits; i-- > 0; rest >>= 6) digits[i] = alphabet[rest & 63];
-  return digits;
-}
 
 // --- The permitted content of a link
 
@@ -114,10 +77,6 @@ std::optional<InputError> check_linkable(const Document& document) {
 
 // --- A link within a text
 
-InputError link_error(ErrorCode code, std::string message, std::size_t character = 0) {
-  return {code, std::move(message), {Place::Kind::link, character, 0, {}}};
-}
-
 // The place of a link in a text that may have an address before it and white space around it.
 struct Span {
   std::size_t
@@ -134,31 +93,8 @@ Span find_link(std::string_view text) {
   while (span.address < span.end && is_white_space(text[span.address])) ++span.address;
   const std::size_t hash = text.substr(0, span.end).find('#', span.address);
   span.begin = hash == std::string_view::npos ? span.address : hash + 1;
-  // Anything appended to an address after '&', such as parameters of visit counters, is not part of
-  // the link.
-  span.end = std::min(span.end, text.find('&', span.begin));
-  // Nor is punctuation or a closing bracket of the surrounding text. The full stop after the
-  // version stays.
-  constexpr std::string_view punctuation = ".,;:!?)]}>\"'";
-  const std::size_t version_end = std::min(text.find('.', span.begin), span.end);
-  while (span.end > version_end + 1 &&
-         punctuation.find(text[span.end - 1]) != std::string_view::npos)
-    --span.end;
+  span.end = end_of_link(text, span.begin, span.end);
   return span;
-}
-
-// The error for the character at `at`, which a link cannot contain.
-InputError bad_character(std::string_view text, std::size_t at) {
-  if (text[at] == '%') {
-    return link_error(ErrorCode::bad_link,
-                      "the link was escaped on its way: it contains a '%', which no link does",
-                      at + 1);
-  }
-  if (is_white_space(text[at])) {
-    return link_error(ErrorCode::bad_link, "the link is broken by a space or the end of a line",
-                      at + 1);
-  }
-  return link_error(ErrorCode::bad_link, found_in_text(text, at) + " cannot be in a link", at + 1);
 }
 
 // The version of a link, and the offset of its payload.
@@ -179,30 +115,10 @@ Result<Version> read_version(std::string_view text, const Span& span) {
   return Version{number.value_or(~std::uint64_t{0}), at + 1};
 }
 
-Result<Digits> read_digits(std::string_view text, std::size_t begin, std::size_t end) {
-  Digits digits;
-  digits.reserve(end - begin);
-  for (std::size_t at = begin; at < end; ++at) {
-    const auto digit = digit_of(text[at]);
-    if (!digit) return bad_character(text, at);
-    digits.push_back(*digit);
-  }
-  return digits;
-}
-
 Result<Document> decode_version(LinkVersion version, std::size_t begin, std::string_view text,
                                 const Span& span) {
-  Result<Digits> digits = read_digits(text, begin, span.end);
+  const Result<Digits> digits = read_digits(text, span.begin, begin, span.end);
   if (!digits) return digits.error();
-  if (digits->size() < checksum_digits) {
-    return link_error(ErrorCode::bad_checksum, "the link is cut off");
-  }
-  const std::size_t end = span.end - checksum_digits;
-  if (text.substr(end, checksum_digits) !=
-      checksum_text(text.substr(span.begin, end - span.begin))) {
-    return link_error(ErrorCode::bad_checksum, "the link was cut off or altered on its way");
-  }
-  digits->resize(digits->size() - checksum_digits);
   Payload payload = decode_payload(version, *digits);
   if (const UnknownRecord* record = std::get_if<UnknownRecord>(&payload)) {
     return link_error(ErrorCode::unknown_version,
@@ -221,8 +137,7 @@ Result<Document> decode_version(LinkVersion version, std::size_t begin, std::str
 Result<std::string> encode_link(const Document& document) {
   if (auto error = check_linkable(document)) return *std::move(error);
   std::string link = std::to_string(static_cast<int>(version_for(document))) + '.';
-  for (const std::uint8_t digit : encode_payload(document)) link += alphabet[digit];
-  link += checksum_text(link);
+  append_digits(link, encode_payload(document));
   if (link.size() > max_link_bytes) {  // no known document has such a long link
     return InputError{ErrorCode::text_too_long, "the link would be longer than 1 MiB", {}};
   }

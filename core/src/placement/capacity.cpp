@@ -5,6 +5,7 @@
 
 #include "evenlift/selection.h"
 #include "evenlift/swaps.h"
+#include "evenlift/tolerance.h"
 #include "evenlift/tilt.h"
 #include "selection/equal_angles.h"
 #include "selection/greedy_selector.h"
@@ -15,6 +16,11 @@ namespace {
 std::uint32_t number_of_teams(double value) {
   return static_cast<std::uint32_t>(
       std::clamp(std::ceil(value), 1.0, static_cast<double>(most_teams_for_capacity)));
+}
+
+// A robot of even teams carries weight / (2 teams), so fewer teams than this are never enough.
+std::uint32_t least_teams(double weight, double capacity) {
+  return number_of_teams(weight / (2 * capacity * (1 + tau)));
 }
 
 // The greater of a team's two loads, as a share of the team's load.
@@ -32,7 +38,7 @@ class Growing {
   bool add(const Chord& chord) {
     share_ = std::max(share_, greater_share(chord));
     const double greatest = weight_ / ++plan_.tried * share_;
-    if (greatest <= capacity_) plan_ = {true, plan_.tried, greatest, plan_.tried, 2};
+    if (!exceeds(greatest, capacity_)) plan_ = {true, plan_.tried, greatest, plan_.tried, 2};
     return plan_.possible;
   }
 
@@ -72,8 +78,7 @@ CapacityPlan plan_by_swap(const Placement& placement, double capacity) {
   const double weight = placement.weight();
   const auto& candidates = placement.candidates;
   const std::uint32_t most = most_with_room(placement);
-  // A robot of even teams carries weight / (2 teams), so fewer teams are never enough.
-  for (std::uint32_t teams = number_of_teams(weight / (2 * capacity)); teams <= most; ++teams) {
+  for (std::uint32_t teams = least_teams(weight, capacity); teams <= most; ++teams) {
     if (check_swaps(candidates.size(), teams)) return {false, 0, 0, teams - 1, 2};
     const std::vector<std::uint32_t> chosen =
         choose_candidates(placement.object, placement.centre_of_mass, candidates,
@@ -81,7 +86,7 @@ CapacityPlan plan_by_swap(const Placement& placement, double capacity) {
     double greatest = 0;
     for (const std::uint32_t i : chosen)
       greatest = std::max(greatest, weight / teams * greater_share(candidates[i].chord));
-    if (greatest <= capacity) return {true, teams, greatest, teams, 2};
+    if (!exceeds(greatest, capacity)) return {true, teams, greatest, teams, 2};
   }
   return {false, 0, 0, most, 2};
 }
@@ -105,10 +110,10 @@ CapacityPlan plan_among(const EqualAngles& angles, double weight, double capacit
   std::vector<double> greatest(numbers.size(), 0);
   angles.for_each_chord(numbers, [&](std::size_t i, const Chord& chord) {
     greatest[i] = std::max(greatest[i], weight / numbers[i] * greater_share(chord));
-    return greatest[i] <= capacity;
+    return !exceeds(greatest[i], capacity);
   });
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    if (greatest[i] <= capacity) return {true, numbers[i], greatest[i], numbers[i], 2};
+    if (!exceeds(greatest[i], capacity)) return {true, numbers[i], greatest[i], numbers[i], 2};
   return {false, 0, 0, end - 1, 2};
 }
 
@@ -116,9 +121,8 @@ CapacityPlan plan_at_equal_angles(const Placement& placement, double capacity) {
   const EqualAngles angles(placement.polygon(), placement.centre_of_mass);
   if (!angles.has_chords()) return {};
   const double weight = placement.weight();
-  // A robot of even teams carries weight / (2 teams), so fewer teams are never enough. One sweep
-  // tries several numbers at once. It begins with few, so that few beyond the least are tried.
-  std::uint32_t first = number_of_teams(weight / (2 * capacity)), numbers = 8;
+  // One sweep tries several numbers at once. It begins with few, so that few beyond the least are tried.
+  std::uint32_t first = least_teams(weight, capacity), numbers = 8;
   for (;; numbers *= 2) {
     const std::uint32_t end = std::min(first + numbers, most_teams_for_capacity + 1);
     const CapacityPlan plan = plan_among(angles, weight, capacity, first, end);
@@ -130,12 +134,14 @@ CapacityPlan plan_at_equal_angles(const Placement& placement, double capacity) {
 CapacityPlan plan_balanced(const Settings& settings, double capacity) {
   std::uint32_t robots = settings.survive > 0 ? 2 * settings.survive + 3 : least_robots;
   const auto load = [&] { return total_weight(settings) / robots; };
-  while (robots < most_robots && load() > capacity) ++robots;
-  if (load() > capacity) return {false, 0, 0, 1, most_robots};
+  while (robots < most_robots && exceeds(load(), capacity)) ++robots;
+  if (exceeds(load(), capacity)) return {false, 0, 0, 1, most_robots};
   return {true, 1, load(), 1, robots};
 }
 
 }  // namespace
+
+bool exceeds(double load, double capacity) { return load > capacity * (1 + tau); }
 
 std::optional<double> capacity_of(const ShownPlacement& of, std::size_t robot) {
   const auto& own = of.shown.support_capacities;
@@ -159,7 +165,7 @@ std::vector<std::size_t> overloaded_robots(const ShownPlacement& of,
                                            const std::vector<double>& loads) {
   std::vector<std::size_t> robots;
   for (std::size_t robot = 0; robot < loads.size(); ++robot)
-    if (const auto capacity = capacity_of(of, robot); capacity && loads[robot] > *capacity)
+    if (const auto capacity = capacity_of(of, robot); capacity && exceeds(loads[robot], *capacity))
       robots.push_back(robot);
   return robots;
 }

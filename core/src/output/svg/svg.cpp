@@ -329,7 +329,7 @@ class Drawing {
   bool overloads(const Stand& stand) const {
     for (std::size_t i = 0; i < stand.loads.size(); ++i)
       if (const auto capacity = capacity_of(of_, stand.robots[i]);
-          capacity && stand.loads[i] > *capacity)
+          capacity && exceeds(stand.loads[i], *capacity))
         return true;
     return false;
   }

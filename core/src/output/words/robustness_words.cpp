@@ -160,7 +160,7 @@ std::string failure_in_words(std::size_t robot, std::size_t robots,
   const std::string others = "the other " + in_letters(robots - 1);
   if (!rest) return fails + others + " cannot carry the object.";
   const double greatest = greatest_after(*rest);
-  const std::string overload = capacity && greatest > *capacity
+  const std::string overload = capacity && exceeds(greatest, *capacity)
                                    ? " Capacity: " + given_weight(*capacity, units) + "."
                                    : std::string();
   return fails + others + (robots == 2 ? " carries" : " carry") + " the object, at most " +
