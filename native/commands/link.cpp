@@ -77,7 +77,7 @@ constexpr const char* help =
     "Usage: evenlift link encode FILE [options]\n"
     "       evenlift link lesson LESSON\n"
     "       evenlift link decode LINK\n\n"
-    "See also `evenlift link encode --help` and `evenlift link decode --help`.\n";
+    "See also `evenlift link encode --help`, and so on.\n";
 
 }  // namespace
 

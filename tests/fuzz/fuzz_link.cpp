@@ -2,6 +2,7 @@
 // without loss.
 #include <string>
 
+#include "evenlift/lesson_link.h"
 #include "evenlift/link.h"
 #include "fuzz/fuzz.h"
 #include "kit/link_checksum.h"
@@ -22,10 +23,24 @@ void check(const std::string& text) {
   fuzz::require(*encode_link(*back) == *again);
 }
 
+void check_lesson(const std::string& text) {
+  const Result<std::string> lesson = decode_lesson_link(text);
+  if (!lesson.ok()) return;
+  fuzz::require(has_lesson_link(text));
+  fuzz::require(*decode_lesson_link(*encode_lesson_link(*lesson)) == *lesson);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  check(std::string(fuzz::text_of(data, size)));
+  const std::string text(fuzz::text_of(data, size));
+  check(text);
+  check_lesson(text);
+  const Result<std::string> link = encode_lesson_link(text);
+  fuzz::require(link.ok() && *decode_lesson_link(*link) == text);
+  std::string lesson = "L1.";
+  for (std::size_t i = 0; i < size; ++i) lesson += testing::link_characters[data[i] & 63];
+  check_lesson(testing::with_checksum(lesson));
   for (std::string payload : {"1.", "2."}) {
     for (std::size_t i = 0; i < size; ++i) payload += testing::link_characters[data[i] & 63];
     check(testing::with_checksum(payload));

@@ -118,11 +118,28 @@ TEST_CASE("the program answers in all its ways", "[cli][slow]") {
   };
 
   CHECK(answers("evenlift --version").rfind("evenlift ", 0) == 0);
-  for (const char* command : {"place", "trace", "link", "link encode", "link decode", "generate"})
+  for (const char* command : {"place", "trace", "link", "link encode", "link lesson", "link decode", "generate"})
     CHECK(answers("evenlift " + std::string(command) + " --help")
               .find("Usage: evenlift " + std::string(command)) != std::string::npos);
   CHECK(answers("evenlift --help") == answers("evenlift help"));
 
+  SECTION("a lesson becomes a link and comes back, and its task is found in it") {
+    const std::string task =
+        "title: Hold it\npolygon: square\nrequire: steady\nmove: teams\n[task]\nHold it.\n";
+    corpus::write_file(folder.path() / "task.txt", task);
+    const std::string link = answers("evenlift link lesson task.txt");
+    CHECK(link.starts_with("L1."));
+    CHECK(answers("evenlift link lesson - < task.txt") == link);
+    CHECK(answers("evenlift link decode " + link) == task);
+    CHECK(answers("evenlift link decode \"https://example.org/#1.abc&" + link.substr(0, link.size() - 1) +
+                  "\"") == task);
+    const Outcome marked = run(folder, "evenlift check \"$(evenlift link encode square.txt)\" --task " + link);
+    CHECK(marked.errors.empty());
+    CHECK(marked.output.find("The task is done.") != std::string::npos);
+    CHECK(run(folder, "evenlift place " + link).errors.find("the link of a lesson") !=
+          std::string::npos);
+    CHECK(run(folder, "evenlift link lesson square.txt").status == 2);
+  }
   SECTION("FILE is a path, standard input or a link") {
     const std::string expected = answers("evenlift place square.txt --json --teams 2");
     CHECK(answers("evenlift place --json --teams=2 square.txt") == expected);

@@ -1187,3 +1187,24 @@ TEST_CASE("an edge that is typed begins with its length, and ends where length a
   REQUIRE(state.view.drawing.points.size() == 2);
   CHECK(length(state.view.drawing.points[1] - Vec2(10, 50)) < 1e-9);
 }
+
+TEST_CASE("a vertex that was moved out of sight comes back into view, and one in sight moves nothing",
+          "[view]") {
+  Page page;
+  page.frame();
+  const auto move = [&](const Vec2& to) {
+    page.app.commands.push_back(MoveVertex{0, to});
+    page.app.commands.push_back(EndEdit{});
+    settle(page.app);
+    page.frame();
+  };
+  const Vec2 first = page.app.state.work.document().vertices[0];
+  const double scale = page.app.state.view.camera.scale;
+  move(first + Vec2(1, 1));
+  CHECK(page.app.state.view.camera.scale == scale);
+  move(first - Vec2(5000, 0));
+  CHECK(page.app.state.view.camera.scale < scale);
+  const Vec2 spot =
+      page.app.state.view.camera.to_screen(page.app.state.work.document().vertices[0]);
+  CHECK(layout(page.app.state).free.contains(spot));
+}

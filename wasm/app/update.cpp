@@ -87,7 +87,8 @@ struct Applier {
     state.view.away.reset();
     if (!state.work.edit_open) return;
     state.work.edit_open = false;
-    if (state.view.camera_follows && !centre_is_shown(state)) state.view.fit_due = true;
+    if (state.view.camera_follows && !(centre_is_shown(state) && vertices_are_shown(state)))
+      state.view.fit_due = true;
   }
   void operator()(const MoveRobot& c) const {
     const auto& placement = state.derived().placement;

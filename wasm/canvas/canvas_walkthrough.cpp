@@ -213,13 +213,6 @@ void draw_choices(const Painter& painter, const CanvasView& view, double reach,
 
 namespace {
 
-// The forces and slopes that tip, and where a further load may stand, are known once the last lifting
-// base is.
-bool knows_base(const CanvasView& view) {
-  const StepKind kind = view.state.view.walkthrough.detail.step.kind;
-  return kind == StepKind::coverage || kind == StepKind::result;
-}
-
 // The step's figures, over everything known so far.
 void draw_step(const Painter& painter, const CanvasView& view) {
   const Walkthrough& walk = view.state.view.walkthrough;
@@ -252,7 +245,7 @@ void draw_walkthrough(const Painter& painter, const CanvasView& view) {
       scene.triangles.empty() ? painter.rows(placement.vertices(), scene.holes) : RowFill{};
   painter.fill(scene.corners, scene.triangles, view.theme.object);
   painter.fill(rows, view.theme.object);
-  const bool knows = knows_base(view), heat = knows && scene.shows_heat();
+  const bool knows = knows_base(view.state), heat = knows && scene.shows_heat();
   if (heat) painter.heat(scene.heat, rows, view.theme);
   if (knows) draw_load_region(painter, view);
   if (walk.base.size() >= 3 && shows_step && !heat)

@@ -202,7 +202,7 @@ void draw_hint(ImDrawList& list, const AppState& state, const Layout& layout, co
   const double top = state.session.screen.height - layout.margin - 24;
   list.AddRectFilled(vec(left - 10, top - 5),
                      vec(left + width + 10, top + static_cast<double>(size.y) + 5),
-                     theme.ground.at(0.85f).packed(), 8);
+                     theme.ground.packed(), 8);
   draw_text(list, Face::label, vec(left, top), theme.second_text, text);
 }
 

@@ -31,7 +31,8 @@ namespace {
 // The overloaded robots and the number of robots needed, in a constant height, so that nothing
 // below moves.
 void draw_need(const Ui& ui) {
-  const CapacityPlan* plan = ui.state.derived().plan ? &*ui.state.derived().plan : nullptr;
+  const Derived& facts = ui.state.derived();
+  const CapacityPlan* plan = facts.plan && !facts.plan_due ? &*facts.plan : nullptr;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   text_block(Face::label, ui.theme.second_text, need_in_words(ui.state));
   const float four_lines = 4 * line_height(Face::label) + 6;
@@ -44,12 +45,13 @@ void draw_need(const Ui& ui) {
   // fails is unknown.
   const bool can_take =
       plan && plan->possible && !(changed == now) && !failing(ui.state) && is_overloaded(ui.state);
-  const std::string label =
-      can_take ? "Use " + count_of(plan->team_size * plan->teams, "robot", "robots")
-               : std::string("Use the number needed");
   const float width = ImGui::GetContentRegionAvail().x;
-  if (!flat_button(ui, "use needed", label.c_str(), width, can_take)) return;
-  ui.push(SetSettings{changed});
+  if (!can_take) {  // its place stays free
+    pressable_row(ui, "use needed", "Use the number needed", width, ui.control(), false);
+    return;
+  }
+  const std::string label = "Use " + count_of(plan->team_size * plan->teams, "robot", "robots");
+  if (flat_button(ui, "use needed", label.c_str(), width)) ui.push(SetSettings{changed});
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ void draw_survive(const Ui& ui) {
 // Whether a team stands at the best place of two edges or anywhere in their range.
 void draw_positions(const Ui& ui) {
   Settings changed = settings(ui.state);
-  constexpr Choice positions[] = {{"Best", "one place for two edges, as in the thesis"},
+  constexpr Choice positions[] = {{"Best", "one place for two edges"},
                                   {"Anywhere in the range", "wherever the minimum ratio is met"}};
   const float width = labelled(ui, "Positions", "Where on two edges a team may stand");
   const auto now = static_cast<std::size_t>(changed.positions);

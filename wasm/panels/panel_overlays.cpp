@@ -57,6 +57,8 @@ bool shows_lines(Method method, const Overlay& overlay) {
 }
 
 const char* label_of(Method method, const Overlay& overlay) {
+  if (overlay.shown == &Overlays::clockwise) return "Turns clockwise";
+  if (overlay.shown == &Overlays::counterclockwise) return "Turns counter-clockwise";
   return shows_lines(method, overlay) ? "Lines" : overlay.label;
 }
 
@@ -76,7 +78,8 @@ std::string about(const AppState& state, const Overlay& overlay) {
   return text.substr(0, text.rfind(" (")) + ": none here" + text.substr(text.rfind(" ("));
 }
 
-// The heat map's colours, and the forces between them.
+}  // namespace
+
 void draw_heat_key(const Ui& ui) {
   const float width = ImGui::GetContentRegionAvail().x;
   const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -105,8 +108,6 @@ void draw_heat_key(const Ui& ui) {
   }
   ImGui::Dummy(ImVec2(width, 50));
 }
-
-}  // namespace
 
 void draw_overlays(const Ui& ui) {
   const float left = ImGui::GetCursorScreenPos().x, width = ImGui::GetContentRegionAvail().x;

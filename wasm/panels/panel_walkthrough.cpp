@@ -119,9 +119,11 @@ void draw_answers(const Ui& ui, const Faces& faces) {
 
 void draw_words(const Ui& ui, const Faces& faces) {
   const Walkthrough& walk = ui.state.view.walkthrough;
-  if (const std::string words = words_of_stop(ui.state); !words.empty())
-    text_block(faces.words, ui.theme.text, words);
-  if (!walk.caption.empty())
+  const std::string words = words_of_stop(ui.state);
+  if (!words.empty()) text_block(faces.words, ui.theme.text, words);
+  // Before an audience a step says its sentence once: the lesson's.
+  const bool once = ui.state.view.presenting && !words.empty() && !ui.state.view.formal_open;
+  if (!walk.caption.empty() && !once)
     text_block(walk.script ? faces.second : faces.words,
                walk.script ? ui.theme.second_text : ui.theme.text, walk.caption);
 }

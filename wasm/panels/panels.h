@@ -35,6 +35,8 @@ void draw_more_button(const Ui& ui, float width);
 void draw_more(const Ui& ui, float head);  // settings that are seldom needed
 void draw_compare(const Ui& ui);
 void draw_comparison(const Ui& ui);  // with a second method
+// The heat map's colours, and the forces between them.
+void draw_heat_key(const Ui& ui);
 void draw_overlays(const Ui& ui);
 void draw_teams(const Ui& ui);
 void draw_numbers(const Ui& ui);

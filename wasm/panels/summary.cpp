@@ -80,7 +80,8 @@ Verdict of_drawing(const AppState& state) {
   const std::size_t n = state.view.drawing.points.size();
   const std::string press = press_word(state), drawn = drawn_word(state);
   if (n == 0)
-    return {Mood::drawing, "Draw a " + drawn + ".", press + " to place its first vertex."};
+    return {Mood::drawing, "Draw a " + drawn + ".",
+            press + " to place its first vertex, or use the arrow keys and Enter."};
   const auto crossed = crossings(state.view.drawing.points);
   return {Mood::drawing, count_of(n, "vertex", "vertices") + " so far.",
           !crossed.empty() ? "Edges " + std::to_string(crossed.front().first + 1) + " and " +
@@ -167,10 +168,13 @@ std::string need_in_words(const AppState& state) {
   if (!state.derived().placement || !has_capacities(of(state))) return {};
   const Outlook& outlook = shown_outlook(state);
   const Failure* failure = failing(state);
-  return capacity_in_words(of(state), state.derived().plan ? &*state.derived().plan : nullptr,
+  const Derived& facts = state.derived();
+  // While something is dragged, the plan is of the object before.
+  const bool plans = !facts.plan_due;
+  return capacity_in_words(of(state), plans && facts.plan ? &*facts.plan : nullptr,
                            overloaded(state, outlook), outlook.model,
                            failure ? std::optional(failure->robot) : std::nullopt,
-                           state.derived().spare && !failure ? &*state.derived().spare : nullptr);
+                           plans && facts.spare && !failure ? &*facts.spare : nullptr);
 }
 
 std::string overload_in_brief(const AppState& state) {
@@ -262,7 +266,8 @@ std::string summary(const AppState& state) {
   if (walkthrough_is_open(state) && !state.derived().refusal) return walkthrough_in_words(state);
   std::string text = v.headline;
   if (!v.detail.empty()) text += " " + v.detail;
-  if (state.derived().refusal || !state.derived().placement) return text;
+  // Beside a shape that is being drawn, the robots of the former one would be mistaken for its own.
+  if (state.derived().refusal || !state.derived().placement || draws(state.view.tool)) return text;
   if (const Failure* failure = failing(state))
     return text + loads_while_failing(*failure, shown(state).units);
   for (const std::string& more :

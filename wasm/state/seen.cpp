@@ -14,6 +14,14 @@ bool centre_is_shown(const AppState& state) {
              state.view.camera.to_screen(*state.work.document().centre_of_mass));
 }
 
+bool vertices_are_shown(const AppState& state) {
+  const Rect free = layout(state).free;
+  const Points& vertices = state.work.document().vertices;
+  return std::all_of(vertices.begin(), vertices.end(), [&](const Vec2& p) {
+    return free.contains(state.view.camera.to_screen(p));
+  });
+}
+
 bool well_shown(const AppState& state) {
   const double best = fitting_camera(state).scale;
   if (state.view.camera.scale < best * 0.7) return false;

@@ -10,6 +10,9 @@ namespace evenlift::view {
 // Whether no panel covers the centre of mass.
 bool centre_is_shown(const AppState& state);
 
+// Whether nothing covers a vertex, and all of them are on the screen. O(vertices).
+bool vertices_are_shown(const AppState& state);
+
 // Whether the camera shows all vertices, and not much smaller than possible. O(n).
 bool well_shown(const AppState& state);
 

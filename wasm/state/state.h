@@ -34,6 +34,13 @@ inline bool presents_steps(const AppState& state) {
   return state.view.presenting && walkthrough_is_open(state);
 }
 
+// Whether the open step knows the last lifting base, and so the forces and slopes that tip, and
+// where a further load may stand. O(1).
+inline bool knows_base(const AppState& state) {
+  const StepKind kind = state.view.walkthrough.detail.step.kind;
+  return kind == StepKind::coverage || kind == StepKind::result;
+}
+
 // Whether the walkthrough was opened as a lesson: closing it restores what was open before. O(1).
 inline bool in_lesson(const AppState& state) {
   return walkthrough_is_open(state) && state.view.walkthrough.of_lesson;

@@ -159,7 +159,7 @@ class ExperimentWindow {
       el(
         "p",
         {},
-        "Loads, coverage and form closure by every method, with every number of robots: on this polygon, or averaged over many, as in chapter 5 of the thesis. Everything is computed here; nothing is sent anywhere.",
+        "Loads, coverage and form closure by every method, with every number of robots: on this polygon, or averaged over many. Everything is computed here; nothing is sent anywhere.",
       ),
       el(
         "fieldset",

@@ -57,6 +57,7 @@ async function wayBack(address) {
       { class: "paper-way" },
       code ? el("img", { alt: "QR code of the address", src: `data:image/svg+xml,${encodeURIComponent(code)}` }) : "",
       address.length <= longestPrinted ? el("span", {}, address) : "",
+      code || address.length <= longestPrinted ? "" : el("span", {}, "The address is too long to be printed."),
     ),
   ];
 }

@@ -187,7 +187,8 @@ class Editor {
     this.#leave.abort();
     const { program } = this.#page;
     if (this.field.value !== this.#begun) {
-      this.#page.nameLesson(program.json("page_lesson_link", this.#shown.text ?? "").text);
+      const { text } = this.#shown;
+      if (text !== undefined) this.#page.nameLesson(program.json("page_lesson_link", text).text);
       return this.#keep();
     }
     if (!this.#shown.text) return;
@@ -316,6 +317,7 @@ class Editor {
   }
 
   async #copyLink() {
+    this.#look(); // at what was typed last
     if (this.#wrong) return this.problem.say(`Correct the lesson before you link to it: ${lowered(this.#wrong)}`);
     const { text, problem } = this.#page.program.json("page_lesson_link", this.field.value);
     if (problem) return this.problem.say(problem);

@@ -20,7 +20,7 @@ export async function openLessonText(page, text, name = "", how = {}) {
   const problem = unreadable(text);
   if (problem) return problem;
   // A lesson that has no name is named by a link that holds its text, so that every address of it opens it again.
-  if (!name && !how.preview) name = page.program.json("page_lesson_link", text).text ?? "";
+  if (!name) name = page.program.json("page_lesson_link", text).text ?? "";
   const sample = page.program.text("page_lesson_polygon", text);
   if (!sample) return openLesson(page, { name, text }, how);
   let samples;
@@ -55,7 +55,7 @@ function distance(a, b) {
   return row[b.length] - (a && (b.includes(a) || a.includes(b)) ? Math.min(a.length, b.length) : 0);
 }
 
-// The names of lessons in addresses: a link, which is a name by itself; a ready-made lesson, or a text file in the page's folder or below. Other addresses are
+// The names of lessons in addresses: a link, which is a name by itself, a ready-made lesson, or a text file in the page's folder or below. Other addresses are
 // refused: the author of a link must not choose what the reader's browser requests elsewhere.
 const readyMade = /^[a-z0-9-]+$/;
 const besideThePage = /^(?:[\w-][\w.-]*\/)*[\w-][\w.-]*\.txt$/;
@@ -63,7 +63,7 @@ const besideThePage = /^(?:[\w-][\w.-]*\/)*[\w-][\w.-]*\.txt$/;
 export async function openNamedLesson(page, name, how) {
   if (isLessonLink(name)) {
     const { text, problem } = page.program.json("page_linked_lesson", name);
-    return problem ?? openLessonText(page, text, name, how);
+    return problem ?? openLessonText(page, text, "", how); // the link may have been found among other words
   }
   if (readyMade.test(name)) {
     const lesson = (await fetchJson("lessons.json")).find((l) => l.name === name);
@@ -75,6 +75,12 @@ export async function openNamedLesson(page, name, how) {
     await ask(new URL(name, location.href), { redirect: "error", signal: AbortSignal.timeout(patience) }),
   );
   return text === undefined ? "A lesson has at most 65,536 bytes" : openLessonText(page, text, name, how);
+}
+
+// Opens what linkedLesson() found (web/page/address.js): the lesson, with the document that stands before it.
+export async function openLinkedLesson(page, { lesson, link, number }) {
+  const problem = link && page.program.text("page_open_link", link);
+  return problem || openNamedLesson(page, lesson, { join: link !== "", number });
 }
 
 // Reads the text of a response; undefined if it is longer than a lesson may be, and then the rest is not read.
@@ -95,17 +101,19 @@ async function read(answer) {
 }
 
 // Opens the lesson and the challenge of the address, once its link is open. A challenge begins at the first step,
-// whatever was open.
+// whatever was open. Returns whether the lesson, if there is one, is open.
 export async function beginFromAddress(page, { lesson, number, challenge, join }) {
+  let opens = true;
   if (lesson) {
     const problem = await openNamedLesson(page, lesson, { join, number }).catch((error) => error.message);
+    opens = !problem;
     if (problem) {
-      page.nameLesson("");
+      if (!isLessonLink(lesson)) page.nameLesson(""); // a link is the only copy of its lesson, and stays in the address
       const which = isLessonLink(lesson) ? "The lesson of this address" : `The lesson “${lesson.slice(0, 60)}”`;
       page.notice(`${which} cannot be opened: ${lowered(problem.replace(/^Link, /, ""))}.`, true);
     }
   }
-  if (!challenge) return;
+  if (!challenge) return opens;
   if (page.program.number("page_script")) {
     page.program.call("page_predict");
     page.program.call("page_go_to_stop", 0);
@@ -113,4 +121,5 @@ export async function beginFromAddress(page, { lesson, number, challenge, join }
     page.program.call("page_begin_walkthrough", 1);
   }
   if (!lesson) watch(page);
+  return opens;
 }

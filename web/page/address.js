@@ -1,12 +1,12 @@
-// The page's address. Its fragment is the link of a document, the link of a lesson (`L1.…`), or both with an `&`
-// between them; programs that know only documents ignore what follows an `&`. Its query: `?lesson=NAME` with a learner's `number=`, `challenge=1`, `place=4` with `beat=…`, and
-// `embed=1`.
+// The page's address. Its fragment is the link of a document, the link of a lesson (`L1.…`), or both with an `&` between
+// them; programs that know only documents ignore what follows an `&`. Its query is `?lesson=NAME` with a learner's
+// `number=`, `challenge=1`, `place=4` with `beat=…`, and `embed=1`.
 export function readAddress() {
   const asked = new URLSearchParams(location.search);
   return {
     embed: asked.get("embed") === "1",
     challenge: asked.get("challenge") === "1",
-    lesson: asked.get("lesson") ?? lessonLinkIn(location.hash),
+    lesson: lessonLinkIn(location.hash) || (asked.get("lesson") ?? ""),
     number: learnersNumber(asked.get("number")) ?? 1,
     place: robotsToPlace(asked.get("place")),
     beat: scoreToBeat(asked.get("beat")),
@@ -21,6 +21,17 @@ export function linkIn(fragment) {
 export function lessonLinkIn(text) {
   return /(?:^|[#&])(L\d+\.[^\s&]*)/.exec(text.trim())?.[1] ?? "";
 }
+
+// What a text holds that is nothing but an address or a link with a lesson: { lesson, link, number }; else undefined.
+// Drawings and comments may contain the same characters.
+export function linkedLesson(text) {
+  const [alone] = /^[^\s<]\S*$/.exec(text.trim().replace(/^<|>\.?$/g, "")) ?? [""];
+  const lesson = lessonLinkIn(alone);
+  if (!lesson) return undefined;
+  const number = learnersNumber(/[?&]number=(\d+)/.exec(alone)?.[1]);
+  return { lesson, link: linkIn(alone.slice(alone.indexOf("#") + 1)), number };
+}
+
 export const isLessonLink = (text) => /^L\d+\./.test(text);
 
 // The number of a learner, who gets a task of their own by it (core/include/evenlift/task.h); undefined for any other

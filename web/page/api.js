@@ -1,3 +1,4 @@
+import { linkedLesson } from "./address.js";
 import { isLesson, unreadable } from "./lesson_text.js";
 import { idle } from "./work.js";
 
@@ -49,11 +50,19 @@ function throwIf(problem) {
 }
 
 // Opens a lesson that contains its polygon; a sample would have to be fetched.
-function loadLesson(program, text) {
+function loadLesson(program, text, nameLesson) {
   throwIf(unreadable(text));
   const sample = program.text("page_lesson_polygon", text);
   if (sample) throw new Error(`load() opens only lessons that have a link; this one is about the sample “${sample}”`);
   throwIf(program.text("page_open_lesson", text, "", 0, 1));
+  nameLesson(program.json("page_lesson_link", text).text);
+}
+
+// The text of the lesson that a link holds.
+function textOfLink(program, link) {
+  const { text, problem } = program.json("page_linked_lesson", link);
+  throwIf(problem);
+  return text;
 }
 
 // A point as an array [x, y], as everywhere in state(), with the members x and y added.
@@ -66,6 +75,7 @@ const place = (control) => control && { x: control.left, y: control.top, width: 
 
 export function createApi() {
   let program;
+  let nameLesson;
   let resolve;
   let reject;
   const ready = new Promise((yes, no) => {
@@ -80,7 +90,9 @@ export function createApi() {
     state: () => running().json("page_state"),
     load(text) {
       if (typeof text !== "string") throw new Error("load() takes a text: a link or a polygon");
-      if (isLesson(text)) return loadLesson(running(), text);
+      if (isLesson(text)) return loadLesson(running(), text, nameLesson);
+      const linked = linkedLesson(text);
+      if (linked && !linked.link) return loadLesson(running(), textOfLink(running(), linked.lesson), nameLesson);
       throwIf(running().text("page_load", text));
     },
     set(changes) {
@@ -102,8 +114,10 @@ export function createApi() {
   };
   return {
     evenlift: Object.freeze(evenlift),
-    connect(running_program) {
+    // `lessonNamed` gets the link of a lesson that load() opened.
+    connect(running_program, lessonNamed = () => {}) {
       program = running_program;
+      nameLesson = lessonNamed;
     },
     ready: resolve,
     fail: reject,

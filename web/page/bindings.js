@@ -1,5 +1,5 @@
 // The browser functions that the program calls (wasm/page/browser.cpp), and the page functions that its windows call.
-import { linkIn, readAddress, withLesson, withPlaces } from "./address.js";
+import { isLessonLink, linkIn, readAddress, withLesson, withPlaces } from "./address.js";
 import { copy } from "./clipboard.js";
 import { connectDropAndPaste } from "./drop_and_paste.js";
 import { createSearch } from "./search.js";
@@ -99,8 +99,9 @@ export class Bindings {
     if (!lesson && !challenge) return;
     this.#publisher.holdLesson(true);
     const all = await underWay(this.#windows()).catch(() => undefined);
-    if (all) await underWay(all.beginFromAddress(this.#page, { lesson, number, challenge, join }));
-    this.#publisher.holdLesson(false);
+    const opens = all && (await underWay(all.beginFromAddress(this.#page, { lesson, number, challenge, join })));
+    const failed = isLessonLink(lesson) && !opens;
+    this.#publisher.holdLesson(failed, { failed });
   }
 
   // --- Frames --------------------------------------------------------------------------------------------------------
@@ -268,15 +269,18 @@ export class Bindings {
 
   // First the contents and the omissions of the link, then its length.
   #aboutLink(url) {
-    const ownWords = this.#program.number("page_script") && !this.#publisher.lesson().lesson;
+    const { lesson } = this.#publisher.lesson();
+    const ownWords = this.#program.number("page_script") && !lesson;
     const lacking = [
       this.#program.text("page_link_lacks"),
-      ownWords ? "It does not hold the words of this lesson: also send the lesson’s file." : "",
+      ownWords ? "It does not hold the words of this lesson: send the lesson’s file as well, or copy the link to it in the editor." : "",
     ];
-    const holds = lacking.filter(Boolean).join(" ") || "It holds the polygon and all settings.";
+    const all = isLessonLink(lesson) ? "the polygon, all settings and the whole lesson" : "the polygon and all settings";
+    const holds = lacking.filter(Boolean).join(" ") || `It holds ${all}.`;
     const length = `It has ${url.length.toLocaleString("en")} characters`;
     if (url.length < longLink) return `${holds} ${length}.`;
-    return `${holds} ${length}: some programs cut links of ${longLink.toLocaleString("en")} or more. The JSON file in Save holds the same.`;
+    const instead = isLessonLink(lesson) ? "The lesson’s file" : "The JSON file in Save";
+    return `${holds} ${length}: some programs cut links of ${longLink.toLocaleString("en")} or more. ${instead} holds the same.`;
   }
 
   async #windows() {

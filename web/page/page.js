@@ -165,14 +165,15 @@ async function start() {
   }
   const fragment = linkIn(location.hash);
   const kept = publisher.kept(fragment);
-  const asked = { ...kept, fragment: kept.own ? "" : fragment };
+  const lesson = lessonLinkIn(location.hash);
+  const asked = { ...kept, fragment: kept.own ? "" : fragment, lesson };
   started = embed ? asked : await beginStart(asked);
   const stopped = new Promise((_, fail) => {
     program.onStop = fail;
   });
   stopped.catch(() => {});
   if (!embed && kept.work !== started.work) publisher.forget(kept.work);
-  api.connect(program);
+  api.connect(program, (name) => publisher.nameLesson(name));
   // If the link is the document that was last open here, no step leads from one to the other.
   const before = started.work === started.fragment ? "" : started.work;
   const problem = program.text(
@@ -194,7 +195,8 @@ async function start() {
     (join) => bindings.beginLesson(join),
   );
   // If the document of the address is open, the lesson that the address names continues at the link's step.
-  await bindings.beginLesson(fragment !== "" && !problem && !started.problem);
+  if (started.lesson === lesson) await bindings.beginLesson(fragment !== "" && !problem && !started.problem);
+  else publisher.nameInAddress();
   const say = started.problem || (problem && refusedAtStart(problem, started)) || (embed ? "" : whyStartedAnew());
   if (say) program.call("page_notice", say, 1);
   await Promise.race([firstPicture, stopped]);

@@ -54,6 +54,7 @@ export class Publisher {
   #lesson = "";
   #number = 1; // the learner's
   #held = false;
+  #failed = false; // the lesson of the address could not be opened
   #changed = false; // since the start; until then the next visit continues with the latest change of another tab
   #told = []; // the lines of the last news
   #switched = new Set(); // the overlays that were shown or hidden since the start
@@ -130,6 +131,7 @@ export class Publisher {
 
   changed() {
     this.#changed ||= Boolean(this.#program);
+    if (this.#failed) this.holdLesson(false);
     this.nameInAddress();
   }
 
@@ -191,9 +193,11 @@ export class Publisher {
     this.nameInAddress();
   }
 
-  // While the lesson of the address is being fetched, the address keeps its name.
-  holdLesson(held) {
+  // While the lesson of the address is being fetched, the address keeps its name; after a failure, until the document
+  // changes.
+  holdLesson(held, { failed = false } = {}) {
     this.#held = held;
+    this.#failed = failed;
   }
 
   // The lesson's name and the learner's number, as long as an address with them would open what is on the screen. Editing
@@ -201,7 +205,8 @@ export class Publisher {
   lesson() {
     const open = this.#program.number("page_script");
     const task = this.#program.number("page_task_is_open") === 1;
-    if (!open && !task) [this.#lesson, this.#number] = ["", 1];
+    // *All steps* puts a lesson aside and brings it back.
+    if (!this.#program.number("page_walkthrough_is_open") && !task) [this.#lesson, this.#number] = ["", 1];
     return open === 2 || task ? { lesson: this.#lesson, number: this.#number } : {};
   }
 

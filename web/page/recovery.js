@@ -61,7 +61,7 @@ async function holdStart() {
   });
 }
 
-// Leaves out the documents that stopped the last start. `kept` has the fragment's link and the kept texts. Returns the
+// Leaves out the documents that stopped the last start. `kept` has the links of the fragment and the kept texts. Returns the
 // texts to open, and a message about the others. If this tab's own work is left out, the last document of any tab
 // replaces it, unless it is the same.
 export async function beginStart(kept) {
@@ -89,7 +89,16 @@ export async function beginStart(kept) {
       problem: `The page stopped while opening this link, so it was not opened again. ${keptAside}`,
     };
   }
-  const opened = opens.fragment || opens.work;
+  if (hasFailed(kept.lesson)) {
+    setAside(kept.lesson);
+    opens = {
+      ...opens,
+      lesson: "",
+      problem: `The page stopped while opening this lesson, so it was not opened again. ${keptAside}`,
+    };
+  }
+  // A lesson that an address holds is the likeliest to stop the page: everything else was drawn before.
+  const opened = opens.lesson || opens.fragment || opens.work;
   const marked = opened !== "" && start.alone && write(lasting, markKey, markOf(opened));
   const unmark = () => {
     if (start.alone) write(lasting, markKey, noMark);

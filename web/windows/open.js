@@ -3,8 +3,8 @@ import { closeWindows, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, lowered, number } from "../kit/elements.js";
 import { readShapes } from "../kit/import.js";
 import { nameOpened, openedName, stemOf } from "./document_name.js";
-import { openLessonText, openNamedLesson } from "../lessons/lesson_source.js";
-import { lessonLinkIn } from "../page/address.js";
+import { openLessonText, openLinkedLesson } from "../lessons/lesson_source.js";
+import { linkedLesson } from "../page/address.js";
 import { isLesson } from "../page/lesson_text.js";
 import { isPhoto, layBehind, photoLine } from "../photo/photo.js";
 import { lengthInWords, sentences, showShapes } from "./shapes.js";
@@ -16,7 +16,7 @@ const tooLong = (bytes) =>
 
 const undo = "Undo brings back the previous polygon.";
 
-// The last text whose curves were flattened, so that another tolerance can flatten them again.
+// The last text whose curves were flattened, so that another tolerance can flatten them again while its polygon is open.
 let curved;
 
 // Opens a text that `what` names. `how` is the program's function for it, and `name` the file's name (stemOf()), if it
@@ -24,9 +24,8 @@ let curved;
 async function openText(page, text, what, { how = "page_load", name = "" } = {}) {
   if (tooLong(text.length)) return tooLong(text.length);
   if (!text.trim()) return "It is empty";
-  const linked = how === "page_load" ? lessonLinkIn(text) : "";
-  if (linked || (how === "page_load" && isLesson(text))) {
-    const problem = linked ? await openNamedLesson(page, linked) : await openLessonText(page, text);
+  if (how === "page_load" && (isLesson(text) || linkedLesson(text))) {
+    const problem = isLesson(text) ? await openLessonText(page, text) : await openLinkedLesson(page, linkedLesson(text));
     if (!problem) done(page, `${what} is opened. ${undo}`);
     return problem;
   }
@@ -64,7 +63,9 @@ function openShape(page, source, shape, found, said = []) {
   if (problem) return problem;
   nameOpened(page.program, name);
   const within = lengthInWords(shape.tolerance, found);
-  curved = shape.tolerance ? { ...source, tolerance: shape.tolerance, within } : undefined;
+  curved = shape.tolerance
+    ? { ...source, tolerance: shape.tolerance, within, origin: page.program.text("page_origin") }
+    : undefined;
   const more = [
     ...said,
     ...(shape.tolerance ? [`curves were flattened to within ${within}, which “Open” can change`] : []),
@@ -197,7 +198,7 @@ export async function show(page, { edited } = {}) {
 
 // If the last opened text had curves: how they were flattened, and a button that changes it.
 function againCurved(page) {
-  if (!curved) return [];
+  if (!curved?.origin || curved.origin !== page.program.text("page_origin")) return [];
   const { what, tolerance, within } = curved;
   const change = async () => {
     const source = curved;

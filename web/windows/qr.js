@@ -11,7 +11,7 @@ export async function showQr(address) {
   } catch (error) {
     return `The QR code cannot be made: ${error.message}`;
   }
-  if (!svg) return "The link is too long for a QR code, which holds 2,953 characters; a saved file holds any polygon";
+  if (!svg) return "The link is too long for a QR code, which holds 2,953 characters; a file has no such limit";
   const image = el("img", {
     class: "qr",
     alt: "QR code of the link",

@@ -1,6 +1,5 @@
 #include "evenlift/lesson_link.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <unordered_map>
 
@@ -117,7 +116,9 @@ Result<std::string> decode_lesson_link(std::string_view text) {
   Predictor predictor = primed();
   while (lesson.size() < length && length <= max_lesson_bytes && !decoder.failed())
     lesson += static_cast<char>(predictor.code_byte(decoder, 0));
-  if (decoder.failed() || length > max_lesson_bytes)
+  // Each lesson has one link, so that nothing can be hidden in another.
+  const Result<std::string> link = encode_lesson_link(lesson);
+  if (decoder.failed() || lesson.size() != length || *link != text.substr(begin, end - begin))
     return link_error(ErrorCode::bad_link, "the link contains data that evenlift never writes");
   return lesson;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "evenlift/lesson_link.h"
 #include "evenlift/numbers.h"
 #include "evenlift/settings.h"
 #include "link/link_text.h"
@@ -105,6 +106,8 @@ struct Version {
 
 Result<Version> read_version(std::string_view text, const Span& span) {
   std::size_t at = span.begin;
+  if (has_lesson_link(text.substr(span.begin, span.end - span.begin)))
+    return link_error(ErrorCode::bad_link, "this is the link of a lesson, which is no polygon");
   while (at < span.end && is_decimal_digit(text[at])) ++at;
   if (at < span.end && text[at] == '%') return bad_character(text, at);
   if (at == span.begin || text[span.begin] == '0' || at == span.end || text[at] != '.') {
