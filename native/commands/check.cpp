@@ -170,14 +170,17 @@ void cmd_check(const Arguments& arguments) {
   line.flag(json, "--json", "print JSON");
   if (!line.parse(arguments)) return;
   if (!task)
-    throw Failure{bad_input_status, "--task", "missing: a lesson with a task, by its name, its file or its link"};
+    throw Failure{bad_input_status, "--task",
+                  "missing: a lesson with a task, by its name, its file or its link"};
   if (*task == "-" && link_or_file == "-")
-    throw Failure{bad_input_status, "--task", "standard input cannot hold both the lesson and the links"};
+    throw Failure{bad_input_status, "--task",
+                  "standard input cannot hold both the lesson and the links"};
   if (csv && json) throw Failure{bad_input_status, "--csv", "cannot be combined with --json"};
   const std::uint64_t number =
       number_text ? whole_option("--number", *number_text, max_learner) : 1;
   const LessonText lesson = read_lesson("--task", *task);
-  if (!lesson.lesson.task) throw Failure{bad_input_status, lesson.source, "this lesson has no task"};
+  if (!lesson.lesson.task)
+    throw Failure{bad_input_status, lesson.source, "this lesson has no task"};
   const std::vector<HandedIn> links = read_handed_in(link_or_file);
 
   std::vector<Marked> all;

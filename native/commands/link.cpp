@@ -45,7 +45,8 @@ void encode(const Arguments& arguments) {
 
 void decode(const Arguments& arguments) {
   CommandLine line(
-      "evenlift link decode", "Prints the contents of a share link as JSON, or the text of a lesson.",
+      "evenlift link decode",
+      "Prints the contents of a share link as JSON, or the text of a lesson.",
       "LINK is a link's fragment, with or without #, or a whole address that ends in one. Of an\n"
       "address with a polygon and a lesson, the lesson is printed.\n");
   std::string link;

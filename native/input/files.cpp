@@ -42,8 +42,7 @@ bool exists(const std::string& path) {
 // A file may be called "1.dat", so any existing path counts as a file.
 bool names_link(const std::string& file) {
   return file != "-" && !exists(file) &&
-         (looks_like_link(file) || has_lesson_link(file) ||
-          file.find('#') != std::string::npos);
+         (looks_like_link(file) || has_lesson_link(file) || file.find('#') != std::string::npos);
 }
 
 ImportedShape linked(const std::string& link, const ShapeOptions& options) {

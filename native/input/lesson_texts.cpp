@@ -36,7 +36,8 @@ std::optional<std::string_view> find(const Texts& texts, std::string_view name) 
 std::vector<std::string> names_of_lessons(bool with_task) {
   std::vector<std::string> names;
   for (const Text& text : lessons)
-    if (const Result<Lesson> lesson = parse_lesson(text.text); lesson && (lesson->task || !with_task))
+    if (const Result<Lesson> lesson = parse_lesson(text.text);
+        lesson && (lesson->task || !with_task))
       names.push_back(std::string(text.name) + "  " + lesson->title);
   return names;
 }

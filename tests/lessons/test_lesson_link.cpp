@@ -14,9 +14,9 @@
 #include "link/lesson_primer.h"
 
 using namespace evenlift;
-using evenlift::testing::lessons_folder;
 using evenlift::testing::from_json_string;
 using evenlift::testing::is_one_sentence;
+using evenlift::testing::lessons_folder;
 using evenlift::testing::link_characters;
 using evenlift::testing::read_table;
 using evenlift::testing::with_checksum;
@@ -107,8 +107,9 @@ TEST_CASE("a link to a lesson is found in an address, after a document or alone,
     CHECK_FALSE(has_lesson_link(other));
 }
 
-TEST_CASE("a damaged link to a lesson is refused in one sentence, and one of a later version says so",
-          "[lesson][link]") {
+TEST_CASE(
+    "a damaged link to a lesson is refused in one sentence, and one of a later version says so",
+    "[lesson][link]") {
   const std::string link = encode(ready_made_texts().front());
   for (std::size_t at = 3; at < link.size(); at += 7) {
     std::string changed = link;

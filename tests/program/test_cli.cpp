@@ -118,7 +118,8 @@ TEST_CASE("the program answers in all its ways", "[cli][slow]") {
   };
 
   CHECK(answers("evenlift --version").rfind("evenlift ", 0) == 0);
-  for (const char* command : {"place", "trace", "link", "link encode", "link lesson", "link decode", "generate"})
+  for (const char* command :
+       {"place", "trace", "link", "link encode", "link lesson", "link decode", "generate"})
     CHECK(answers("evenlift " + std::string(command) + " --help")
               .find("Usage: evenlift " + std::string(command)) != std::string::npos);
   CHECK(answers("evenlift --help") == answers("evenlift help"));
@@ -131,9 +132,10 @@ TEST_CASE("the program answers in all its ways", "[cli][slow]") {
     CHECK(link.starts_with("L1."));
     CHECK(answers("evenlift link lesson - < task.txt") == link);
     CHECK(answers("evenlift link decode " + link) == task);
-    CHECK(answers("evenlift link decode \"https://example.org/#1.abc&" + link.substr(0, link.size() - 1) +
-                  "\"") == task);
-    const Outcome marked = run(folder, "evenlift check \"$(evenlift link encode square.txt)\" --task " + link);
+    CHECK(answers("evenlift link decode \"https://example.org/#1.abc&" +
+                  link.substr(0, link.size() - 1) + "\"") == task);
+    const Outcome marked =
+        run(folder, "evenlift check \"$(evenlift link encode square.txt)\" --task " + link);
     CHECK(marked.errors.empty());
     CHECK(marked.output.find("The task is done.") != std::string::npos);
     CHECK(run(folder, "evenlift place " + link).errors.find("the link of a lesson") !=

@@ -1188,8 +1188,9 @@ TEST_CASE("an edge that is typed begins with its length, and ends where length a
   CHECK(length(state.view.drawing.points[1] - Vec2(10, 50)) < 1e-9);
 }
 
-TEST_CASE("a vertex that was moved out of sight comes back into view, and one in sight moves nothing",
-          "[view]") {
+TEST_CASE(
+    "a vertex that was moved out of sight comes back into view, and one in sight moves nothing",
+    "[view]") {
   Page page;
   page.frame();
   const auto move = [&](const Vec2& to) {

@@ -188,8 +188,9 @@ TEST_CASE("presenting shows the drawing and the words alone, and Escape ends it 
   CHECK(walkthrough_is_open(page.app.state));
 }
 
-TEST_CASE("presenting without a lesson enlarges the tool with its settings, and a lesson in it begins enlarged",
-          "[view][lesson]") {
+TEST_CASE(
+    "presenting without a lesson enlarges the tool with its settings, and a lesson in it begins enlarged",
+    "[view][lesson]") {
   Page page;
   set_canvas(page.app.state, 1920, 1080, 1);
   page.press({"P"});

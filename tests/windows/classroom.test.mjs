@@ -48,7 +48,8 @@ function linkTo(text) {
   }
 }
 
-const lessonIsOpen = (page) => page.waitForFunction(() => document.querySelector("#summary").textContent.includes("Step 1 of"));
+const lessonIsOpen = (page) =>
+  page.waitForFunction(() => document.querySelector("#summary").textContent.includes("Step 1 of"));
 
 test("a link opens the lesson that it holds, and every address of the lesson holds it too", async () => {
   const lesson = linkTo(ownLesson);
@@ -137,7 +138,10 @@ test("a lesson's address opens it in a running page, embedded, and after all ste
 test("a drawing or a note that has the same letters is no lesson", async () => {
   const page = await browser.open();
   const drawing = '<path d="M0 0H40V40Z" fill="url(#L1.5)"/>';
-  await paste(page, `<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 40 40">${drawing}</svg>`);
+  await paste(
+    page,
+    `<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 40 40">${drawing}</svg>`,
+  );
   await idle(page);
   assert.equal((await state(page)).polygon.length, 3);
   await page.evaluate((link) => evenlift.load(link), linkTo(ownLink(await fragment(page))));
@@ -159,7 +163,11 @@ test("a task of one's own is handed in by its address, and marked with its link"
   await paste(other, `<${address}>`);
   await other.locator("#task").waitFor();
   await idle(other);
-  assert.equal(await other.evaluate(() => location.href.split("?")[1]), address.split("?")[1], "pasted, it is the same");
+  assert.equal(
+    await other.evaluate(() => location.href.split("?")[1]),
+    address.split("?")[1],
+    "pasted, it is the same",
+  );
   await other.done();
   await page.done();
 });
@@ -194,7 +202,11 @@ test("presentation mode enlarges the tool and its windows, and Escape ends it", 
   await page.keyboard.press("Escape");
   await idle(page);
   assert.equal((await control(page, "Samples")).height, small.height);
-  const usual = await (await openWindow(page, "lessons")).locator("h2").evaluate((h2) => h2.getBoundingClientRect().height);
+  const usual = await (
+    await openWindow(page, "lessons")
+  )
+    .locator("h2")
+    .evaluate((h2) => h2.getBoundingClientRect().height);
   assert.ok(letters > 1.8 * usual);
   await page.done();
 });

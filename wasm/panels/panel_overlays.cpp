@@ -57,8 +57,6 @@ bool shows_lines(Method method, const Overlay& overlay) {
 }
 
 const char* label_of(Method method, const Overlay& overlay) {
-  if (overlay.shown == &Overlays::clockwise) return "Turns clockwise";
-  if (overlay.shown == &Overlays::counterclockwise) return "Turns counter-clockwise";
   return shows_lines(method, overlay) ? "Lines" : overlay.label;
 }
 

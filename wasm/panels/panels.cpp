@@ -30,9 +30,7 @@ bool ranks(const AppState& s) {
 }
 bool has_history(const AppState& s) { return s.view.walkthrough.visited.size() > 1; }
 // Whether the drawing shows the forces that tip, as it does once the last lifting base is there.
-bool shows_forces(const AppState& s) {
-  return shown(s).overlays.tipping && knows_base(s);
-}
+bool shows_forces(const AppState& s) { return shown(s).overlays.tipping && knows_base(s); }
 bool is_formal(const AppState& s) { return s.view.formal_open; }
 constexpr Panel walkthrough_panel[] = {
     {"step", draw_walkthrough_step, true},

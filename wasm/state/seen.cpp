@@ -17,9 +17,8 @@ bool centre_is_shown(const AppState& state) {
 bool vertices_are_shown(const AppState& state) {
   const Rect free = layout(state).free;
   const Points& vertices = state.work.document().vertices;
-  return std::all_of(vertices.begin(), vertices.end(), [&](const Vec2& p) {
-    return free.contains(state.view.camera.to_screen(p));
-  });
+  return std::all_of(vertices.begin(), vertices.end(),
+                     [&](const Vec2& p) { return free.contains(state.view.camera.to_screen(p)); });
 }
 
 bool well_shown(const AppState& state) {

@@ -126,8 +126,7 @@ void tip(const Ui& ui, const char* text) {
   const std::vector<std::string_view> lines =
       broken_lines(Face::label, text, static_cast<float>(screen.width) - 16 - 2 * padding.x);
   float width = 0;
-  for (const std::string_view line : lines)
-    width = std::max(width, text_size(Face::label, line).x);
+  for (const std::string_view line : lines) width = std::max(width, text_size(Face::label, line).x);
   place_tip(ui, ImVec2(width + 2 * padding.x, height_of(Face::label, lines) + 2 * padding.y));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 7.0f);

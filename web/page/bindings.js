@@ -273,9 +273,13 @@ export class Bindings {
     const ownWords = this.#program.number("page_script") && !lesson;
     const lacking = [
       this.#program.text("page_link_lacks"),
-      ownWords ? "It does not hold the words of this lesson: send the lesson’s file as well, or copy the link to it in the editor." : "",
+      ownWords
+        ? "It does not hold the words of this lesson: send the lesson’s file as well, or copy the link to it in the editor."
+        : "",
     ];
-    const all = isLessonLink(lesson) ? "the polygon, all settings and the whole lesson" : "the polygon and all settings";
+    const all = isLessonLink(lesson)
+      ? "the polygon, all settings and the whole lesson"
+      : "the polygon and all settings";
     const holds = lacking.filter(Boolean).join(" ") || `It holds ${all}.`;
     const length = `It has ${url.length.toLocaleString("en")} characters`;
     if (url.length < longLink) return `${holds} ${length}.`;

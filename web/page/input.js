@@ -143,7 +143,8 @@ function connectAsking(program) {
   );
   addEventListener(
     "touchmove",
-    ({ changedTouches: [to] }) => from && Math.hypot(to.clientX - from.clientX, to.clientY - from.clientY) > mostOfTap && end(),
+    ({ changedTouches: [to] }) =>
+      from && Math.hypot(to.clientX - from.clientX, to.clientY - from.clientY) > mostOfTap && end(),
     options,
   );
   for (const type of ["touchend", "touchcancel"]) addEventListener(type, end, options);

@@ -25,7 +25,9 @@ async function openText(page, text, what, { how = "page_load", name = "" } = {})
   if (tooLong(text.length)) return tooLong(text.length);
   if (!text.trim()) return "It is empty";
   if (how === "page_load" && (isLesson(text) || linkedLesson(text))) {
-    const problem = isLesson(text) ? await openLessonText(page, text) : await openLinkedLesson(page, linkedLesson(text));
+    const problem = isLesson(text)
+      ? await openLessonText(page, text)
+      : await openLinkedLesson(page, linkedLesson(text));
     if (!problem) done(page, `${what} is opened. ${undo}`);
     return problem;
   }

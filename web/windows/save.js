@@ -28,7 +28,7 @@ const files = [
   [
     "Polygon",
     [
-      ["Text", "A line (x,y) for each vertex", ".txt", "text/plain", (p) => p.text("page_text")],
+      ["Text", "Lines (x,y)", ".txt", "text/plain", (p) => p.text("page_text")],
       ["WKT", "The outline only", ".wkt", "text/plain", (p) => p.text("page_wkt")],
       ["GeoJSON", "With centre of mass", ".geojson", "application/geo+json", (p) => p.text("page_geojson")],
     ],

@@ -27,7 +27,7 @@ export async function show(page, { first = false } = {}) {
       el(
         "p",
         {},
-        "You see an object from above. Where should robots stand so that all of them carry nearly the same load? ",
+        "Seen from above: where should robots stand to carry nearly the same load? ",
         el("span", { class: "second" }, "In teams of two, at the ends of a line through the centre of mass."),
       ),
       el(

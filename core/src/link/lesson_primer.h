@@ -6,7 +6,8 @@
 
 namespace evenlift {
 
-inline constexpr std::string_view lesson_primer = R"primer(# Lines that begin with # are notes for the author.
+inline constexpr std::string_view lesson_primer =
+    R"primer(# Lines that begin with # are notes for the author.
 title: My lesson
 link: 2.
 com: 0,0

@@ -5,8 +5,8 @@
 
 #include "evenlift/selection.h"
 #include "evenlift/swaps.h"
-#include "evenlift/tolerance.h"
 #include "evenlift/tilt.h"
+#include "evenlift/tolerance.h"
 #include "selection/equal_angles.h"
 #include "selection/greedy_selector.h"
 
