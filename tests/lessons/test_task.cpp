@@ -206,7 +206,7 @@ TEST_CASE("C is found where the robots carry what the scales show", "[task]") {
     document.centre_of_mass = centre;
     const Attempt right = attempt(lesson, exercise, document);
     CHECK(right.kept);
-    CHECK(right.goals[0].words.find("Robot 1 carries ") == 0);
+    CHECK(right.goals[0].words.find("Robot 1 should carry ") == 0);
     document.centre_of_mass = Vec2(centre + Vec2(40, 0));
     CHECK_FALSE(attempt(lesson, exercise, document).kept);
   }

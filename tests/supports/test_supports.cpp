@@ -1,6 +1,7 @@
 // Robots that stand where the user puts them.
 #include "evenlift/supports.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -445,4 +446,25 @@ TEST_CASE("a requirement names a quantity, and is kept within tolerance", "[supp
     REQUIRE_FALSE(read.ok());
     CHECK(read.error().message.find("coverage>=0.8") != std::string::npos);
   }
+}
+
+TEST_CASE(
+    "robots to be placed stand apart enough to be told from each other, wherever that is possible",
+    "[supports]") {
+  int apart = 0, samples = 0;
+  for (const std::string& name : corpus::polygon_names()) {
+    const Placement placement = placed(corpus::polygon(name));
+    const double diameter = placement.polygon().diameter();
+    const Points supports = supports_to_place(placement.object, placement.centre_of_mass, 4, {});
+    REQUIRE(supports.size() == 4);
+    double least = diameter;
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        least = std::min(least, length(supports[i] - supports[j]));
+    ++samples;
+    apart += least >= 0.05 * diameter ? 1 : 0;
+    if (name == "worktop") CHECK(least >= 0.05 * diameter);
+  }
+  INFO(apart << " of " << samples);
+  CHECK(apart >= 0.7 * samples);
 }

@@ -85,6 +85,23 @@ TEST_CASE("a robot sticks to the outline, to vertices and to even places", "[vie
   CHECK_FALSE(even_spot(state, opposite + Vec2(30 * pixel, 0), 0, even_reach));
 }
 
+TEST_CASE(
+    "in a challenge no robot is taken away: one that is dragged out waits where it last stood",
+    "[view][supports]") {
+  AppState state = piano_state();
+  give(state, SetMethod{Method::given});
+  give(state, SetChallenge{true});
+  const Points before = supports(state);
+  const Vec2 inside = before[2] + Vec2(1, 1);
+  hold(state, 2);
+  give(state, MoveRobot{2, inside});
+  const Points moved = supports(state);
+  give(state, MoveRobot{2, placement(state).vertices()[0] - Vec2(1e4, 1e4)});
+  let_go(state);
+  CHECK(supports(state) == moved);
+  CHECK(moved.size() == before.size());
+}
+
 TEST_CASE("outside the object a robot is taken away, and comes back until it is let go",
           "[view][supports]") {
   AppState state = piano_state();

@@ -365,7 +365,8 @@ std::string tip(const Action& action, const AppState& state) {
     if (action.id == ActionId::redo && state.work.history.can_redo())
       text += std::string(": ") + in_words(state.work.history.redoes());
   }
-  return *action.shown ? text + " (" + action.shown + ")" : text;
+  const bool has_keys = *action.shown && !state.session.screen.touch;
+  return has_keys ? text + " (" + action.shown + ")" : text;
 }
 
 const Action* action_for(const AppState& state, const Key& key) {

@@ -54,6 +54,7 @@ void show_as(AppState& state, const Lesson& lesson) {
 
 void begin_task(AppState& state, OpenTask task) {
   task.depth = state.work.history.depth();
+  if (state.view.presenting) state.view.panel_open = false;
   state.view.task = std::move(task);
 }
 

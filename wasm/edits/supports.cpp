@@ -88,6 +88,8 @@ void move_support(AppState& state, std::size_t robot, const Vec2& to) {
   if (!has_robots(state) || state.derived().placement->teams.empty()) return;
   const bool was_away = state.view.away.has_value();
   const auto spot = support_spot(state, to, was_away ? std::nullopt : std::optional(robot));
+  // In a challenge all robots stay: one that is dragged out waits where it last could stand.
+  if (!spot && state.view.challenge && !state.view.task) return;
   if (!spot && (was_away || count_robots(state.derived().placement->teams) == 1)) {
     if (was_away) state.view.away->at = to;
     return;

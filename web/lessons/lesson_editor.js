@@ -127,7 +127,7 @@ class Editor {
       ...choiceOfSamples(Object.keys(samples), gallery),
     );
     this.save = button("Save as a file", { class: "button primary", onclick: () => this.#save() }, "save");
-    this.copy = button("Copy link to this lesson", { onclick: () => underWay(this.#copyLink()) }, "link");
+    this.copy = button("Copy link to this lesson", { onclick: () => underWay(this.#copyLink()) }, "copy");
     this.help = el(
       "a",
       { class: "second", href: new URL("docs-lessons.html", import.meta.url).href, target: "_blank", rel: "noopener" },

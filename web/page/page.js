@@ -221,7 +221,10 @@ async function start() {
   program.onStop = (error) => startAnew(error, { opening, work: publisher.stop() });
   // For exceptions in SDL's own event handlers, which call the program.
   addEventListener("error", ({ error }) => error instanceof WebAssembly.RuntimeError && program.stop(error));
-  loadTheRest(program, bindings, { begins: !fragment && !kept.work, introduces: fragment && !problem && !kept.own });
+  loadTheRest(program, bindings, {
+    begins: !fragment && !lesson && !kept.work,
+    introduces: fragment && !lesson && !problem && !kept.own,
+  });
 }
 
 // The program stopped while it ran. Its memory cannot be trusted any more, so the page is loaded again with the last

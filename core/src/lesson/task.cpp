@@ -137,7 +137,7 @@ std::vector<Goalpost> found(const Exercise& exercise, const ShownPlacement& of) 
     const bool carries = of.placement.loads && i < robots.size();
     goals.push_back(
         {"load " + std::to_string(i + 1),
-         "Robot " + std::to_string(i + 1) + " carries " +
+         "Robot " + std::to_string(i + 1) + " should carry " +
              load_in_words(reading, largest, of.shown.units),
          carries ? load_in_words(robots[i].load, largest, of.shown.units) : std::string(),
          carries && std::abs(robots[i].load - reading) <= found_within * of.placement.weight()});

@@ -1,5 +1,7 @@
 // Finds places for robots that the user is about to move.
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "evenlift/plane.h"
 #include "evenlift/supports.h"
@@ -20,6 +22,38 @@ class ShortNumbers {
   double up_ = 1, down_ = 1;  // powers of ten; one of them is 1
 };
 
+// Places for the robots along the sides of a square, from its corner at the lower left; nothing if
+// one of them would not be beneath the object. `size` is half of the square's side.
+Points on_square(const SupportPlacer& placer, const ShortNumbers& rounded, const Vec2& middle,
+                 double size, std::size_t robots) {
+  Points supports;
+  for (std::size_t i = 0; i < robots; ++i) {
+    const double way = 4.0 * static_cast<double>(i) / static_cast<double>(robots);
+    const double part = 2 * (way - std::floor(way)) - 1;
+    const Vec2 leg = way < 1   ? Vec2(part, -1)
+                     : way < 2 ? Vec2(1, part)
+                     : way < 3 ? Vec2(-part, 1)
+                               : Vec2(-1, -part);
+    const Vec2 at = middle + size * leg;
+    const Vec2 short_at(rounded(at.x()), rounded(at.y()));
+    if (!placer.place(short_at)) return {};
+    supports.push_back(short_at);
+  }
+  return supports;
+}
+
+// Where the middle of the square may be, from the centre of mass and as parts of its size: `wanted`,
+// and then all others with the centre of mass inside the square, the nearest first.
+std::vector<Vec2> middles(const Vec2& wanted) {
+  std::vector<Vec2> all = {wanted};
+  for (int x = -3; x <= 3; ++x)
+    for (int y = -3; y <= 3; ++y) all.push_back(Vec2(0.3 * x, 0.3 * y));
+  std::stable_sort(all.begin(), all.end(), [&](const Vec2& a, const Vec2& b) {
+    return length(a - wanted) < length(b - wanted);
+  });
+  return all;
+}
+
 }  // namespace
 
 Points supports_to_place(const PolygonWithHoles& object, const Vec2& centre, std::size_t robots,
@@ -29,25 +63,18 @@ Points supports_to_place(const PolygonWithHoles& object, const Vec2& centre, std
   for (const Vec2& vertex : polygon.vertices())
     if (length(vertex - centre) > length(corner - centre)) corner = vertex;
   const SupportPlacer placer(object, settings);
-  const ShortNumbers rounded(polygon.diameter());
-  // Smaller until all are inside the object.
-  for (double size = 0.15 * polygon.diameter(); size > 1e-3 * polygon.diameter(); size /= 2) {
-    const Vec2 middle = centre + 0.8 * size / length(corner - centre) * (corner - centre);
-    Points supports;
-    for (std::size_t i = 0; i < robots; ++i) {
-      // Along the sides of a square, from its corner at the lower left.
-      const double way = 4.0 * static_cast<double>(i) / static_cast<double>(robots);
-      const double part = 2 * (way - std::floor(way)) - 1;
-      const Vec2 leg = way < 1   ? Vec2(part, -1)
-                       : way < 2 ? Vec2(1, part)
-                       : way < 3 ? Vec2(-part, 1)
-                                 : Vec2(-1, -part);
-      const Vec2 at = middle + size * leg;
-      const Vec2 short_at(rounded(at.x()), rounded(at.y()));
-      if (placer.place(short_at)) supports.push_back(short_at);
-    }
-    if (supports.size() == robots) return supports;
-  }
+  const double diameter = polygon.diameter(), largest = 0.15 * diameter;
+  const ShortNumbers rounded(diameter);
+  const std::vector<Vec2> offsets = middles(0.8 / length(corner - centre) * (corner - centre));
+  const auto fits = [&](const Vec2& offset, double size) {
+    return on_square(placer, rounded, centre + size * offset, size, robots);
+  };
+  for (const double size : {largest, largest / 2})
+    if (Points supports = fits(offsets[0], size); !supports.empty()) return supports;
+  // Smaller robots would hide each other, so the square may also lie on another side of C.
+  for (double size = largest; size > 1e-3 * diameter; size /= 2)
+    for (const Vec2& offset : offsets)
+      if (Points supports = fits(offset, size); !supports.empty()) return supports;
   return Points(robots, polygon.vertex(0));
 }
 
