@@ -116,7 +116,7 @@ test("C is hidden, and is found by the loads that the scales show", async () => 
   await card(page).waitFor();
   const rows = await goals(page);
   assert.equal(rows.length, 3);
-  const readings = rows.map((row) => Number(/carries ([\d.]+) kg/.exec(row)[1]));
+  const readings = rows.map((row) => Number(/should carry ([\d.]+) kg/.exec(row)[1]));
   const { supports } = await state(page);
   const sum = readings.reduce((a, b) => a + b);
   const centre = [0, 1].map((axis) => readings.reduce((total, load, i) => total + load * supports[i][axis], 0) / sum);
