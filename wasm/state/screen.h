@@ -8,8 +8,8 @@ namespace evenlift::view {
 // Sets the size of the canvas in CSS pixels, and the device pixels per CSS pixel.
 void set_canvas(AppState& state, double css_width, double css_height, double css_ratio);
 
-// Scales everything for the present mode: in presentation mode, what is open fills the screen. Call it when
-// that may have changed. O(1).
+// Scales everything for the present mode: in presentation mode, what is open fills the screen. Call
+// it when that may have changed. O(1).
 void scale_screen(AppState& state);
 
 // A window of the page covers this much of the canvas at its left, right and foot, in CSS pixels.

@@ -80,22 +80,14 @@ export async function beginStart(kept) {
       problem: `The page stopped while opening the last polygon, so it was not opened again. ${keptAside}`,
     };
   }
-  if (hasFailed(kept.fragment)) {
-    // it may be the link of that work
-    setAside(kept.fragment);
-    opens = {
-      ...opens,
-      fragment: "",
-      problem: `The page stopped while opening this link, so it was not opened again. ${keptAside}`,
-    };
-  }
-  if (hasFailed(kept.lesson)) {
-    setAside(kept.lesson);
-    opens = {
-      ...opens,
-      lesson: "",
-      problem: `The page stopped while opening this lesson, so it was not opened again. ${keptAside}`,
-    };
+  for (const [part, name] of [
+    ["fragment", "link"], // it may be the link of that work
+    ["lesson", "lesson"],
+  ]) {
+    if (!hasFailed(kept[part])) continue;
+    setAside(kept[part]);
+    const problem = `The page stopped while opening this ${name}, so it was not opened again. ${keptAside}`;
+    opens = { ...opens, [part]: "", problem };
   }
   // A lesson that an address holds is the likeliest to stop the page: everything else was drawn before.
   const opened = opens.lesson || opens.fragment || opens.work;

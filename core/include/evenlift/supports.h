@@ -61,7 +61,8 @@ Result<std::vector<LiftingPoint>> place_supports(const PolygonWithHoles& object,
 
 // Places for robots that the user is about to move: beneath the object, like the legs of a small
 // table between its middle and its farthest corner, at short coordinates; where they would hide each
-// other there, on another side of the centre of mass. 1 <= robots <= most_supports. The settings give the snap distance. O(n robots).
+// other there, on another side of the centre of mass. 1 <= robots <= most_supports. The settings
+// give the snap distance. O(n robots).
 Points supports_to_place(const PolygonWithHoles& object, const Vec2& centre, std::size_t robots,
                          const Settings& settings);
 
