@@ -3,7 +3,20 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { asset, idle, link, load, published, set, sharedBrowser, state, thrown, toScreen, wide } from "./browser.mjs";
+import {
+  asset,
+  evenlift,
+  idle,
+  link,
+  load,
+  published,
+  set,
+  sharedBrowser,
+  state,
+  thrown,
+  toScreen,
+  wide,
+} from "./browser.mjs";
 import { noticed, openWindow } from "./windows.mjs";
 
 const browser = sharedBrowser();
@@ -235,6 +248,21 @@ test("a link that stopped a start is not opened again; the work of this browser 
   assert.deepEqual(await state(page), mine);
   await page.waitForFunction((l) => location.hash !== `#${l}`, bad);
   assert.equal(await savedAside(page), bad);
+  await page.done();
+});
+
+test("a lesson in a link that stopped a start is not opened again; the work of this browser is", async () => {
+  const page = await faulty();
+  await load(page, asset("guitar"));
+  await published(page);
+  await idle(page);
+  const mine = await state(page);
+  const lesson = evenlift("link", "lesson", "opposite").trim();
+  await page.evaluate(() => localStorage.setItem("test.starts", "1"));
+  await startsAnew(page, () => page.goto(`${browser.server.url}?plain#${lesson}`));
+  assert.match(await noticed(page), /^The page stopped while opening this lesson, so it was not opened again\./);
+  assert.deepEqual(await state(page), mine);
+  assert.equal(await savedAside(page), lesson);
   await page.done();
 });
 
