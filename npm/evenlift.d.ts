@@ -252,6 +252,8 @@ export interface Failure {
   plan_max: number | null;
   springs_max: number | null;
   best_max: number | null;
+  /** The load of each robot by springs; 0 for the failed one. */
+  springs: number[] | null;
   /** Only with a `capacity`. */
   over_capacity?: boolean | null;
   /** The following two exist only if `loads.ranges` do. */

@@ -26,6 +26,14 @@ const char* heading(LoadModel model) {
   return "";
 }
 
+// "2" or "2, 5"; "-" if the list is empty.
+std::string numbers_from_1(const std::vector<std::size_t>& robots) {
+  std::string text;
+  for (const std::size_t robot : robots)
+    text += (text.empty() ? "" : ", ") + std::to_string(robot + 1);
+  return text.empty() ? "-" : text;
+}
+
 std::string yes_or_no(bool value) { return value ? "yes" : "no"; }
 
 Row failure_row(std::size_t robot, std::size_t team, const std::optional<RestOfRobots>& rest,
@@ -116,7 +124,6 @@ std::string robustness_lines(const ShownPlacement& of, const RobustnessKnown& kn
 
 std::string failure_table(const ShownPlacement& of, const RobustnessKnown& known) {
   if (known.failures.empty()) return {};
-  const std::vector<bool> overloads = overloads_after(of, known.failures);
   double largest = 0;
   for (const auto& rest : known.failures)
     if (rest) largest = std::max({largest, rest->greatest_by_plan.value_or(0), rest->greatest_end});
@@ -130,7 +137,8 @@ std::string failure_table(const ShownPlacement& of, const RobustnessKnown& known
     const std::optional<RestOfRobots>& rest = known.failures[robot];
     rows.push_back(failure_row(robot, find_robot(of.placement.teams, robot).team, rest, largest,
                                with_disturbance));
-    if (has_capacities(of)) rows.back().push_back(overloads[robot] ? "yes" : "-");
+    if (has_capacities(of))
+      rows.back().push_back(rest ? numbers_from_1(overloaded_robots(of, rest->ends)) : "-");
   }
   return table(rows);
 }

@@ -30,8 +30,10 @@ const graphics = existsSync("/usr/share/glvnd/egl_vendor.d/50_mesa.json")
   ? ["--use-angle=gl-egl", "--ignore-gpu-blocklist"]
   : ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 
-// The browser makes no network requests of its own.
+// The browser makes no network requests of its own, and optimises WebAssembly later than usual: most tests are too short to
+// repay it.
 const options = [
+  "--js-flags=--wasm-tiering-budget=200000000",
   ...graphics,
   "--no-sandbox",
   "--disable-quic",
@@ -78,9 +80,9 @@ export async function startBrowser(extraOptions = [], { drawn: always = false } 
   }
 
   // Opens a page with storage of its own. Any complaint of the page, or request to another host, fails the test at
-  // close(). The canvas is painted only with `drawn`, for tests that look at its pixels: without graphics hardware,
-  // painting takes half of a test's time. With `hasty`, a test can fire the page's timers early. With `first`, the card of the first visit is shown.
-  // With `offline`, the browser may keep the page for later; `site` is the address of another server.
+  // close(). The canvas is painted only with `drawn`, for tests of its pixels and of WebGL itself: without graphics
+  // hardware, painting takes half of a test's time. With `hasty`, a test can fire the page's timers early. With `first`, the
+  // card of the first visit is shown. With `offline`, the browser may keep the page for later; `site` is the address of another server.
   async function open({
     address = "",
     ready = true,
@@ -163,13 +165,38 @@ export function sharedBrowser({ begin = () => {}, end = () => {}, drawn = false 
   return shared;
 }
 
-// The canvas of the page stays empty: everything else, from the commands for WebGL to the frames, is as usual.
+// The page's WebGL takes every command and does nothing; everything else is as usual.
 async function paintNothing(page) {
-  await page.addInitScript(() => {
-    const { prototype } = globalThis.WebGL2RenderingContext ?? {};
-    if (prototype) prototype.drawElements = prototype.drawArrays = () => {};
-  });
+  await page.addInitScript(drawNowhere);
   page.screenshot = () => assert.fail("this page paints nothing: open it with `drawn`");
+}
+
+// Runs in the page before its own scripts.
+function drawNowhere() {
+  const { prototype } = globalThis.WebGL2RenderingContext ?? {};
+  if (!prototype) return;
+  const answers = {
+    getError: () => 0,
+    getExtension: () => null,
+    getParameter: (name) => ({ 0x1f02: "WebGL 2.0", 0x8b8c: "WebGL GLSL ES 3.00" })[name] ?? 4096,
+    getProgramParameter: () => 1,
+    getShaderParameter: () => 1,
+    getSupportedExtensions: () => [],
+    isContextLost: () => false,
+  };
+  for (const [name, { value }] of Object.entries(Object.getOwnPropertyDescriptors(prototype))) {
+    if (typeof value !== "function" || name === "constructor") continue;
+    prototype[name] = answers[name] ?? (() => (/^(create|get)/.test(name) ? {} : undefined));
+  }
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (kind, ...options) {
+    if (kind !== "webgl2") return getContext.call(this, kind, ...options);
+    return Object.create(prototype, {
+      canvas: { value: this },
+      drawingBufferWidth: { get: () => this.width },
+      drawingBufferHeight: { get: () => this.height },
+    });
+  };
 }
 
 // Runs in a browser, which has a PNG decoder.

@@ -223,7 +223,7 @@ test("without WebGL 2 the link's polygon is the picture that Save writes, with i
 });
 
 test("without graphics at all it is there, too, of the opening sample", async (t) => {
-  const bare = await startBrowser(["--disable-gpu", "--disable-3d-apis"]);
+  const bare = await startBrowser(["--disable-gpu", "--disable-3d-apis"], { drawn: true });
   t.after(() => bare.close());
   const page = await bare.open({ quiet: false });
   assert.match(await alt(page), /robots carry/);

@@ -7,6 +7,7 @@
 #include "evenlift/extra_load.h"
 #include "evenlift/output/carrying_words.h"
 #include "evenlift/output/requirements.h"
+#include "evenlift/output/svg.h"
 #include "evenlift/output/verdict.h"
 #include "evenlift/placed_robots.h"
 #include "evenlift/settings.h"
@@ -14,6 +15,7 @@
 #include "kit/texts.h"
 
 using namespace evenlift;
+using evenlift::testing::occurrences;
 using evenlift::testing::plainly;
 
 namespace {
@@ -220,4 +222,37 @@ TEST_CASE("a slope at which it tips can be required", "[tilt][requirements]") {
   document.shown.carrying.com_height = 1;
   CHECK(kept("tip>=26.5"));
   CHECK_FALSE(kept("tip>=26.6"));
+}
+
+TEST_CASE("an object is steady on a slope if it stays upright there after any one failure",
+          "[tilt][requirements]") {
+  Document document = square();
+  document.settings.supports = {{0, 0}, {0.5, 0}, {1, 0}, {1, 0.5},
+                                {1, 1}, {0.5, 1}, {0, 1}, {0, 0.5}};
+  const Placement placement = placed(document);
+  const auto steady = [&](double slope) {
+    document.shown.carrying = {};
+    document.shown.carrying.com_height = 1;
+    document.shown.carrying.slope = slope;
+    return check_conditions({placement, document.shown}, read_conditions("steady").value())[0].kept;
+  };
+  // Without a corner, C is sqrt(1/8) = 0.354 inside the base of the others.
+  CHECK(steady(0));
+  CHECK(steady(0.35));
+  CHECK_FALSE(steady(0.36));
+}
+
+TEST_CASE("a picture has the loads on a slope, and marks those above the capacity", "[tilt][svg]") {
+  Document document = square();
+  document.shown.capacity = 30;
+  const Placement placement = placed(document);
+  const auto count = [&](const std::string& words) {
+    return occurrences(placement_svg({placement, document.shown}), words);
+  };
+  CHECK(count("class=\"load\"") == 4);
+  CHECK(count(">25.0") == 4);
+  document.shown.carrying.com_height = 1;
+  document.shown.carrying.slope = 0.2;  // 25 ± 14.1, and on a slope the least is a little less
+  CHECK(count("class=\"load overload\"") == 4);
+  CHECK(count(">10.4–39.1") == 4);
 }

@@ -393,6 +393,7 @@ TEST_CASE("DXF: polylines with bulges, circles, and chains of lines and arcs", "
   CHECK(
       import.notes[0] ==
       "1 line or arc does not close and was left out: the nearest open ends, (5, 5) and (6, 6), are 1.414 apart");
+  CHECK(import.left_open == std::vector<Points>{{{5, 5}, {6, 6}}});
   CHECK(import.notes[2] ==
         "2 texts, 1 dimension and 1 block (INSERT) that the drawing does not define were left out");
   for (const ImportedShape& shape : import.shapes) {

@@ -1,5 +1,7 @@
 // Loads, failures and the C uncertainty, in JSON and in words.
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "evenlift/output/carrying_words.h"
 #include "evenlift/output/json.h"
@@ -146,7 +148,13 @@ TEST_CASE("with failures the JSON has a row for each robot", "[json][robustness]
   for (std::size_t i = 0; i < 6; ++i) {
     const ordered_json& row = json["failures"][i];
     CHECK(names_in(row) == Names{"robot", "carried", "steady", "clear", "com_margin", "coverage",
-                                 "form_closure", "margin", "plan_max", "springs_max", "best_max"});
+                                 "form_closure", "margin", "plan_max", "springs_max", "best_max",
+                                 "springs"});
+    const std::vector<double> springs = row["springs"];
+    REQUIRE(springs.size() == 6);
+    CHECK(springs[i] == 0);
+    CHECK(std::accumulate(springs.begin(), springs.end(), 0.0) == Approx(100));
+    CHECK(row["springs_max"] == *std::max_element(springs.begin(), springs.end()));
     CHECK(row["robot"] == i);
     CHECK(row["carried"] == true);
     CHECK(row["best_max"] <= row["springs_max"]);
@@ -157,7 +165,7 @@ TEST_CASE("with failures the JSON has a row for each robot", "[json][robustness]
     CHECK(row["steady"] == false);
     CHECK(row["clear"] == false);
     for (const char* name : {"com_margin", "coverage", "form_closure", "margin", "plan_max",
-                             "springs_max", "best_max"})
+                             "springs_max", "best_max", "springs"})
       CHECK(row[name].is_null());
   }
 }

@@ -1,6 +1,7 @@
 // Slopes, starts, uneven ground and another load, as the page shows them.
 #include <string>
 
+#include "actions/pointer.h"
 #include "evenlift/output/carrying_words.h"
 #include "kit/catch.h"
 #include "kit/texts.h"
@@ -101,4 +102,37 @@ TEST_CASE("the grip of the ring sets the C uncertainty beyond what a slope adds"
   const auto grip = uncertainty_grip(state);
   REQUIRE(grip);
   CHECK(std::abs(uncertainty_for_grip(state, *grip) - 20) < 1 / state.view.camera.scale);
+}
+
+TEST_CASE("a finger drags the load over the object, and pans the picture where none is asked about",
+          "[view][tilt]") {
+  AppState state = piano();
+  const auto touch = [&](Pointer pointer) {
+    pointer.present = pointer.touch = true;
+    Commands commands;
+    interact(state, pointer, commands);
+    for (Command& command : commands) give(state, std::move(command));
+  };
+  // Between the parts that can be taken.
+  Vec2 from = state.view.camera.to_screen(state.derived().placement->centre_of_mass) + Vec2(30, 30);
+  while (pick(state, from).kind != Pick::Kind::object) from += Vec2(3, 7);
+  const Vec2 to = from + Vec2(20, 0);
+  const auto drag = [&] {
+    touch({.at = from, .pressed = true, .down = true});
+    touch({.at = to, .down = true, .moved = 20});
+    touch({.at = to, .released = true, .moved = 20});
+  };
+  const auto corner = [&] { return state.view.camera.to_world(Vec2(0, 0)); };
+  const Vec2 before = corner();
+  Shown now = shown(state);
+  now.overlays.load = true;
+  give(state, SetShown{now});
+  carry(state, {.extra = 50});
+  drag();
+  CHECK(corner() == before);
+  CHECK(state.view.hover.kind == Pick::Kind::object);
+  CHECK(length(state.view.camera.to_screen(state.view.hover.at) - to) < 1e-6);
+  carry(state, {});
+  drag();
+  CHECK_FALSE(corner() == before);
 }

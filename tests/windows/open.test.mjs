@@ -213,6 +213,8 @@ test("what is wrong is said in one sentence, and nothing changes", async () => {
 
 const data = (name) => readFile(path.join(root, "tests/data/import", name), "utf8");
 const shapes = (where) => where.locator("#shapes .sample");
+const openLines = (where) =>
+  where.locator("#shapes .drawing .open").evaluateAll((paths) => paths.map((each) => each.getAttribute("d")));
 const focused = (where) => where.evaluate(() => document.activeElement.dataset.index);
 
 test("of several shapes one is chosen, by the keys or a click", async () => {
@@ -230,6 +232,7 @@ test("of several shapes one is chosen, by the keys or a click", async () => {
     /^Lengths are in millimetres\. 1 text, 1 copy \(<use>\) without an original and 1 hidden element were left out\.$/,
   );
   assert.equal((await polygon()).length, 12, "nothing is opened yet");
+  assert.deepEqual(await openLines(page), []);
   assert.match(
     await page.locator("#shapes").textContent(),
     /“layers\.svg” has 3 shapes\. Choose the one to open\..*Keep edges within of the curves, in millimetres/s,
@@ -338,6 +341,8 @@ test("a drawing of a CAD program, chosen as a file", async () => {
     /^Lengths are in millimetres\. 1 line or arc does not close/,
   );
   assert.match(await page.locator("#shapes .curves").textContent(), /of the curves, in millimetres/);
+  const [line] = await openLines(page);
+  assert.match(line, /^M[\d. -]+L[\d. -]+$/, "the line that does not close is drawn, dashed");
   await shapes(page).nth(1).click();
   assert.match(await noticed(page), /^“plate\.dxf” is opened\. Curves were flattened to within 0\.01 millimetres/);
   assert.equal((await state(page)).unit, "mm");

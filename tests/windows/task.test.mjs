@@ -207,3 +207,28 @@ test("a file of what a class hands in is marked with one command", async () => {
   }
   await page.done();
 });
+
+test("before a room the card of a task is beside the object, which stays large", async () => {
+  const page = await browser.open({
+    address: "?lesson=task-thirty",
+    viewport: { width: 1920, height: 1080 },
+    script: () => {
+      document.addEventListener("DOMContentLoaded", () => {
+        document.documentElement.requestFullscreen = async () => {};
+      });
+    },
+  });
+  await card(page).waitFor();
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("Shift+P");
+  await idle(page);
+  const { polygon } = await state(page);
+  const corners = await Promise.all(polygon.map((vertex) => toScreen(page, vertex)));
+  const [xs, ys] = [0, 1].map((axis) => corners.map((corner) => corner[axis]));
+  const box = await card(page).boundingBox();
+  assert.ok(Math.max(...xs) < box.x, "the object is left of the card");
+  assert.ok(box.y >= 0 && box.y + box.height <= 1080, "the card is on the screen");
+  const [width, height] = [xs, ys].map((all) => Math.max(...all) - Math.min(...all));
+  assert.ok(width > 0.35 * 1920 || height > 0.5 * 1080, `the object is ${width} by ${height}`);
+  await page.done();
+});

@@ -20,6 +20,14 @@ Vec2 neighbour(const Points& points, std::size_t i, bool next) {
   return points[i == 0 ? points.size() - 1 : i - 1];
 }
 
+// Whether the drawing answers for each point of the object: what a load there does, or the slope at
+// which the object tips in that direction (marks/carrying.h).
+bool answers_for_points(const AppState& state) {
+  const Overlays& overlays = shown(state).overlays;
+  return (overlays.load && shown_outlook(state).extra) ||
+         (overlays.tilt && shown(state).carrying.com_height > 0);
+}
+
 void press_parts(const AppState& state, const Pointer& pointer, Commands& commands) {
   Pick under = pick_to_hold(state, pointer.at, pointer.second);
   // While a question waits, a press selects a choice, not a vertex at its end.
@@ -36,7 +44,9 @@ void press_parts(const AppState& state, const Pointer& pointer, Commands& comman
   const bool grip = under.kind == Pick::Kind::vertex || under.kind == Pick::Kind::centre ||
                     under.kind == Pick::Kind::cargo || under.kind == Pick::Kind::uncertainty ||
                     can_take_robot(state, under);
-  if (!grip) under.kind = Pick::Kind::ground;
+  // A finger cannot hover, so it drags the point in question, where a mouse would pan.
+  const bool asks = pointer.touch && under.kind == Pick::Kind::object && answers_for_points(state);
+  if (!grip && !asks) under.kind = Pick::Kind::ground;
   // From now on `at` is the offset from the pointer to the held part, so that nothing jumps.
   under.at = grip ? Vec2(state.view.camera.to_screen(under.at) - pointer.at) : pointer.at;
   commands.push_back(SetHeld{under});
@@ -128,6 +138,10 @@ void drag_placed(const AppState& state, const Pointer& pointer, Commands& comman
 void drag(const AppState& state, const Pointer& pointer, Commands& commands) {
   const Pick& held = state.view.held;
   if (held.kind == Pick::Kind::ground) return drag_ground(state, pointer, commands);
+  if (held.kind == Pick::Kind::object) {
+    commands.push_back(SetHover{object_at(state, pointer.at)});
+    return;
+  }
   if (pointer.moved < still && !state.work.edit_open) return;
   if (draws(state.view.tool)) return drag_placed(state, pointer, commands);
   if (state.view.tool == Tool::mark) return drag_brush(state, pointer, commands);
@@ -185,7 +199,8 @@ void click_walkthrough(const AppState& state, const Pointer& pointer, Commands& 
 
 void release(const AppState& state, const Pointer& pointer, Commands& commands) {
   const bool still_there = pointer.moved < still;
-  const bool clicked = state.view.held.kind == Pick::Kind::ground && still_there;
+  const Pick::Kind held = state.view.held.kind;
+  const bool clicked = (held == Pick::Kind::ground || held == Pick::Kind::object) && still_there;
   // A click on a vertex also asks about a robot there, if the vertex was not dragged.
   const bool asks = still_there && state.view.tool == Tool::parts && !walkthrough_is_open(state);
   const Pick asked = asks ? pick_explained(state, pointer.at, pointer.second) : Pick{};

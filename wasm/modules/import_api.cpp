@@ -75,6 +75,13 @@ EMSCRIPTEN_KEEPALIVE const char* import_notes() {
 // Whether what was left out is larger than any shape, so that a person should choose.
 EMSCRIPTEN_KEEPALIVE int import_is_doubtful() { return imported().doubtful ? 1 : 0; }
 
+// The lines that close no shape, each as [[x, y], …].
+EMSCRIPTEN_KEEPALIVE const char* import_left_open() {
+  std::vector<std::string> lines;
+  for (const Points& line : imported().left_open) lines.push_back(thinned(line));
+  return hand_over(json::array(lines));
+}
+
 EMSCRIPTEN_KEEPALIVE int import_count() { return static_cast<int>(imported().shapes.size()); }
 
 // For the shape with this index, from 0: its name, its description, the distance between its edges

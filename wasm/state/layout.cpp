@@ -7,7 +7,7 @@
 namespace evenlift::view {
 namespace {
 
-constexpr double panel_width = 360, rail_width = 48;
+constexpr double panel_width = 360, rail_width = 48, card_width = 320;
 // Below these heights the view tools would cover the object; they are then in the toolbar's menu.
 constexpr double least_height_for_tools = 480, least_height_beside_sheet = 640;
 // With less height for the picture, the sheet shows only the most important facts.
@@ -133,9 +133,16 @@ Layout presenting(const AppState& state) {
   return l;
 }
 
+// The card of a presented task is beside the drawing, which keeps its height.
+bool seats_card_beside(const AppState& state) {
+  const Screen& screen = state.session.screen;
+  return state.view.presenting && state.view.task && !presents_steps(state) &&
+         screen.width > screen.height && screen.height >= least_height_for_both;
+}
+
 Layout wide(const AppState& state) {
   Layout l;
-  const Screen& screen = state.session.screen;
+  Screen screen = state.session.screen;
   l.control = screen.finger ? 44 : 32;
   l.low = screen.height < least_height_for_tools;
   if (l.low) l.margin = 8;
@@ -146,10 +153,14 @@ Layout wide(const AppState& state) {
   // A walkthrough has no tool that adds robots.
   const double tools_width = (walkthrough_is_open(state) ? 5 * l.control + 8 : 6 * l.control + 10) +
                              zoom_width + 2 + 13 + 16;
+  if (seats_card_beside(state) && screen.foot > 0) {
+    l.beside = card_width + l.margin;
+    screen.foot = 0;
+  }
   const double foot = screen.height - l.margin;
   l.tools = {l.margin, foot - bar_height(l), l.margin + tools_width, foot};
   if (l.low) l.tools = {l.margin, foot, l.margin, foot};
-  l.free = {0, l.toolbar.bottom, l.panel.left, screen.height};
+  l.free = {0, l.toolbar.bottom, l.panel.left - l.beside, screen.height};
   if (walkthrough_is_open(state))
     seat_player(l, l.panel.left - l.margin, (l.low ? 1 : 2) * l.control + 24);
   if (state.view.tool == Tool::transform) l.free.top += tool_bar_height(l) + knob;
@@ -254,6 +265,9 @@ Rect seat_of_card(const AppState& state, const Layout& l) {
     return {l.player.left, l.player.top + share_of_words * height, l.player.right,
             height - l.margin};
   }
+  if (seats_card_beside(state))
+    return {l.panel.left - l.margin - card_width, l.toolbar.bottom + l.margin,
+            l.panel.left - l.margin, state.session.screen.height - l.margin};
   if (state.session.screen.embed || presents_steps(state) || state.session.screen.window_foot > 0)
     return {left, l.free.top, right, l.free.bottom + state.session.screen.foot - l.margin};
   if (!l.wide && state.view.sheet == Sheet::full)
@@ -278,7 +292,8 @@ Rect seat_of_notice(const AppState& state, const Layout& l) {
       !state.session.screen.embed)
     return {l.margin, l.panel.middle().y(), state.session.screen.width - l.margin,
             l.panel.bottom - gap};
-  const Rect seat = presents_steps(state) ? inset(l.free, gap) : seat_of_card(state, l);
+  const bool below_nothing = presents_steps(state) || seats_card_beside(state);
+  const Rect seat = below_nothing ? inset(l.free, gap) : seat_of_card(state, l);
   const double middle = seat.middle().x(), half = std::min(seat.width(), widest) / 2,
                head = l.toolbar.bottom + 12;
   const double foot = std::min(seat.bottom, l.free.bottom - gap);

@@ -12,6 +12,10 @@ namespace evenlift::view {
 // robots and chords are that method's. O(vertices + teams).
 Pick pick(const AppState& state, const Vec2& screen, bool second = false);
 
+// The object, if it is at `screen` and has no hole there, whatever else is there; otherwise its kind
+// is none. O(log vertices).
+Pick object_at(const AppState& state, const Vec2& screen);
+
 // Whether the picked part is a robot that the user can move by hand: any robot of the first picture,
 // unless a walkthrough is open or a robot fails.
 bool can_take_robot(const AppState& state, const Pick& pick);

@@ -1,7 +1,10 @@
 // Pictures of polygons in windows.
 
 // A polygon and its holes as the data of a path, which the rule "evenodd" fills without the holes.
-export const pathOf = (rings) => rings.map((ring) => `M${ring.map((point) => point.join(" ")).join("L")}Z`).join("");
+export const pathOf = (rings) => rings.map((ring) => `${lineOf(ring)}Z`).join("");
+
+// An open line as the data of a path.
+export const lineOf = (points) => `M${points.map((point) => point.join(" ")).join("L")}`;
 
 // Maps polygon coordinates, with y upwards, into a picture of this size, so that these points fill it except for the
 // margin. Coordinates are rounded to tenths, so that the picture stays small as text.

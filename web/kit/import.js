@@ -6,8 +6,8 @@ const reader = coreModule(() => import("./import_core.js"));
 let last; // the text that the module holds
 
 // Reads a text; `tolerance` is the distance between curves and edges, or 0 for the default. Returns { problem }, a
-// message, or { format, unit, notes, doubtful, shapes }; in a doubtful
-// drawing what was left out is larger than any shape. Each shape has its description in words, the tolerance of its curves (or
+// message, or { format, unit, notes, doubtful, leftOpen(), shapes }; in a
+// doubtful drawing what was left out is larger than any shape. leftOpen() has the lines that close no shape. Each shape has its description in words, the tolerance of its curves (or
 // 0), outline() and holes() for a picture, and text() for the program; with settings, text() may return a link.
 export async function readShapes(text, tolerance = 0) {
   let program;
@@ -41,6 +41,7 @@ export async function readShapes(text, tolerance = 0) {
     unit: program.text("import_unit"),
     notes: program.json("import_notes"),
     doubtful: program.number("import_is_doubtful") === 1,
+    leftOpen: () => JSON.parse(asked("import_left_open")),
     shapes: Array.from({ length: program.number("import_count") }, shape),
   };
 }

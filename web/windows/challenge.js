@@ -12,6 +12,7 @@ export async function show(page, { place, beat }) {
   const asked = `Where would you put ${asks[place]} robots?`;
   const question = el("h2", {});
   const advice = el("p", { class: "second", role: "status" });
+  const copied = el("p", { class: "second", role: "status" }); // until the score that was copied changes
   const body = el("tbody");
   const table = el(
     "table",
@@ -19,14 +20,17 @@ export async function show(page, { place, beat }) {
     el("thead", {}, el("tr", {}, ...heads.map((head) => el("th", { scope: "col" }, head)))),
     body,
   );
-  const reveal = button("Show evenlift's", { onclick: () => act("page_show_answer") });
+  const reveal = button("Show evenlift's", { class: "button primary", onclick: () => act("page_show_answer") });
   const again = button("Try again", { onclick: () => act("page_try_again", place) });
   const copy = button("Copy challenge with my score", { onclick: () => copyChallenge() }, "copy");
   const leave = new AbortController();
   const card = await openCard(page, {
     name: "challenge",
     title: asked,
-    body: [el("div", { class: "said" }, question, advice, table), el("div", { class: "ways" }, reveal, again, copy)],
+    body: [
+      el("div", { class: "said" }, question, advice, table, copied),
+      el("div", { class: "ways" }, reveal, again, copy),
+    ],
     closed: () => {
       leave.abort();
       program.call("page_set_challenge", 0);
@@ -43,17 +47,21 @@ export async function show(page, { place, beat }) {
     const [mine] = program.json("page_scores");
     const address = page.placesAddress(program.text("page_challenge_link"), { place, beat: mine.numbers });
     const done = await page.copy(address);
-    advice.textContent = done
+    copied.textContent = done
       ? "The challenge is copied: the object alone and your score, but not where your robots stand."
       : "The browser did not allow copying. The address bar holds a link to the same object.";
+    card.seat();
   }
 
   let shown = "";
+  let scored = ""; // mine
   function refresh() {
     const scores = program.text("page_scores");
     if (scores === shown) return;
     shown = scores;
     const [mine, evenlifts] = JSON.parse(scores);
+    if (scored !== mine.numbers.join()) copied.textContent = "";
+    scored = mine.numbers.join();
     const revealed = evenlifts !== undefined;
     const rows = [["You", mine]];
     if (beat) rows.push(["To beat", toBeat(program, place, beat)]);

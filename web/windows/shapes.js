@@ -1,7 +1,7 @@
 // The shapes of a drawing, from which one is opened; and the permitted distance between its curves and the edges.
 import { openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, number, svgEl, typedNumber } from "../kit/elements.js";
-import { fitted, pathOf } from "../kit/fit.js";
+import { fitted, lineOf, pathOf } from "../kit/fit.js";
 import { readShapes } from "../kit/import.js";
 import { underWay } from "../page/under_way.js";
 
@@ -18,6 +18,25 @@ function picture(shape) {
     { viewBox: `0 0 ${width} ${height}`, "aria-hidden": "true" },
     svgEl("path", { d: pathOf(rings), "fill-rule": "evenodd" }),
   );
+}
+
+// The whole drawing, if some of its lines close no shape: these are pale and dashed, beside the shapes that are offered.
+function wholeDrawing({ leftOpen, shapes }) {
+  const lines = leftOpen();
+  if (lines.length === 0) return [];
+  const offered = shapes.slice(0, atOnce).map((shape) => [shape.outline(), ...shape.holes()]);
+  const [wide, high] = [420, 160];
+  const place = fitted([...offered.flat(), ...lines].flat(), wide, high, 4);
+  const drawn = (all) => all.map((points) => points.map(place));
+  return [
+    svgEl(
+      "svg",
+      { viewBox: `0 0 ${wide} ${high}`, "aria-hidden": "true" },
+      ...offered.map((rings) => svgEl("path", { d: pathOf(drawn(rings)), "fill-rule": "evenodd" })),
+      svgEl("path", { class: "open", d: drawn(lines).map(lineOf).join("") }),
+    ),
+    el("figcaption", { class: "second" }, "Dashed: lines that close no shape and are left out."),
+  ];
 }
 
 // The shape with the largest box: holes and letters are smaller than the object.
@@ -61,6 +80,7 @@ export function lengthInWords(length, found) {
 export async function showShapes({ what, text, found, tolerance = 0, choose }) {
   const problem = problemLine();
   const notes = el("p", { class: "second" });
+  const whole = el("figure", { class: "drawing" });
   const list = el("ul", { class: "shapes" });
   const more = button("", { onclick: () => show(list.childElementCount + atOnce) });
   const curves = el("input", {
@@ -122,6 +142,7 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
   function fill() {
     list.replaceChildren();
     show(atOnce);
+    whole.replaceChildren(...wholeDrawing(found));
     likely().tabIndex = 0;
     const { unit, shapes } = found;
     notes.textContent = sentences([...(unit ? [`lengths are in ${unit}`] : []), ...found.notes]);
@@ -169,6 +190,7 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
               : `${what} has curves, but a polygon has straight edges.`,
         ),
         notes,
+        whole,
         list,
         more,
         told,

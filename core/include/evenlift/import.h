@@ -39,12 +39,17 @@ struct ImportedShape {
                                     // them
 };
 
+inline constexpr std::size_t most_open_points = 10000;
+
 struct Import {
   std::string format;                 // in words, such as "DXF"
   std::vector<ImportedShape> shapes;  // one or more; of a drawing by area, the largest first
   std::vector<std::string> notes;     // omissions and decisions, as sentences without full stops
   std::string unit;       // in words, such as "millimetres"; empty if the text names none
   bool doubtful = false;  // what was left out is larger than any shape, so a person should choose
+  // The lines of a drawing that close no shape, for a picture: the first of them with at most
+  // most_open_points points in all, and curves as if the default tolerance were asked for.
+  std::vector<Points> left_open;
   bool has_settings = false;  // the shape has the text's settings: evenlift wrote it
   bool in_degrees = false;    // by the text's own words, and not converted
 };

@@ -241,7 +241,18 @@ void Gathering::add_joined(const std::vector<DrawnPiece>& pieces, bool closes_al
     joining.open = std::move(open);
   }
   left_open_ = joining.greatest_open;
+  for (const std::size_t piece : joining.open) keep_open(pieces[piece].outline);
   note_joining(joining);
+}
+
+void Gathering::keep_open(const Outline& line) {
+  const Box box = control_box(line);
+  if (!all_finite(line) || !within_bounds(box)) return;
+  const auto points =
+      flatten(line, default_tolerance(larger_side(box)), most_open_points - open_points_);
+  if (!points || points->size() < 2) return;
+  open_points_ += points->size();
+  import.left_open.push_back(*points);
 }
 
 void Gathering::note_joining(const Joining& joining) {

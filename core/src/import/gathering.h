@@ -101,12 +101,14 @@ class Gathering {
   void add_filled(const DrawnShape& drawn, std::vector<Flattened> rings);
   void name_parts(const std::vector<OutlineWithHoles>& shapes);
   void note_joining(const Joining& joining);
+  void keep_open(const Outline& line);
   void nest_outlines();
 
   ImportOptions options_;
   std::size_t vertices_ = 0;
   std::string gap_;
-  double left_open_ = 0;      // the greatest_open of the pieces (joining.h)
+  double left_open_ = 0;  // the greatest_open of the pieces (joining.h)
+  std::size_t open_points_ = 0;
   std::vector<Drawn> drawn_;  // of each shape, if they are outlines of a drawing
   std::size_t paths_ = 0;
   std::size_t outlines_ = 0;  // the shapes, and the holes that came with an outline of a drawing

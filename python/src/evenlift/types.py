@@ -234,6 +234,7 @@ class _Failure(TypedDict):
     plan_max: Optional[float]
     springs_max: Optional[float]
     best_max: Optional[float]
+    springs: Optional[list[float]]
 
 
 class Failure(_Failure, total=False):

@@ -16,7 +16,8 @@ namespace evenlift {
 //
 //   held               the robots hold the object (is_held() of words.h)
 //   stands             C is in the lifting base (equilibrium.h)
-//   steady             any one robot may fail, and the object does not tip (failures_clear)
+//   steady             any one robot may fail, and the object does not tip (failures_clear), on level ground and
+//                      under the given conditions
 //   capacity           no robot carries more than its capacity
 //   coverage           0 to 1
 //   max, min           the greatest and the least planned load

@@ -24,7 +24,8 @@ std::string failure(std::size_t robot, const std::optional<RestOfRobots>& rest,
                                  {"margin", number_or_null(known.margin)},
                                  {"plan_max", number_or_null(known.greatest_by_plan)},
                                  {"springs_max", if_carried(number(known.greatest_by_springs))},
-                                 {"best_max", if_carried(number(known.least_greatest))}};
+                                 {"best_max", if_carried(number(known.least_greatest))},
+                                 {"springs", if_carried(numbers(known.springs))}};
   if (overloads) members.push_back({"over_capacity", if_carried(boolean(*overloads))});
   if (with_disturbance) {
     members.push_back({"greatest_end", if_carried(number(known.greatest_end))});

@@ -56,8 +56,10 @@ class Drawing {
     chord_width_ = robots <= 24 ? 2 : robots <= 200 ? 1.25 : 0.6;
     // Lines to C only show that the robots belong together.
     if (is_one_team(placement.settings.method)) chord_width_ = 0.75;
-    largest_load_ = placement.loads ? placement.loads->max : 0;
-    stands_ = find_stands(placement, sized_, paper_, 0.8 * disc_);
+    const std::vector<LoadRange> loads =
+        placement.loads ? loads_when_disturbed(of_) : std::vector<LoadRange>();
+    for (const LoadRange& load : loads) largest_load_ = std::max(largest_load_, load.greatest);
+    stands_ = find_stands(placement, sized_, loads, paper_, 0.8 * disc_);
   }
 
   std::string finished(std::string_view link) {
@@ -329,7 +331,7 @@ class Drawing {
   bool overloads(const Stand& stand) const {
     for (std::size_t i = 0; i < stand.loads.size(); ++i)
       if (const auto capacity = capacity_of(of_, stand.robots[i]);
-          capacity && exceeds(stand.loads[i], *capacity))
+          capacity && exceeds(stand.loads[i].greatest, *capacity))
         return true;
     return false;
   }

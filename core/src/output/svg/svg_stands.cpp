@@ -9,11 +9,13 @@
 namespace evenlift::svg {
 
 std::vector<Stand> find_stands(const Placement& placement, const std::vector<PlacedRobot>& sized,
-                               const Paper& paper, double apart) {
+                               const std::vector<LoadRange>& loads, const Paper& paper,
+                               double apart) {
   std::vector<Stand> stands;
   std::size_t added = 0;
-  const auto add = [&](const LiftingPoint& point, std::size_t team, double load) {
+  const auto add = [&](const LiftingPoint& point, std::size_t team) {
     const std::size_t robot = added;
+    const LoadRange load = loads.empty() ? LoadRange{} : loads[robot];
     const std::string number = std::to_string(robot + 1);
     const Vec2 at = paper(point.position);
     std::optional<Box> body;
@@ -33,8 +35,7 @@ std::vector<Stand> find_stands(const Placement& placement, const std::vector<Pla
   };
   const bool paired = !is_one_team(placement.settings.method);
   for (std::size_t i = 0; i < placement.teams.size(); ++i)
-    for (const Robot& robot : placement.teams[i].robots)
-      add(robot.point, paired ? i + 1 : 0, robot.load);
+    for (const Robot& robot : placement.teams[i].robots) add(robot.point, paired ? i + 1 : 0);
   for (Stand& stand : stands)
     if (stand.loads.size() > 3) stand.numbers = "×" + std::to_string(stand.loads.size());
   return stands;
@@ -42,17 +43,18 @@ std::vector<Stand> find_stands(const Placement& placement, const std::vector<Pla
 
 std::string load_text(const Stand& stand, double largest, const Units& units) {
   std::vector<std::string> texts;
-  double sum = 0;
-  for (const double load : stand.loads) {
-    texts.push_back(amount(load, largest));
-    sum += load;
+  LoadRange sum;
+  for (const LoadRange& load : stand.loads) {
+    texts.push_back(amounts(load.least, load.greatest, largest));
+    sum.least += load.least;
+    sum.greatest += load.greatest;
   }
   const std::string& first = texts.front();
   if (texts.size() == 1) return with_weight_unit(first, units);
   if (std::all_of(texts.begin(), texts.end(), [&](const std::string& t) { return t == first; }))
     return std::to_string(texts.size()) + " × " + with_weight_unit(first, units);
   if (texts.size() == 2) return first + " + " + with_weight_unit(texts.back(), units);
-  return "Σ " + with_weight_unit(amount(sum, largest), units);
+  return "Σ " + with_weight_unit(amounts(sum.least, sum.greatest, largest), units);
 }
 
 }  // namespace evenlift::svg

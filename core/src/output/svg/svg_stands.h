@@ -13,10 +13,10 @@
 namespace evenlift::svg {
 
 struct Stand {
-  Vec2 at = Vec2::Zero();     // in pixels
-  std::string numbers;        // of the robots: "3", "1·4", "×5" for five
-  std::size_t team = 0;       // of a robot that stands alone, from 1; 0 if it has no team of two
-  std::vector<double> loads;  // of the robots
+  Vec2 at = Vec2::Zero();        // in pixels
+  std::string numbers;           // of the robots: "3", "1·4", "×5" for five
+  std::size_t team = 0;          // of a robot that stands alone, from 1; 0 if it has no team of two
+  std::vector<LoadRange> loads;  // of the robots
   std::vector<std::size_t> robots;  // their numbers (loads.h)
   std::optional<Box> body;          // of the first of them, if robots have a size
   bool beneath = false;             // they stand beneath the object (supports.h)
@@ -24,11 +24,12 @@ struct Stand {
 
 // Robots closer than `apart` pixels share a stand, but not one beneath with one at the edge. The first teams come first.
 // O(robots * stands); a picture has room for a few thousand stands.
-// `sized` contains the robots with a size: all or none.
+// `sized` contains the robots with a size: all or none. `loads` are those of all robots, or empty if the object falls.
 std::vector<Stand> find_stands(const Placement& placement, const std::vector<PlacedRobot>& sized,
-                               const Paper& paper, double apart);
+                               const std::vector<LoadRange>& loads, const Paper& paper,
+                               double apart);
 
-// "16.7 kg"; for several robots "2 × 16.7 kg", "16.7 + 15.9 kg" or their sum, "Σ 50.1 kg".
+// "16.7 kg", "14.2–19.2 kg"; for several robots "2 × 16.7 kg", "16.7 + 15.9 kg" or their sum, "Σ 50.1 kg".
 std::string load_text(const Stand& stand, double largest, const Units& units);
 
 }  // namespace evenlift::svg

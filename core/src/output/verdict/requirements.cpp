@@ -49,6 +49,16 @@ Value within_capacity(const ShownPlacement& of) {
   return overloaded_robots(of, greatest).empty() ? 1 : 0;
 }
 
+// Whether any one robot may fail, on level ground and under the given conditions.
+Value steady(const ShownPlacement& of) {
+  if (!has_robots(of) || robustness(of.placement).failures_clear < 1) return false;
+  const Disturbance disturbance = disturbance_of(of.shown);
+  if (!disturbance.any()) return true;
+  const auto failures = single_failures(of.placement, disturbance);
+  return std::all_of(failures.begin(), failures.end(),
+                     [](const auto& rest) { return rest && rest->stays; });
+}
+
 Value greatest_after_failure(const ShownPlacement& of) {
   if (!of.placement.loads) return std::nullopt;
   double greatest = 0;
@@ -82,8 +92,7 @@ const Row rows[] = {
      [](const ShownPlacement& of) -> Value { return has_robots(of) && is_held(of.placement); }},
     {"stands", "The object stands on its robots", true, Unit::none,
      [](const ShownPlacement& of) -> Value { return of.placement.loads.has_value(); }},
-    {"steady", "Any one robot may fail without tipping the object", true, Unit::none,
-     [](const ShownPlacement& of) -> Value { return has_robots(of) && robustness(of.placement).failures_clear >= 1; }},
+    {"steady", "Any one robot may fail without tipping the object", true, Unit::none, steady},
     {"capacity", "No robot carries more than its capacity", true, Unit::none, within_capacity},
     {"coverage", "The coverage", false, Unit::share, [](const ShownPlacement& of) -> Value { return of.placement.coverage; }},
     {"max", "The greatest load", false, Unit::weight, greatest_load},
