@@ -444,8 +444,9 @@ TEST_CASE("the three formats look like this", "[formats]") {
   CHECK(write_thesis(document) == "(0,0)\n(10,-2.5)\n(3,1000)\n");
   CHECK(write_wkt(document) == "POLYGON ((0 0, 10 -2.5, 3 1000, 0 0))\n");
   CHECK(write_geojson(document) ==
+        "{\"type\": \"Feature\", \"properties\": {\"centre_of_mass\": null}, \"geometry\":\n"
         "{\"type\": \"Polygon\", \"coordinates\": [[\n  [0, 0],\n  [10, -2.5],\n  [3, 1000],\n"
-        "  [0, 0]\n]]}\n");
+        "  [0, 0]\n]]}}\n");
   document.centre_of_mass = Vec2(4, 0.1);
   CHECK(write_thesis(document) == "CoM:(4,0.1)\n(0,0)\n(10,-2.5)\n(3,1000)\n");
   CHECK(write_wkt(document) == "POLYGON ((0 0, 10 -2.5, 3 1000, 0 0))\n");
@@ -467,8 +468,9 @@ TEST_CASE("holes and cargo look like this", "[formats][holes][cargo]") {
         "POLYGON ((0 0, 10 -2.5, 3 1000, 0 0), (1 1, 2 1, 2 2.5, 1 1), (4 4, 5 4, 5 5, 4 4))\n");
   document.holes.pop_back();
   CHECK(write_geojson(document) ==
+        "{\"type\": \"Feature\", \"properties\": {\"centre_of_mass\": null}, \"geometry\":\n"
         "{\"type\": \"Polygon\", \"coordinates\": [[\n  [0, 0],\n  [10, -2.5],\n  [3, 1000],\n"
-        "  [0, 0]\n], [\n  [1, 1],\n  [2, 1],\n  [2, 2.5],\n  [1, 1]\n]]}\n");
+        "  [0, 0]\n], [\n  [1, 1],\n  [2, 1],\n  [2, 2.5],\n  [1, 1]\n]]}}\n");
 }
 
 TEST_CASE("what is written reads back in every bit", "[formats][holes][cargo]") {

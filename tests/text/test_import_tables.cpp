@@ -237,6 +237,9 @@ TEST_CASE("coordinates in degrees are said to be no lengths", "[import]") {
         R"("coordinates":)" +
             ring + "}",
         std::string(R"({"type":"Polygon","coordinates":[[[0,0],[500,0],[500,900]]]})"),
+        R"({"type":"Feature","properties":{"centre_of_mass":null},"geometry":{"type":"Polygon",)"
+        R"("coordinates":)" +
+            ring + "}}",
         std::string("POLYGON((10 60,10.002 60,10.002 60.001,10 60))"),
         std::string("x,y\n10,60\n10.002,60\n10.002,60.001\n")})
     CHECK(degrees(text).empty());

@@ -120,14 +120,14 @@ Result<TracedCandidates> trace_candidates(const Polygon& polygon, const Vec2& ce
                                           double min_ratio, Positions positions = Positions::best,
                                           double clear = 0);
 
-// The candidates of robots with a size: the chords on which a team's two robots can stand and lift
-// beneath the object. Two facing edges, moved inward by the hand's depth, have the chord with the
-// best load ratio and the chords at which usable intervals of both edges end (docs/stands.md). With
-// positions anywhere in the range there is also one at each of range_places in the longest of the
-// standing_ranges(). The two robots of a chord do not collide, and its ends are usable lifting
-// points. If a source has several candidates, `of_source` is the best; it is no_index if the edges
-// do not face each other on the outline itself. The cost is that of find_candidates(), plus
-// O(usable intervals of a times those of b) for each pair.
+// The candidates of robots with a size: the chords at whose ends a team's two robots can stand
+// outside the object and lift beneath it. Two facing edges, moved inward by the hand's depth, have
+// the chord with the best load ratio and the chords at which usable intervals of both edges end
+// (docs/stands.md). With positions anywhere in the range there is also one at each of range_places
+// in the longest of the standing_ranges(). The two robots of a chord do not collide, and its ends
+// are usable lifting points. If a source has several candidates, `of_source` is the best; it is
+// no_index if the edges do not face each other on the outline itself. The cost is that of
+// find_candidates(), plus O(usable intervals of a times those of b) for each pair.
 class Stands;
 Result<TracedCandidates> standing_candidates(const Polygon& polygon, const Vec2& centre,
                                              double min_ratio, const Stands& stands,

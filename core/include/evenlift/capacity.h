@@ -24,15 +24,15 @@ std::uint32_t most_teams_tried(const Settings& settings);
 // (loads.h). O(1).
 std::optional<double> capacity_of(const ShownPlacement& of, std::size_t robot);
 
-// Whether a load is more than a capacity. A load that exceeds it by at most tau (tolerance.h) times
-// the capacity is within it: rounding alone could add as much. O(1).
+// Whether a load is more than a capacity. A load counts as within its capacity up to tau
+// (tolerance.h) times the capacity above it: rounding alone could add as much. O(1).
 bool exceeds(double load, double capacity);
 
 // Whether any robot has a capacity, and whether supports have capacities of their own. O(1).
 bool has_capacities(const ShownPlacement& of);
 bool has_own_capacities(const ShownPlacement& of);
 
-// The robots whose planned loads, or the given loads, exceed their capacities. O(robots).
+// The robots whose loads, planned or given, exceed their capacities. O(robots).
 std::vector<std::size_t> overloaded_robots(const ShownPlacement& of);
 std::vector<std::size_t> overloaded_robots(const ShownPlacement& of,
                                            const std::vector<double>& loads);
@@ -42,12 +42,13 @@ std::vector<std::optional<double>> capacities_of(const ShownPlacement& of);
 
 // The greatest radius within which C may lie so that, by springs and under the other conditions
 // that are given, no robot carries more than its limit (radius_within_capacity() of uncertainty.h).
-// As model_loads().
+// Costs as much as model_loads().
 std::optional<double> com_radius_within(const ShownPlacement& of, const ModelLoads& loads,
                                         const std::vector<std::optional<double>>& limits);
 
-// Whether a robot may carry more than its capacity after a failure, by springs and within the disturbance
-// of `rest`; false if the others do not carry the object. The second function does this for each failure. O(m), O(m^2).
+// Whether any robot may carry more than its capacity after a failure, by springs and within the
+// disturbance that `rest` allows for; false if the others do not carry the object. The second
+// function does this for each failure. O(m), O(m^2).
 bool overloads(const ShownPlacement& of, const std::optional<RestOfRobots>& rest);
 std::vector<bool> overloads_after(const ShownPlacement& of,
                                   const std::vector<std::optional<RestOfRobots>>& failures);
@@ -64,24 +65,24 @@ struct CapacityPlan {
   bool operator==(const CapacityPlan&) const = default;
 };
 
-// Plans for the object of a placement, which must come from place(), and for robots that carry up
-// to `capacity` > 0 each, in the unit of its weight. The plan depends on the placement's polygon
-// and centre of mass, and on all settings that affect the loads except the number of teams or
-// robots; same_plan() compares exactly these inputs. The candidates of the placement are reused.
+// Finds the plan for the object of a placement, which must come from place(). Each robot carries up
+// to `capacity` > 0, in the unit of the weight. The plan depends on the placement's polygon and
+// centre of mass, and on all settings that affect the loads except the number of teams or robots;
+// same_plan() compares exactly these inputs. The candidates of the placement are reused.
 //
 // The methods area, circle, distance and random choose teams one after another, so the first k
 // teams of a selection are a placement of k teams. Such a plan costs as much as selecting the teams
-// that are needed, at most most_teams_tried(). Teams at equal angles differ for each number; only
-// their loads are computed, and a number of teams is rejected at the first overloaded robot. Teams
-// that are swapped until they hold also differ for each number: each number costs as much as its
-// swaps (swaps.h). Balanced robots all carry the same planned load, so their least number
-// follows from the weight and from the number of failures to survive; whether such a set exists is
-// not checked. For given supports no plan is possible.
+// that are needed, at most most_teams_tried(). Teams at equal angles differ for each number of
+// teams; only their loads are computed, and a number of teams is rejected at the first overloaded
+// robot. Teams that are swapped until they hold also differ for each number of teams, and each
+// costs its own swaps (swaps.h). Balanced robots all carry the same planned load, so their least
+// number follows from the weight, the capacity and the number of failures to survive; whether such
+// a set exists is not checked. For given supports no plan is possible.
 CapacityPlan plan_capacity(const Placement& placement, double capacity);
 
-// The number of robots needed if any one may fail. While all work, no robot carries more than the
-// capacity as planned. After any one has failed, the others carry the object, and no robot carries
-// more than the capacity, provided that all are equally stiff and level and the object is rigid
+// The number of robots needed if any one may fail. While all work, no planned load exceeds the
+// capacity. After any one has failed, the others carry the object, and no robot carries more than
+// the capacity, provided that all are equally stiff and level and the object is rigid
 // (load_models.h, springs). Sudden changes of load are not considered (failures.h).
 struct FailurePlan {
   bool possible = false;
@@ -91,7 +92,7 @@ struct FailurePlan {
   bool operator==(const FailurePlan&) const = default;
 };
 
-// Finds the least number of robots for a FailurePlan with the placement's method, which stand where
+// Finds the least number of robots for a FailurePlan with the placement's method. They stand where
 // place() would put them. The search begins with the number that the weight alone requires. It ends
 // where the method finds no place for more, at most_teams_tried(), or when the loads of
 // most_loads_planned robots have been computed. For balanced robots it tries most_sets_planned

@@ -85,7 +85,7 @@ struct Clearance {
   // The supremum of min(k, R s(k)) over all k. Form closure persists if every robot is off by less
   // than that along its side, all at once in any combination, provided that robots in reflex
   // vertices stay there: no contact that counts leaves its side, and a wrench moves by at most the
-  // distance divided by R, so the ball shrinks by no more. 0 without form closure.
+  // distance divided by R, so the margin shrinks by no more. 0 without form closure.
   double tolerance = 0;
 };
 

@@ -34,10 +34,10 @@ inline constexpr std::size_t max_link_bytes = 1u << 20;   // of a link
 inline constexpr std::uint32_t max_teams = 1u << 20;      // if given as a number
 inline constexpr std::uint32_t least_robots = 2;          // balanced
 inline constexpr std::uint32_t most_robots = 64;          // balanced
-inline constexpr std::uint32_t most_survived = 30;        // F failures take at least 2 F + 3 robots
-inline constexpr std::size_t most_no_go = 1000;           // no-go parts of edges
-inline constexpr std::size_t most_supports = 1000;        // for Method::given
-inline constexpr std::size_t most_moved_teams = 1000;     // by hand
+inline constexpr std::uint32_t most_survived = 30;     // surviving F takes 2 F + 3 robots or more
+inline constexpr std::size_t most_no_go = 1000;        // no-go parts of edges
+inline constexpr std::size_t most_supports = 1000;     // for Method::given
+inline constexpr std::size_t most_moved_teams = 1000;  // by hand
 
 // How teams are chosen (algorithm.md, Selection; thesis 3.3 and 5.2).
 enum class Method : std::uint8_t { area, circle, distance, distributed, random, balanced, given };
@@ -121,8 +121,8 @@ struct Units {
 std::string_view name(LengthUnit unit);  // "mm", or "none"
 std::string_view name(WeightUnit unit);  // "kg"
 
-// The length in metres, rounded once if the unit is a metre's decimal part; without a unit, the same
-// number. O(1).
+// The length in metres, rounded once if the unit is a decimal fraction of a metre; without a unit,
+// the same number. O(1).
 double in_metres(double length, LengthUnit unit);
 
 // The items drawn in addition to the polygon and its robots.
@@ -185,9 +185,9 @@ struct Settings {
   std::optional<double> apart;  // minimum distance between robots, a preference, >= 0, in units of
                                 // length; none means 0.12 R
   std::optional<double>
-      clear;  // contacts nearer to a corner are not relied on, nor is a C nearer to the boundary of
-              // the lifting base after a failure; >= 0, in units of length; none means usual_clear
-              // times R
+      clear;  // contacts nearer to a corner than this do not count, and after a failure C should
+              // be at least this far inside the lifting base; >= 0, in units of length; none means
+              // usual_clear times R
   std::uint32_t survive = 0;  // failures of balanced robots that should leave the object steady;
                               // that takes at least 2 survive + 3 robots
   Positions positions = Positions::best;  // of teams of two; balanced robots stand anywhere
@@ -209,7 +209,7 @@ struct Carrying {
                                // 0 .. max_acceleration
   std::optional<double> give;  // the length by which a robot gives way under the mean load,
                                // min_length .. max_length; none means that heights do not matter
-  double uneven = 0;  // how much the ground, or a robot's height, is off at most, 0 .. max_length
+  double uneven = 0;  // the greatest error of the ground or of a robot's height, 0 .. max_length
   std::optional<double> extra;  // a further weight that may stand on the object, such as a person
                                 // or a box, min_weight .. max_weight, in the weight's unit
   bool operator==(const Carrying&) const = default;
@@ -233,8 +233,8 @@ struct Shown {
   bool operator==(const Shown&) const = default;
 };
 
-// The given goal or the default: hold for four or more balanced robots, cover in all other cases,
-// because holding with two or three would cost too much of the lifting base. O(1).
+// The given goal or the default: hold for four or more balanced robots (with two or three, holding
+// would cost too much of the lifting base), cover in all other cases. O(1).
 Goal goal_of(const Settings& settings);
 
 // Whether teams of two are swapped until they hold (swaps.h). O(1).
@@ -277,7 +277,7 @@ struct Document {
   std::vector<Points> holes = {};  // each in either orientation
 };
 
-// The weight of the object with its cargo, of which all loads are. O(items).
+// The weight of the object with its cargo, which the robots share. O(items).
 double total_weight(const Settings& settings);
 
 }  // namespace evenlift

@@ -20,14 +20,15 @@ struct ExtraLoad {
                  // means any weight
 };
 
-// For the weight that Carrying::extra asks about (document.h); nothing if it asks about none, if
-// there are no robots or if the object falls. It presumes equally stiff, level robots and a rigid
-// object: while all robots carry load, a weight w at q adds w (1/m + S^-1 (p_i - p) . (q - p)) to the
-// load of robot i, where p is the robots' centroid. The region is where each load minus its change
-// by the disturbance (uncertainty.h) stays above 0, and each load plus that change within the capacity;
-// without a disturbance and capacities it is the kern, for W + w. If the robots stand on one line, there is
-// no such place beside the line, so the region is empty. The height of the load itself is not
-// counted. O(m^2 + (m + n) h) for m robots and a region of h corners.
+// The result for the weight Carrying::extra (document.h); nothing if that is not set, if there are
+// no robots or if the object falls. It presumes equally stiff, level robots and a rigid object:
+// while all robots carry load, a weight w at q adds w (1/m + S^-1 (p_i - p) . (q - p)) to the load
+// of robot i, where p is the robots' centroid. The region is where each load minus its change by
+// the disturbance (uncertainty.h) stays above 0, and each load plus that change within the
+// capacity; without a disturbance and capacities it is where the common centre of mass
+// of object and load is in the kern. If the robots stand on
+// one line, there is no such place beside the line, so the region is empty. The height of the load
+// itself is not counted. O(m^2 + (m + n) h) for m robots and a region of h corners.
 std::optional<ExtraLoad> extra_load(const ShownPlacement& of);
 
 // The loads by springs while this weight stands at a place; nothing if the object tips then.

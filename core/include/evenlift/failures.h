@@ -1,11 +1,10 @@
-// The effects of failing robots. Robots are assumed to fail all at once and without warning, and
-// then to carry nothing. The analysis is static: for a moment, a sudden loss can double the change
-// of a load.
+// The effects of failing robots. A robot is assumed to fail suddenly and then to carry nothing. The
+// analysis is static, but a sudden loss can for a moment double the change of a load.
 //
 // The robots *carry* the object if C lies in their convex hull within tolerance (tau L): they can
 // balance its weight. The object is *steady* if C lies inside that hull by more than the tolerance:
 // then it also withstands a small press down anywhere, as long as the robots keep their height and
-// none is overloaded. The tolerance keeps rounding from deciding either: the two robots of a team
+// none is overloaded. Without the tolerance, rounding would decide both: the two robots of a team
 // and C lie on one line only up to rounding. Far from the origin, where coordinates are rounded by
 // more than tau L, the tolerance is that rounding.
 #pragma once

@@ -21,11 +21,11 @@ struct ImportOptions {
   // 1, 2 or 5 that is at most a thousandth of the larger side of the box around the shape and its
   // control points.
   std::optional<double> tolerance;
-  // The greatest distance of two ends of lines and curves that are joined, in the text's unit: above
-  // 0 and finite. By default up to a thousandth of the drawing's larger side.
+  // The greatest distance between two ends of lines or curves that are joined, in the text's unit:
+  // above 0 and finite. By default up to a thousandth of the drawing's larger side.
   std::optional<double> join;
-  // Converts longitudes and latitudes in degrees to metres east and north of the middle of the text's
-  // box: of all texts whose coordinates can be degrees, whatever the text says.
+  // Converts longitudes and latitudes in degrees to metres east and north of the middle of the box
+  // around them, in every text whose coordinates can be degrees, whatever the text says.
   bool project = false;
   // Keeps the holes of shapes. Otherwise a note says how many are left out.
   bool holes = true;
@@ -47,8 +47,8 @@ struct Import {
   std::vector<std::string> notes;     // omissions and decisions, as sentences without full stops
   std::string unit;       // in words, such as "millimetres"; empty if the text names none
   bool doubtful = false;  // what was left out is larger than any shape, so a person should choose
-  // The lines of a drawing that close no shape, for a picture: the first of them with at most
-  // most_open_points points in all, and curves as if the default tolerance were asked for.
+  // The lines of a drawing that close no shape, for a picture: as many, from the first, as have
+  // most_open_points points in all. Curves have the default tolerance.
   std::vector<Points> left_open;
   bool has_settings = false;  // the shape has the text's settings: evenlift wrote it
   bool in_degrees = false;    // by the text's own words, and not converted
@@ -59,22 +59,21 @@ struct Import {
 //              are those of read_polygon()
 //   SVG        polygon, polyline, path, line, rect, circle and ellipse with their transforms, of
 //              the attribute or CSS, and copies of them (use, symbol), also of an svg in an svg,
-//              with y turned upwards. A path that is filled is one shape or several, with the
-//              holes that its fill-rule leaves (an attribute, a style, a style sheet, or inherited).
-//              Of a switch the first
-//              child that all programs can read is drawn. The content of defs, clipPath, mask,
-//              marker and pattern is not. Shapes that are not seen are left out: by display,
-//              visibility, opacity, or without fill and stroke, in an attribute, a style, a style
-//              sheet (selectors of a tag, a class, an id) or by inheritance. If no shape has fill
-//              or stroke, all are read. A picture that evenlift saved has its share link in
-//              <metadata>; the link is opened. A size on paper, as in width="210mm" height="297mm",
-//              gives the unit: mm, cm, in, and mm for pt, pc and Q. Coordinates are scaled to it,
-//              by viewBox and preserveAspectRatio, or without viewBox by 96 user units for an inch;
-//              about the origin of user units. They stay as they are if a user unit already is 1
-//              mm, cm, m or in, which is then the unit. Without a size on paper they are user
-//              units. A curve that ends where it began and whose control points are within the
-//              tolerance or 1/200 of its outline's larger side is dropped. Bounded by 64 MiB for
-//              all copies together
+//              with y turned upwards. A path that is filled is one shape or several, with the holes
+//              that its fill-rule leaves (from an attribute, a style, a style sheet or a parent).
+//              A switch gives its first child that all programs can read. The content of defs,
+//              clipPath, mask, marker and pattern is left out. Shapes that are invisible by
+//              display, visibility or opacity, or for lack of fill and stroke, are left out,
+//              whether an attribute, a style, a style sheet (selectors of a tag, a class, an id) or
+//              a parent says so. If no shape has fill or stroke, all are read. A picture that
+//              evenlift saved has its share link in <metadata>; the link is opened. A size on
+//              paper, as in width="210mm" height="297mm", gives the unit: mm, cm, in, and mm for
+//              pt, pc and Q. Coordinates are scaled to it, by viewBox and preserveAspectRatio, or
+//              without viewBox by 96 user units for an inch; about the origin of user units. They
+//              stay as they are if a user unit already is 1 mm, cm, m or in, which is then the
+//              unit. Without a size on paper they are user units. A curve that ends where it began
+//              and whose control points are within the tolerance or 1/200 of its outline's larger
+//              side is dropped. Bounded by 64 MiB for all copies together
 //   DXF        with text codes, the model space: closed LWPOLYLINE and POLYLINE with bulges,
 //              CIRCLE, and closed ELLIPSE and SPLINE; LINE, ARC and open ones of these are
 //              pieces. A SPLINE is any B-spline or
@@ -86,52 +85,57 @@ struct Import {
 //              evenlift has it
 //   columns    x and y in lines, separated by tabs, semicolons, bars, commas or spaces: by the
 //              first of these, in this order, that the first line with two numbers contains.
-//              Decimals may have a comma unless commas or spaces separate the columns; between
-//              commas they may if they are in quotes and cannot be thousands. A heading may name
-//              the columns in any case, with a unit: x (mm), X-Coordinate, POINT_X, Position X,
-//              Easting, E, lon, and the same for y. x and y go before easting and northing, and
-//              these before longitude and latitude. Otherwise the first two columns with numbers
-//              count, except those that number the lines, stay the same, or have a heading such
-//              as "Point No." or "Elevation", while two others are there; a note says which. Lines
-//              that begin with # are comments, or a heading before the first row. Up to 100 lines
-//              before the first row are headings; blank lines separate shapes, and a line of words
-//              before a shape is its name. Rows that change their columns, or the word that the
-//              first two begin with, are refused. The two surfaces of an airfoil are joined
+//              Decimals may have a comma unless commas or spaces separate the columns; if commas
+//              do, decimals in quotes may, provided that they cannot be thousands. A heading may
+//              name the columns in any case, with a unit: x (mm), X-Coordinate, POINT_X, Position
+//              X, Easting, E, lon, and the same for y. x and y take precedence over easting and
+//              northing, and these over longitude and latitude. Otherwise the first two columns
+//              with numbers count, except those that number the lines, stay the same, or have a
+//              heading such as "Point No." or "Elevation", provided that two others remain; a note
+//              says which. Lines that begin with # are comments, or a heading before the first row.
+//              Up to 100 lines before the first row are headings; blank lines separate shapes, and
+//              a line of words before a shape is its name. A row is refused if its columns change,
+//              or if the first two rows begin with the same word and it does not. The two surfaces
+//              of an airfoil are joined
 //   WKT        POLYGON, MULTIPOLYGON and those in a GEOMETRYCOLLECTION, one geometry or several,
 //              also with SRID=...; before it, or as a column of a table, whose shapes have the
 //              names or numbers of another column. Rings after the first are holes
 //   JSON       [[x, y], ...], or [{"x": x, "y": y}, ...], or an array or an object of these; the
 //              names of a point's members are those of columns. As Python writes them, tuples and
 //              numbers such as "1." are also read
-//   Esri JSON  the rings of a geometry, a feature or a set of features. A ring in another one that
-//              runs the other way round is a hole of it
+//   Esri JSON  the rings of a geometry, a feature or a set of features. A ring inside another ring
+//              of opposite direction is a hole of that ring
 //   GeoJSON    the polygons in a FeatureCollection, MultiPolygon or GeometryCollection, named by
 //              `name`, `title` or `id`. Rings after the first are holes
 //   links      a share link alone
 //   results    the JSON of `evenlift place --json`, of the page and of `link decode`, with all
 //              settings, holes and cargo. The object's own centre of mass is read. If it equals the
-//              centroid in every bit, it is the centroid
-// Pieces of a drawing (in SVG lines and open paths) are joined into outlines: within their layer,
-// then across layers. Ends are joined if they are near, within 1e-6 of the drawing's larger side, then
-// within coarser steps up to 1e-3 where something stays open; a note gives the gap. Pieces that lie
-// on others count once, and what leads nowhere is left out. The faces that remain are the shapes, in
-// whatever order the pieces are. An open path of an SVG that meets no other is closed by a straight
-// edge. An outline without a fill that is directly inside a shape is a hole of it, and a note says how
-// many are. A filled one is a shape wherever it lies, and so is any outline in a hole. Outlines that
-// touch or cross are separate shapes.
-// A vertex that equals the preceding vertex is dropped, outside drawings with a note; not from the
-// thesis's format, links and results. A last vertex that repeats the first is also dropped: if it is
-// equal, or in drawings within 1/100000 of the shape's larger side. Coordinates that are degrees by
-// the text's own words (GeoJSON without another reference system, columns of longitude and latitude,
-// the reference systems of EWKT and Esri JSON) stay as they are, with a note, unless
-// ImportOptions::project converts them; then a note gives the origin, with at most four decimals, and
-// from 0.1 % on the greatest error of a width. It is an error if they are no degrees, reach beyond
-// latitude 85 or span the 180th meridian, and for results and links. Files of other kinds
-// that are known (meshes, STEP, IGES, G-code) are refused by name. Nothing else is checked;
-// object_of() does that (polygon_with_holes.h). The result depends only on the text and numbers, on
-// every platform. Bounded by max_text_bytes, max_vertices for all shapes together, max_shapes, which
-// in a drawing counts holes, and otherwise max_holes for each shape. O(bytes + points), O(n log n) for
-// chains, and O(k^2) for k outlines of a drawing.
+//              centroid in every bit, the shape uses its centroid
+// Pieces of a drawing (in SVG, lines and open paths) are joined into outlines: within their layer,
+// then across layers. Ends are joined within 1e-6 of the drawing's larger side and, where something
+// stays open, in coarser steps up to 1e-3; a note gives the gap. Pieces that lie on others count
+// once, and dead ends are left out. The faces that remain are the shapes, in whatever order the
+// pieces are. An open path of an SVG that meets no other is closed by a straight edge. An outline
+// without a fill that is directly inside a shape is a hole of it, and a note counts these holes. A
+// filled one is a shape wherever it lies, and so is any outline in a hole. Outlines that touch or
+// cross are separate shapes.
+//
+// A vertex that equals the preceding vertex is dropped, with a note unless the text is a drawing;
+// the thesis's format, links and results keep theirs. A last vertex that repeats the first is also
+// dropped: if it is equal, or in drawings within 1/100000 of the shape's larger side.
+//
+// Coordinates that are degrees by the text's own words (GeoJSON without another reference system,
+// columns of longitude and latitude, the reference systems of EWKT and Esri JSON) stay as they are,
+// with a note, unless ImportOptions::project converts them. Then a note gives the origin, with at
+// most four decimals, and the greatest error of a width if it is 0.1 % or more; and it is an error
+// if they cannot be degrees, reach beyond latitude 85 or span the 180th meridian, or if the text is
+// a result or a link.
+//
+// Files of other kinds that are known (meshes, STEP, IGES, G-code) are refused by name. Nothing else
+// is checked; object_of() does that (polygon_with_holes.h). The result depends only on the text and
+// the options, on every platform. Bounded by max_text_bytes, max_vertices for all shapes together,
+// max_shapes (in a drawing, holes included) and, outside drawings, max_holes for each shape.
+// O(bytes + points), O(n log n) for chains, and O(k^2) for k outlines of a drawing.
 Result<Import> read_shapes(std::string_view text, const ImportOptions& options = {});
 
 // The places of robots that already stand, with their capacities if any robot has one: as many, each

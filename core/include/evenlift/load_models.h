@@ -11,12 +11,12 @@
 // with the same a and b for all. If the robots' centroid is C, as with even teams, all carry the
 // same load.
 //
-// *Best* is the greatest load of a robot if an ideal controller distributes the weight.
+// *Best* is the least possible value of the greatest load, which an ideal controller would reach.
 //
 // *Worst* is the greatest load that each robot can get if heights are unequal and some robots carry
-// nothing, like a table that stands on two of its four legs. Each robot has its own worst case, so
-// these loads can add up to more than the weight. They follow from equilibrium alone, so they also
-// bound the loads under an object that bends.
+// nothing, as under a table that stands on two of its four legs. Each robot has its own worst case,
+// so these loads can add up to more than the weight. They follow from equilibrium alone, so they
+// also bound the loads under an object that bends.
 //
 // Robots only push up, so no model gives loads if C is outside the robots' convex hull H by more
 // than tolerance (tau L). If H is flat within tolerance, or C is within tolerance of an edge of H,
@@ -65,8 +65,8 @@ std::optional<SpringLoads> spring_loads(const Points& robots, const Vec2& centre
 // is the larger of weight / m and the greatest of weight g(C) / (sum over robots of max(0, g)),
 // over the functions g that measure the distance to the left of a line through two robots. O(m^3)
 // for up to 64 robots. For more robots, the method of cutting planes through the centroid of the
-// remaining region (A. Yu. Levin and D. J. Newman, both 1965) finds it to 13 digits in some hundred
-// steps of O(m).
+// remaining region (A. Yu. Levin and D. J. Newman, both 1965) finds it to 13 digits in about a
+// hundred steps of O(m).
 std::optional<double> best_load(const Points& robots, const Vec2& centre, double diameter,
                                 double weight);
 
@@ -75,9 +75,9 @@ std::optional<double> best_load(const Points& robots, const Vec2& centre, double
 std::optional<std::vector<double>> worst_loads(const Points& robots, const Vec2& centre,
                                                double diameter, double weight);
 
-// The same while C may be anywhere in H within `reach` >= 0 of its place: the greatest t for which t
-// p + (1 - t) H comes within reach of C. O(m log m + m h) in seldom more than six steps of Newton's
-// method for each robot.
+// The greatest loads if C may be anywhere in H within `reach` >= 0 of its place: the weight times
+// the greatest t for which t p + (1 - t) H comes within reach of C. O(m log m + m h) in seldom more
+// than six steps of Newton's method for each robot.
 std::optional<std::vector<double>> worst_loads(const Points& robots, const Vec2& centre,
                                                double diameter, double weight, double reach);
 

@@ -28,8 +28,8 @@ struct Team {
 // The chord of a team of two. O(1).
 Chord chord_of(const Team& team);
 
-// The robots of all teams are numbered team after team, from 0. count_robots() returns their
-// number, and find_robot() the team of the robot with a number and its index there. O(1).
+// The robots of all teams are numbered team after team, from 0. count_robots() counts them, and
+// find_robot() returns the team of the robot with a given number and its index in that team. O(1).
 struct RobotOfTeam {
   std::size_t team = 0, robot = 0;
 };
@@ -45,7 +45,7 @@ std::vector<double> planned_loads(const std::vector<Team>& teams);
 struct LoadSummary {
   double min = 0, mean = 0, max = 0;  // over all robots
   double spread = 0;                  // max - min (figure 5.3)
-  double max_share = 0;               // greatest share of its team's load (figure 5.5)
+  double max_share = 0;               // a robot's greatest share of its team's load (figure 5.5)
 };
 
 // The teams with their loads; `weight` > 0. Each team carries an equal part of the weight. By the

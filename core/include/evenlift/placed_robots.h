@@ -42,7 +42,7 @@ Equilibrium equilibrium(const Placement& placement);
 bool loads_are_determined(const Placement& placement);
 
 // The given supports that do not fit or are too near to each other (supports.h); the methods that
-// find places leave none. O(m log n + m^2).
+// find places produce none. O(m log n + m^2).
 std::vector<Misfit> misfits(const Placement& placement);
 
 // The loads by the models of load_models.h, in the order of the robots, and by how much a disturbance may
@@ -64,29 +64,28 @@ std::optional<ModelLoads> model_loads(const Placement& placement,
 std::vector<LoadRange> loads_by(LoadModel model, const Placement& placement,
                                 const std::optional<ModelLoads>& models);
 
-// Whether these loads are ranges in which other robots may come to carry the object (uncertainty.h).
-// O(m).
+// Whether the set of robots that carry load may change within these ranges (uncertainty.h). O(m).
 bool may_let_go(LoadModel model, const Placement& placement,
                 const std::optional<ModelLoads>& models);
 
-// The planned loads, as ranges if a disturbance is given: what verdicts, capacities and requirements
-// judge. O(m), with a disturbance as model_loads().
+// The planned loads, as ranges if a disturbance is given: those that verdicts, requirements and
+// capacity checks use. O(m), with a disturbance as model_loads().
 std::vector<LoadRange> loads_when_disturbed(const ShownPlacement& of);
 
-// The failures and the error of C before the object tips or is no longer carried. failures.h
-// defines how failures are counted (-1 without robots), and uncertainty.h defines the tipping distance.
-// O(m log m).
+// How many failures and how great an error of C the object survives without tipping. failures.h
+// defines how failures are counted (-1 without robots), and uncertainty.h defines the tipping
+// distance. O(m log m).
 struct Robustness {
   int failures_carried = -1, failures_steady = -1;
   double tipping_distance = 0;
-  // The number of robots that may fail so that C stays at least `clear` (document.h) inside the
+  // The number of robots that may fail while C stays at least `clear` (document.h) inside the
   // remaining lifting base. At most failures_steady.
   int failures_clear = -1;
 };
 Robustness robustness(const Placement& placement);
 
-// When the object tips on slopes and when braked (tilt.h). Nothing without robots, or if the height of
-// C is 0. O(m log m).
+// The slopes and accelerations at which the object tips (tilt.h). Nothing without robots, or if the
+// height of C is 0. O(m log m).
 std::optional<Tilt> tilt_of(const ShownPlacement& of);
 
 // Whether the weight may act outside the lifting base, by more than the tolerance (tau L), under the
@@ -94,9 +93,10 @@ std::optional<Tilt> tilt_of(const ShownPlacement& of);
 bool tips_when_disturbed(const ShownPlacement& of);
 
 // The circles about C that a picture shows for slopes: where one leaves the lifting base, the object
-// tips on that slope, if that direction is downhill. From small to large, `scale` pixels to a unit of
-// length, so far apart that one sees them; some without a label, which would cover C. None without a
-// height of C, if the lifting base has no area, or if the object falls. O(h).
+// tips on that slope, if that direction is downhill. They are sorted from small to large and, at
+// `scale` pixels to a unit of length, far enough apart to see. A circle whose label would cover C
+// has none. None without a height of C, if the lifting base has no area, or if the object falls.
+// O(h).
 struct TiltCircle {
   double degrees = 0, radius = 0;  // the radius in units of length, with the C uncertainty
   bool is_labelled = true;
@@ -126,10 +126,10 @@ std::vector<PairRange> ranges_of(const Placement& placement, const Chord& chord)
 // instead of those that the method chose. O(n log n).
 Placement with_choice(Placement placement, std::vector<std::uint32_t> candidates);
 
-// The placement while the robot with this number fails, for pictures and words. All robots stay in
-// the list. H, coverage, closure and loads are those of the others, which share the weight by
-// springs. If the others do not carry the object, all loads and the coverage are 0, and there is no
-// summary of loads. O(n log n).
+// The placement after the robot with this number has failed, for pictures and words. All robots
+// stay in the list. H, coverage, closure and loads are those of the others, which share the weight
+// by springs. If the others do not carry the object, all loads and the coverage are 0, and there is
+// no summary of loads. O(n log n).
 Placement with_failure(Placement placement, std::size_t robot);
 
 }  // namespace evenlift

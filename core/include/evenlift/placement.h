@@ -21,7 +21,7 @@ struct Placement {
   explicit Placement(PolygonWithHoles placed) : object(std::move(placed)) {}
   const Polygon& polygon() const { return object.outline(); }
   const Points& vertices() const { return polygon().vertices(); }  // as given
-  double weight() const { return total_weight(settings); }         // of which all loads are
+  double weight() const { return total_weight(settings); }         // which the robots share
 
   PolygonWithHoles object;
   Vec2 own_centre = Vec2::Zero();        // of the object alone: as given, or the centroid
@@ -29,7 +29,7 @@ struct Placement {
   Settings settings;                     // as given
   std::shared_ptr<const Stands> stands;  // null if robots are points that may stand anywhere
   std::vector<Candidate> candidates;     // in candidate order; found with every method
-  std::uint32_t requested_teams = 0;     // as given; "max": all candidates; one team: 1
+  std::uint32_t requested_teams = 0;     // as given; all candidates for "max"; 1 for one team
   std::vector<Team> teams;               // in the order of choice; perhaps fewer than requested.
                                          // Balanced robots and supports act as one team
   std::vector<std::uint32_t> team_candidates;  // the index of each team's candidate; empty if the
@@ -46,7 +46,7 @@ struct Placement {
   bool search_ended = true;
 };
 
-// How far the search for balanced robots goes: to its end, or only to its start if that is quick
+// Whether the search for balanced robots runs to its end, or only makes its start if that is quick
 // (balanced.h). If the start is not quick, there are no teams, and search_ended is false. Other
 // methods always run to their end.
 enum class Effort : std::uint8_t { whole, start };
@@ -54,8 +54,8 @@ enum class Effort : std::uint8_t { whole, start };
 // Checks that settings are in their ranges (settings.h) and compatible: "max" needs a method that
 // chooses among candidates; the goal `hold`, a robot's size and no-go edges need such a method or
 // balanced robots; failures to survive need enough balanced robots; the method `given` needs
-// supports, and their capacities must be as many. The error's place names the setting.
-// O(parts of no_go and supports).
+// supports, and as many capacities as supports if any are given. The error's place names the
+// setting. O(parts of no_go and supports).
 std::optional<InputError> check_settings(const Settings& settings, const Shown& shown = {});
 
 // The boundary points that the robots of all teams touch, in the order of the robots. Hands beneath

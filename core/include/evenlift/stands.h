@@ -58,12 +58,12 @@ struct EdgeFrame {
 //   2. the segment from the body's centre to the contact meets the object only at the contact (if
 //      the reach is above 0),
 //   3. [t - w / 2, t + w / 2] x [w / 10, d], the hand's rectangle without the tenth of its width
-//      next to the edge, lies within the object, to tau L; and the corners (Polygon::is_corner) at
-//      which the edge ends are at least w / 2 away, where edges joined by straight vertices count
-//      as one,
+//      next to the edge, lies within the object, up to tau L; and the corners (Polygon::is_corner)
+//      at which the edge ends are at least w / 2 away, where edges joined by straight vertices
+//      count as one,
 //   4. no part of the hand's width, from t - w / 2 to t + w / 2, is in a no-go part of the edge.
-// A robot with only a gap above 0 may stand at a vertex, unless a no-go part includes the vertex.
-// No other robot can stand at a vertex: the usable intervals end 2 tau L before it, so that a
+// A robot without a body (has_body()) may stand at a vertex, unless a no-go part includes the
+// vertex. A robot with a body cannot: the usable intervals end 2 tau L before it, so that a
 // contact counts as inside the edge.
 class Stands {
  public:
@@ -94,12 +94,12 @@ class Stands {
   // The unusable parts, edge after edge, in ascending order. Of several reasons, the first in the
   // order of WhyUnusable is given. The pieces of 2 tau L at vertices are not listed.
   const std::vector<UnusablePart>& unusable() const { return unusable_; }
-  // Why a robot cannot stand at t along an edge; nothing if it can, to tau L. O(log n) plus the
+  // Why a robot cannot stand at t along an edge; nothing if it can, up to tau L. O(log n) plus the
   // number of usable intervals of the edge.
   std::optional<WhyUnusable> why_not(std::uint32_t edge, double t) const;
 
   // The contact of the robot with this lifting point, and the centre of its body. At a vertex,
-  // where only points can stand, and beneath the object both are the lifting point itself. O(1).
+  // where only points can stand, and beneath the object, both are the lifting point itself. O(1).
   Vec2 contact(const LiftingPoint& point) const;
   Vec2 stand(const LiftingPoint& point) const;
   // The lifting point of a contact on an edge, or of a robot beneath the object. O(1).
@@ -113,7 +113,7 @@ class Stands {
   // the centre lines of their hands at least the hand's width. With a reach, the arm of each (from
   // its contact to the centre of its body) must be at least r + gap from the centre of the other's
   // body, and the arms must not cross. A robot beneath the object has neither arm nor hand. All
-  // distances are to tau L. O(1).
+  // distances are compared up to tau L. O(1).
   bool collide(const LiftingPoint& a, const LiftingPoint& b) const;
   // Whether any two of these robots collide. O(m^2).
   bool any_collide(const std::vector<LiftingPoint>& points) const;

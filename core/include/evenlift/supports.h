@@ -54,8 +54,8 @@ class SupportPlacer {
 };
 
 // The places of all supports in the settings, in order. An error if a support is outside the object or in a hole,
-// or a coordinate is below min_coordinate in size and not 0; its place names the support, counted from 0,
-// as "supports[3]". O(n) for each.
+// or a coordinate is below min_coordinate in size and not 0; the error's place names the support,
+// counted from 0, as "supports[3]". O(n) for each.
 Result<std::vector<LiftingPoint>> place_supports(const PolygonWithHoles& object,
                                                  const Settings& settings);
 
@@ -87,22 +87,23 @@ struct Misfit {
 };
 
 // All misfits of the robots with these lifting points, in the order of their numbers: for each
-// first its place, then the robots before it that are too near. Without `stands`, robots are points
-// that fit anywhere; then only two at one place, within tau L, are too near. O(m log n + m^2).
+// robot, first whether its place fits, then the earlier robots that are too near. Without `stands`,
+// robots are points that fit anywhere; then only two at one place, within tau L, are too near. O(m
+// log n + m^2).
 std::vector<Misfit> misfits(const Polygon& polygon, const Stands* stands,
                             const std::vector<LiftingPoint>& robots);
 
 // "outside", "arm", "hand", "no-go", or "too near robot 2", counted from 1.
 std::string misfit_in_words(const Misfit& misfit);
 
-// The nearest robots with equal loads: two robots move to the ends of an even candidate, so that C
-// is the centroid of all. Of all pairs, candidates and ways round, the one with the least sum of
-// squared moves is chosen, and the first of equal ones. Robots whose centroid is C already, within
-// tau L, stay. If no pair will do, three robots move: the
-// third to a trial point (balanced.h); for more than most_evened_by_three robots this is not tried.
-// With robots of a size, the moved robots fit and collide with no other. Nothing if there are no
-// such places, or fewer than two robots. `robots` are lifting points, at most most_evened. O(m^2)
-// completions (balanced.h), or O(s m^3) for s trial points.
+// The nearest places with equal loads: two robots move to the ends of a chord that makes C the
+// centroid of all. Of all choices of two robots, a chord and which robot takes which end, the first
+// with the least sum of squared moves wins. Robots whose centroid is C already, within
+// tau L, stay. If no two robots will do, three move: the third to a trial point (balanced.h); for
+// more than most_evened_by_three robots this is not tried. If robots have a size, the moved ones
+// fit and collide with no other. Nothing if there are no such places, or fewer than two robots.
+// `robots` are lifting points, at most most_evened. O(m^2) completions (balanced.h), or O(s m^3)
+// for s trial points.
 inline constexpr std::size_t most_evened = 64, most_evened_by_three = 16;
 std::optional<std::vector<LiftingPoint>> even_out(const BalancedProblem& problem,
                                                   const std::vector<LiftingPoint>& robots);

@@ -1,12 +1,12 @@
-// Slopes, starts, stops and uneven ground. All of it follows from the places of the
-// robots, C and the numbers of Carrying (document.h), and places no robot.
+// Slopes, starts, stops and uneven ground. The results follow from the places of the robots, C and
+// the numbers of Carrying (document.h), and move no robot.
 //
-// On ground that slopes by the ratio k1, or with an acceleration of k2 g, the resultant of weight
-// and inertia meets the plane of the lifting points up to h (k1 + k2) from C, where h is the height
-// of C above that plane (the zero moment point; M. Vukobratovic and B. Borovac, Zero-moment point,
-// 2004). The object tips when that point leaves the lifting base H. This presumes that the object is
-// rigid, that robots push back, and that slopes and accelerations change slowly: it knows no
-// swinging and no bumps.
+// On ground that slopes by the ratio k1, with an acceleration of k2 g, the resultant of weight and
+// inertia meets the plane of the lifting points up to about h (k1 + k2) from C (exactly, if either
+// is 0), where h is the height of C above that plane (the zero moment point; M. Vukobratovic and B.
+// Borovac, Zero-moment point, 2004). The object tips when that point leaves the lifting base H.
+// This presumes that the object is rigid, that robots push back, and that slopes and accelerations
+// change slowly: it ignores swinging and bumps.
 #pragma once
 
 #include <optional>
@@ -36,8 +36,8 @@ struct Tilt {
 // can tip the object. O(1).
 std::optional<Tilt> tilt_of(const Shown& shown, double tipping_distance, double diameter);
 
-// The slope at which the object tips in a direction of any length > 0, downhill, as a ratio; 0 if H
-// has no area, or if the C uncertainty alone can tip it that way. `hull` must come from
+// The slope, as a ratio, at which the object tips if `direction`, of any length > 0, is downhill; 0
+// if H has no area, or if the C uncertainty alone can tip it that way. `hull` must come from
 // convex_hull, with C inside; the height must be above 0. O(h) for h corners.
 double tipping_slope(const Points& hull, const Vec2& centre, const Vec2& direction,
                      const Shown& shown);

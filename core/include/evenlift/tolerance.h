@@ -20,7 +20,7 @@ bool lengths_tie(double a, double b);
 // The greatest deficit at which a score ties with the best: tau times the best, but at least
 // `floor`, since differences of sums cancel. The floor is score_floor times L^2. For the metric
 // distance it is score_floor times L; if the shortest edge of H is shorter than short_edge times L,
-// the floor grows by the same factor.
+// the floor grows by the factor by which it is shorter.
 double score_slack(double best, double floor);
 inline constexpr double score_floor = 1e-12;
 inline constexpr double short_edge = 1e-3;

@@ -1,7 +1,7 @@
-// Guarantees if the conditions are known only roughly. The point at which the weight acts may be
-// anywhere within some distance of C: since C is not known better (in offshore lifting, the "centre
-// of gravity envelope"), or on slopes and when braked (tilt.h). And the ground, or a robot's height,
-// may be off.
+// Guarantees if the conditions are known only roughly. The weight may act anywhere within some
+// distance of C: because C is not known exactly (in offshore lifting, the "centre of gravity
+// envelope"), or because the ground slopes or the object is braked (tilt.h). The ground may be
+// uneven, or a robot's height wrong.
 #pragma once
 
 #include <optional>
@@ -23,15 +23,15 @@ struct Disturbance {
   double reach = 0;   // the weight acts anywhere within this distance of C, in units of length
   double uneven = 0;  // heights are off by at most this many times the length by which a robot
                       // gives way under the mean load
-  double kept = 1;    // at least this part of the weight acts, 0 < kept <= 1; on a slope the rest
-                      // acts along the ground
+  double kept = 1;    // at least this part of the weight acts on the robots, 0 < kept <= 1; on a
+                      // slope, the cosine of its angle
   // Whether loads are ranges. O(1).
   bool any() const { return reach > 0 || uneven > 0 || kept < 1; }
   bool operator==(const Disturbance&) const = default;
 };
 
-// Whether the object stays upright while the weight acts anywhere within the reach: that is at most the
-// tipping distance, within tolerance (tau L). O(1).
+// Whether the object stays upright wherever within the reach the weight acts: the reach is at most
+// the tipping distance, within tolerance (tau L). O(1).
 bool is_within_base(double reach, double tipping_distance, double diameter);
 
 struct LoadRange {
@@ -43,7 +43,7 @@ constexpr bool has_ranges(LoadModel model) {
   return model == LoadModel::plan || model == LoadModel::springs;
 }
 
-// By how much the loads of robots that give way like springs may differ because of a disturbance.
+// By how much a disturbance may change the loads of robots that give way like springs.
 struct LoadChanges {
   double kept = 1;                // of the disturbance
   bool others_may_carry = false;  // robots that carry nothing by springs may come to carry
@@ -53,16 +53,17 @@ struct LoadChanges {
                  // worst_loads() (load_models.h), with C anywhere within the reach
 };
 
-// For the same robots as `springs`. A height that is off changes the load of robot i by at most
-// W/m * uneven * sum over j of |P_ij|, where P projects onto the heights that no plane fits: P = I -
-// A (A'A)^-1 A', with a row [1, x_j, y_j] of A for each of the robots that carry load. It is 0 for
-// three of them, if they are not on one line. O(m h), and O(m^2) if heights are off.
+// `springs` must be the loads of the same robots. Heights that are off change the load of robot i
+// by at most W/m * uneven * sum over j of |P_ij|, where P projects onto the heights that no plane
+// fits: P = I - A (A'A)^-1 A', with a row [1, x_j, y_j] of A for each of the robots that carry
+// load. It is 0 for three of them, if they are not on one line. O(m h), and O(m^2) if heights are
+// off.
 LoadChanges load_changes(const Points& robots, const Vec2& centre, double diameter, double weight,
                          const SpringLoads& springs, const Disturbance& disturbance);
 
-// Whether other robots may come to carry the load: some of these loads may fall below 0 by more than
-// the tolerance (tau times the sum of the loads), so that the robot goes slack, or others may come to
-// carry. O(m).
+// Whether the set of robots that carry load may change: some of these loads may fall below 0 by
+// more than the tolerance (tau times the sum of the loads), so that the robot goes slack, or robots
+// without load may take some up. O(m).
 bool may_let_go(const std::vector<double>& loads, const LoadChanges& changes);
 
 // The loads of robots that are in equilibrium with `loads` and give way like springs: kept * load -
@@ -71,9 +72,9 @@ bool may_let_go(const std::vector<double>& loads, const LoadChanges& changes);
 std::vector<LoadRange> load_ranges(const std::vector<double>& loads, const LoadChanges& changes);
 
 // The greatest radius within which C may lie so that, by springs, no robot carries more than its
-// capacity; robots without one carry anything. At most springs.same_within, since no bound holds
-// beyond it, and at most the tipping distance. `besides` are the changes of load for reasons other
-// than C, and `reach` is how far the weight may act from C for such reasons; none by default.
+// capacity; robots without one can carry any load. At most springs.same_within, since no bound
+// holds beyond it, and at most the tipping distance. `besides` are the changes of load for reasons
+// other than C, and `reach` is how far the weight may act from C for such reasons; none by default.
 // Nothing if a robot may be overloaded even with C at its assumed place. O(m).
 std::optional<double> radius_within_capacity(const SpringLoads& springs, double tipping_distance,
                                              const std::vector<std::optional<double>>& capacities,

@@ -126,9 +126,11 @@ std::string write_wkt(const Document& document) {
 }
 
 std::string write_geojson(const Document& document) {
-  if (!document.centre_of_mass) return geojson_polygon(document) + "\n";
   std::string text = R"({"type": "Feature", "properties": {"centre_of_mass": )";
-  append_json_pair(text, *document.centre_of_mass);
+  if (document.centre_of_mass)
+    append_json_pair(text, *document.centre_of_mass);
+  else
+    text += "null";
   return text + "}, \"geometry\":\n" + geojson_polygon(document) + "}\n";
 }
 

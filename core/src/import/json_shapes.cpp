@@ -88,7 +88,7 @@ class JsonShapes {
   const JsonTree& tree_;
   Gathering gathering_;
   RingNotes notes_;
-  bool of_evenlift_ = false;  // a feature has a centre of mass, which only evenlift writes
+  bool of_evenlift_ = false;  // a feature has a "centre_of_mass", which only evenlift writes
 };
 
 // --- evenlift's own results
@@ -504,8 +504,8 @@ void JsonShapes::feature(Index object) {
       return gathering_.add_problem(
           error(*centre, ErrorCode::bad_syntax, "\"centre_of_mass\" is not [x, y]"));
     with_centre.centre_of_mass = *at;
-    of_evenlift_ = true;
   }
+  if (centre) of_evenlift_ = true;
   const auto shape = tree_.member(object, "geometry");
   if (!is(shape, Kind::object))
     return gathering_.left_out.add("feature without a geometry", "features without a geometry");
