@@ -208,27 +208,36 @@ test("a file of what a class hands in is marked with one command", async () => {
   await page.done();
 });
 
-test("before a room the card of a task is beside the object, which stays large", async () => {
-  const page = await browser.open({
-    address: "?lesson=task-thirty",
-    viewport: { width: 1920, height: 1080 },
-    script: () => {
-      document.addEventListener("DOMContentLoaded", () => {
-        document.documentElement.requestFullscreen = async () => {};
-      });
-    },
-  });
-  await card(page).waitFor();
-  await page.locator("#canvas").focus();
-  await page.keyboard.press("Shift+P");
+// The card is on the screen, and the object beside it is as large as a share of the screen's width or height.
+async function isBeside(page, { width, height }, [leastWide, leastHigh]) {
   await idle(page);
   const { polygon } = await state(page);
   const corners = await Promise.all(polygon.map((vertex) => toScreen(page, vertex)));
   const [xs, ys] = [0, 1].map((axis) => corners.map((corner) => corner[axis]));
   const box = await card(page).boundingBox();
   assert.ok(Math.max(...xs) < box.x, "the object is left of the card");
-  assert.ok(box.y >= 0 && box.y + box.height <= 1080, "the card is on the screen");
-  const [width, height] = [xs, ys].map((all) => Math.max(...all) - Math.min(...all));
-  assert.ok(width > 0.35 * 1920 || height > 0.5 * 1080, `the object is ${width} by ${height}`);
+  assert.ok(box.y >= 0 && box.y + box.height <= height, "the card is on the screen");
+  const [wide, high] = [xs, ys].map((all) => Math.max(...all) - Math.min(...all));
+  assert.ok(wide > leastWide * width || high > leastHigh * height, `the object is ${wide} by ${high}`);
+}
+
+test("before a room the card of a task is beside the object, which stays large", async () => {
+  const viewport = { width: 1920, height: 1080 };
+  const page = await browser.open({ address: "?lesson=task-thirty", viewport });
+  await page.evaluate(() => {
+    document.documentElement.requestFullscreen = async () => {};
+  });
+  await card(page).waitFor();
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("Shift+P");
+  await isBeside(page, viewport, [0.35, 0.5]);
+  await page.done();
+});
+
+test("in a frame that is wider than high the card of a task is beside the object, too", async () => {
+  const viewport = { width: 640, height: 420 };
+  const page = await browser.open({ address: "?lesson=task-thirty&embed=1", viewport });
+  await card(page).waitFor();
+  await isBeside(page, viewport, [0.3, 0.4]);
   await page.done();
 });

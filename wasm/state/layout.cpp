@@ -83,10 +83,18 @@ void seat_player(Layout& l, double right, double height) {
   l.free.bottom -= height + l.margin;
 }
 
+// In a frame that is wider than high, the card of a task is beside the drawing, too.
+bool seats_embedded_card_beside(const AppState& state) {
+  const Screen& screen = state.session.screen;
+  constexpr double least_width = 600;
+  return screen.embed && state.view.task && !walkthrough_is_open(state) &&
+         screen.width >= least_width && screen.width > screen.height;
+}
+
 // One card at the foot: the step's words and one row of buttons, or otherwise the result. Its
 // height is the same at every step.
 Layout embedded(const AppState& state) {
-  const Screen& screen = state.session.screen;
+  Screen screen = state.session.screen;
   Layout l;
   l.margin = 8;
   l.control = screen.finger ? 44 : 32;
@@ -98,6 +106,10 @@ Layout embedded(const AppState& state) {
   seat_player(l, screen.width - l.margin,
               walkthrough_is_open(state) ? std::min(screen.height * 0.44, most)
                                          : std::max(l.control, two_lines) + 2 * l.bar_padding);
+  if (seats_embedded_card_beside(state) && screen.foot > 0) {
+    l.free.right -= card_width + l.margin;
+    screen.foot = 0;
+  }
   split(l, screen, false, 72, 44, 48);
   return l;
 }
@@ -265,6 +277,9 @@ Rect seat_of_card(const AppState& state, const Layout& l) {
     return {l.player.left, l.player.top + share_of_words * height, l.player.right,
             height - l.margin};
   }
+  if (seats_embedded_card_beside(state))
+    return {state.session.screen.width - l.margin - card_width, l.margin,
+            state.session.screen.width - l.margin, l.player.top - l.margin};
   if (seats_card_beside(state))
     return {l.panel.left - l.margin - card_width, l.toolbar.bottom + l.margin,
             l.panel.left - l.margin, state.session.screen.height - l.margin};
@@ -292,8 +307,9 @@ Rect seat_of_notice(const AppState& state, const Layout& l) {
       !state.session.screen.embed)
     return {l.margin, l.panel.middle().y(), state.session.screen.width - l.margin,
             l.panel.bottom - gap};
-  const bool below_nothing = presents_steps(state) || seats_card_beside(state);
-  const Rect seat = below_nothing ? inset(l.free, gap) : seat_of_card(state, l);
+  const bool beside =
+      presents_steps(state) || seats_card_beside(state) || seats_embedded_card_beside(state);
+  const Rect seat = beside ? inset(l.free, gap) : seat_of_card(state, l);
   const double middle = seat.middle().x(), half = std::min(seat.width(), widest) / 2,
                head = l.toolbar.bottom + 12;
   const double foot = std::min(seat.bottom, l.free.bottom - gap);
