@@ -81,7 +81,7 @@ export async function startBrowser(extraOptions = [], { drawn: always = false } 
 
   // Opens a page with storage of its own. Any complaint of the page, or request to another host, fails the test at
   // close(). The canvas is painted only with `drawn`, for tests of its pixels and of WebGL itself: without graphics
-  // hardware, painting takes half of a test's time. With `hasty`, a test can fire the page's timers early. With `first`, the
+  // hardware, painting takes a third of a test's time. With `hasty`, a test can fire the page's timers early. With `first`, the
   // card of the first visit is shown. With `offline`, the browser may keep the page for later; `site` is the address of another server.
   async function open({
     address = "",

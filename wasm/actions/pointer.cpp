@@ -139,7 +139,7 @@ void drag(const AppState& state, const Pointer& pointer, Commands& commands) {
   const Pick& held = state.view.held;
   if (held.kind == Pick::Kind::ground) return drag_ground(state, pointer, commands);
   if (held.kind == Pick::Kind::object) {
-    commands.push_back(SetHover{object_at(state, pointer.at)});
+    commands.push_back(SetHover{object_at(state, pointer.at, pointer.second)});
     return;
   }
   if (pointer.moved < still && !state.work.edit_open) return;

@@ -7,7 +7,9 @@
 namespace evenlift::view {
 namespace {
 
-constexpr double panel_width = 360, rail_width = 48, card_width = 320;
+constexpr double panel_width = 360, rail_width = 48;
+// Of a card beside the drawing, which has this least width of the screen or of a frame.
+constexpr double card_width = 320, least_width = 900, least_width_of_frame = 600;
 // Below these heights the view tools would cover the object; they are then in the toolbar's menu.
 constexpr double least_height_for_tools = 480, least_height_beside_sheet = 640;
 // With less height for the picture, the sheet shows only the most important facts.
@@ -54,11 +56,42 @@ void make_room_for_window(Layout& l, const Screen& screen) {
   l.free.bottom = std::min(l.free.bottom, screen.height - screen.window_foot);
 }
 
-// Two pictures share the free area above a card at its foot; each has a caption at its top.
-void split(Layout& l, const Screen& screen, bool compared, double beside, double above,
+// Beside presented steps a card is below the words, so that the drawing keeps its size.
+bool seats_card_below_words(const AppState& state) {
+  const Screen& screen = state.session.screen;
+  return presents_steps(state) && screen.width > screen.height &&
+         screen.height >= least_height_for_both;
+}
+
+// The card of a presented task, or of one in a frame that is wider than high, is beside the
+// drawing, which keeps its height.
+bool seats_card_beside(const AppState& state) {
+  const Screen& screen = state.session.screen;
+  const bool has_room = screen.embed ? screen.width >= least_width_of_frame
+                                     : state.view.presenting && screen.width >= least_width &&
+                                           screen.height >= least_height_for_both;
+  return has_room && state.view.task && !walkthrough_is_open(state) && screen.width > screen.height;
+}
+
+// Where a panel at the right begins, or else the screen ends.
+double right_end(const Layout& l, const Screen& screen) {
+  return screen.embed ? screen.width : l.panel.left;
+}
+
+void make_room_for_card(Layout& l, const AppState& state) {
+  const Screen& screen = state.session.screen;
+  if (!(screen.foot > 0) || seats_card_below_words(state)) return;
+  if (seats_card_beside(state))
+    l.free.right = std::min(l.free.right, right_end(l, screen) - l.margin - card_width);
+  else
+    l.free.bottom -= screen.foot;
+}
+
+// Two pictures share the free area that a card leaves; each has a caption at its top.
+void split(Layout& l, const AppState& state, bool compared, double beside, double above,
            double below) {
-  make_room_for_window(l, screen);
-  l.free.bottom -= screen.foot;
+  make_room_for_window(l, state.session.screen);
+  make_room_for_card(l, state);
   l.first = l.free;
   if (!compared) {
     l.room = room_in(l.free, beside, above, below);
@@ -83,18 +116,10 @@ void seat_player(Layout& l, double right, double height) {
   l.free.bottom -= height + l.margin;
 }
 
-// In a frame that is wider than high, the card of a task is beside the drawing, too.
-bool seats_embedded_card_beside(const AppState& state) {
-  const Screen& screen = state.session.screen;
-  constexpr double least_width = 600;
-  return screen.embed && state.view.task && !walkthrough_is_open(state) &&
-         screen.width >= least_width && screen.width > screen.height;
-}
-
 // One card at the foot: the step's words and one row of buttons, or otherwise the result. Its
 // height is the same at every step.
 Layout embedded(const AppState& state) {
-  Screen screen = state.session.screen;
+  const Screen& screen = state.session.screen;
   Layout l;
   l.margin = 8;
   l.control = screen.finger ? 44 : 32;
@@ -106,19 +131,8 @@ Layout embedded(const AppState& state) {
   seat_player(l, screen.width - l.margin,
               walkthrough_is_open(state) ? std::min(screen.height * 0.44, most)
                                          : std::max(l.control, two_lines) + 2 * l.bar_padding);
-  if (seats_embedded_card_beside(state) && screen.foot > 0) {
-    l.free.right -= card_width + l.margin;
-    screen.foot = 0;
-  }
-  split(l, screen, false, 72, 44, 48);
+  split(l, state, false, 72, 44, 48);
   return l;
-}
-
-// Beside presented steps a card is below the words, so that the drawing keeps its size.
-bool seats_card_below_words(const AppState& state) {
-  const Screen& screen = state.session.screen;
-  return presents_steps(state) && screen.width > screen.height &&
-         screen.height >= least_height_for_both;
 }
 
 // Presented steps: the drawing with the words beside it, or below it on an upright screen.
@@ -136,25 +150,15 @@ Layout presenting(const AppState& state) {
   } else {
     seat_player(l, screen.width - l.margin, screen.height * 0.42);
   }
-  Screen beside_words = screen;
-  if (seats_card_below_words(state) && screen.foot > 0) {
+  if (seats_card_below_words(state) && screen.foot > 0)
     l.player.bottom = screen.height - screen.foot - l.margin / 2;
-    beside_words.foot = 0;
-  }
-  split(l, beside_words, false, 64, 44, 56);
+  split(l, state, false, 64, 44, 56);
   return l;
-}
-
-// The card of a presented task is beside the drawing, which keeps its height.
-bool seats_card_beside(const AppState& state) {
-  const Screen& screen = state.session.screen;
-  return state.view.presenting && state.view.task && !presents_steps(state) &&
-         screen.width > screen.height && screen.height >= least_height_for_both;
 }
 
 Layout wide(const AppState& state) {
   Layout l;
-  Screen screen = state.session.screen;
+  const Screen& screen = state.session.screen;
   l.control = screen.finger ? 44 : 32;
   l.low = screen.height < least_height_for_tools;
   if (l.low) l.margin = 8;
@@ -165,14 +169,10 @@ Layout wide(const AppState& state) {
   // A walkthrough has no tool that adds robots.
   const double tools_width = (walkthrough_is_open(state) ? 5 * l.control + 8 : 6 * l.control + 10) +
                              zoom_width + 2 + 13 + 16;
-  if (seats_card_beside(state) && screen.foot > 0) {
-    l.beside = card_width + l.margin;
-    screen.foot = 0;
-  }
   const double foot = screen.height - l.margin;
   l.tools = {l.margin, foot - bar_height(l), l.margin + tools_width, foot};
   if (l.low) l.tools = {l.margin, foot, l.margin, foot};
-  l.free = {0, l.toolbar.bottom, l.panel.left - l.beside, screen.height};
+  l.free = {0, l.toolbar.bottom, l.panel.left, screen.height};
   if (walkthrough_is_open(state))
     seat_player(l, l.panel.left - l.margin, (l.low ? 1 : 2) * l.control + 24);
   if (state.view.tool == Tool::transform) l.free.top += tool_bar_height(l) + knob;
@@ -181,7 +181,7 @@ Layout wide(const AppState& state) {
     l.free.top += tool_bar_height(l);  // the boundary must be visible, and so must captions
   // The corners of a frame are farther out than robots, and clear of the view tools.
   const double below = state.view.tool == Tool::transform ? 108 : 84;
-  split(l, screen, state.work.second_method.has_value(), 88, 68, below);
+  split(l, state, state.work.second_method.has_value(), 88, 68, below);
   return l;
 }
 
@@ -244,7 +244,7 @@ Layout narrow(const AppState& state) {
   if (l.low || state.view.sheet != Sheet::closed || state.work.second_method ||
       screen.window_foot > 0)
     l.tools = {l.tools.right, l.tools.bottom, l.tools.right, l.tools.bottom};
-  split(l, screen, state.work.second_method.has_value(), 60, 52, 52);
+  split(l, state, state.work.second_method.has_value(), 60, 52, 52);
   // Left of the tools: a corner of the frame cannot be grabbed under them.
   if (state.view.tool == Tool::transform && l.tools.height() > 0)
     l.room.right = std::max(l.room.middle().x(), l.tools.left - 54);
@@ -277,12 +277,12 @@ Rect seat_of_card(const AppState& state, const Layout& l) {
     return {l.player.left, l.player.top + share_of_words * height, l.player.right,
             height - l.margin};
   }
-  if (seats_embedded_card_beside(state))
-    return {state.session.screen.width - l.margin - card_width, l.margin,
-            state.session.screen.width - l.margin, l.player.top - l.margin};
-  if (seats_card_beside(state))
-    return {l.panel.left - l.margin - card_width, l.toolbar.bottom + l.margin,
-            l.panel.left - l.margin, state.session.screen.height - l.margin};
+  if (seats_card_beside(state)) {
+    const Screen& screen = state.session.screen;
+    const double end = right_end(l, screen) - l.margin;
+    return {end - card_width, l.toolbar.bottom + l.margin, end,
+            (screen.embed ? l.player.top : screen.height) - l.margin};
+  }
   if (state.session.screen.embed || presents_steps(state) || state.session.screen.window_foot > 0)
     return {left, l.free.top, right, l.free.bottom + state.session.screen.foot - l.margin};
   if (!l.wide && state.view.sheet == Sheet::full)
@@ -307,8 +307,7 @@ Rect seat_of_notice(const AppState& state, const Layout& l) {
       !state.session.screen.embed)
     return {l.margin, l.panel.middle().y(), state.session.screen.width - l.margin,
             l.panel.bottom - gap};
-  const bool beside =
-      presents_steps(state) || seats_card_beside(state) || seats_embedded_card_beside(state);
+  const bool beside = presents_steps(state) || seats_card_beside(state);
   const Rect seat = beside ? inset(l.free, gap) : seat_of_card(state, l);
   const double middle = seat.middle().x(), half = std::min(seat.width(), widest) / 2,
                head = l.toolbar.bottom + 12;

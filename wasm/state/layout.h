@@ -16,7 +16,6 @@ struct Layout {
   double bar_padding = 8;  // between the controls of a bar and its edge
   bool low = false;        // little height: seldom-used controls are in the toolbar's menu
   bool brief = false;      // the closed sheet shows its first lines only, to leave room for a card
-  double beside = 0;       // width of a card between the drawing and the panel, with its margin
   Rect panel;              // panel or sheet
   // While the walkthrough is open. On a narrow screen it is in the sheet; in an <iframe> it is
   // always shown.

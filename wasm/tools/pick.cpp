@@ -184,12 +184,12 @@ const Placement* current_placement(const AppState& state, bool second) {
   return placement && !state.derived().refusal ? &shown_placement(state, second) : nullptr;
 }
 
-Pick object_at(const AppState& state, const Vec2& screen) {
-  const Placement* placement = current_placement(state, false);
+Pick object_at(const AppState& state, const Vec2& screen, bool second) {
+  const Placement* placement = current_placement(state, second);
   const Vec2 world = state.view.camera.to_world(screen);
   if (!placement || !inside(placement->vertices(), world) || placement->object.hole_around(world))
     return {};
-  return {Pick::Kind::object, 0, 0, world};
+  return {Pick::Kind::object, 0, 0, world, second};
 }
 
 Pick pick(const AppState& state, const Vec2& screen, bool second) {
@@ -212,7 +212,7 @@ Pick pick(const AppState& state, const Vec2& screen, bool second) {
   if (found.kind == Pick::Kind::none) found = edge_at(state, screen);
   if (found.kind == Pick::Kind::none && placement) found = chord_at(state, *placement, screen);
   if (found.kind == Pick::Kind::none && placement) found = candidate_at(state, *placement, screen);
-  if (found.kind == Pick::Kind::none && placement) found = object_at(state, screen);
+  if (found.kind == Pick::Kind::none) found = object_at(state, screen, second);
   found.second = second;
   return found;
 }

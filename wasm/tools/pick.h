@@ -13,8 +13,8 @@ namespace evenlift::view {
 Pick pick(const AppState& state, const Vec2& screen, bool second = false);
 
 // The object, if it is at `screen` and has no hole there, whatever else is there; otherwise its kind
-// is none. O(log vertices).
-Pick object_at(const AppState& state, const Vec2& screen);
+// is none. O(vertices).
+Pick object_at(const AppState& state, const Vec2& screen, bool second = false);
 
 // Whether the picked part is a robot that the user can move by hand: any robot of the first picture,
 // unless a walkthrough is open or a robot fails.
