@@ -36,7 +36,44 @@ bool well_inside(const Points& hull, const Vec2& centre, double diagonal) {
   return hull.size() > 2;
 }
 
+// A place, shaken by as little as its coordinates can be.
+LiftingPoint shaken(Vec2 position, Rng& rng) {
+  for (double& x : position)
+    for (std::uint64_t steps = rng.below(4); steps > 0; --steps)
+      x = std::nextafter(x, rng.below(2) == 0 ? -1e300 : 1e300);
+  LiftingPoint robot;
+  robot.position = position;
+  return robot;
+}
+
 }  // namespace
+
+// Two pairs at the ends of one chord span a base as thin as rounding, or none.
+TEST_CASE("a base that is thin as rounding covers nothing", "[balanced]") {
+  Rng rng(5);
+  // A generated object in which such a base once covered an infinite share.
+  const Polygon polygon = testing::polygon({{9.297922186016947, -3.6808481390535093},
+                                            {9.488625200072306, 3.156895914114508},
+                                            {5.239495028691213, 8.517493284078343},
+                                            {-1.4612530971154514, 9.892660885028366},
+                                            {-7.4782646587626065, 6.63894251319457},
+                                            {-9.996113074920814, 0.2787891558096973},
+                                            {-7.836669088901517, -6.2118127459748615},
+                                            {-2.0103605413097005, -9.795838427309064},
+                                            {4.756618046229599, -8.796282439888067}});
+  const PolygonWithHoles object = solid(polygon);
+  const Vec2 centre(-1.8787448048800242, 6.121300348629878);
+  const balanced::Cover cover(object, centre);
+  const Vec2 ends[] = {{-8.659230241312937, 3.65579143602444},
+                       {4.901740631552889, 8.586809261235315}};
+  for (int i = 0; i < 10'000; ++i) {
+    std::vector<LiftingPoint> robots;
+    for (int robot = 0; robot < 4; ++robot) robots.push_back(shaken(ends[robot % 2], rng));
+    const double covered = cover.of(balanced::small_hull(robots, centre));
+    REQUIRE(covered >= 0);
+    REQUIRE(covered <= 1e-12);
+  }
+}
 
 TEST_CASE("the coverage of a set is the same, and its bound is above it", "[balanced][slow]") {
   Rng rng(3);

@@ -23,11 +23,15 @@ class Cover::Sum {
     }
   }
 
-  // Whether C is inside H.
+  // Whether C is inside H, farther than rounding from each side. (Two pairs on one chord span a
+  // base as thin as rounding, and the directions from C to its corners are those of its sides.)
   bool is_sound() const {
-    return hull_.size >= 3 &&
-           std::all_of(bounds_.begin(), bounds_.begin() + static_cast<std::ptrdiff_t>(hull_.size),
-                       [](double bound) { return bound > 0; });
+    if (hull_.size < 3) return false;
+    double reach = 0;
+    for (std::size_t i = 0; i < hull_.size; ++i) reach = std::max(reach, length(hull_.corners[i]));
+    for (std::size_t i = 0; i < hull_.size; ++i)
+      if (bounds_[i] <= rounding * reach * length(normals_[i])) return false;
+    return true;
   }
 
   double area() {
@@ -36,6 +40,9 @@ class Cover::Sum {
   }
 
  private:
+  // Of a sector between nearly equal directions to all of H, and of a distance to H's reach.
+  static constexpr double rounding = 1e-12;
+
   enum class Side { inside, outside, both };
 
   const Vec2& next_corner(std::size_t i) const {
@@ -105,7 +112,6 @@ class Cover::Sum {
     last_ = b;
     before_last_ = sector_before(b);
     double sector = before_last_ - before_a;
-    constexpr double rounding = 1e-12;  // of a sector between nearly equal directions
     if (turn >= 0 && sector < -rounding * all) sector += all;
     if (turn <= 0 && sector > rounding * all) sector -= all;
     doubled_area_ += sector;
