@@ -19,6 +19,6 @@ function(evenlift_charts output entry format)
     OUTPUT "${output}"
     COMMAND "${EVENLIFT_ESBUILD}" "${EVENLIFT_CHARTS_DIR}/${entry}" --bundle --minify --format=${format} --charset=utf8
             --legal-comments=none "--banner:js=${EVENLIFT_CHARTS_LICENCE}" --log-level=warning "--outfile=${output}"
-    DEPENDS ${sources} "${EVENLIFT_CHARTS_DIR}/package-lock.json"
+    DEPENDS ${sources} "${PROJECT_SOURCE_DIR}/web/words/words.js" "${EVENLIFT_CHARTS_DIR}/package-lock.json"
     VERBATIM)
 endfunction()

@@ -6,6 +6,7 @@
 
 #include "actions/nudge.h"
 #include "actions/when.h"
+#include "evenlift/wording.h"
 #include "state/method.h"
 #include "tools/drawing.h"
 #include "tools/handles.h"
@@ -361,12 +362,12 @@ std::string tip(const Action& action, const AppState& state) {
   std::string text = action.label;
   if (!draws(state.view.tool)) {  // in that tool it removes a vertex, visibly
     if (action.id == ActionId::undo && state.work.history.can_undo())
-      text += std::string(": ") + in_words(state.work.history.undoes());
+      text = say("{action}: {edit}", {text, in_words(state.work.history.undoes())});
     if (action.id == ActionId::redo && state.work.history.can_redo())
-      text += std::string(": ") + in_words(state.work.history.redoes());
+      text = say("{action}: {edit}", {text, in_words(state.work.history.redoes())});
   }
   const bool has_keys = *action.shown && !state.session.screen.touch;
-  return has_keys ? text + " (" + action.shown + ")" : text;
+  return has_keys ? say("{action} ({key})", {text, action.shown}) : text;
 }
 
 const Action* action_for(const AppState& state, const Key& key) {

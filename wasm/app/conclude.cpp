@@ -5,6 +5,7 @@
 
 #include "derive/derive.h"
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 #include "state/notice.h"
 #include "state/opened.h"
 #include "state/screen.h"
@@ -42,9 +43,9 @@ void tell_of_no_swap(AppState& state) {
   if (!state.session.notice.text.empty()) return;  // the command's own notice
   if (!waits_for_swap(*facts.placement)) return;
   show(state,
-       {Notice::Kind::info, "The teams are not swapped here until they hold: with " +
-                                std::to_string(facts.placement->candidates.size()) +
-                                " candidates that would take too long. The program does it."});
+       {Notice::Kind::info, say("The teams are not swapped here until they hold: with {candidates} "
+                                "candidates that would take too long. The program does it.",
+                                {facts.placement->candidates.size()})});
 }
 
 }  // namespace

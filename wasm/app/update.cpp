@@ -19,6 +19,7 @@
 #include "evenlift/link.h"
 #include "evenlift/moved.h"
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 #include "state/layout.h"
 #include "state/method.h"
 #include "state/notice.h"
@@ -122,10 +123,13 @@ struct Applier {
     change_shown(state, shown(state), c.shown, c.live);
     if (now == before) return;
     const bool lengths = now.length != before.length, none = now.length == LengthUnit::none;
-    const std::string what = lengths ? "Lengths are now " : "Weights are now ",
-                      unit{lengths ? name(now.length) : name(now.weight)};
-    show(state, {Notice::Kind::info, what + (lengths && none ? "without a unit" : "in " + unit) +
-                                         ". The numbers stay the same."});
+    show(
+        state,
+        {Notice::Kind::info,
+         !lengths ? say("Weights are now in {unit}. The numbers stay the same.", {name(now.weight)})
+         : none
+             ? say("Lengths are now without a unit. The numbers stay the same.")
+             : say("Lengths are now in {unit}. The numbers stay the same.", {name(now.length)})});
   }
   void operator()(const SetTool& c) const { take_tool(state, c.tool); }
   void operator()(const GripPolygon&) const { grip_polygon(state); }
@@ -179,9 +183,11 @@ struct Applier {
     // If no bar shows the change, a notice does.
     if (state.view.tool == Tool::parts && !state.view.selected && !(c.snap == state.view.snap)) {
       const bool grid = c.snap.grid != state.view.snap.grid, on = grid ? c.snap.grid : c.snap.axis;
-      std::string words = on ? "Points now snap to the " : "Points no longer snap to the ";
-      words += grid ? "grid." : "axis through a neighbour.";
-      show(state, {Notice::Kind::info, std::move(words)});
+      show(state,
+           {Notice::Kind::info,
+            grid ? (on ? "Points now snap to the grid." : "Points no longer snap to the grid.")
+            : on ? "Points now snap to the axis through a neighbour."
+                 : "Points no longer snap to the axis through a neighbour."});
     }
     state.view.snap = c.snap;
     emit(state, SummaryChanged{});
@@ -200,8 +206,7 @@ struct Applier {
     if (!facts.placement || facts.refusal) return;
     if (c.robot && *c.robot >= count_robots(facts.placement->teams)) return;
     if (c.robot ? facts.failure && facts.failure->robot == *c.robot : !facts.failure) return;
-    if (!c.robot)
-      announce(state, "Robot " + std::to_string(facts.failure->robot + 1) + " works again.");
+    if (!c.robot) announce(state, say("Robot {robot} works again.", {facts.failure->robot + 1}));
     state.view.fails.ask(c.robot);
   }
   void operator()(const SetLoadModel& c) const {
@@ -233,7 +238,7 @@ struct Applier {
   void operator()(const ZoomView& c) const {
     zoom_view(state, c.about.value_or(layout(state).room.middle()), c.factor);
     if (!c.about)  // by a key or a button
-      announce(state, "Zoom: " + zoom_in_words(state) + " of the view that fits.");
+      announce(state, say("Zoom: {zoom} of the view that fits.", {zoom_in_words(state)}));
   }
   void operator()(const SetPanelOpen& c) const {
     if (c.open != state.view.panel_open)

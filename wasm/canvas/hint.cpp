@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 #include "marks/boxed_text.h"
 #include "marks/stands.h"
 #include "tools/drawing.h"
@@ -28,8 +29,11 @@ std::string hint_of_vertex(const AppState& state, std::size_t i) {
   if (i >= count_vertices(document)) return {};
   const Vec2 at = place_of(document, i);
   const Pick robot = pick_explained(state, state.view.camera.to_screen(at), false);
-  return name_of(document, i) + " " + given_point(at) + " · drag to move, Delete to remove" +
-         (can_take_robot(state, robot) ? " · press it once, then drag to move the robot" : "");
+  return say(can_take_robot(state, robot)
+                 ? "{part} {place} · drag to move, Delete to remove · press it once, then drag to "
+                   "move the robot"
+                 : "{part} {place} · drag to move, Delete to remove",
+             {name_of(document, i), given_point(at)});
 }
 
 bool on_centroid(const AppState& state) {
@@ -41,34 +45,39 @@ bool on_centroid(const AppState& state) {
 std::string hint_of_weight(const AppState& state, std::size_t i) {
   const std::vector<Cargo>& cargo = settings(state).cargo;
   if (i >= cargo.size()) return {};
-  return name_of(state.work.document(), weight_handle(state.work.document(), i)) + " · " +
-         with_weight_unit(plain(cargo[i].weight), shown(state).units) + " at " +
-         given_point(cargo[i].at) + " · drag to move, Delete to remove";
+  return say(
+      "{part} · {weight} at {place} · drag to move, Delete to remove",
+      {name_of(state.work.document(), weight_handle(state.work.document(), i)),
+       with_weight_unit(plain(cargo[i].weight), shown(state).units), given_point(cargo[i].at)});
 }
 
 std::string hint_of_centre(const AppState& state) {
   const bool cargo = !settings(state).cargo.empty();
-  return (cargo ? "Centre of mass of the object alone " : "Centre of mass ") +
-         point_in_words(own_centre(state), coordinate_decimals(state.work.document().vertices)) +
-         (on_centroid(state) ? " · on the centroid" : " · drag to move");
+  const char* words = on_centroid(state)
+                          ? (cargo ? "Centre of mass of the object alone {place} · on the centroid"
+                                   : "Centre of mass {place} · on the centroid")
+                          : (cargo ? "Centre of mass of the object alone {place} · drag to move"
+                                   : "Centre of mass {place} · drag to move");
+  return say(words, {point_in_words(own_centre(state),
+                                    coordinate_decimals(state.work.document().vertices))});
 }
 
 std::string hint_of_team(const Placement* placement, std::size_t i, const Units& units) {
   if (!placement || i >= placement->teams.size()) return {};
   const TeamInWords words =
       team_in_words(*placement, i, coordinate_decimals(placement->vertices()));
-  return "Team " + std::to_string(i + 1) + " · load ratio " + words.ratio + " · " + words.loads[0] +
-         " and " + with_weight_unit(words.loads[1], units) + " · " +
-         with_length_unit(words.length, units) + " apart · press it to see why";
+  return say(
+      "Team {team} · load ratio {ratio} · {load} and {other_load} · {length} apart · press it "
+      "to see why",
+      {i + 1, words.ratio, words.loads[0], with_weight_unit(words.loads[1], units),
+       with_length_unit(words.length, units)});
 }
 
 std::string hint_of_uncertainty(const AppState& state) {
   const double radius = shown(state).com_radius;
-  return radius > 0
-             ? "C uncertainty " + with_length_unit(plain(radius), shown(state).units) +
-                   " · drag to change it"
-             : std::string(
-                   "The centre of mass is known exactly · drag outwards to set an uncertainty");
+  return radius > 0 ? say("C uncertainty {radius} · drag to change it",
+                          {with_length_unit(plain(radius), shown(state).units)})
+                    : "The centre of mass is known exactly · drag outwards to set an uncertainty";
 }
 
 // The hint while a robot fails.
@@ -76,13 +85,15 @@ std::string hint_of_failing(const Failure& failure, const Pick& at, const Units&
   const std::size_t team = failure.placement.teams.front().robots.size(),
                     robot = at.index * team + static_cast<std::size_t>(at.end);
   if (robot >= failure.outlook.loads.size()) return {};
-  const std::string name = "Robot " + std::to_string(robot + 1);
-  if (robot == failure.robot) return name + " fails · Esc brings it back";
+  if (robot == failure.robot) return say("Robot {robot} fails · Esc brings it back", {robot + 1});
+  if (!failure.rest)
+    return say("Robot {robot} · cannot carry the object while robot {failed} fails",
+               {robot + 1, failure.robot + 1});
   const LoadRange& load = failure.outlook.loads[robot];
-  return name + " · " +
-         (failure.rest ? load_in_words(failure.outlook.model, load, failure.outlook.greatest, units)
-                       : std::string("cannot carry the object")) +
-         " while robot " + std::to_string(failure.robot + 1) + " fails";
+  return say(
+      "Robot {robot} · {load} while robot {failed} fails",
+      {robot + 1, load_in_words(failure.outlook.model, load, failure.outlook.greatest, units),
+       failure.robot + 1});
 }
 
 std::string hint_of_robot(const AppState& state, const Pick& at) {
@@ -92,24 +103,25 @@ std::string hint_of_robot(const AppState& state, const Pick& at) {
     return hint_of_failing(*failure, at, units);
   if (!placement || !is_one_team(placement->settings.method))
     return hint_of_team(placement, at.index, units) +
-           (can_take_robot(state, at) ? " · drag it along its range" : "");
+           (can_take_robot(state, at) ? " · " + say("drag it along its range") : "");
   const auto robot = static_cast<std::size_t>(at.end);
   const TeamInWords words =
       team_in_words(*placement, 0, coordinate_decimals(placement->vertices()));
   if (robot >= words.at.size()) return {};
-  return "Robot " + std::to_string(robot + 1) + " " + words.at[robot] + " · " +
-         with_weight_unit(words.loads[robot], units) +
-         (placement->settings.method == Method::given ? " · drag it anywhere"
-          : can_take_robot(state, at)
-              ? ", like all the others · drag it along the edge: its neighbours follow"
-              : ", like all the others · press it to see why");
+  return say(
+      placement->settings.method == Method::given
+          ? "Robot {robot} {place} · {load} · drag it anywhere"
+      : can_take_robot(state, at)
+          ? "Robot {robot} {place} · {load}, like all the others · drag it along the edge: its "
+            "neighbours follow"
+          : "Robot {robot} {place} · {load}, like all the others · press it to see why",
+      {robot + 1, words.at[robot], with_weight_unit(words.loads[robot], units)});
 }
 
 std::string hint_of_candidate(const Placement* placement, std::size_t i) {
   if (!placement || i >= placement->candidates.size()) return {};
-  return "Candidate " + std::to_string(i + 1) + " · load ratio " +
-         ratio_in_words(placement->candidates[i].chord.ratio) +
-         " · press it to see why it was not chosen";
+  return say("Candidate {candidate} · load ratio {ratio} · press it to see why it was not chosen",
+             {i + 1, ratio_in_words(placement->candidates[i].chord.ratio)});
 }
 
 std::string hint_of_drawing(const AppState& state) {
@@ -117,8 +129,8 @@ std::string hint_of_drawing(const AppState& state) {
   if (points.empty())
     return "Click to place the first vertex · drag to move the view · or use arrow keys and Enter";
   if (state.view.hover.kind == Pick::Kind::vertex && state.view.hover.index < points.size())
-    return "Vertex " + std::to_string(state.view.hover.index + 1) + " " +
-           given_point(points[state.view.hover.index]) + " · drag to move";
+    return say("Vertex {vertex} {place} · drag to move",
+               {state.view.hover.index + 1, given_point(points[state.view.hover.index])});
   return "Click to place vertices, or type a length · click the first or press Enter to close · Esc removes the last";
 }
 
@@ -132,8 +144,9 @@ std::string hint_of_pick(const AppState& state, const Pick& at) {
       return hint_of_uncertainty(state);
     case Pick::Kind::edge:
       if (const auto why = why_unusable(state, at))
-        return "Edge " + std::to_string(at.index + 1) + " cannot be used here: " +
-               unusable_in_words(*why, settings(state).robot, shown(state).units);
+        return say(
+            "Edge {edge} cannot be used here: {reason}",
+            {at.index + 1, unusable_in_words(*why, settings(state).robot, shown(state).units)});
       return "Double-click the edge to add a vertex";
     case Pick::Kind::robot:
       return hint_of_robot(state, at);
@@ -182,7 +195,7 @@ std::string shown_hint(const AppState& state, const Layout& layout) {
       state.session.screen.window_foot > 0 || !layout.wide || state.session.screen.finger ||
       state.session.screen.height < 560)
     return {};
-  std::string text = hint(state);
+  std::string text(translated(hint(state)));
   const double room = layout.free.right - layout.tools.right - 22 - 10 - layout.margin;
   while (static_cast<double>(text_size(Face::label, text).x) > room) {
     const std::size_t last = text.rfind(" · ");

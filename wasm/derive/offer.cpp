@@ -8,6 +8,7 @@
 #include "derive/placing.h"
 #include "evenlift/output/verdict.h"
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 #include "state/method.h"
 #include "state/opened.h"
 
@@ -16,7 +17,7 @@ namespace {
 
 // Another document for the same object. They are tried in this order.
 struct Alternative {
-  const char* verb;  // the beginning of the button's words
+  const char* verb;  // the beginning of the button's words, in English
   bool says_held;    // the verb promises a hold
   bool (*suits)(const Placement&);
   Document (*document)(const Derived&);
@@ -59,17 +60,19 @@ std::string gains(const Placement& before, const Placement& after, bool says_hel
   std::string text;
   const auto add = [&](const std::string& gain) { text += (text.empty() ? ": " : ", ") + gain; };
   if (is_short(before) && after.teams.size() > before.teams.size())
-    add("room for " + count_of(after.teams.size(), "team", "teams"));
-  if (!before.loads && after.loads) add("it stands");
-  if (!says_held && !is_held(before) && is_held(after)) add("held");
+    add(say("room for {teams}", {count_of(after.teams.size(), "team", "teams")}));
+  if (!before.loads && after.loads) add(say("it stands"));
+  if (!says_held && !is_held(before) && is_held(after)) add(say("held"));
   if (after.coverage > before.coverage + 0.01)
-    add((after.search_ended ? "" : "at least ") + percentage(after.coverage) + " covered");
+    add(say(after.search_ended ? "{coverage} covered" : "at least {coverage} covered",
+            {percentage(after.coverage)}));
   return text;
 }
 
 std::optional<Offer> lower_ratio(const Derived& facts) {
   if (!facts.best_ratio) return std::nullopt;
-  Offer offer{facts.placed.settings, "Lower the ratio to " + fixed(*facts.best_ratio, 2)};
+  Offer offer{facts.placed.settings,
+              say("Lower the ratio to {ratio}", {fixed(*facts.best_ratio, 2)})};
   offer.settings.min_ratio = *facts.best_ratio;
   return offer;
 }
@@ -91,7 +94,7 @@ std::optional<Offer> best_alternative(const Derived& facts, const Shown& shown) 
     if ((gained.empty() && !alternative.says_held) || !holds || judged.reasons.size() >= fewest)
       continue;
     fewest = judged.reasons.size();
-    found = Offer{document.settings, alternative.verb + gained};
+    found = Offer{document.settings, say(alternative.verb) + gained};
     if (judged.kind == VerdictKind::good) break;
   }
   return found;

@@ -7,6 +7,7 @@
 #include "edits/draw_polygon.h"
 #include "edits/editing.h"
 #include "evenlift/document.h"
+#include "evenlift/wording.h"
 #include "state/layout.h"
 
 namespace evenlift::view {
@@ -61,8 +62,9 @@ std::string scale_picture(AppState& state, double width) {
                    : traced ? state.work.document().vertices
                             : Points();
   corners.push_back(state.work.backdrop->high);
-  if (!(scaled.factor > 0) || !std::isfinite(scaled.factor)) return "It would have no size";
-  if (!all_within(corners, scaled)) return "The picture would reach beyond the largest coordinate";
+  if (!(scaled.factor > 0) || !std::isfinite(scaled.factor)) return say("It would have no size");
+  if (!all_within(corners, scaled))
+    return say("The picture would reach beyond the largest coordinate");
   Document* document = traced ? &edit(state, false, Edit::whole) : nullptr;
   state.work.backdrop->high = scaled(state.work.backdrop->high);
   state.work.backdrop->low = Vec2(0, 0);

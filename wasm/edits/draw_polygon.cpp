@@ -9,6 +9,7 @@
 #include "edits/sight.h"
 #include "evenlift/output/words.h"
 #include "evenlift/polygon_with_holes.h"
+#include "evenlift/wording.h"
 #include "state/layout.h"
 #include "state/notice.h"
 #include "state/opened.h"
@@ -175,7 +176,7 @@ void finish_hole(AppState& state) {
   if (!with) return refuse_drawing(state, with.error());
   edit(state, false, Edit::hole_drawn).holes = with->holes;
   take_tool(state, Tool::parts);
-  announce(state, "Hole " + std::to_string(with->holes.size()) + " drawn.");
+  announce(state, say("Hole {hole} drawn.", {with->holes.size()}));
 }
 
 }  // namespace

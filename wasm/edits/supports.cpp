@@ -9,6 +9,7 @@
 #include "evenlift/moved.h"
 #include "evenlift/output/words.h"
 #include "evenlift/supports.h"
+#include "evenlift/wording.h"
 #include "state/method.h"
 #include "state/notice.h"
 #include "tools/support_spots.h"
@@ -26,7 +27,7 @@ bool has_robots(const AppState& state) {
 std::string way_back(Method method) {
   std::string name = method_in_words(method);
   if (name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
-  return "Back to " + name;
+  return say("Back to {method}", {name});
 }
 
 // Begins an edit of the supports and returns the document with the method `given`.

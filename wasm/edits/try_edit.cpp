@@ -8,6 +8,7 @@
 #include "edits/editing.h"
 #include "edits/undo.h"
 #include "evenlift/settings.h"
+#include "evenlift/wording.h"
 #include "state/opened.h"
 #include "walkthrough/walkthrough.h"
 
@@ -58,8 +59,10 @@ std::optional<InputError> check_robot(const Placement& placement, std::uint64_t 
   const std::size_t count = count_robots(placement.teams);
   if (number <= count) return std::nullopt;
   InputError error = setting_error(Setting::failed);
-  error.message = "there is no robot " + std::to_string(number) + ": there are " +
-                  (count == 0 ? "none" : std::to_string(count));
+  error.message =
+      count == 0
+          ? say("there is no robot {robot}: there are none", {std::to_string(number)})
+          : say("there is no robot {robot}: there are {robots}", {std::to_string(number), count});
   return error;
 }
 

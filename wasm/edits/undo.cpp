@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "edits/sight.h"
+#include "evenlift/wording.h"
 #include "state/notice.h"
 #include "state/seen.h"
 #include "tools/handles.h"
@@ -46,7 +47,7 @@ void show_recalled(AppState& state, History::Recalled recalled) {
   state.work.second_method = shown(state).step ? std::nullopt : recalled.beside.second_method;
 }
 
-// Undo and redo, announced for users who cannot see the change.
+// Undo and redo, announced as `what` for users who cannot see the change.
 void step_back(AppState& state, History::Recalled recalled, const char* what) {
   Walkthrough& walk = state.view.walkthrough;
   Shown& former = recalled.document.shown;
@@ -66,7 +67,7 @@ void step_back(AppState& state, History::Recalled recalled, const char* what) {
   // A lesson would show the teams at other places.
   if (!recalled.document.moved.teams.empty()) former.step.reset();
   show_recalled(state, std::move(recalled));
-  announce(state, what + in_words(edit) + ".");
+  announce(state, say(what, {in_words(edit)}));
 }
 
 // The document before the lesson or task, if one is open.
@@ -78,11 +79,12 @@ std::optional<History::Recalled> before_lesson(AppState& state) {
 // Announces that what was open before the lesson is back. After an edit in the lesson, the message
 // explains how to return to it.
 void tell_of_return(AppState& state, bool edited) {
-  const std::string back = "Your work from before the lesson is back.";
   if (edited)
-    show(state, {Notice::Kind::info, back + " Undo shows the lesson's object as you left it."});
+    show(state, {Notice::Kind::info,
+                 "Your work from before the lesson is back. Undo shows the lesson's object as you "
+                 "left it."});
   else
-    announce(state, back);
+    announce(state, "Your work from before the lesson is back.");
 }
 
 }  // namespace
@@ -103,13 +105,13 @@ void drop_stale_picks(AppState& state) {
 void undo(AppState& state) {
   if (state.work.history.can_undo())
     step_back(state, state.work.history.undo(state.work.document(), beside(state.work)),
-              "Undone: ");
+              "Undone: {edit}.");
 }
 
 void redo(AppState& state) {
   if (state.work.history.can_redo())
     step_back(state, state.work.history.redo(state.work.document(), beside(state.work)),
-              "Redone: ");
+              "Redone: {edit}.");
 }
 
 void leave_walkthrough(AppState& state) {

@@ -8,6 +8,7 @@
 #include "edits/editing.h"
 #include "evenlift/plane.h"
 #include "evenlift/settings.h"
+#include "evenlift/wording.h"
 #include "state/notice.h"
 #include "tools/handles.h"
 
@@ -95,7 +96,8 @@ void remove_handle(AppState& state, std::size_t number) {
   state.view.selected.reset();
   state.view.hover = state.view.held = {};
   const bool whole_hole = state.work.document().holes.size() < holes;
-  announce(state, (whole_hole ? "Hole " + std::to_string(handle->ring) : name) + " removed.");
+  announce(state, whole_hole ? say("Hole {hole} removed.", {handle->ring})
+                             : say("{part} removed.", {name}));
 }
 
 void add_weight(AppState& state, const Vec2& at) {
@@ -104,7 +106,7 @@ void add_weight(AppState& state, const Vec2& at) {
   Document& document = edit(state, false, Edit::weight_added);
   document.settings.cargo.push_back({at, usual_weight(document.settings), {}});
   state.view.selected = count_handles(document) - 1;
-  announce(state, name_of(document, *state.view.selected) + " added.");
+  announce(state, say("{part} added.", {name_of(document, *state.view.selected)}));
 }
 
 std::string problem_of(const Cargo& item) {
@@ -114,9 +116,9 @@ std::string problem_of(const Cargo& item) {
     return check_ranges(settings).has_value();
   };
   if (!is_refused(item)) return {};
-  return is_refused({item.at, item.weight, {}})
-             ? "A weight must be a number greater than 0, at most 1e100, at a place within 1e9"
-             : "The name of a weight must be text of at most 60 characters";
+  return say(is_refused({item.at, item.weight, {}})
+                 ? "A weight must be a number greater than 0, at most 1e100, at a place within 1e9"
+                 : "The name of a weight must be text of at most 60 characters");
 }
 
 void set_weight(AppState& state, std::size_t item, const Cargo& cargo) {

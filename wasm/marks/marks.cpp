@@ -10,6 +10,7 @@
 #include "evenlift/loads.h"
 #include "evenlift/output/words.h"
 #include "evenlift/stability.h"
+#include "evenlift/wording.h"
 #include "marks/boxed_text.h"
 #include "marks/cargo.h"
 #include "marks/carrying.h"
@@ -143,8 +144,8 @@ void draw_push(const Painter& painter, const CanvasView& view) {
   painter.list().AddCircle(at, 5, colour.packed(), 20, 2);
   const std::string text =
       safe ? "A press down here does not tip it"
-           : "Tips under a press down of " +
-                 load_in_words(force, placement.weight(), shown(view.state).units);
+           : say("Tips under a press down of {force}",
+                 {load_in_words(force, placement.weight(), shown(view.state).units)});
   // The box has the panel's colour, on which the lifting base's dark green would be illegible.
   draw_word(painter.list(), Vec2(static_cast<double>(at.x), static_cast<double>(at.y)),
             view.uncovered(), view.theme, safe ? view.theme.text : view.theme.amber, text);
@@ -182,7 +183,7 @@ void draw_reason(const Painter& painter, const CanvasView& view) {
     if (control.card == "tool bar" && control.window.left < window.right)
       window.top = std::max(window.top, control.window.bottom);
   draw_word(painter.list(), view.camera.to_screen(spot), window, view.theme, view.theme.amber,
-            capitalised(error.message));
+            capitalised(std::string(translated(error.message))));
 }
 
 constexpr float gap_in_caption = 10;
@@ -191,14 +192,16 @@ constexpr float gap_in_caption = 10;
 std::string result_in_words(const Placement& placement, const Units& units, std::size_t further) {
   if (!placement.loads) return "no team";
   const LoadSummary& loads = *placement.loads;
-  std::string words = load_in_words(loads.min, loads.max, loads.max, units);
-  if (further > 0) words += " · coverage " + percentage(placement.coverage);
-  if (further > 1) words += is_held(placement) ? " · held" : " · not held";
-  return words;
+  const std::string words = load_in_words(loads.min, loads.max, loads.max, units);
+  if (further == 0) return words;
+  return say(further == 1         ? "{loads} · coverage {coverage}"
+             : is_held(placement) ? "{loads} · coverage {coverage} · held"
+                                  : "{loads} · coverage {coverage} · not held",
+             {words, percentage(placement.coverage)});
 }
 
 std::string name_in_caption(const Placement& placement) {
-  return capitalised(method_in_words(placement.settings.method)) + ", " +
+  return say(capitalised(method_in_words(placement.settings.method))) + ", " +
          count_of(count_robots(placement.teams), "robot", "robots");
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 #include "marks/boxed_text.h"
 #include "tools/drawing.h"
 #include "tools/transform.h"
@@ -86,9 +87,11 @@ std::optional<std::size_t> edge_crossed_by_last(const Points& chain) {
 }
 
 std::string closing_words(const AppState& state) {
-  const std::string drawn = state.view.tool == Tool::hole ? "hole" : "shape";
-  if (state.view.drawing.by_keys) return "Press Enter to close the " + drawn;
-  return (state.session.screen.touch ? "Tap to close the " : "Click to close the ") + drawn;
+  const bool hole = state.view.tool == Tool::hole;
+  if (state.view.drawing.by_keys)
+    return hole ? "Press Enter to close the hole" : "Press Enter to close the shape";
+  if (state.session.screen.touch) return hole ? "Tap to close the hole" : "Tap to close the shape";
+  return hole ? "Click to close the hole" : "Click to close the shape";
 }
 
 // The centre of mass of the shape if it were closed now.
@@ -145,12 +148,12 @@ void draw_drawing(const Painter& painter, const AppState& state, const Theme& th
   if (closing) {
     if (drawing.refusal)
       draw_word(painter.list(), spot, window, theme, theme.amber,
-                "Cannot be closed: " + sentence(*drawing.refusal));
+                say("Cannot be closed: {reason}", {sentence(*drawing.refusal)}));
     else
       draw_word(painter.list(), spot, window, theme, theme.accent, closing_words(state));
   } else if (const auto other = edge_crossed_by_last(chain)) {
     draw_word(painter.list(), spot, window, theme, theme.amber,
-              "This edge would cross edge " + std::to_string(*other + 1));
+              say("This edge would cross edge {edge}", {*other + 1}));
   } else if (*drawing.cursor != drawing.points.back()) {
     draw_word(painter.list(), spot, window, theme, theme.second_text,
               given_point(*drawing.cursor) + " · " +

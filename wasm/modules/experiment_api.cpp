@@ -10,6 +10,7 @@
 
 #include "evenlift/experiment/outputs.h"
 #include "evenlift/import.h"
+#include "evenlift/wording.h"
 #include "page/hand_over.h"
 
 namespace evenlift {
@@ -32,7 +33,8 @@ experiment::ExperimentSettings& settings() {
 
 std::string problem_of(const InputError& error) {
   const std::string place = describe(error.place);
-  return place.empty() ? error.message : place + ": " + error.message;
+  const std::string message(translated(error.message));
+  return place.empty() ? message : place + ": " + message;
 }
 
 experiment::PolygonResult refused(const std::string& set, const std::string& name,
@@ -50,9 +52,9 @@ experiment::PolygonResult measured(const std::string& set, const std::string& na
   const Result<Import> import = read_shapes(text);
   if (!import) return refused(set, name, problem_of(import.error()));
   if (import->shapes.size() != 1)
-    return refused(set, name,
-                   "it has " + std::to_string(import->shapes.size()) +
-                       " shapes; here a file may have only one");
+    return refused(
+        set, name,
+        say("it has {shapes} shapes; here a file may have only one", {import->shapes.size()}));
   const Document& document = import->shapes.front().document;
   const Result<experiment::Subject> subject = experiment::prepare(document, settings().min_ratio);
   if (!subject) return refused(set, name, problem_of(subject.error()));

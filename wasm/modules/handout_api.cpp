@@ -18,6 +18,7 @@
 #include "evenlift/output/trace_words.h"
 #include "evenlift/placement.h"
 #include "evenlift/trace.h"
+#include "evenlift/wording.h"
 #include "modules/handout_paper.h"
 #include "page/hand_over.h"
 
@@ -47,7 +48,7 @@ std::vector<Stop> stops_of(const Trace& trace, const Result<Lesson>& lesson) {
 }
 
 std::string problem(const InputError& error) {
-  return json::object({{"problem", json::text(error.message)}});
+  return json::object({{"problem", json::text(translated(error.message))}});
 }
 
 std::string in_json(const Points& points) {
@@ -106,7 +107,7 @@ std::string step_json(const Paper& paper, const Trace& trace, const Stop& stop) 
   for (const PaperWords& each : words_on_paper(paper, trace, detail, shown))
     words.push_back(
         json::object({{"text", json::text(each.text)}, {"at", json::pair(each.middle)}}));
-  return json::object({{"chapter", json::text(title(detail.step.chapter))},
+  return json::object({{"chapter", json::text(translated(title(detail.step.chapter)))},
                        {"caption", json::text(caption(trace, detail))},
                        {"formula", json::text(formula(trace, detail))},
                        {"in_words", json::text(stop.words)},

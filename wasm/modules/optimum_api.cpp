@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "evenlift/output/svg.h"
 #include "evenlift/output/words.h"
 #include "evenlift/placed_robots.h"
+#include "evenlift/wording.h"
 #include "page/hand_over.h"
 
 namespace evenlift {
@@ -36,8 +38,8 @@ std::optional<Compared>& last() {
   return compared;
 }
 
-std::string problem(const std::string& text) {
-  return json::object({{"problem", json::text(text)}});
+std::string problem(std::string_view text) {
+  return json::object({{"problem", json::text(translated(text))}});
 }
 
 // The same number of teams, by a method that chooses among candidates.
@@ -77,27 +79,30 @@ std::string how_sure(const Compared& compared) {
   const Optimum& optimum = compared.optimum;
   const std::string bound = fixed(100 * optimum.bound, 2) + "\u00A0%";
   const std::size_t candidates = compared.greedy.candidates.size();
-  const std::string many = "With " + count_of(candidates, "candidate", "candidates");
   if (optimum.proved)
-    return "It is proved: no choice of this number of teams among these candidates covers more.";
+    return say(
+        "It is proved: no choice of this number of teams among these candidates covers more.");
   if (compared.stopped)
-    return "A proof would take longer than " + plain(compared.seconds) +
-           " seconds here. This is the best choice found in that time; no choice covers more than " +
-           bound + ". The program takes the time that you give it: evenlift optimum FILE --teams " +
-           std::to_string(compared.greedy.requested_teams) + " --time-limit 600.";
-  if (candidates > most_candidates_bounded)
-    return many + " the optimum would take too long. All of them together cover " + bound +
-           ", and no choice covers more.";
-  return many + " there is no proof that it is the best: no choice covers more than " + bound + ".";
+    return say(
+        "A proof would take longer than {seconds} seconds here. This is the best choice found in "
+        "that time; no choice covers more than {coverage}. The program takes the time that you give "
+        "it: evenlift optimum FILE --teams {teams} --time-limit 600.",
+        {plain(compared.seconds), bound, compared.greedy.requested_teams});
+  return say(candidates > most_candidates_bounded
+                 ? "With {candidates} the optimum would take too long. All of them together cover "
+                   "{coverage}, and no choice covers more."
+                 : "With {candidates} there is no proof that it is the best: no choice covers more "
+                   "than {coverage}.",
+             {count_of(candidates, "candidate", "candidates"), bound});
 }
 
 std::string gap(const Compared& compared) {
   const double behind = compared.optimum.coverage - compared.greedy.coverage;
   if (!(behind > 1e-9))
-    return compared.optimum.proved ? "The greedy choice is the best one."
-                                   : "Nothing better than the greedy choice was found.";
-  return "The greedy choice is " +
-         points_ahead(compared.optimum.coverage, compared.greedy.coverage) + " behind it.";
+    return say(compared.optimum.proved ? "The greedy choice is the best one."
+                                       : "Nothing better than the greedy choice was found.");
+  return say("The greedy choice is {points} behind it.",
+             {points_ahead(compared.optimum.coverage, compared.greedy.coverage)});
 }
 
 // Robots that need not stand in pairs may cover more than the best pairs.
@@ -109,9 +114,11 @@ std::string balanced_beside(const Document& document, const Compared& compared) 
   const Result<Placement> balanced = place(other, Effort::start);
   if (!balanced || balanced->teams.empty() || balanced->coverage <= compared.best.coverage)
     return {};
-  return "As many balanced robots, which need not stand in pairs, cover " +
-         std::string(balanced->search_ended ? "" : "at least ") + percentage(balanced->coverage) +
-         ".";
+  return say(
+      balanced->search_ended
+          ? "As many balanced robots, which need not stand in pairs, cover {coverage}."
+          : "As many balanced robots, which need not stand in pairs, cover at least {coverage}.",
+      {percentage(balanced->coverage)});
 }
 
 std::string as_json(const Compared& compared, Method asked, const std::string& beside) {
@@ -122,14 +129,15 @@ std::string as_json(const Compared& compared, Method asked, const std::string& b
   std::vector<std::string> said = {json::text(gap(compared)), json::text(how_sure(compared))};
   if (!beside.empty()) said.push_back(json::text(beside));
   if (asked != greedy.settings.method)
-    said.push_back(
-        json::text("The method " + method_in_words(asked) +
-                   " does not choose among candidates, so the same number of teams is chosen by " +
-                   method + " here."));
-  return json::object({{"rows", json::array({row("Greedy, by " + method, {greedy, shown}),
-                                             row(proved ? "The optimum" : "The best found",
-                                                 {compared.best, shown})})},
-                       {"said", json::array(said)}});
+    said.push_back(json::text(
+        say("The method {method} does not choose among candidates, so the same number of "
+            "teams is chosen by {metric} here.",
+            {method_in_words(asked), method})));
+  return json::object(
+      {{"rows",
+        json::array({row(say("Greedy, by {metric}", {method}), {greedy, shown}),
+                     row(say(proved ? "The optimum" : "The best found"), {compared.best, shown})})},
+       {"said", json::array(said)}});
 }
 
 }  // namespace

@@ -25,6 +25,7 @@
 #include "evenlift/polygon.h"
 #include "evenlift/stands.h"
 #include "evenlift/supports.h"
+#include "evenlift/wording.h"
 #include "page/browser.h"
 #include "page/hand_over.h"
 #include "page/page_api.h"
@@ -57,13 +58,13 @@ std::optional<double> coordinate(std::string_view text, std::string& problem) {
   const std::optional<double> value = read_number(text);
   if (value && std::abs(*value) <= max_coordinate) return value;
   if (value)
-    problem = "Coordinates go from −1,000,000,000 to 1,000,000,000";
+    problem = say("Coordinates go from −1,000,000,000 to 1,000,000,000");
   else if (text.empty())
-    problem = "A number is missing";
+    problem = say("A number is missing");
   else if (text.find(',') != std::string_view::npos)
-    problem = "Write decimals with a point, not a comma: 2.5";
+    problem = say("Write decimals with a point, not a comma: 2.5");
   else
-    problem = "“" + std::string(text.substr(0, 40)) + "” is not a number";
+    problem = say("“{text}” is not a number", {text.substr(0, 40)});
   return std::nullopt;
 }
 
@@ -106,6 +107,8 @@ namespace json = evenlift::json;
 using evenlift::Document;
 using evenlift::read_polygon;
 using evenlift::Result;
+using evenlift::say;
+using evenlift::translated;
 using evenlift::Vec2;
 
 extern "C" {
@@ -169,7 +172,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_vertex_name(int vertex) {
   const auto handle = handle_of(app().state.work.document(), static_cast<std::size_t>(vertex));
   if (vertex < 0 || !handle) return hand_over({});
   const std::string index = std::to_string(handle->index + 1);
-  return hand_over(handle->ring == 0 ? index : "H" + std::to_string(handle->ring) + " · " + index);
+  return hand_over(handle->ring == 0 ? index : say("H{hole} · {vertex}", {handle->ring, index}));
 }
 
 // The centre of mass [x, y]: the given one, or the last centroid; and whether it was given.
@@ -197,7 +200,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_set_coordinate(int vertex, int axis, const
   const std::optional<double> value = coordinate(text, problem);
   if (!value) return hand_over(std::move(problem));
   if (vertex >= static_cast<int>(count_vertices(document)))
-    return hand_over("This vertex no longer exists");
+    return hand_over(say("This vertex no longer exists"));
   Vec2 to = vertex < 0 ? document.centre_of_mass.value_or(state.derived().placement->own_centre)
                        : place_of(document, static_cast<std::size_t>(vertex));
   to[axis] = *value;
@@ -281,7 +284,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_weights(int first, int count) {
 EMSCRIPTEN_KEEPALIVE const char* page_set_weight(int item, int column, const char* text) {
   const std::vector<evenlift::Cargo>& cargo = settings(app().state).cargo;
   if (item < 0 || item >= static_cast<int>(cargo.size()))
-    return hand_over("This weight no longer exists");
+    return hand_over(say("This weight no longer exists"));
   evenlift::Cargo changed = cargo[static_cast<std::size_t>(item)];
   std::string problem;
   const std::optional<double> value = column < 3 ? coordinate(text, problem) : std::nullopt;
@@ -352,13 +355,13 @@ EMSCRIPTEN_KEEPALIVE const char* page_set_robot(int robot, int axis, const char*
   const std::optional<double> value = coordinate(text, problem);
   if (!value) return hand_over(std::move(problem));
   if (robot < 0 || robot >= static_cast<int>(robots.size()))
-    return hand_over("This robot no longer exists");
+    return hand_over(say("This robot no longer exists"));
   Vec2& to = robots[static_cast<std::size_t>(robot)];
   to[axis] = *value;
   evenlift::Settings moved = settings(state);
   moved.supports = {to};
   const auto placed = place_supports(state.derived().placement->object, moved);
-  if (!placed) return hand_over(placed.error().message);
+  if (!placed) return hand_over(std::string(translated(placed.error().message)));
   carry_out({EndEdit{}, PutRobot{static_cast<std::size_t>(robot), to}, EndEdit{}});
   return hand_over({});
 }

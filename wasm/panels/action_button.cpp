@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "evenlift/wording.h"
 #include "widgets/buttons.h"
 #include "widgets/dropdown.h"
 #include "widgets/text.h"
@@ -39,7 +40,7 @@ void named_action_button(const Ui& ui, ActionId id, float size) {
 void action_row(const Ui& ui, ActionId id) {
   const Action& a = action(id);
   const bool keyed = *a.shown && !ui.state.session.screen.touch && !ui.state.session.screen.finger;
-  const std::string label = keyed ? std::string(a.label) + " (" + a.shown + ")" : a.label;
+  const std::string label = keyed ? say("{action} ({key})", {a.label, a.shown}) : a.label;
   if (choice(ui, label, nullptr, false, a.icon, a.enabled(ui.state))) a.run(ui.state, ui.commands);
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 #include "panels/length_row.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
@@ -50,7 +51,8 @@ void draw_need(const Ui& ui) {
     pressable_row(ui, "use needed", "Use the number needed", width, ui.control(), false);
     return;
   }
-  const std::string label = "Use " + count_of(plan->team_size * plan->teams, "robot", "robots");
+  const std::string label =
+      say("Use {robots}", {count_of(plan->team_size * plan->teams, "robot", "robots")});
   if (flat_button(ui, "use needed", label.c_str(), width)) ui.push(SetSettings{changed});
 }
 
@@ -61,7 +63,7 @@ void draw_capacity(const Ui& ui) {
       Setting::capacity,
       "A robot carries",
       "The greatest load of one robot; type it to see the number of robots needed",
-      "Capacity of a robot, in " + weight_unit(ui.state),
+      say("Capacity of a robot, in {unit}", {weight_unit(ui.state)}),
       "no limit",
       "any",
       "No limit"};

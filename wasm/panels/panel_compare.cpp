@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
 #include "ui/controls.h"
@@ -28,13 +29,12 @@ std::vector<Row> rows(const Placement& a, const Placement& b, std::size_t failed
       return p.loads ? amount((*p.loads).*member, p.loads->max) : std::string("–");
     };
   };
-  const std::string unit = ", " + weight_unit;
   return {
       {"Robots",
        {std::to_string(count_robots(a.teams) - failed), std::to_string(count_robots(b.teams))}},
-      {"Least load" + unit, both(load(&LoadSummary::min))},
-      {"Greatest load" + unit, both(load(&LoadSummary::max))},
-      {"Spread of loads" + unit, both(load(&LoadSummary::spread))},
+      {say("Least load, {unit}", {weight_unit}), both(load(&LoadSummary::min))},
+      {say("Greatest load, {unit}", {weight_unit}), both(load(&LoadSummary::max))},
+      {say("Spread of loads, {unit}", {weight_unit}), both(load(&LoadSummary::spread))},
       {"Coverage", both([](const Placement& p) { return percentage(p.coverage, 1); })},
       {"Form closure", both([](const Placement& p) { return form_closure_in_words(p.closure); })}};
 }
@@ -53,8 +53,8 @@ void draw_row(const Ui& ui, const Row& row, Face face, Colour colour,
   }
   ImGui::Dummy(ImVec2(width, 21));
   if (!row.label.empty())
-    list_text(row.label,
-              methods[0] + " " + row.values[0] + ", " + methods[1] + " " + row.values[1]);
+    list_text(row.label, say("{method} {value}, {second} {other}",
+                             {methods[0], row.values[0], methods[1], row.values[1]}));
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ void draw_comparison(const Ui& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
   const bool fails = failing(ui.state) != nullptr;
   const std::string first = words_of(ui.state.derived().placement->settings.method).label;
-  const std::array<std::string, 2> both = {first + (fails ? ", one fails" : ""),
+  const std::array<std::string, 2> both = {fails ? say("{method}, one fails", {first}) : first,
                                            words_of(*ui.state.work.second_method).label};
   draw_row(ui, {"", both}, Face::label, ui.theme.second_text, both);
   for (const Row& row : rows(shown_placement(ui.state), *ui.state.derived().second, fails ? 1 : 0,

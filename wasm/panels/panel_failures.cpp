@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "evenlift/wording.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
 #include "widgets/buttons.h"
@@ -113,9 +114,10 @@ void draw_failures(const Ui& ui) {
   const float places = static_cast<float>(std::max<std::size_t>(count, 1));
   const bool steps = ui.state.session.screen.finger && width / places < 44;
   const float row_width = std::min(width - (steps ? 2 * ui.control() : 0), widest_place * places);
-  const RowOfPlaces row = row_of_places(ui, "failures", "The robot that fails",
-                                        failed ? failure_words(ui.state, failed->robot) : "none",
-                                        count, now, ImVec2(row_width, height));
+  const RowOfPlaces row =
+      row_of_places(ui, "failures", "The robot that fails",
+                    failed ? failure_words(ui.state, failed->robot) : say("none"), count, now,
+                    ImVec2(row_width, height));
   draw_text(*ImGui::GetWindowDrawList(), Face::label, low, ui.theme.second_text,
             caption(ui.state, count));
   if (steps) draw_steps(ui, ImVec2(low.x + width - 2 * ui.control(), low.y), count, now);

@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
 #include "picture/heat.h"
@@ -17,6 +18,8 @@ struct Overlay {
   Swatch swatch;
   const char* label;
   const char* about;
+  const char* about_none =
+      nullptr;  // if it can be empty: a held object has no points to turn about
 };
 constexpr Overlay overlays[] = {
     {&Overlays::lifting_base, Swatch::hull, "Base",
@@ -25,9 +28,11 @@ constexpr Overlay overlays[] = {
      "The two robots of a team and the line between them (C)"},
     {&Overlays::candidates, Swatch::candidate, "Candidates", "All chords that were compared (A)"},
     {&Overlays::clockwise, Swatch::clockwise, "Clockwise",
-     "Points about which it can still turn clockwise, robots on corners not counted (R)"},
+     "Points about which it can still turn clockwise, robots on corners not counted (R)",
+     "Points about which it can still turn clockwise, robots on corners not counted: none here (R)"},
     {&Overlays::counterclockwise, Swatch::counterclockwise, "Counter-clockwise",
-     "Points about which it can still turn counter-clockwise, robots on corners not counted (L)"},
+     "Points about which it can still turn counter-clockwise, robots on corners not counted (L)",
+     "Points about which it can still turn counter-clockwise, robots on corners not counted: none here (L)"},
     {&Overlays::tipping, Swatch::tipping, "Tipping",
      "The press down that tips the object, at each point (F)"},
     {&Overlays::halo, Swatch::halo, "Tipping distance",
@@ -60,20 +65,18 @@ const char* label_of(Method method, const Overlay& overlay) {
   return shows_lines(method, overlay) ? "Lines" : overlay.label;
 }
 
-// Whether the overlay is shown but empty: a held object, for example, has no points to turn about.
+// Whether the overlay is shown but empty.
 bool is_empty(const Placement& placement, const Overlay& overlay) {
   const Closure& closure = placement.closure;
   return (overlay.shown == &Overlays::clockwise && !closure.clockwise.exists) ||
          (overlay.shown == &Overlays::counterclockwise && !closure.counterclockwise.exists);
 }
 
-std::string about(const AppState& state, const Overlay& overlay) {
+const char* about(const AppState& state, const Overlay& overlay) {
   if (shows_lines(settings(state).method, overlay))
     return "Balanced robots have no chords: a line joins each with the centre of mass (C)";
-  if (!state.derived().placement || !is_empty(shown_placement(state), overlay))
-    return overlay.about;
-  const std::string text = overlay.about;
-  return text.substr(0, text.rfind(" (")) + ": none here" + text.substr(text.rfind(" ("));
+  const bool empty = state.derived().placement && is_empty(shown_placement(state), overlay);
+  return empty ? overlay.about_none : overlay.about;
 }
 
 }  // namespace
@@ -86,7 +89,7 @@ void draw_heat_key(const Ui& ui) {
   const float each = width / bands, top = low.y + 20;
   float written = low.x - 4;  // end of the last number
   draw_text(list, Face::label, ImVec2(low.x, low.y), ui.theme.second_text,
-            "Force that tips it, in " + weight_unit(ui.state));
+            say("Force that tips it, in {unit}", {weight_unit(ui.state)}));
   for (int i = 0; i < bands; ++i) {
     const float left = low.x + each * static_cast<float>(i);
     list.AddRectFilled(ImVec2(left, top), ImVec2(left + each - 1, top + 10),
@@ -123,7 +126,7 @@ void draw_overlays(const Ui& ui) {
       changed.overlays.*overlay.shown = !on;
       ui.push(SetShown{changed});
     }
-    if (ImGui::IsItemHovered()) tip(ui, why_not ? why_not : about(ui.state, overlay).c_str());
+    if (ImGui::IsItemHovered()) tip(ui, why_not ? why_not : about(ui.state, overlay));
   }
   if (shown(ui.state).overlays.tipping) draw_heat_key(ui);
 }

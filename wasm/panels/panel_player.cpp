@@ -3,6 +3,7 @@
 #include <string>
 
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 #include "panels/action_button.h"
 #include "panels/panels.h"
 #include "walkthrough/playing.h"
@@ -61,7 +62,7 @@ void draw_timeline(const Ui& ui, float width) {
                                              (high.x - low.x - 2 * knob));
     const std::uint32_t at = std::min(position_at(parts, share), now.count - 1);
     const Step step = ui.state.view.walkthrough.trace->step(step_of(ui.state, at));
-    tip(ui, ("Step " + std::to_string(at + 1) + ": " + std::string(title(step.chapter))).c_str());
+    tip(ui, say("Step {step}: {chapter}", {at + 1, title(step.chapter)}).c_str());
   }
   if (moved.changed && moved.value < now.count)
     ui.push(GoToStep{step_of(ui.state, static_cast<std::uint32_t>(moved.value))});
@@ -79,11 +80,13 @@ void draw_transport(const Ui& ui, float size) {
 
 constexpr float place_gap = 24;
 
+std::string words_of_place(const Ui& ui) { return say("Step {place}", {place_in_words(ui.state)}); }
+
 void draw_place(const Ui& ui, float size) {
-  const std::string place = "Step " + place_in_words(ui.state);
-  const ImVec2 at = ImGui::GetCursorScreenPos(), text = text_size(Face::label, place);
+  const std::string words = words_of_place(ui);
+  const ImVec2 at = ImGui::GetCursorScreenPos(), text = text_size(Face::label, words);
   draw_text(*ImGui::GetWindowDrawList(), Face::label, ImVec2(at.x, at.y + (size - text.y) / 2),
-            ui.theme.second_text, place);
+            ui.theme.second_text, words);
   ImGui::Dummy(ImVec2(text.x + place_gap, size));
 }
 
@@ -114,10 +117,11 @@ void draw_menu(const Ui& ui) {
   const Walkthrough& walk = ui.state.view.walkthrough;
   if (choice(ui, "All steps", nullptr, shows_all(walk))) ui.push(ShowAllSteps{!shows_all(walk)});
   if (choice(ui, "Predict first", nullptr, walk.predict)) ui.push(SetPredict{!walk.predict});
-  const std::string now = " (now " + plain(walk.speed) + "×)";
-  if (choice(ui, "Play faster" + now, nullptr, false, Icon::plus, walk.speed < fastest_speed))
+  const std::string faster = say("Play faster (now {speed}×)", {plain(walk.speed)}),
+                    slower = say("Play slower (now {speed}×)", {plain(walk.speed)});
+  if (choice(ui, faster, nullptr, false, Icon::plus, walk.speed < fastest_speed))
     ui.push(SetSpeed{walk.speed * 2});
-  if (choice(ui, "Play slower" + now, nullptr, false, Icon::minus, walk.speed > slowest_speed))
+  if (choice(ui, slower, nullptr, false, Icon::minus, walk.speed > slowest_speed))
     ui.push(SetSpeed{walk.speed / 2});
   for (const ActionId id : {ActionId::first_step, ActionId::previous_chapter,
                             ActionId::next_chapter, ActionId::last_step})
@@ -168,8 +172,7 @@ void draw_player_row(const Ui& ui) {
 // Timeline, buttons and switches; a menu has those that do not fit.
 void draw_player(const Ui& ui) {
   const float width = ImGui::GetContentRegionAvail().x, size = ui.control();
-  const float needed = 7 * size + 12 +
-                       text_size(Face::label, "Step " + place_in_words(ui.state)).x + place_gap +
+  const float needed = 7 * size + 12 + text_size(Face::label, words_of_place(ui)).x + place_gap +
                        8 + speed_width(size) + 12 + switch_chip_width("Predict first") + 6 +
                        switch_chip_width("All steps");
   if (width < 8 * size || ui.layout.player.height() < 2 * static_cast<double>(size))

@@ -6,6 +6,7 @@
 #include "actions/actions.h"
 #include "evenlift/output/words.h"
 #include "evenlift/settings.h"
+#include "evenlift/wording.h"
 #include "panels/length_row.h"
 #include "panels/panels.h"
 #include "state/method.h"
@@ -71,9 +72,9 @@ std::string left_in_words(const Placement& placement) {
     all += length(placement.polygon().edge_end(edge) - placement.polygon().edge_start(edge));
   for (const UnusablePart& part : placement.stands->unusable())
     lost += part.part.to - part.part.from;
-  if (lost == 0) return marked + "The whole boundary can be used.";
-  return marked + percentage(std::clamp(1 - lost / all, 0.0, 1.0)) +
-         " of the boundary can be used. Point at the rest to see why not.";
+  if (lost == 0) return marked + say("The whole boundary can be used.");
+  return marked + say("{share} of the boundary can be used. Point at the rest to see why not.",
+                      {percentage(std::clamp(1 - lost / all, 0.0, 1.0))});
 }
 
 void draw_size_rows(const Ui& ui) {

@@ -6,6 +6,7 @@
 #include "actions/actions.h"
 #include "evenlift/numbers.h"
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
 #include "state/method.h"
@@ -61,7 +62,7 @@ void draw_ratio(const Ui& ui) {
 void draw_weight(const Ui& ui) {
   Settings changed = settings(ui.state);
   const float width = labelled(ui, "Weight", "Weight of the whole object");
-  const std::string label = "Weight in " + weight_unit(ui.state);
+  const std::string label = say("Weight in {unit}", {weight_unit(ui.state)});
   const int by = stepper(ui, "weight", given_weight(changed.weight, shown(ui.state).units), width,
                          {.can_lower = changed.weight > 1e-3,
                           .can_raise = changed.weight < 1e9,

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
 #include "widgets/buttons.h"
@@ -61,7 +62,7 @@ void right_aligned(ImDrawList& list, Face face, float right, float middle_y, Col
 void draw_heading(const Ui& ui, const Columns& c) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float y = ImGui::GetCursorScreenPos().y + 8;
-  const std::string loads = "Loads in " + weight_unit(ui.state);
+  const std::string loads = say("Loads in {unit}", {weight_unit(ui.state)});
   const ImVec2 size = text_size(Face::label, loads);
   draw_text(list, Face::label, ImVec2(c.left, y - size.y / 2), ui.theme.second_text, "Robots");
   draw_text(list, Face::label, ImVec2(c.middle - size.x / 2, y - size.y / 2), ui.theme.second_text,
@@ -107,14 +108,16 @@ void draw_numbers(const Ui& ui, float left, float y, float width, const std::str
 }
 
 // The text of a row for users who cannot see it: "Team 2, robots 3 and 4: loads 15.2 and 18.1 kg,
-// length 320, ratio 0.84".
+// length 320, ratio 0.84. Why here?"
 std::string team_row_in_words(const Ui& ui, std::size_t index) {
   const Team& team = ui.state.derived().placement->teams[index];
   const double span = team.robots[0].arm + team.robots[1].arm;
-  return "Team " + std::to_string(index + 1) + ", robots " + std::to_string(2 * index + 1) +
-         " and " + std::to_string(2 * index + 2) + ": loads " + load_text(ui, 2 * index) + " and " +
-         load_text(ui, 2 * index + 1) + " " + weight_unit(ui.state) + ", length " +
-         amount(span, span) + ", ratio " + ratio_in_words(team.ratio);
+  return say(
+      "Team {team}, robots {first} and {second}: loads {load} and {other} {unit}, "
+      "length {length}, ratio {ratio}. Why here?",
+      {index + 1, 2 * index + 1, 2 * index + 2, load_text(ui, 2 * index),
+       load_text(ui, 2 * index + 1), weight_unit(ui.state), amount(span, span),
+       ratio_in_words(team.ratio)});
 }
 
 bool draw_row(const Ui& ui, const Columns& c, std::size_t index) {
@@ -122,8 +125,8 @@ bool draw_row(const Ui& ui, const Columns& c, std::size_t index) {
   const Team& team = placement.teams[index];
   const float height = std::max(28.0f, ui.control() - 8);
   const std::string name = "Team " + std::to_string(index + 1);
-  const auto [low, high, pressed, hovered] = pressable_row(
-      ui, name.c_str(), team_row_in_words(ui, index) + ". Why here?", c.ratio - c.left, height);
+  const auto [low, high, pressed, hovered] =
+      pressable_row(ui, name.c_str(), team_row_in_words(ui, index), c.ratio - c.left, height);
   if (pressed) ui.push(Explain{Pick{Pick::Kind::chord, index, 0, team.robots[0].point.position}});
   const bool named = (ui.state.view.hover.kind == Pick::Kind::chord ||
                       ui.state.view.hover.kind == Pick::Kind::robot) &&
@@ -154,7 +157,8 @@ void draw_even_share(const Ui& ui, const Columns& c, float top, float bottom) {
     const float x = c.middle + way * out;
     list.AddLine(ImVec2(x, top), ImVec2(x, bottom), ui.theme.accent.packed(), 1.5f);
   }
-  const std::string text = "even share " + load_in_words(mean, greatest, shown(ui.state).units);
+  const std::string text =
+      say("even share {load}", {load_in_words(mean, greatest, shown(ui.state).units)});
   const ImVec2 size = text_size(Face::label, text);
   draw_text(list, Face::label, ImVec2(c.middle - size.x / 2, bottom + 3), ui.theme.accent, text);
 }
@@ -167,8 +171,8 @@ void draw_robot_row(const Ui& ui, const Columns& c, std::size_t index, const Tea
   const std::string number = std::to_string(index + 1), name = "Robot " + number;
   const auto [low, high, pressed, hovered] =
       pressable_row(ui, name.c_str(),
-                    name + ": at " + words.at[index] + ", load " + load_text(ui, index) + " " +
-                        weight_unit(ui.state) + ". Why here?",
+                    say("Robot {robot}: at {place}, load {load} {unit}. Why here?",
+                        {number, words.at[index], load_text(ui, index), weight_unit(ui.state)}),
                     c.ratio - c.left, std::max(28.0f, ui.control() - 8));
   if (pressed) ui.push(Explain{pick});
   const Pick& over = ui.state.view.hover;
@@ -193,7 +197,7 @@ void draw_robots(const Ui& ui, const Columns& c) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   draw_text(list, Face::label, at, ui.theme.second_text, "Robot");
   right_aligned(list, Face::label, c.ratio, at.y + 8, ui.theme.second_text,
-                "Load in " + weight_unit(ui.state));
+                say("Load in {unit}", {weight_unit(ui.state)}));
   ImGui::Dummy(ImVec2(1, line_height(Face::label)));
   const TeamInWords words = team_in_words(placement, 0, coordinate_decimals(placement.vertices()));
   for (std::size_t i = 0; i < words.at.size(); ++i) draw_robot_row(ui, c, i, words);
@@ -221,8 +225,7 @@ void draw_teams(const Ui& ui) {
   draw_even_share(ui, c, top, ImGui::GetItemRectMax().y + 2);
   ImGui::Dummy(ImVec2(1, 20));
   if (count > most_rows) {
-    text_line(Face::label, ui.theme.second_text,
-              "and " + std::to_string(count - most_rows) + " more");
+    text_line(Face::label, ui.theme.second_text, say("and {number} more", {count - most_rows}));
   }
   ImGui::PopStyleVar();
 }

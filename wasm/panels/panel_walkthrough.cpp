@@ -8,6 +8,7 @@
 
 #include "actions/actions.h"
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 #include "panels/panels.h"
 #include "walkthrough/questions.h"
 #include "walkthrough/script.h"
@@ -51,19 +52,28 @@ constexpr Faces in_little_room{Face::text, Face::label, Face::strong_label, Face
                                Face::label};
 constexpr Faces for_a_room{Face::large, Face::text, Face::verdict, Face::text, Face::label};
 
-std::string choice_name(const Ask& ask, std::uint32_t choice) {
+// The button of a choice.
+struct ChoiceName {
+  std::string id, words;
+};
+
+ChoiceName choice_name(const Ask& ask, std::uint32_t choice) {
+  const auto numbered = [&](const char* id, const char* pattern) {
+    return ChoiceName{id + std::to_string(choice + 1), say(pattern, {choice + 1})};
+  };
   switch (ask.question.kind) {
     case QuestionKind::winning_chord:
     case QuestionKind::coming_candidate:
-      return "Candidate " + std::to_string(choice + 1);
+      return numbered("Candidate ", "Candidate {candidate}");
     case QuestionKind::even_chord:
-      return "Chord " + std::to_string(choice + 1);
+      return numbered("Chord ", "Chord {chord}");
     case QuestionKind::leaving_team:
-      return "Team " + std::to_string(choice + 1);
+      return numbered("Team ", "Team {team}");
     case QuestionKind::nearer_end:
       break;
   }
-  return choice == 0 ? "The first end" : "The second end";
+  const char* end = choice == 0 ? "The first end" : "The second end";
+  return {end, say(end)};
 }
 
 // The buttons are beside each other if height is scarce.
@@ -73,8 +83,8 @@ void draw_choices(const Ui& ui, const Ask& ask, bool beside) {
     const auto n = static_cast<float>(ask.choices.size());
     for (std::size_t i = 0; i < ask.choices.size(); ++i) {
       if (beside && i > 0) ImGui::SameLine(0, gap);
-      const std::string name = choice_name(ask, ask.choices[i]);
-      if (flat_button(ui, name.c_str(), name.c_str(), beside ? (width - (n - 1) * gap) / n : width))
+      const auto [id, words] = choice_name(ask, ask.choices[i]);
+      if (flat_button(ui, id.c_str(), words.c_str(), beside ? (width - (n - 1) * gap) / n : width))
         ui.push(Guess{ask.choices[i]});
     }
     return;
@@ -83,7 +93,7 @@ void draw_choices(const Ui& ui, const Ask& ask, bool beside) {
   const auto pointed = static_cast<int>(ask.pointed);
   const float taking = beside ? text_size(Face::text, "This one").x + 32 : width;
   const int by =
-      stepper(ui, "choice", choice_name(ask, ask.choices[ask.pointed]),
+      stepper(ui, "choice", choice_name(ask, ask.choices[ask.pointed]).words,
               beside ? std::min(width - taking - gap, 320.0f) : width, {.label = "Choice"});
   if (by != 0) ui.push(PointAtChoice{static_cast<std::size_t>((pointed + by + n) % n)});
   if (beside) ImGui::SameLine(0, gap);
@@ -160,7 +170,7 @@ void draw_walkthrough_step(const Ui& ui) {
     text_block(Face::strong_label, ui.theme.accent, walk.script->lesson.title, button);
   text_block(Face::verdict, ui.theme.text, std::string(title(walk.detail.step.chapter)),
              walk.script ? 0 : button);
-  text_line(Face::label, ui.theme.second_text, "Step " + place_in_words(ui.state));
+  text_line(Face::label, ui.theme.second_text, say("Step {place}", {place_in_words(ui.state)}));
   draw_words(ui, in_panel);
   if (!asks_of_other_robots(ui.state)) draw_formula(ui, in_panel);  // it concerns another M
   draw_left_out(ui, in_panel);
@@ -189,7 +199,7 @@ void draw_walkthrough_briefly(const Ui& ui, float height) {
                                ? walk.script->lesson.title
                                : std::string(title(walk.detail.step.chapter));
   text_block(Face::strong_label, ui.theme.second_text,
-             name + " · step " + place_in_words(ui.state));
+             say("{chapter} · step {place}", {name, place_in_words(ui.state)}));
   if (walk.ask) {
     text_block(faces.strong, ui.theme.accent, walk.ask->text);
     if (!apart) draw_choices(ui, *walk.ask, true);
@@ -225,8 +235,9 @@ void draw_ranked(const Ui& ui, const TeamScores& scores, std::size_t place, doub
   const bool first = place == 0;
   const float width = full_width(), height = ui.control() > 40 ? 36.0f : 24.0f;
   ImGui::PushID(static_cast<int>(c));
-  const std::string name = std::to_string(place + 1) + ".  Candidate " + std::to_string(c + 1);
-  const auto [at, high, pressed, hovered] = pressable_row(ui, name.c_str(), name, width, height);
+  const std::string id = std::to_string(place + 1) + ".  Candidate " + std::to_string(c + 1);
+  const std::string name = say("{place}.  Candidate {candidate}", {place + 1, c + 1});
+  const auto [at, high, pressed, hovered] = pressable_row(ui, id.c_str(), name, width, height);
   if (pressed || (hovered && measured != c)) ui.push(Measure{c});
   ImGui::PopID();
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -285,7 +296,7 @@ void draw_walkthrough_ranking(const Ui& ui) {
   ImGui::PopStyleVar();
   if (scores.ranking.size() > most_ranked)
     text_line(Face::label, ui.theme.second_text,
-              "and " + std::to_string(scores.ranking.size() - most_ranked) + " more");
+              say("and {candidates} more", {scores.ranking.size() - most_ranked}));
 }
 
 // In a box that scrolls to its current line, so that the caption above does not move.
@@ -322,8 +333,8 @@ void draw_walkthrough_history(const Ui& ui) {
     const std::string text = number + "  " + v.caption;
     const std::vector<std::string_view> lines = broken_lines(Face::label, text, width);
     const std::string name = "Visited " + std::to_string(i);
-    const auto [at, high, pressed, hovered] =
-        pressable_row(ui, name.c_str(), "Step " + text, width, height_of(Face::label, lines) + 4);
+    const auto [at, high, pressed, hovered] = pressable_row(
+        ui, name.c_str(), say("Step {place}", {text}), width, height_of(Face::label, lines) + 4);
     draw_lines(*ImGui::GetWindowDrawList(), Face::label, ImVec2(at.x, at.y + 2),
                hovered ? ui.theme.text : ui.theme.second_text, lines);
     if (pressed) ui.push(GoToStep{v.step});

@@ -8,6 +8,7 @@
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/output/verdict.h"
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 #include "tools/drawing.h"
 #include "walkthrough/words.h"
 
@@ -51,7 +52,7 @@ Verdict of_placement(const AppState& state) {
   std::string detail = (tips.empty() ? tips : tips + " ") + detail_in_words(now);
   for (const std::string& misfit : misfits_in_words(now)) detail += " " + misfit;
   if (!placement.teams.empty() && !placement.goal_reached)
-    detail += " So the goal to hold is not reached.";
+    detail += " " + say("So the goal to hold is not reached.");
   return {mood_of(judge(now, outlook.robustness, outlook.loads), placement),
           loads_in_words(now, outlook.model, outlook.loads), std::move(detail)};
 }
@@ -61,51 +62,72 @@ Verdict of_failure(const AppState& state, const Failure& failure) {
           rest_in_words({failure.placement, shown(state)})};
 }
 
-const char* press_word(const AppState& state) {
-  return state.session.screen.touch || state.session.screen.finger ? "Tap" : "Click";
+bool presses_by_finger(const AppState& state) {
+  return state.session.screen.touch || state.session.screen.finger;
 }
 
 Verdict of_measuring(const AppState& state) {
-  return {Mood::drawing, "Two points set the scale.",
-          std::string(press_word(state)) +
-              " two points of the picture, then type the distance between them."};
+  return {Mood::drawing, say("Two points set the scale."),
+          say(presses_by_finger(state)
+                  ? "Tap two points of the picture, then type the distance between them."
+                  : "Click two points of the picture, then type the distance between them.")};
 }
 
-// "shape" or "hole".
-std::string drawn_word(const AppState& state) {
-  return state.view.tool == Tool::hole ? "hole" : "shape";
+// What is said while a shape or a hole is drawn.
+struct DrawingWords {
+  const char *begin, *few, *tap, *click, *refused, *closes;
+};
+
+const DrawingWords& drawing_words(const AppState& state) {
+  static constexpr DrawingWords shape{"Draw a shape.",
+                                      "A shape needs at least three.",
+                                      "Tap the first vertex to close the shape.",
+                                      "Click the first vertex to close the shape.",
+                                      "The shape cannot be closed: {reason}.",
+                                      "On the first vertex: Enter closes the shape."},
+      hole{"Draw a hole.",
+           "A hole needs at least three.",
+           "Tap the first vertex to close the hole.",
+           "Click the first vertex to close the hole.",
+           "The hole cannot be closed: {reason}.",
+           "On the first vertex: Enter closes the hole."};
+  return state.view.tool == Tool::hole ? hole : shape;
 }
 
 Verdict of_drawing(const AppState& state) {
   const std::size_t n = state.view.drawing.points.size();
-  const std::string press = press_word(state), drawn = drawn_word(state);
+  const bool finger = presses_by_finger(state);
+  const DrawingWords& words = drawing_words(state);
   if (n == 0)
-    return {Mood::drawing, "Draw a " + drawn + ".",
-            press + " to place its first vertex, or use the arrow keys and Enter."};
+    return {Mood::drawing, say(words.begin),
+            say(finger ? "Tap to place its first vertex, or use the arrow keys and Enter."
+                       : "Click to place its first vertex, or use the arrow keys and Enter.")};
   const auto crossed = crossings(state.view.drawing.points);
-  return {Mood::drawing, count_of(n, "vertex", "vertices") + " so far.",
-          !crossed.empty() ? "Edges " + std::to_string(crossed.front().first + 1) + " and " +
-                                 std::to_string(crossed.front().second + 1) +
-                                 " cross. Move a vertex, or remove the last one."
-          : n < 3 ? "A " + drawn + " needs at least three."
+  return {Mood::drawing, say("{vertices} so far.", {count_of(n, "vertex", "vertices")}),
+          !crossed.empty()
+              ? say("Edges {edge} and {other} cross. Move a vertex, or remove the last one.",
+                    {crossed.front().first + 1, crossed.front().second + 1})
+          : n < 3 ? say(words.few)
           : state.view.drawing.refusal
-              ? "It cannot be closed yet: " + sentence(*state.view.drawing.refusal) +
-                    ". Move a vertex, or remove the last one."
-              : press + " the first vertex to close the " + drawn + "."};
+              ? say("It cannot be closed yet: {reason}. Move a vertex, or remove the last one.",
+                    {sentence(*state.view.drawing.refusal)})
+              : say(finger ? words.tap : words.click)};
 }
 
 // The places of the robots of one team.
 std::string robots_in_words(const Placement& placement) {
-  const bool given = placement.settings.method == Method::given;
-  std::string text = " " + count_of(count_robots(placement.teams), "robot", "robots");
-  text += given ? ", placed by hand."
-                : " of " + std::to_string(placement.settings.robots) +
-                      " requested, method balanced, goal " +
-                      std::string(name(goal_of(placement.settings))) + ".";
+  const bool given = placement.settings.method == Method::given,
+             holds = goal_of(placement.settings) == Goal::hold;
+  const std::string robots = count_of(count_robots(placement.teams), "robot", "robots");
+  std::string text = " ";
+  text += given ? say("{robots}, placed by hand.", {robots})
+                : say(holds ? "{robots} of {requested} requested, method balanced, goal hold."
+                            : "{robots} of {requested} requested, method balanced, goal cover.",
+                      {robots, placement.settings.robots});
   if (placement.teams.empty()) return text;
   const TeamInWords team = team_in_words(placement, 0, coordinate_decimals(placement.vertices()));
   for (std::size_t i = 0; i < team.at.size(); ++i)
-    text += " Robot " + std::to_string(i + 1) + " at " + team.at[i] + ".";
+    text += " " + say("Robot {robot} at {place}.", {i + 1, team.at[i]});
   return text;
 }
 
@@ -118,8 +140,9 @@ std::string loads_while_failing(const Failure& failure, const Units& units) {
   if (!failure.rest || loads.size() > most) return text;
   for (std::size_t i = 0; i < loads.size(); ++i) {
     if (i == failure.robot) continue;
-    text += " Robot " + std::to_string(i + 1) + " carries " +
-            load_in_words(failure.outlook.model, loads[i], failure.outlook.greatest, units) + ".";
+    text += " " + say("Robot {robot} carries {load}.",
+                      {i + 1, load_in_words(failure.outlook.model, loads[i],
+                                            failure.outlook.greatest, units)});
   }
   return text;
 }
@@ -127,23 +150,27 @@ std::string loads_while_failing(const Failure& failure, const Units& units) {
 // The last vertex, and the cursor if keys move it.
 std::string news_of_drawing(const AppState& state) {
   const Drawing& drawing = state.view.drawing;
+  const DrawingWords& words = drawing_words(state);
   std::string lines;
   if (!drawing.points.empty())
-    lines += "Vertex " + std::to_string(drawing.points.size()) + " at " +
-             given_point(drawing.points.back()) + ".\n";
+    lines += say("Vertex {vertex} at {place}.",
+                 {drawing.points.size(), given_point(drawing.points.back())}) +
+             '\n';
   if (!drawing.by_keys || !drawing.cursor)
     return drawing.points.empty()
-               ? "By keys: arrow keys move a cursor, and Enter places a vertex there.\n"
+               ? say("By keys: arrow keys move a cursor, and Enter places a vertex there.") + '\n'
                : lines;
   if (closes(state, state.view.camera.to_screen(*drawing.cursor)))
-    return lines + (drawing.refusal
-                        ? "The " + drawn_word(state) +
-                              " cannot be closed: " + sentence(*drawing.refusal) + ".\n"
-                        : "On the first vertex: Enter closes the " + drawn_word(state) + ".\n");
-  lines += "Cursor at " + given_point(*drawing.cursor);
-  if (!drawing.points.empty())
-    lines += ", the edge " + edge_in_words(state, drawing.points.back(), *drawing.cursor);
-  return lines + ".\n";
+    return lines +
+           (drawing.refusal ? say(words.refused, {sentence(*drawing.refusal)})
+                            : say(words.closes)) +
+           '\n';
+  const std::string cursor = given_point(*drawing.cursor);
+  lines += drawing.points.empty()
+               ? say("Cursor at {place}.", {cursor})
+               : say("Cursor at {place}, the edge {edge}.",
+                     {cursor, edge_in_words(state, drawing.points.back(), *drawing.cursor)});
+  return lines + '\n';
 }
 
 }  // namespace
@@ -159,9 +186,11 @@ Score score_of(const Placement& placement, const Units& units) {
 std::string score(const AppState& state) {
   const Placement& placement = *state.derived().placement;
   const Score of = score_of(placement, shown(state).units);
-  return count_of(count_robots(placement.teams), "robot", "robots") +
-         (of.most.empty() ? " · it falls" : " · at most " + of.most + " · spread " + of.spread) +
-         " · " + of.covered + " covered · " + of.held;
+  const std::string robots = count_of(count_robots(placement.teams), "robot", "robots");
+  if (of.most.empty())
+    return say("{robots} · it falls · {coverage} covered · {held}", {robots, of.covered, of.held});
+  return say("{robots} · at most {load} · spread {spread} · {coverage} covered · {held}",
+             {robots, of.most, of.spread, of.covered, of.held});
 }
 
 std::string need_in_words(const AppState& state) {
@@ -181,9 +210,10 @@ std::string overload_in_brief(const AppState& state) {
   const bool wanted = state.derived().placement && !state.derived().refusal &&
                       !draws(state.view.tool) && !failing(state) && is_overloaded(state);
   if (!wanted) return {};
-  return has_own_capacities(of(state))
-             ? "A robot carries more than its capacity. "
-             : "A capacity of " + limit_in_words(of(state)) + " is too low. ";
+  return (has_own_capacities(of(state))
+              ? say("A robot carries more than its capacity.")
+              : say("A capacity of {limit} is too low.", {limit_in_words(of(state))})) +
+         " ";
 }
 
 std::string model_words(const AppState& state) {
@@ -233,19 +263,20 @@ Verdict verdict(const AppState& state) {
   if (draws(state.view.tool)) return of_drawing(state);
   if (state.derived().refusal) {
     return {Mood::refused, sentence(*state.derived().refusal) + ".",
-            state.derived().placement ? "The last result is shown dimmed." : ""};
+            state.derived().placement ? say("The last result is shown dimmed.") : ""};
   }
-  if (!state.derived().placement) return {Mood::refused, "Nothing is open.", ""};
+  if (!state.derived().placement) return {Mood::refused, say("Nothing is open."), ""};
   if (const Failure* failure = failing(state)) return of_failure(state, *failure);
   Verdict v = of_placement(state);
   v.searching = state.derived().search.under_way && !state.derived().placement->search_ended;
   const bool waits = state.work.edit_open && !state.derived().placement->search_ended &&
                      settings(state).method == Method::balanced;
-  if (waits && !v.searching) v.detail += " The search for better places begins when you let go.";
+  if (waits && !v.searching)
+    v.detail += " " + say("The search for better places begins when you let go.");
   if (v.searching)
     v.detail += state.derived().placement->teams.empty()
-                    ? "The search is under way."
-                    : " The search for better places continues.";
+                    ? say("The search is under way.")
+                    : " " + say("The search for better places continues.");
   return v;
 }
 
@@ -276,18 +307,20 @@ std::string summary(const AppState& state) {
   const Placement& placement = *state.derived().placement;
   const Settings& settings = placement.settings;
   if (is_one_team(settings.method)) return text + robots_in_words(placement);
-  text += " " + count_of(placement.teams.size(), "team", "teams") + " of " +
-          std::to_string(placement.requested_teams) + " requested, method " +
-          method_in_words(settings.method) + ", minimum load ratio " + plain(settings.min_ratio) +
-          ".";
+  text +=
+      " " + say("{teams} of {requested} requested, method {method}, minimum load ratio {ratio}.",
+                {count_of(placement.teams.size(), "team", "teams"), placement.requested_teams,
+                 method_in_words(settings.method), plain(settings.min_ratio)});
   // A list of a hundred teams would be too long to listen to; the JSON has them all.
   const std::size_t named = std::min<std::size_t>(placement.teams.size(), 12);
   const int decimals = coordinate_decimals(placement.vertices());
   for (std::size_t i = 0; i < named; ++i) {
     const TeamInWords team = team_in_words(placement, i, decimals);
-    text += " Team " + std::to_string(i + 1) + " at " + team.at[0] + " and " + team.at[1] + ": " +
-            team.loads[0] + " and " + with_weight_unit(team.loads[1], shown(state).units) +
-            ", load ratio " + team.ratio + ".";
+    text +=
+        " " + say("Team {team} at {place} and {other_place}: {load} and {other_load}, load ratio "
+                  "{ratio}.",
+                  {i + 1, team.at[0], team.at[1], team.loads[0],
+                   with_weight_unit(team.loads[1], shown(state).units), team.ratio});
   }
   return text;
 }
@@ -298,15 +331,18 @@ std::string weight_unit(const AppState& state) {
 
 std::string link_lacks_in_words(const AppState& state) {
   if (draws(state.view.tool) && !state.view.drawing.points.empty())
-    return "The shape that you are drawing is not closed yet: the link holds the previous one.";
+    return say(
+        "The shape that you are drawing is not closed yet: the link holds the previous one.");
   if (state.derived().refusal)
-    return "The shape on the screen is refused: the link holds the last valid one.";
+    return say("The shape on the screen is refused: the link holds the last valid one.");
   std::string lacking;
   for (const auto& [lacks, what] :
        {std::pair(state.view.load_model != LoadModel::plan, "the choice of loads"),
         {failing(state) != nullptr, "the failed robot"},
         {state.work.second_method.has_value(), "the comparison"}})
-    if (lacks) lacking += (lacking.empty() ? "It does not hold " : ", nor ") + std::string(what);
+    if (lacks)
+      lacking = lacking.empty() ? say("It does not hold {part}", {what})
+                                : say("{sentence}, nor {part}", {lacking, what});
   return lacking.empty() ? lacking : lacking + ".";
 }
 
@@ -314,17 +350,19 @@ std::string news(const AppState& state) {
   std::string lines;
   const Points& vertices = state.work.document().vertices;
   if (state.view.selected && *state.view.selected < vertices.size())
-    lines += "Vertex " + std::to_string(*state.view.selected + 1) + " of " +
-             std::to_string(vertices.size()) + ", " +
-             point_in_words(vertices[*state.view.selected], coordinate_decimals(vertices)) + ".\n";
+    lines += say("Vertex {vertex} of {vertices}, {place}.",
+                 {*state.view.selected + 1, vertices.size(),
+                  point_in_words(vertices[*state.view.selected], coordinate_decimals(vertices))}) +
+             '\n';
   if (state.view.tool == Tool::transform)
-    lines +=
-        "The whole shape is selected: arrow keys move it, [ and ] turn it, { and } scale it.\n";
+    lines += std::string(translated("The whole shape is selected: arrow keys move it, [ and ] turn "
+                                    "it, { and } scale it.")) +
+             '\n';
   if (draws(state.view.tool)) lines += news_of_drawing(state);
   // Elsewhere a notice reports it.
   const bool bar = state.view.tool != Tool::parts || state.view.selected;
-  if (bar && state.view.snap.grid) lines += "Points snap to the grid.\n";
-  if (bar && state.view.snap.axis) lines += "Points snap to the axis.\n";
+  if (bar && state.view.snap.grid) lines += say("Points snap to the grid.") + '\n';
+  if (bar && state.view.snap.axis) lines += say("Points snap to the axis.") + '\n';
   for (const auto& [overlay, name] : {std::pair(&Overlays::lifting_base, "the lifting base"),
                                       {&Overlays::chords, "chords"},
                                       {&Overlays::candidates, "candidates"},
@@ -334,18 +372,18 @@ std::string news(const AppState& state) {
                                       {&Overlays::halo, "the tipping distance"},
                                       {&Overlays::tilt, "the slopes at which it tips"},
                                       {&Overlays::load, "where a further load may stand"}})
-    lines += (shown(state).overlays.*overlay ? "Shown: " : "Hidden: ") + std::string(name) + ".\n";
-  if (state.work.second_method)
     lines +=
-        "Compared with " + method_in_words(*state.work.second_method) +
-        (state.derived().second ? ": " +
-                                      loads_in_words({*state.derived().second, shown(state)},
-                                                     state.derived().second_outlook.model,
-                                                     state.derived().second_outlook.loads) +
-                                      " " + detail_in_words({*state.derived().second, shown(state)})
-                                : ".") +
+        say(shown(state).overlays.*overlay ? "Shown: {overlay}." : "Hidden: {overlay}.", {name}) +
         '\n';
-  return lines;
+  if (!state.work.second_method) return lines;
+  const std::string method = method_in_words(*state.work.second_method);
+  if (!state.derived().second) return lines + say("Compared with {method}.", {method}) + '\n';
+  const ShownPlacement second(*state.derived().second, shown(state));
+  return lines +
+         say("Compared with {method}: {result}",
+             {method, loads_in_words(second, state.derived().second_outlook.model,
+                                     state.derived().second_outlook.loads)}) +
+         " " + detail_in_words(second) + '\n';
 }
 
 }  // namespace evenlift::view

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <string>
 
+#include "evenlift/wording.h"
 #include "panels/action_button.h"
 #include "panels/panels.h"
 #include "state/seen.h"
@@ -130,8 +131,9 @@ void draw_toolbar(const Ui& ui) {
 // The zoom as a percentage of the fitting view; a press restores that view.
 void draw_zoom(const Ui& ui) {
   const std::string zoom = zoom_in_words(ui.state);
-  const auto [low, high, pressed, hovered] = pressable_row(
-      ui, "zoom", zoom + ": show the whole object", static_cast<float>(zoom_width), ui.control());
+  const auto [low, high, pressed, hovered] =
+      pressable_row(ui, "zoom", say("{zoom}: show the whole object", {zoom}),
+                    static_cast<float>(zoom_width), ui.control());
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (hovered) list.AddRectFilled(low, high, ui.theme.panel_line.packed(), 7);
   const ImVec2 text = text_size(Face::label, zoom);

@@ -4,6 +4,7 @@
 
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 #include "panels/panels.h"
 #include "panels/summary.h"
 #include "widgets/buttons.h"
@@ -86,7 +87,7 @@ void draw_failing(const Ui& ui, const Failure& failure, std::size_t robot) {
                 failure.rest ? load_in_words(failure.outlook.model, load, failure.outlook.greatest,
                                              shown(ui.state).units)
                              : std::string("nothing")});
-  draw_row(ui, {"Robot " + std::to_string(failure.robot + 1), "fails"});
+  draw_row(ui, {say("Robot {robot}", {failure.robot + 1}), "fails"});
 }
 
 // Lets the robot of the card fail, or restores it.

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "evenlift/link.h"
+#include "evenlift/wording.h"
 
 namespace evenlift::view {
 namespace {
@@ -59,7 +60,8 @@ What what_of(Edit edit) {
 std::string in_words(Edit edit) {
   const What what = what_of(edit);
   const Setting* setting = std::get_if<Setting>(&what);
-  return setting ? "changed " + std::string(row_of(*setting).edit) : std::get<const char*>(what);
+  return setting ? say("changed {setting}", {row_of(*setting).edit})
+                 : say(std::get<const char*>(what));
 }
 
 Edit edit_of(const SettingRow& row) {

@@ -2,22 +2,25 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
+
+#include "evenlift/wording.h"
 
 namespace evenlift::view {
 
 namespace {
 
 // Long enough to read the text twice, at 15 letters a second.
-double reading_time(const std::string& text) {
-  return 4 + 2 * static_cast<double>(text.size()) / 15;
-}
+double reading_time(std::string_view text) { return 4 + 2 * static_cast<double>(text.size()) / 15; }
 
 }  // namespace
 
 void emit(AppState& state, Effect effect) { state.session.effects.push_back(std::move(effect)); }
 
-void announce(AppState& state, std::string text) { emit(state, Announce{std::move(text)}); }
+void announce(AppState& state, std::string text) {
+  emit(state, Announce{std::string(translated(text))});
+}
 
 void show(AppState& state, Notice notice) {
   // A repeated refusal is announced again, but not for each point of a drag.
@@ -26,8 +29,9 @@ void show(AppState& state, Notice notice) {
   state.session.notice = std::move(notice);
   const bool ends =
       !state.session.notice.text.empty() && state.session.notice.kind == Notice::Kind::info;
-  emit(state, EndNoticeAfter{ends ? std::optional(reading_time(state.session.notice.text))
-                                  : std::nullopt});
+  emit(state,
+       EndNoticeAfter{ends ? std::optional(reading_time(translated(state.session.notice.text)))
+                           : std::nullopt});
 }
 
 void end_notice(AppState& state) {

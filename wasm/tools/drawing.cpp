@@ -8,6 +8,7 @@
 #include "evenlift/numbers.h"
 #include "evenlift/output/words.h"
 #include "evenlift/predicates.h"
+#include "evenlift/wording.h"
 
 namespace evenlift::view {
 namespace {
@@ -84,7 +85,8 @@ std::string length_in_words(const AppState& state, double length) {
 
 std::string edge_in_words(const AppState& state, const Vec2& from, const Vec2& to) {
   const Edge edge = edge_between(from, to);
-  return length_in_words(state, edge.length) + " long · " + fixed(edge.degrees, 1) + "°";
+  return say("{length} long · {angle}",
+             {length_in_words(state, edge.length), fixed(edge.degrees, 1) + "°"});
 }
 
 Vec2 typed_end(const Drawing& drawing, const Vec2& wanted) {

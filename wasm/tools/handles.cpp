@@ -1,13 +1,8 @@
 #include "tools/handles.h"
 
+#include "evenlift/wording.h"
+
 namespace evenlift::view {
-namespace {
-
-std::string numbered(const char* what, std::size_t index) {
-  return what + std::to_string(index + 1);
-}
-
-}  // namespace
 
 std::size_t count_vertices(const Document& document) {
   return first_of_ring(document, document.holes.size() + 1);
@@ -74,11 +69,11 @@ Vec2 after(const Document& document, std::size_t vertex) {
 std::string name_of(const Document& document, std::size_t number) {
   const std::optional<Handle> handle = handle_of(document, number);
   if (!handle) return {};
-  if (!handle->is_weight && handle->ring == 0) return numbered("Vertex ", handle->index);
+  if (!handle->is_weight && handle->ring == 0) return say("Vertex {vertex}", {handle->index + 1});
   if (!handle->is_weight)
-    return numbered("Hole ", handle->ring - 1) + numbered(", vertex ", handle->index);
+    return say("Hole {hole}, vertex {vertex}", {handle->ring, handle->index + 1});
   const std::string& name = document.settings.cargo[handle->index].name;
-  return numbered("Weight ", handle->index) + (name.empty() ? "" : ", " + name);
+  return say("Weight {weight}", {handle->index + 1}) + (name.empty() ? "" : ", " + name);
 }
 
 PolygonGrip grip_of(const Document& document) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "evenlift/wording.h"
+
 namespace evenlift::view {
 namespace {
 
@@ -38,10 +40,10 @@ Points shorter_way(const Points& vertices, const LiftingPoint& from, const Lifti
 }
 
 std::string closed_in_words(const Placement& placement, std::size_t robot) {
-  return "Robot " + std::to_string(robot + 1) + " cannot go there: " +
-         (placement.settings.method == Method::balanced
-              ? "no two neighbours could keep all loads equal."
-              : "other robots are in the way.");
+  return say(placement.settings.method == Method::balanced
+                 ? "Robot {robot} cannot go there: no two neighbours could keep all loads equal."
+                 : "Robot {robot} cannot go there: other robots are in the way.",
+             {robot + 1});
 }
 
 }  // namespace evenlift::view

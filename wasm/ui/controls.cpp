@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "evenlift/output/json_text.h"
+#include "evenlift/wording.h"
+#include "ui/drawn_texts.h"
 
 namespace evenlift::view {
 namespace {
@@ -94,11 +96,14 @@ void enter_card(const char* name) { listed.card = name; }
 
 Asked list_control(Control control) {
   control.card = listed.card;
+  control.label = translated(control.label);
+  for (std::string& choice : control.choices) choice = translated(choice);
   control.place = rectangle(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   const bool covered = !listed.on_list && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId |
                                                                      ImGuiPopupFlags_AnyPopupLevel);
   if (!covered) control.window = rectangle(low, ImVec2(low.x + size.x, low.y + size.y));
+  note_room(control.label, static_cast<float>(control.place.right) - low.x, size.x);
   Asked asked;
   if (const std::optional<Request> request = taken_request(control)) {
     if (request->what == ControlRequest::reveal) ImGui::SetScrollHereY();

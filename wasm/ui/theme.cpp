@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "evenlift/wording.h"
+#include "ui/drawn_texts.h"
 #include "ui/fonts.h"
 #include "ui/heat_levels.h"
 #include "ui/letters.h"
@@ -159,14 +161,17 @@ ImFont* font(Face face) { return loaded[static_cast<int>(face)]; }
 float size(Face face) { return spec(face).letters * line_of_inter; }
 float line_height(Face face) { return std::round(spec(face).letters * line_of_text); }
 
-ImVec2 text_size(Face face, std::string_view text, float wrap_width) {
+ImVec2 text_size(Face face, std::string_view english, float wrap_width) {
+  const std::string_view text = translated(english);
   return font(face)->CalcTextSizeA(size(face), 1e9f, wrap_width, text.data(),
                                    text.data() + text.size());
 }
 
-void draw_text(ImDrawList& list, Face face, ImVec2 at, Colour colour, std::string_view text,
+void draw_text(ImDrawList& list, Face face, ImVec2 at, Colour colour, std::string_view english,
                float wrap_width) {
+  const std::string_view text = translated(english);
   note_letters(*font(face), text);
+  note_drawn(text);
   list.AddText(font(face), size(face), at, colour.packed(), text.data(), text.data() + text.size(),
                wrap_width);
 }

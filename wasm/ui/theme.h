@@ -57,8 +57,8 @@ void pop_face();
 ImFont* font(Face face);
 float size(Face face);         // of a line of the font, as Dear ImGui counts
 float line_height(Face face);  // the distance between lines of a text, in whole pixels
-ImVec2 text_size(Face face, std::string_view text, float wrap_width = 0);
-void draw_text(ImDrawList& list, Face face, ImVec2 at, Colour colour, std::string_view text,
+ImVec2 text_size(Face face, std::string_view english, float wrap_width = 0);
+void draw_text(ImDrawList& list, Face face, ImVec2 at, Colour colour, std::string_view english,
                float wrap_width = 0);
 
 // Applies the theme's colours and measures to Dear ImGui's own widgets.

@@ -8,18 +8,23 @@
 #include "evenlift/output/trace_words.h"
 #include "evenlift/output/words.h"
 #include "evenlift/why_not.h"
+#include "evenlift/wording.h"
 #include "state/opened.h"
 
 namespace evenlift::view {
 namespace {
 
-std::string number(std::size_t index) { return std::to_string(index + 1); }
+std::string part_of_weight(const std::string& load, const Placement& placement,
+                           const Units& units) {
+  return say("{load} of {weight}", {load, given_weight(placement.weight(), units)});
+}
 
 void add_chord(Explanation& explanation, const Chord& chord, const Units& units) {
   const double longer = std::max(chord.arm1, chord.arm2);
   explanation.rows.push_back(
       {"Distances to the centre of mass",
-       amount(chord.arm1, longer) + " and " + with_length_unit(amount(chord.arm2, longer), units)});
+       say("{arm} and {other_arm}",
+           {amount(chord.arm1, longer), with_length_unit(amount(chord.arm2, longer), units)})});
   explanation.rows.push_back({"Load ratio", ratio_in_words(chord.ratio)});
 }
 
@@ -48,8 +53,8 @@ void add_choice(Explanation& explanation, const Trace& trace, std::uint32_t team
     return;
   }
   explanation.rows.push_back(
-      {"Its chord", "number " + number(detail.scores->ranking.front()) + " of " +
-                        std::to_string(trace.placement.candidates.size()) + " possible"});
+      {"Its chord", say("number {chord} of {chords} possible",
+                        {detail.scores->ranking.front() + 1, trace.placement.candidates.size()})});
   explanation.reason = why_here_text(trace, *detail.scores);
 }
 
@@ -72,22 +77,24 @@ void explain_team(Explanation& explanation, const ShownPlacement& of, const Pick
   const TeamInWords words =
       team_in_words(placement, pick.index, coordinate_decimals(placement.vertices()));
   const Units& units = of.shown.units;
-  const std::string of_all = " of " + given_weight(placement.weight(), units);
   if (pick.kind == Pick::Kind::robot) {
     const auto end = static_cast<std::size_t>(pick.end);
     const std::size_t robot = 2 * pick.index + end;
     if (!pick.second) explanation.robot = robot;
     // The disc shows the team's number, and messages about failures name the robot's number.
-    explanation.title = "Team " + number(pick.index) + ": robot " + number(robot) + " of " +
-                        std::to_string(count_robots(placement.teams));
-    explanation.rows.push_back({"It carries", with_weight_unit(words.loads[end], units) + of_all});
+    explanation.title = say("Team {team}: robot {robot} of {robots}",
+                            {pick.index + 1, robot + 1, count_robots(placement.teams)});
+    explanation.rows.push_back(
+        {"It carries",
+         part_of_weight(with_weight_unit(words.loads[end], units), placement, units)});
     explanation.rows.push_back(
         {"The other end carries", with_weight_unit(words.loads[1 - end], units)});
   } else {
-    explanation.title = "Team " + number(pick.index);
+    explanation.title = say("Team {team}", {pick.index + 1});
     explanation.rows.push_back(
-        {"Its robots carry",
-         words.loads[0] + " and " + with_weight_unit(words.loads[1], units) + of_all});
+        {"Its robots carry", say("{load} and {other_load} of {weight}",
+                                 {words.loads[0], with_weight_unit(words.loads[1], units),
+                                  given_weight(placement.weight(), units)})});
   }
   add_chord(explanation, chord_of(team), units);
   if (trace) add_choice(explanation, *trace, static_cast<std::uint32_t>(pick.index));
@@ -103,16 +110,15 @@ void explain_balanced(Explanation& explanation, const ShownPlacement& of, const 
   const Units& units = of.shown.units;
   const std::string load = with_weight_unit(words.loads[robot], units);
   if (!pick.second) explanation.robot = robot;
-  explanation.title = "Robot " + number(robot) + " of " + std::to_string(all);
-  explanation.rows.push_back(
-      {"It carries", load + " of " + given_weight(placement.weight(), units)});
+  explanation.title = say("Robot {robot} of {robots}", {robot + 1, all});
+  explanation.rows.push_back({"It carries", part_of_weight(load, placement, units)});
   explanation.rows.push_back({"Each of the others", load});
   explanation.rows.push_back({"It stands at", words.at[robot]});
-  explanation.reason =
-      "The centre of mass is the centroid of the " + std::to_string(all) +
-      " robots. Equal forces at them therefore add up to the weight and do not "
-      "turn the object. So all robots can carry the same load, and they do if they "
-      "are equally stiff and level.";
+  explanation.reason = say(
+      "The centre of mass is the centroid of the {robots} robots. Equal forces at them therefore "
+      "add up to the weight and do not turn the object. So all robots can carry the same load, "
+      "and they do if they are equally stiff and level.",
+      {all});
 }
 
 // Describes a robot placed by hand.
@@ -122,25 +128,27 @@ void explain_support(Explanation& explanation, const ShownPlacement& of, const P
   const TeamInWords words = team_in_words(placement, 0, coordinate_decimals(placement.vertices()));
   const Units& units = of.shown.units;
   if (!pick.second) explanation.robot = robot;
-  explanation.title = "Robot " + number(robot) + " of " + std::to_string(words.loads.size());
+  explanation.title = say("Robot {robot} of {robots}", {robot + 1, words.loads.size()});
   if (placement.loads)
-    explanation.rows.push_back({"It carries", with_weight_unit(words.loads[robot], units) + " of " +
-                                                  given_weight(placement.weight(), units)});
+    explanation.rows.push_back(
+        {"It carries",
+         part_of_weight(with_weight_unit(words.loads[robot], units), placement, units)});
   explanation.rows.push_back({"It stands at", words.at[robot]});
   if (const auto capacity = capacity_of(of, robot))
     explanation.rows.push_back({"It can carry", given_weight(*capacity, units)});
-  explanation.reason = placement.teams[0].robots[robot].point.edge == beneath
-                           ? "It stands beneath the object: it lifts, and touches nothing sideways."
-                           : "It stands at the edge, where you put it.";
+  explanation.reason =
+      say(placement.teams[0].robots[robot].point.edge == beneath
+              ? "It stands beneath the object: it lifts, and touches nothing sideways."
+              : "It stands at the edge, where you put it.");
   if (placement.loads && words.loads.size() > 3)
-    explanation.reason += " Loads are those of equally stiff and level robots.";
+    explanation.reason += " " + say("Loads are those of equally stiff and level robots.");
 }
 
 void explain_candidate(Explanation& explanation, const ShownPlacement& of, const Pick& pick,
                        const Trace* trace) {
   const Placement& placement = of.placement;
   explanation.title =
-      "Candidate " + number(pick.index) + " of " + std::to_string(placement.candidates.size());
+      say("Candidate {candidate} of {candidates}", {pick.index + 1, placement.candidates.size()});
   add_chord(explanation, placement.candidates[pick.index].chord, of.shown.units);
   if (!trace) return;
   const auto candidate = static_cast<std::uint32_t>(pick.index);
@@ -179,7 +187,7 @@ Explanation explain(const AppState& state, const Pick& pick) {
 std::string in_words(const Explanation& explanation) {
   std::string text = explanation.title + ".";
   for (const Explanation::Row& row : explanation.rows)
-    text += " " + row.label + ": " + row.value + ".";
+    text += " " + say("{label}: {value}.", {row.label, row.value});
   return text + " " + explanation.reason;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 #include "state/notice.h"
 #include "walkthrough/ask_why.h"
 #include "walkthrough/timeline.h"
@@ -131,14 +132,14 @@ void guess(AppState& state, std::uint32_t answer) {
     guessed.push_back(asked.step);
     walk.guesses.right += right ? 1 : 0;
   }
-  std::string verdict = right ? "Right." : "Not this time.";
+  std::string verdict = say(right ? "Right." : "Not this time.");
   if (!right && asked.question.kind == QuestionKind::nearer_end)
-    verdict = std::string("Not this time: it is the ") +
-              (asked.question.answer == 0 ? "first" : "second") + " end.";
+    verdict = say(asked.question.answer == 0 ? "Not this time: it is the first end."
+                                             : "Not this time: it is the second end.");
   if (!right && asked.question.kind == QuestionKind::winning_chord)
     verdict += " " + why_not_text(*walk.trace, why_not(*walk.trace, asked.step, answer));
   if (!right && asked.question.kind == QuestionKind::even_chord)
-    verdict = "Not this time: it is chord " + std::to_string(asked.question.answer + 1) + ". " +
+    verdict = say("Not this time: it is chord {chord}.", {asked.question.answer + 1}) + " " +
               even_chord_text(*walk.trace, asked.detail, answer);
   if (!right && asked.detail.swap)
     verdict += " " + other_swap_text(*walk.trace, asked.detail, asked.question, answer);

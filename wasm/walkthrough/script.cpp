@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "evenlift/wording.h"
+
 namespace evenlift::view {
 
 void find_stops(Walkthrough& walk) {
@@ -56,7 +58,8 @@ std::string words_of_stop(const AppState& state) {
   const Document& of = walk.script->of;
   if (!script_is_true(state) || of.settings != settings(state) ||
       seen_as(of.shown, shown(state)) != shown(state))
-    return "You changed the shape or a setting, so the lesson's words no longer apply. Undo brings them back.";
+    return say(
+        "You changed the shape or a setting, so the lesson's words no longer apply. Undo brings them back.");
   const Stop& stop = walk.script->stops[walk.script->position];
   return stop.step == walk.at ? stop.words : std::string();
 }

@@ -7,6 +7,7 @@
 
 #include "evenlift/main_steps.h"
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 #include "state/notice.h"
 #include "walkthrough/ask_why.h"
 #include "walkthrough/script.h"
@@ -124,7 +125,7 @@ void tell_in_other_units(AppState& state) {
 std::optional<InputError> check_step(std::uint32_t step, const Trace& trace) {
   if (step < trace.size()) return std::nullopt;
   return InputError{ErrorCode::bad_setting,
-                    "must be less than " + std::to_string(trace.size()) + ", the number of steps",
+                    say("must be less than {steps}, the number of steps", {trace.size()}),
                     {Place::Kind::option, 0, 0, "step"}};
 }
 
@@ -157,8 +158,9 @@ void follow_trace(AppState& state) {
   if (resumes) return enter(state, shown_step(walk, std::min(*wanted, last)));
   enter(state, *wanted);
   if (*wanted <= last) return;
-  show(state, {Notice::Kind::problem, "This lesson has no step " + std::to_string(*wanted + 1) +
-                                          ": this is its last, " + std::to_string(last + 1) + "."});
+  show(state,
+       {Notice::Kind::problem,
+        say("This lesson has no step {step}: this is its last, {last}.", {*wanted + 1, last + 1})});
 }
 
 void open_walkthrough(AppState& state, std::optional<std::uint32_t> at) {

@@ -1,5 +1,6 @@
 #include "widgets/buttons.h"
 
+#include "ui/drawn_texts.h"
 #include "widgets/text.h"
 
 namespace evenlift::view {
@@ -54,6 +55,7 @@ bool flat_button(const Ui& ui, const char* id, const char* label, float width, b
   const Colour hovered = strong ? ui.theme.accent.at(0.88f) : ui.theme.panel_line;
   list.AddRectFilled(a.low, a.high, (a.hovered ? hovered : still).packed(), 7);
   const ImVec2 text = text_size(Face::text, label);
+  note_room(label, text.x, width);
   const Colour ink = !enabled ? ui.theme.quiet : strong ? ui.theme.on_accent : ui.theme.text;
   draw_text(list, Face::text, ImVec2(a.middle().x - text.x / 2, a.middle().y - text.y / 2), ink,
             label);
@@ -85,6 +87,7 @@ bool toggle_button(const Ui& ui, const char* id, const char* label, const char* 
   const Colour ground = on ? ui.theme.accent : a.hovered ? ui.theme.panel_line : ui.theme.well;
   list.AddRectFilled(a.low, a.high, ground.packed(), 7);
   const ImVec2 text = text_size(Face::text, label);
+  note_room(label, text.x, width);
   draw_text(list, Face::text, ImVec2(a.middle().x - text.x / 2, a.middle().y - text.y / 2),
             on ? ui.theme.on_accent : ui.theme.text, label);
   if (a.hovered) tip(ui, about);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/controls.h"
+#include "ui/drawn_texts.h"
 #include "widgets/buttons.h"
 #include "widgets/cards.h"
 
@@ -83,6 +84,7 @@ bool dropdown_button(const Ui& ui, const std::string& label, float width) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(low, high, (hovered ? ui.theme.panel_line : ui.theme.well).packed(), 7);
   const ImVec2 text = text_size(Face::text, label);
+  note_room(label, text.x, width - 12 - 24);
   draw_text(list, Face::text, ImVec2(low.x + 12, (low.y + high.y - text.y) / 2), ui.theme.text,
             label);
   draw_icon(list, Icon::down, ImVec2(high.x - 18, (low.y + high.y) / 2), 12, ui.theme.second_text);

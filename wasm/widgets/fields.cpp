@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "evenlift/wording.h"
 #include "ui/icons.h"
 #include "widgets/area.h"
 
@@ -46,23 +47,22 @@ int stepper(const Ui& ui, const char* id, const std::string& value, float width,
   const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + width, low.y + height);
   list.AddRectFilled(low, high, ui.theme.well.packed(), 7);
   int change = 0;
-  const auto end = [&](const char* sign, const char* word, Icon icon, bool enabled, int by) {
-    const std::string name = std::string(id) + ' ' + sign,
-                      label = std::string(options.label) + ": " + word;
+  const auto end = [&](const char* sign, const char* words, Icon icon, bool enabled, int by) {
+    const std::string name = std::string(id) + ' ' + sign, label = say(words, {options.label});
     const Area a =
         area(ui, ImVec2(side, height), button_control(name.c_str(), label.c_str(), enabled));
     if (a.hovered || a.active) list.AddRectFilled(a.low, a.high, ui.theme.panel_line.packed(), 7);
     draw_icon(list, icon, a.middle(), 16, enabled ? ui.theme.text : ui.theme.quiet.at(0.6f));
     if (enabled && (a.asked.pressed || repeats(ui, a))) change = by;
   };
-  end("-", "less", Icon::minus, options.can_lower, -1);
+  end("-", "{setting}: less", Icon::minus, options.can_lower, -1);
   ImGui::SameLine(0, 0);
   const float middle = width - 2 * side;
   ImGui::Dummy(ImVec2(middle, height));
   if (*options.setting)
     list_control(number_control(id, options.label, options.setting, value, options.exact));
   ImGui::SameLine(0, 0);
-  end("+", "more", Icon::plus, options.can_raise, 1);
+  end("+", "{setting}: more", Icon::plus, options.can_raise, 1);
   const ImVec2 text = text_size(Face::strong, value);
   draw_text(list, Face::strong,
             ImVec2((low.x + high.x - text.x) / 2, (low.y + high.y - text.y) / 2), ui.theme.text,

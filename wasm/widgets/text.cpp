@@ -3,18 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evenlift/wording.h"
+#include "ui/drawn_texts.h"
+#include "ui/letters.h"
+
 namespace evenlift::view {
 
 void text_line(Face face, Colour colour, const std::string& text) {
+  const std::string_view said = translated(text);
+  note_drawn(said);
+  note_letters(*font(face), said);
   push_face(face);
   ImGui::PushStyleColor(ImGuiCol_Text, colour.vec());
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::TextUnformatted(said.data(), said.data() + said.size());
   ImGui::PopStyleColor();
   pop_face();
 }
 
 // Dear ImGui's own wrapped text also breaks lines after a decimal point, and has no line height.
-std::vector<std::string_view> broken_lines(Face face, std::string_view text, float width) {
+std::vector<std::string_view> broken_lines(Face face, std::string_view english, float width) {
+  const std::string_view text = translated(english);
   std::vector<std::string_view> lines;
   std::size_t from = 0;
   while (from < text.size()) {
@@ -55,6 +63,7 @@ void text_block_of(Face face, Colour colour, const std::string& text, float widt
   ImVec2 at = start;
   for (std::size_t i = 0; i < std::min(lines, broken.size()); ++i) {
     const bool cut = i + 1 == lines && broken.size() > lines;
+    if (cut) note_room(text, 1, 0);
     const std::string line = std::string(broken[i]) + (cut ? " …" : "");
     draw_text(*ImGui::GetWindowDrawList(), face, at, colour, line);
     at.y += line_height(face);
@@ -67,6 +76,7 @@ float labelled(const Ui& ui, const char* label, const char* about) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float left = ImGui::GetContentRegionAvail().x;
   const ImVec2 text = text_size(Face::label, label);
+  note_room(label, text.x, label_width - 8);
   draw_text(*ImGui::GetWindowDrawList(), Face::label,
             ImVec2(at.x, at.y + (ui.control() - text.y) / 2), ui.theme.second_text, label);
   if (ImGui::IsWindowHovered() &&

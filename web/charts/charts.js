@@ -1,15 +1,18 @@
 // Charts of an experiment's figures, as SVG, by Observable Plot. The program's report and the page draw them alike;
 // charts.css sets colours and text sizes.
 import { axisX, axisY, dot, gridY, line, plot, pointer, ruleY, tip } from "@observablehq/plot";
+import { say, translated } from "../words/words.js";
 import { methods } from "./methods.js";
 import { inDigits, inUnit } from "./numbers.js";
 
 const colour = (method) => `var(--${method})`;
 
 export function inWords(figure, method, [robots, value, polygons]) {
-  const words = `${methods[method].words}: ${inDigits(figure, value)} ${figure.unit} with ${robots} robots`;
-  if (!figure.set) return words; // of a single polygon
-  return `${words}, ${polygons === 1 ? "1 polygon" : `${polygons} polygons`}`;
+  const values = { method: methods[method].words, value: inDigits(figure, value), unit: figure.unit, robots, polygons };
+  if (!figure.set) return say("{method}: {value} {unit} with {robots} robots", values); // of a single polygon
+  return polygons === 1
+    ? say("{method}: {value} {unit} with {robots} robots, 1 polygon", values)
+    : say("{method}: {value} {unit} with {robots} robots, {polygons} polygons", values);
 }
 
 // The chart of a figure, `width` pixels wide. A figure is
@@ -38,7 +41,7 @@ export function drawChart(figure, width) {
     marks: [
       gridY({ ticks: 5, stroke: "var(--line)", strokeOpacity: 1 }),
       axisX({
-        label: "robots",
+        label: translated("robots"),
         tickFormat: "d",
         ticks: width / 70,
         tickSize: 4,
@@ -142,7 +145,7 @@ export function legend(figures) {
     key.querySelector("style")?.remove();
     key.setAttribute("aria-hidden", "true");
     const item = document.createElement("li");
-    item.append(key, methods[method].words);
+    item.append(key, translated(methods[method].words));
     list.append(item);
   }
   return list;
@@ -151,7 +154,8 @@ export function legend(figures) {
 // Draws a figure into an element, and again whenever its width changes.
 export function follow(element, figure) {
   element.setAttribute("role", "img");
-  element.setAttribute("aria-label", `Chart: ${figure.title}, by number of robots. ${figure.sentence}`);
+  const { title, sentence } = figure;
+  element.setAttribute("aria-label", say("Chart: {title}, by number of robots. {sentence}", { title, sentence }));
   let drawn = 0;
   const draw = () => {
     const width = Math.floor(element.clientWidth);

@@ -5,6 +5,7 @@ import { ensureStyles, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, download, el, number } from "../kit/elements.js";
 import { showResults } from "./experiment_results.js";
 import { ownFiles, samples, thesisLike, thisPolygon } from "./experiment_sources.js";
+import { say, translated } from "../words/words.js";
 
 // The weight and the number of teams of an experiment: the same as in `evenlift experiment`.
 const manyPolygons = { weight: 100, weightUnit: "kg", mostTeams: 1000 };
@@ -12,17 +13,14 @@ const manyPolygons = { weight: 100, weightUnit: "kg", mostTeams: 1000 };
 // A message if the algorithm can place no team on the polygon.
 function withoutTeams({ figures }) {
   if (figures.some(({ series }) => series.some(({ method }) => method !== "balanced"))) return "";
-  return (
-    "No chord through the centre of mass meets this minimum load ratio: the algorithm can place no team here, " +
-    (figures.length > 0
-      ? "so only balanced robots were measured."
-      : "and there are no balanced robots either, so nothing was measured.")
-  );
+  return figures.length > 0
+    ? "No chord through the centre of mass meets this minimum load ratio: the algorithm can place no team here, so only balanced robots were measured."
+    : "No chord through the centre of mass meets this minimum load ratio: the algorithm can place no team here, and there are no balanced robots either, so nothing was measured.";
 }
 
 let kept; // the last results and what they describe; they survive closing the window
 
-const count = (n, word) => `${number(n)} ${word}${n === 1 ? "" : "s"}`;
+const polygons = (n) => (n === 1 ? translated("1 polygon") : say("{number} polygons", { number: number(n) }));
 
 export async function show(page, { start = false, source = "this" } = {}) {
   const view = new ExperimentWindow(page, source);
@@ -145,7 +143,10 @@ class ExperimentWindow {
     this.ownSettings = el(
       "p",
       { class: "second" },
-      `With its own centre of mass, minimum load ratio ${this.#polygon.minRatio} and weight ${this.#polygon.weight} ${this.#polygon.weightUnit}.`,
+      say(
+        "With its own centre of mass, minimum load ratio {minRatio} and weight {weight} {weightUnit}.",
+        this.#polygon,
+      ),
     );
     return el(
       "form",
@@ -223,7 +224,7 @@ class ExperimentWindow {
   #take(files) {
     if (files.length === 0 || this.#stop) return;
     this.#files = files;
-    this.own.textContent = `My files (${number(files.length)})`;
+    this.own.textContent = say("My files ({number})", { number: number(files.length) });
     this.form.querySelector("[value=files]").checked = true;
     this.#chosenChanged();
     this.problem.say("");
@@ -233,16 +234,25 @@ class ExperimentWindow {
   async #plan() {
     const random = this.samples.valueAsNumber,
       mostBalanced = this.balanced.valueAsNumber;
-    const upTo = `At most ${number(mostBalanced)} balanced robots are measured, since the search for more takes longer.`;
+    const upTo = say("At most {number} balanced robots are measured, since the search for more takes longer.", {
+      number: number(mostBalanced),
+    });
     if (this.#chosen === "this") {
       const { minRatio, weight, weightUnit, points } = this.#polygon;
-      const asPoints = points ? "" : " Robots count as points here: their size and no-go edges are ignored.";
+      const mostTeams = this.most.valueAsNumber;
+      const measured = say(
+        "This polygon at a minimum load ratio of {minRatio} and a weight of {weight} {unit}, with up to one team for each candidate, at most {most}.",
+        { minRatio, weight: number(weight), unit: weightUnit, most: number(mostTeams) },
+      );
+      const asPoints = points
+        ? []
+        : [translated("Robots count as points here: their size and no-go edges are ignored.")];
       return {
         tasks: thisPolygon(this.#polygon),
-        what: "methods",
+        counting: "{done} of {all} methods: {title}",
         of: this.#polygon,
-        settings: { minRatio, samples: random, weight, weightUnit, mostTeams: this.most.valueAsNumber, mostBalanced },
-        caption: `This polygon at a minimum load ratio of ${minRatio} and a weight of ${number(weight)} ${weightUnit}, with up to one team for each candidate, at most ${number(this.most.valueAsNumber)}.${asPoints} ${upTo}`,
+        settings: { minRatio, samples: random, weight, weightUnit, mostTeams, mostBalanced },
+        caption: [measured, ...asPoints, upTo].join(" "),
       };
     }
     const tasks = await { samples, thesis: thesisLike, files: async () => ownFiles(this.#files) }[this.#chosen]();
@@ -250,9 +260,13 @@ class ExperimentWindow {
     const minRatio = this.ratio.valueAsNumber;
     return {
       tasks,
-      what: "polygons",
+      counting: "{done} of {all} polygons: {title}",
       settings: { ...manyPolygons, mostBalanced, minRatio, samples: random },
-      caption: `${names[this.#chosen]}: ${count(tasks.length, "polygon")}, at a minimum load ratio of ${minRatio} and a weight of 100 kg. ${upTo}`,
+      caption: `${say("{set}: {polygons}, at a minimum load ratio of {minRatio} and a weight of 100 kg.", {
+        set: names[this.#chosen],
+        polygons: polygons(tasks.length),
+        minRatio,
+      })} ${upTo}`,
     };
   }
 
@@ -263,37 +277,38 @@ class ExperimentWindow {
     this.problem.say("");
     this.said.textContent = "";
     this.#toggle(true);
-    this.now.textContent = "Preparing …";
+    this.now.textContent = translated("Preparing …");
     this.bar.removeAttribute("value");
     let partly = false;
     try {
-      const { tasks, what, settings, caption, of } = await this.#plan();
+      const { tasks, counting, settings, caption, of } = await this.#plan();
       const outputs = await runExperiment(tasks, {
         settings,
         onePolygon: of !== undefined,
         signal: stop.signal,
         partly: async (some) => {
           if (some.figures.length === 0) return;
-          kept = { outputs: some, caption: `${caption} Their results are still missing.`, of };
+          kept = { outputs: some, caption: `${caption} ${translated("Their results are still missing.")}`, of };
           await this.#show();
           if (!partly) reveal(this.results);
           partly = true;
         },
         progress: (done, title) => {
           this.bar.value = done / tasks.length;
-          this.now.textContent = `${number(done)} of ${number(tasks.length)} ${what}: ${title}`;
+          this.now.textContent = say(counting, { done: number(done), all: number(tasks.length), title });
         },
       });
       kept = { outputs, caption, of };
       await this.#show();
       if (!partly) reveal(this.results);
-      this.said.textContent = of ? "Done." : `Done: ${count(tasks.length, "polygon")}.`;
+      this.said.textContent = of ? translated("Done.") : say("Done: {polygons}.", { polygons: polygons(tasks.length) });
     } catch (error) {
+      const why = translated(error.message);
       if (error.name === "AbortError")
-        this.said.textContent = partly
-          ? "Cancelled; balanced robots are missing."
-          : "Cancelled; nothing of this comparison is kept.";
-      else this.problem.say(error.message.charAt(0).toUpperCase() + error.message.slice(1));
+        this.said.textContent = translated(
+          partly ? "Cancelled; balanced robots are missing." : "Cancelled; nothing of this comparison is kept.",
+        );
+      else this.problem.say(why.charAt(0).toUpperCase() + why.slice(1));
     } finally {
       this.#stop = undefined;
       this.#toggle(false);

@@ -2,6 +2,7 @@
 import { methods } from "../charts/methods.js";
 import { el, number } from "../kit/elements.js";
 import { figureTable } from "./figure_table.js";
+import { say, translated } from "../words/words.js";
 
 const wide = (label, content) =>
   el("div", { class: "wide", tabindex: "0", role: "region", "aria-label": label }, content);
@@ -13,8 +14,10 @@ function refused({ refused: all }) {
     el(
       "div",
       { class: "problem", role: "status" },
-      `${number(all.length)} polygon${all.length === 1 ? "" : "s"} could not be read and ${all.length === 1 ? "was" : "were"} left out:`,
-      el("ul", {}, ...all.map(({ polygon, problem }) => el("li", {}, `${polygon}: ${problem}`))),
+      all.length === 1
+        ? "1 polygon could not be read and was left out:"
+        : say("{number} polygons could not be read and were left out:", { number: number(all.length) }),
+      el("ul", {}, ...all.map(({ polygon, problem }) => el("li", {}, `${polygon}: ${translated(problem)}`))),
     ),
   ];
 }
@@ -23,10 +26,15 @@ function figure(made, place) {
   return el(
     "figure",
     {},
-    el("h3", {}, `${made.title} (${made.unit})`),
+    el("h3", {}, `${translated(made.title)} (${made.unit})`),
     place,
     el("figcaption", {}, made.sentence),
-    el("details", {}, el("summary", {}, "Numbers"), wide(`Numbers: ${made.title}`, figureTable(made))),
+    el(
+      "details",
+      {},
+      el("summary", {}, "Numbers"),
+      wide(say("Numbers: {title}", { title: made.title }), figureTable(made)),
+    ),
   );
 }
 
@@ -101,7 +109,8 @@ function fewRobots({ few_robots: sets }) {
       el(
         "summary",
         {},
-        `${sets.length > 1 ? `${set}: ` : ""}3 to 12 robots in numbers, including odd numbers of balanced robots`,
+        (sets.length > 1 ? `${set}: ` : "") +
+          translated("3 to 12 robots in numbers, including odd numbers of balanced robots"),
       ),
       el(
         "div",

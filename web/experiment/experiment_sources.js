@@ -2,6 +2,7 @@
 // files. Each source returns tasks for the workers (worker_pool.js).
 import { methods } from "../charts/methods.js";
 import { fetchJson } from "../kit/fetched.js";
+import { say } from "../words/words.js";
 
 const mostBytes = 64 * 1024 * 1024; // core/include/evenlift/document.h
 
@@ -17,7 +18,7 @@ async function textOf(file) {
 }
 
 const cannotBeFetched = (what) => (error) => {
-  throw new Error(`${what} cannot be fetched: ${error.message}`);
+  throw new Error(say(what, { why: error.message }));
 };
 
 // The open polygon, as one task for each method, so that progress is visible. Balanced robots take longest and are
@@ -35,11 +36,12 @@ export function thisPolygon({ text }) {
 // All files of assets/polygons, under the names of the gallery.
 export async function samples() {
   const [gallery, texts] = await Promise.all([fetchJson("samples.json"), fetchJson("polygons.json")]).catch(
-    cannotBeFetched("The samples"),
+    cannotBeFetched("The samples cannot be fetched: {why}"),
   );
   const titles = new Map(gallery.map(({ name, title }) => [name, title]));
   const titleOf = (name) =>
-    titles.get(name) ?? `${titles.get(name.replace(/-moved$/, "")) ?? name}, centre of mass moved`;
+    titles.get(name) ??
+    say("{title}, centre of mass moved", { title: titles.get(name.replace(/-moved$/, "")) ?? name });
   return Object.entries(texts).map(([name, text]) => ({
     set: "polygons",
     name,
@@ -48,10 +50,22 @@ export async function samples() {
   }));
 }
 
+// "Notched, 4 vertices, centre moved (1)" in the reader's language.
+const inWords = (title) =>
+  title
+    .split(", ")
+    .map((part) => say(part.replace(/\d+/, "{number}"), { number: part.match(/\d+/) }))
+    .join(", ");
+
 // All files of assets/thesis-like.
 export async function thesisLike() {
-  const all = await fetchJson("thesis-like.json").catch(cannotBeFetched("The set"));
-  return all.map(({ name, title, text }) => ({ set: "thesis-like", name, title, read: async () => text }));
+  const all = await fetchJson("thesis-like.json").catch(cannotBeFetched("The set cannot be fetched: {why}"));
+  return all.map(({ name, title, text }) => ({
+    set: "thesis-like",
+    name,
+    title: inWords(title),
+    read: async () => text,
+  }));
 }
 
 // Two files with the same name would count as one polygon.
@@ -59,6 +73,6 @@ export function ownFiles(files) {
   if (files.length === 0) throw new Error("Choose files first, or drop them here");
   const names = files.map(nameOf);
   const twice = names.find((name, at) => names.indexOf(name) !== at);
-  if (twice !== undefined) throw new Error(`Two files have the name “${twice}”`);
+  if (twice !== undefined) throw new Error(say("Two files have the name “{name}”", { name: twice }));
   return files.map((file, at) => ({ set: "files", name: names[at], title: names[at], read: () => textOf(file) }));
 }

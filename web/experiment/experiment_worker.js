@@ -6,6 +6,7 @@ import { Program } from "../page/program.js";
 const started = createModule().then((module) => new Program(module));
 
 const tasks = {
+  speak: (program, { words }) => program.speak(words),
   begin: (program, { minRatio, samples, weight, weightUnit, mostTeams, mostBalanced }) =>
     program.text("experiment_begin", minRatio, samples, weight, weightUnit, mostTeams, mostBalanced),
   measure: (program, { set, name, text, method }) => program.text("experiment_measure", set, name, text, method),

@@ -1,4 +1,5 @@
 // A pool of web workers that measure the polygons of an experiment.
+import { translations } from "../words/words.js";
 import { underWay } from "../page/under_way.js";
 
 // One worker of the pool. It answers its questions in their order.
@@ -20,6 +21,7 @@ class PooledWorker {
       event.preventDefault();
       this.end(new Error(event.message || "the server cannot be reached"));
     });
+    this.ask("speak", { words: translations() }).catch(() => {}); // the next question fails as well
   }
 
   ask(task, given) {

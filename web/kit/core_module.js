@@ -1,5 +1,6 @@
 // WebAssembly modules of the core that compute beside the page's own module.
 import { Program } from "../page/program.js";
+import { translations } from "../words/words.js";
 import { underWay } from "../page/under_way.js";
 
 // Returns a function that resolves with the module as a Program. `load` imports it when it is first needed. If that
@@ -18,6 +19,7 @@ export function coreModule(load) {
       });
     const program = new Program(module);
     program.onStop = forget;
+    program.speak(translations());
     return program;
   }
   return () => {

@@ -1,6 +1,7 @@
 // The frame of the page's own windows. They are HTML, so that text can be typed and screen readers can read lists. Each
 // window is a module of its own.
 import { button, el } from "./elements.js";
+import { translated } from "../words/words.js";
 
 const styles = new Map();
 
@@ -128,7 +129,7 @@ export function problemLine(attributes = {}) {
   const line = el("p", { class: "problem", role: "alert", ...attributes });
   return Object.assign(line, {
     say(text) {
-      line.textContent = text && `${text.replace(/\.$/, "")}.`;
+      line.textContent = text && `${translated(text).replace(/\.$/, "")}.`;
     },
   });
 }

@@ -1,10 +1,14 @@
 // Elements and downloads for the page's own windows.
 import { ofWindows, shared } from "./icons.js";
+import { translated } from "../words/words.js";
 
 const svgSpace = "http://www.w3.org/2000/svg";
 
+// Attributes that people read.
+const readable = ["alt", "aria-label", "placeholder", "title"];
+
 // Makes an element. Attributes `on…` are event handlers, others are as in HTML; false and undefined leave an attribute
-// out.
+// out. Texts that people read appear in their language.
 export function el(name, attributes = {}, ...children) {
   return fill(document.createElement(name), attributes, children);
 }
@@ -17,9 +21,10 @@ function fill(element, attributes, children) {
   for (const [name, value] of Object.entries(attributes)) {
     if (value === undefined || value === false) continue;
     if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
+    else if (readable.includes(name)) element.setAttribute(name, translated(value));
     else element.setAttribute(name, value === true ? "" : value);
   }
-  element.append(...children);
+  element.append(...children.map((child) => (typeof child === "string" ? translated(child) : child)));
   return element;
 }
 
@@ -66,11 +71,7 @@ export const unbroken = (text) => text.replace(/(?<=\d) (?=%)/g, "\u00a0");
 
 // A text whose lines are paragraphs, each with these attributes (el()); nothing for an empty text.
 export const paragraphs = (text, attributes = {}) =>
-  text
-    ? unbroken(text)
-        .split("\n")
-        .map((words) => el("p", attributes, words))
-    : [];
+  text ? text.split("\n").map((line) => el("p", attributes, unbroken(translated(line)))) : [];
 
 export const number = (value) => value.toLocaleString("en");
 
@@ -79,6 +80,8 @@ export function typedNumber(text) {
   return text.trim() ? Number(text.trim().replace(",", ".")) : NaN;
 }
 
+// The sentence as it follows a colon: in English with a small letter.
 export function lowered(sentence) {
-  return sentence.charAt(0).toLowerCase() + sentence.slice(1);
+  const said = translated(sentence);
+  return document.documentElement.lang === "en" ? said.charAt(0).toLowerCase() + said.slice(1) : said;
 }

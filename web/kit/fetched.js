@@ -1,4 +1,5 @@
 import { underWay } from "../page/under_way.js";
+import { say } from "../words/words.js";
 
 // The page's own data files. Each is fetched once, when it is first needed; after a failure it can be fetched again.
 const fetched = new Map();
@@ -21,6 +22,10 @@ export async function ask(url, options) {
     throw new Error("the server cannot be reached");
   }
   if (!answer.ok)
-    throw new Error(answer.status === 404 ? "the server does not have it" : `the server answered ${answer.status}`);
+    throw new Error(
+      answer.status === 404
+        ? "the server does not have it"
+        : say("the server answered {status}", { status: answer.status }),
+    );
   return answer;
 }

@@ -1,6 +1,7 @@
 // The words that the page uses, with the meaning that docs/algorithm.md gives them.
 import { fadeFoot, openWindow } from "../kit/dialogs.js";
 import { el } from "../kit/elements.js";
+import { translated } from "../words/words.js";
 
 const words = [
   ["Arm", "The distance of a robot from the centre of mass. In a team the robot with the shorter arm carries more."],
@@ -104,7 +105,10 @@ export async function show() {
   const list = el(
     "dl",
     { class: "glossary" },
-    ...words.flatMap(([word, meaning]) => [el("dt", {}, word), el("dd", {}, meaning)]),
+    ...words
+      .map(([word, meaning]) => [translated(word), meaning])
+      .sort(([a], [b]) => a.localeCompare(b))
+      .flatMap(([word, meaning]) => [el("dt", {}, word), el("dd", {}, meaning)]),
   );
   const scroll = el(
     "div",

@@ -4,6 +4,7 @@ import { coreModule } from "../kit/core_module.js";
 import { openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, paragraphs, unbroken } from "../kit/elements.js";
 import { qrCode } from "../kit/qr_code.js";
+import { say, translated } from "../words/words.js";
 import { legend, picture } from "./handout_picture.js";
 import { titleOf } from "./lesson_source.js";
 import { openLessonOf } from "./lesson_watch.js";
@@ -13,8 +14,9 @@ const handoutModule = coreModule(() => import("./handout_core.js"));
 // "5. Candidates (2 of 4)": each step has a title of its own, though a chapter may have several.
 function titleOfStep({ steps }, step) {
   const ofChapter = steps.filter(({ chapter }) => chapter === step.chapter),
-    number = `${steps.indexOf(step) + 1}. ${step.chapter}`;
-  return ofChapter.length > 1 ? `${number} (${ofChapter.indexOf(step) + 1} of ${ofChapter.length})` : number;
+    parts = ofChapter.length,
+    title = `${steps.indexOf(step) + 1}. ${translated(step.chapter)}`;
+  return parts > 1 ? say("{title} ({part} of {parts})", { title, part: ofChapter.indexOf(step) + 1, parts }) : title;
 }
 
 function figureOf(handout, step) {
@@ -70,7 +72,11 @@ function taskOf(program, { words, goals, may, numbered }) {
     el("img", { class: "paper-task", alt: "The object and its robots", src: drawing }),
     el("ul", {}, ...goals.map((goal) => el("li", {}, goal.words))),
     el("p", {}, may),
-    el("p", {}, `Name: ______________________________${numbered ? "   Number: ____________" : ""}`),
+    el(
+      "p",
+      {},
+      numbered ? "Name: ______________________________   Number: ____________" : "Name: ______________________________",
+    ),
   ];
 }
 
@@ -114,7 +120,7 @@ export async function show(page) {
   });
   if (!root) return;
   try {
-    if (!link) throw new Error(`this polygon has no link: ${program.text("page_link_problem")}`);
+    if (!link) throw new Error(say("this polygon has no link: {why}", { why: program.text("page_link_problem") }));
     pages.replaceChildren(
       el("h2", { class: "paper-title" }, title),
       ...(await make()),
@@ -125,6 +131,6 @@ export async function show(page) {
     print.focus();
   } catch (error) {
     pages.replaceChildren();
-    problem.say(`The handout cannot be made: ${error.message}`);
+    problem.say(say("The handout cannot be made: {why}", { why: error.message }));
   }
 }

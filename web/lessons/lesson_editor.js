@@ -1,8 +1,9 @@
 // The editor of lessons: the text in a window beside the canvas, and on the canvas the lesson, at the step of the
 // cursor. Mistakes are reported with their line while the text is typed.
 import { makeRoom, openWindow, problemLine } from "../kit/dialogs.js";
-import { button, download, el, lowered } from "../kit/elements.js";
+import { button, download, el, lowered, number } from "../kit/elements.js";
 import { fetchJson } from "../kit/fetched.js";
+import { say, translated } from "../words/words.js";
 import { lasting, ofThisTab, read, write } from "../page/storage.js";
 import { unreadable } from "../page/lesson_text.js";
 import { underWay } from "../page/under_way.js";
@@ -25,13 +26,13 @@ const firstSteps = [
   ["end", "What should they remember?"],
 ];
 
-const inText = (steps) => steps.map(([address, words]) => `[${address}]\n${words}\n`).join("\n");
+const inText = (steps) => steps.map(([address, words]) => `[${address}]\n${translated(words)}\n`).join("\n");
 
 // A lesson to begin with: about the open polygon, unless its link is long.
 function template(program) {
   const link = program.text("page_link");
-  const begin = `# Lines that begin with # are notes for the author.
-title: My lesson
+  const begin = `${translated("# Lines that begin with # are notes for the author.")}
+title: ${translated("My lesson")}
 `;
   const own = link && link.length < 2000;
   const about = (steps) => `${begin}${own ? `link: ${link}` : "polygon: trapezium"}\n\n${inText(steps)}`;
@@ -39,12 +40,12 @@ title: My lesson
   const ofSample = new Set(["centre", "vertex 1", "candidates", "team 1", "end"]);
   const there = own ? program.json("page_steps_that_exist", about(firstSteps)) : null;
   return `${about(firstSteps.filter(([address], i) => (there ? there[i] : ofSample.has(address))))}
-# On the card at the end. The answer appears when they ask for it.
+${translated("# On the card at the end. The answer appears when they ask for it.")}
 [question]
-What could they find out by themselves?
+${translated("What could they find out by themselves?")}
 
 [answer]
-What they will find.
+${translated("What they will find.")}
 `;
 }
 
@@ -61,10 +62,10 @@ function choiceOfSamples(names, gallery) {
     add(group || "To begin with", name, title);
   for (const name of names.filter((each) => !titles.has(each))) {
     const title = titles.get(name.replace(twin, ""));
-    if (title && twin.test(name)) add("With a moved centre of mass", name, `${title}, moved`);
+    if (title && twin.test(name)) add("With a moved centre of mass", name, say("{title}, moved", { title }));
     else add("Others", name, name.charAt(0).toUpperCase() + name.slice(1).replaceAll("-", " "));
   }
-  return [...groups].map(([label, options]) => el("optgroup", { label }, ...options));
+  return [...groups].map(([label, options]) => el("optgroup", { label: translated(label) }, ...options));
 }
 
 export async function show(page) {
@@ -243,18 +244,22 @@ class Editor {
       program.call("page_go_to_stop", Math.max(stop, 0));
     }
     const steps = this.#stopAt(text.length) + 1;
-    this.status.textContent = `${steps} ${steps === 1 ? "step" : "steps"}; the drawing shows ${stop < 0 ? "the first" : `step ${stop + 1}`}.`;
+    const counted = steps === 1 ? "1 step" : say("{steps} steps", { steps });
+    this.status.textContent =
+      stop < 0
+        ? say("{steps}; the drawing shows the first.", { steps: counted })
+        : say("{steps}; the drawing shows step {step}.", { steps: counted, step: stop + 1 });
   }
 
   // Shows a problem of the text; with "" it removes the message.
   #say(problem) {
     this.#wrong = problem;
     this.problem.say(problem);
-    this.line = Number(/^line (\d+)/i.exec(problem)?.[1] ?? 0);
+    this.line = Number(new RegExp(`^${say("Line {line}", { line: "(\\d+)" })}`, "i").exec(problem)?.[1] ?? 0);
     this.toLine.hidden = !this.line;
-    this.toLine.textContent = `Go to line ${this.line}`;
+    this.toLine.textContent = say("Go to line {line}", { line: this.line });
     if (problem) {
-      this.status.textContent = "The drawing shows the last version without a mistake.";
+      this.status.textContent = translated("The drawing shows the last version without a mistake.");
       this.field.setAttribute("aria-invalid", "true");
     } else {
       this.field.removeAttribute("aria-invalid");
@@ -277,7 +282,7 @@ class Editor {
     const sample = program.text("page_lesson_polygon", text);
     if (sample && !Object.hasOwn(this.#samples, sample)) {
       const line = text.split("\n").findIndex((each) => /^polygon\s*:/.test(each.trim())) + 1;
-      return `Line ${line}: ${lowered(noSample(sample, Object.keys(this.#samples)))}`;
+      return say("Line {line}: {problem}", { line, problem: lowered(noSample(sample, Object.keys(this.#samples))) });
     }
     const problem = program.text("page_open_lesson", text, sample ? this.#samples[sample] : "", 2, 1);
     if (!problem) this.#page.nameLesson("");
@@ -318,12 +323,15 @@ class Editor {
 
   async #copyLink() {
     this.#look(); // at what was typed last
-    if (this.#wrong) return this.problem.say(`Correct the lesson before you link to it: ${lowered(this.#wrong)}`);
+    if (this.#wrong)
+      return this.problem.say(say("Correct the lesson before you link to it: {why}", { why: lowered(this.#wrong) }));
     const { text, problem } = this.#page.program.json("page_lesson_link", this.field.value);
     if (problem) return this.problem.say(problem);
     const address = this.#page.lessonAddress(text);
     if (!(await this.#page.copy(address))) return this.problem.say("The browser did not allow copying");
-    this.status.textContent = `The link is copied. It holds the whole lesson, in ${address.length.toLocaleString("en")} characters.`;
+    this.status.textContent = say("The link is copied. It holds the whole lesson, in {number} characters.", {
+      number: number(address.length),
+    });
   }
 
   #save() {

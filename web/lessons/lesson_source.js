@@ -2,6 +2,7 @@
 // returns why it was refused, or undefined.
 import { lowered } from "../kit/elements.js";
 import { ask, fetchJson } from "../kit/fetched.js";
+import { say, translated } from "../words/words.js";
 import { isLessonLink } from "../page/address.js";
 import { unreadable } from "../page/lesson_text.js";
 import { openLesson, watch } from "./lesson_watch.js";
@@ -27,11 +28,13 @@ export async function openLessonText(page, text, name = "", how = {}) {
   try {
     samples = await fetchJson("polygons.json");
   } catch (error) {
-    return `Its polygon cannot be fetched: ${error.message}`;
+    return say("Its polygon cannot be fetched: {why}", { why: error.message });
   }
   if (!Object.hasOwn(samples, sample)) return noSample(sample, Object.keys(samples));
   return openLesson(page, { name, text, polygon: samples[sample] }, how);
 }
+
+const quoted = (name) => translated("“{name}”").replace("{name}", name);
 
 // The message about an unknown sample, with the nearest names.
 export function noSample(sample, names) {
@@ -39,8 +42,12 @@ export function noSample(sample, names) {
     .map((name) => [distance(sample.toLowerCase(), name), name])
     .sort(([a, x], [b, y]) => a - b || (x < y ? -1 : 1))
     .slice(0, 3)
-    .map(([, name]) => `“${name}”`);
-  return `It is about the sample “${sample}”, which does not exist; similar names are ${near.slice(0, -1).join(", ")} and ${near.at(-1)}`;
+    .map(([, name]) => quoted(name));
+  return say("It is about the sample {sample}, which does not exist; similar names are {names} and {last}", {
+    sample: quoted(sample),
+    names: near.slice(0, -1).join(", "),
+    last: near.at(-1),
+  });
 }
 
 // The number of letters to change, add or remove; less if one name contains the other.
@@ -109,8 +116,13 @@ export async function beginFromAddress(page, { lesson, number, challenge, join }
     opens = !problem;
     if (problem) {
       if (!isLessonLink(lesson)) page.nameLesson(""); // a link is the only copy of its lesson, and stays in the address
-      const which = isLessonLink(lesson) ? "The lesson of this address" : `The lesson “${lesson.slice(0, 60)}”`;
-      page.notice(`${which} cannot be opened: ${lowered(problem.replace(/^Link, /, ""))}.`, true);
+      const why = lowered(problem.replace(/^Link, /, ""));
+      page.notice(
+        isLessonLink(lesson)
+          ? say("The lesson of this address cannot be opened: {why}.", { why })
+          : say("The lesson “{name}” cannot be opened: {why}.", { name: lesson.slice(0, 60), why }),
+        true,
+      );
     }
   }
   if (!challenge) return opens;

@@ -3,6 +3,7 @@
 import { closingButton, openCard } from "../kit/card.js";
 import { button, el, paragraphs } from "../kit/elements.js";
 import { fetchJson } from "../kit/fetched.js";
+import { say, translated } from "../words/words.js";
 import { isLessonLink } from "../page/address.js";
 import { lasting, read, write } from "../page/storage.js";
 import { underWay } from "../page/under_way.js";
@@ -88,7 +89,9 @@ function questionOf(program, of) {
   const byKeys = el(
     "p",
     { class: "second by-keys" },
-    `Try it here: T and Shift+T change the number of ${JSON.parse(program.text("page_state")).metric === "balanced" ? "robots" : "teams"}, and you can drag C.`,
+    JSON.parse(program.text("page_state")).metric === "balanced"
+      ? "Try it here: T and Shift+T change the number of robots, and you can drag C."
+      : "Try it here: T and Shift+T change the number of teams, and you can drag C.",
   );
   const words = [...paragraphs(program.text("page_lesson_question"), { class: "question" }), byKeys, answer];
   if (of.answered) {
@@ -121,7 +124,7 @@ function foldButton(of) {
     onclick: () => {
       const folded = of.card.root.classList.toggle("folded");
       fold.setAttribute("aria-expanded", String(!folded));
-      fold.textContent = folded ? "Question" : "Fold";
+      fold.textContent = translated(folded ? "Question" : "Fold");
       of.card.seat();
     },
   });
@@ -131,29 +134,49 @@ function foldButton(of) {
 // The next lesson by its name, or where the name does not fit, as "Next lesson".
 function toNext({ title }, act) {
   const go = closingButton("", { class: "button primary", title }, act);
-  go.append(el("span", { class: "whole" }, `Next: ${title}`), el("span", { class: "short" }, "Next lesson"));
+  go.append(
+    el("span", { class: "whole" }, say("Next: {title}", { title })),
+    el("span", { class: "short" }, "Next lesson"),
+  );
   return go;
 }
 
-async function showEnd(page, lesson, { guesses, right, told, passed }, of) {
+// How the guesses went, in sentences: the number of right ones first.
+function scoreOf({ guesses, right, told, passed }) {
+  if (!guesses) return { score: "", further: [] };
+  return {
+    score:
+      guesses === 1
+        ? say("{right} of 1 guess was right.", { right })
+        : say("{right} of {guesses} guesses were right.", { right, guesses }),
+    further: [
+      passed === 1
+        ? translated("One question was skipped.")
+        : passed && say("{passed} questions were skipped.", { passed }),
+      told === 1
+        ? translated("One more choice was shown without a question: each kind is asked at most three times.")
+        : told &&
+          say("{told} more choices were shown without a question: each kind is asked at most three times.", { told }),
+    ].filter(Boolean),
+  };
+}
+
+async function showEnd(page, lesson, now, of) {
   const all = lesson.name ? await fetchJson("lessons.json").catch(() => []) : [];
   const index = all.findIndex(({ name }) => name === lesson.name);
   const next = index >= 0 ? all[index + 1] : undefined;
-  const score = guesses ? `${right} of ${guesses} ${guesses === 1 ? "guess was" : "guesses were"} right.` : "";
-  const unguessed =
-    score && passed ? ` ${passed === 1 ? "One question was" : `${passed} questions were`} skipped.` : "";
-  const untold =
-    score && told
-      ? ` ${told === 1 ? "One more choice was" : `${told} more choices were`} shown without a question: each kind is asked at most three times.`
-      : "";
+  const { score, further } = scoreOf(now);
   const asked = page.program.text("page_lesson_question");
   if (!score && index < 0 && !asked) return;
   if (playing !== of || !of.atEnd || document.querySelector("dialog[open]:not(#editor)")) return;
-  const ended = index >= 0 ? `The end of lesson ${index + 1} of ${all.length}.` : "This is the end.";
+  const ended =
+    index >= 0
+      ? say("The end of lesson {number} of {all}.", { number: index + 1, all: all.length })
+      : translated("This is the end.");
   const seen = seenLessons();
   const question = asked ? questionOf(page.program, of) : undefined;
   const toFold = asked && matchMedia("(max-height: 600px)").matches ? foldButton(of) : "";
-  const rest = index >= 0 && all.every(({ name }) => seen.has(name)) ? " You have seen all lessons." : "";
+  if (index >= 0 && all.every(({ name }) => seen.has(name))) further.push(translated("You have seen all lessons."));
   of.card = await openCard(page, {
     name: "lesson-end",
     title: "The end of the lesson",
@@ -162,7 +185,7 @@ async function showEnd(page, lesson, { guesses, right, told, passed }, of) {
       el(
         "div",
         { class: of.answered ? "said answered" : "said" },
-        el("p", { role: "status" }, `${ended} `, score ? el("b", {}, score) : "", unguessed, untold, rest),
+        el("p", { role: "status" }, `${ended} `, score ? el("b", {}, score) : "", ...further.map((each) => ` ${each}`)),
         ...(question?.words ?? []),
       ),
       el(

@@ -2,6 +2,7 @@
 import { buttonTo, fadeFoot, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, icon, lowered } from "../kit/elements.js";
 import { fetchJson } from "../kit/fetched.js";
+import { say, translated } from "../words/words.js";
 import { show as showGlossary } from "./glossary.js";
 import { show as showHandout } from "./handout.js";
 import { show as showEditor } from "./lesson_editor.js";
@@ -31,8 +32,8 @@ export async function show(page) {
     file.value = ""; // the same file may be chosen again
     if (!chosen) return;
     const why = await underWay(openFile(page, chosen));
-    if (why) problem.say(`“${chosen.name}” cannot be opened: ${lowered(why)}`);
-    else root?.close();
+    if (!why) return root?.close();
+    problem.say(say("“{name}” cannot be opened: {why}", { name: chosen.name, why: lowered(why) }));
   });
   const root = await openWindow({
     name: "lessons",
@@ -55,7 +56,7 @@ export async function show(page) {
   [scroll, root].forEach(fadeFoot); // on a small screen the whole window scrolls
   const choose = (lesson) => {
     const why = openLesson(page, lesson);
-    if (why) problem.say(`This lesson cannot be opened: ${lowered(why)}`);
+    if (why) problem.say(say("This lesson cannot be opened: {why}", { why: lowered(why) }));
     else root.close();
   };
   root.querySelector(".choice:enabled")?.focus();
@@ -121,7 +122,7 @@ async function load(page, list, choose) {
   } catch (error) {
     const line = problemLine();
     list.replaceChildren(line, button("Try again", { onclick: () => load(page, list, choose) }));
-    line.say(`The ready-made lessons cannot be fetched: ${error.message}`);
+    line.say(say("The ready-made lessons cannot be fetched: {why}", { why: error.message }));
     return;
   }
   const seen = seenLessons();
@@ -133,17 +134,18 @@ async function load(page, list, choose) {
   const next = later >= 0 ? later : lessons.findIndex(({ name }) => !seen.has(name));
   const about = (lesson, i) =>
     [
-      `about ${minutes(lesson)} min`,
+      say("about {minutes} min", { minutes: minutes(lesson) }),
       lesson.name === open ? "open now" : seen.has(lesson.name) ? "seen" : seen.size > 0 && i === next ? "next" : "",
     ]
       .filter(Boolean)
+      .map((words) => translated(words))
       .join(" · ");
   const entry = (lesson) => {
     const i = lessons.indexOf(lesson);
     return el(
       "li",
       {},
-      choice(`${i + 1}. ${lesson.title}`, about(lesson, i), () => choose(lesson), {
+      choice(`${i + 1}. ${translated(lesson.title)}`, about(lesson, i), () => choose(lesson), {
         "data-name": lesson.name,
         "aria-current": lesson.name === open ? "true" : undefined,
         mark: seen.has(lesson.name) ? icon("check") : undefined,
@@ -151,14 +153,32 @@ async function load(page, list, choose) {
     );
   };
   const total = (some) => some.reduce((sum, lesson) => sum + minutes(lesson), 0);
-  const done = seen.size ? `; ${lessons.filter(({ name }) => seen.has(name)).length} of ${lessons.length} seen` : "";
+  const whole = {
+    minutes: total(lessons),
+    seen: lessons.filter(({ name }) => seen.has(name)).length,
+    all: lessons.length,
+  };
   const sessions = [...new Set(lessons.map(({ session }) => session))];
   list.replaceChildren(
-    el("h3", {}, `In order, about ${total(lessons)} minutes in total${done}`),
+    el(
+      "h3",
+      {},
+      seen.size
+        ? say("In order, about {minutes} minutes in total; {seen} of {all} seen", whole)
+        : say("In order, about {minutes} minutes in total", whole),
+    ),
     ...sessions.flatMap((session, number) => {
       const some = lessons.filter((lesson) => lesson.session === session);
       return [
-        el("h4", {}, `Session ${number + 1}: ${session}, about ${total(some)} minutes`),
+        el(
+          "h4",
+          {},
+          say("Session {number}: {session}, about {minutes} minutes", {
+            number: number + 1,
+            session,
+            minutes: total(some),
+          }),
+        ),
         el("ol", { class: "choices lessons", start: String(lessons.indexOf(some[0]) + 1) }, ...some.map(entry)),
       ];
     }),

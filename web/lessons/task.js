@@ -1,6 +1,7 @@
 // The task of a lesson: what is to be reached, with ticks that follow every change. Its card stays over the canvas.
 import { openCard } from "../kit/card.js";
 import { button, el, icon, paragraphs } from "../kit/elements.js";
+import { say, translated } from "../words/words.js";
 import { learnersNumber } from "../page/address.js";
 
 // `again(number)` opens the task of another learner; `done` is called when the task is done for the first time.
@@ -24,7 +25,9 @@ export async function show(page, { again, done }) {
         el(
           "h2",
           {},
-          begun.title.replace(/^Task: /, "").replace(/^./, (letter) => letter.toUpperCase()),
+          translated(begun.title)
+            .replace(new RegExp(`^${translated("Task: ")}`), "")
+            .replace(/^./, (letter) => letter.toUpperCase()),
         ),
         ...paragraphs(begun.words),
         list,
@@ -61,7 +64,7 @@ export async function show(page, { again, done }) {
           ...paragraphs(asked, { class: "question" }),
           ...(first ? [] : paragraphs(program.text("page_lesson_answer"))),
         );
-        ask.textContent = "Answer";
+        ask.textContent = translated("Answer");
         if (!first) ask.remove();
         card.seat();
       },
@@ -73,9 +76,11 @@ export async function show(page, { again, done }) {
     const { kept } = program.json("page_task");
     const copied = await page.copy(page.address(program.text("page_link")));
     page.notice(
-      copied
-        ? `The link to your result is copied.${kept ? "" : " The task is not done yet."}`
-        : "The browser did not allow copying. The address bar holds the same link.",
+      !copied
+        ? "The browser did not allow copying. The address bar holds the same link."
+        : kept
+          ? "The link to your result is copied."
+          : "The link to your result is copied. The task is not done yet.",
       !copied,
     );
   }
@@ -87,7 +92,7 @@ export async function show(page, { again, done }) {
     if (!text) return card.close(); // undone, or another document was opened
     const { goals, changed, kept, may } = JSON.parse(text);
     list.replaceChildren(...goals.map(row), ...changed.map(changedRow));
-    state.textContent = kept ? "Done! Copy the result to hand it in." : may;
+    state.textContent = translated(kept ? "Done! Copy the result to hand it in." : may);
     card.root.classList.toggle("done", kept);
     copy.classList.toggle("primary", kept);
     if (kept && !celebrated) {
@@ -117,5 +122,5 @@ const changedRow = (what) =>
     "li",
     {},
     tick(false),
-    el("span", {}, `You changed ${what}, which this task does not allow. Undo brings it back.`),
+    el("span", {}, say("You changed {what}, which this task does not allow. Undo brings it back.", { what })),
   );

@@ -2,6 +2,7 @@
 // focus. So keyboards and screen readers reach every control, and a number is typed in a native browser field.
 import { createElement, showControl } from "./elements.js";
 import { withKeys } from "./controls.js";
+import { say, translated } from "../words/words.js";
 import { settingValue, typedProblem, unitOf } from "./typed.js";
 
 // Each card of the panels (begin_card() in wasm/panels), in reading order, with its name for screen readers.
@@ -23,7 +24,7 @@ const cards = new Map([
 function createGroup(name) {
   const group = document.createElement("div");
   group.setAttribute("role", "group");
-  group.setAttribute("aria-label", name);
+  group.setAttribute("aria-label", translated(name));
   group.hidden = true;
   return group;
 }
@@ -78,7 +79,7 @@ export function createMirror(program, field, notice) {
       if (!setting) {
         const number = Number(value);
         if (value === "" || !Number.isFinite(number)) {
-          notice(`“${value}” is not a number.`, true);
+          notice(say("“{value}” is not a number.", { value }), true);
           return false;
         }
         program.call("page_ask_control", confirmed ? enter : move, card, name, number);

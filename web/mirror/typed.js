@@ -1,4 +1,5 @@
 // Numbers as users type them, and as the program reads them (core/include/evenlift/settings.h).
+import { say, translated } from "../words/words.js";
 
 // The value of a control, ready to be typed over: "437 kg" becomes "437", and "(12.4, −3)" "12.4, -3".
 export function plainValue(shown) {
@@ -63,26 +64,43 @@ export function typedProblem(typed, setting, own, isLength) {
       whole = digits.replaceAll(",", ""),
       groups = digits.split(",").length;
     return groups > 2
-      ? `“${text}” has commas between its digits: type ${whole}`
-      : `“${text}” may mean ${whole} or ${digits.replace(",", ".")}: type one of these`;
+      ? say("“{text}” has commas between its digits: type {whole}", { text, whole })
+      : say("“{text}” may mean {whole} or {decimal}: type one of these", {
+          text,
+          whole,
+          decimal: digits.replace(",", "."),
+        });
   }
   const unknown = one.test(text) ? undefined : strange.exec(text)?.[1];
   if (unknown)
-    return `“${unknown}” is not a unit that evenlift knows: lengths are in m, cm, mm or in, and weights in kg, t, N or lb`;
+    return say(
+      "“{unit}” is not a unit that evenlift knows: lengths are in m, cm, mm or in, and weights in kg, t, N or lb",
+      { unit: unknown },
+    );
   const found = one.exec(text)?.slice(2) ?? twoWithUnits.exec(text)?.filter((_, i) => i === 2 || i === 4) ?? [];
   const from = found.find((each) => each && !(own && kindOf(each) === kindOf(own)) && each !== own);
   if (!from) return "";
-  if (!own && isLength && kindOf(from).name === "length")
-    return `“${text}” has the unit ${from}, but lengths have none here: type the number alone, or choose a unit of length under More settings`;
-  if (!own) return `“${text}” has the unit ${from}, but this number has none: type the number alone`;
-  return `“${text}” is a ${kindOf(from).name}, but this number is a ${kindOf(own).name} in ${own}`;
+  const isOfLength = kindOf(from).name === "length";
+  const pattern = own
+    ? isOfLength
+      ? "“{text}” is a length, but this number is a weight in {own}"
+      : "“{text}” is a weight, but this number is a length in {own}"
+    : isLength && isOfLength
+      ? "“{text}” has the unit {from}, but lengths have none here: type the number alone, or choose a unit of length under More settings"
+      : "“{text}” has the unit {from}, but this number has none: type the number alone";
+  return say(pattern, { text, from, own });
 }
+
+// The words that a field may show, as the program knows them.
+const known = ["all", "centroid", "no limit", "none"];
+const inEnglish = (text) =>
+  known.find((word) => translated(word) !== word && translated(word).toLowerCase() === text.toLowerCase()) ?? text;
 
 // A number may have a unit and a decimal comma; a comma, a semicolon or a space separates two numbers. `own` is the
 // unit of the field, "" if it has none. The program refuses anything else with a message. That includes a unit that the
 // field cannot have: without it the number would mean another quantity.
 export function settingValue(typed, setting = "", own = "") {
-  const text = tidied(typed);
+  const text = inEnglish(tidied(typed));
   if (setting === "no_go") {
     // edges: "3,5" is not a number
     const apart = text.includes(";") ? text.replaceAll(",", ".").replaceAll(";", ",") : text; // "3:0,25-0,5; 27"

@@ -1,4 +1,5 @@
 // The browser functions that the program calls (wasm/page/browser.cpp), and the page functions that its windows call.
+import { say, translated } from "../words/words.js";
 import { isLessonLink, linkIn, readAddress, withLesson, withPlaces } from "./address.js";
 import { copy } from "./clipboard.js";
 import { connectDropAndPaste } from "./drop_and_paste.js";
@@ -178,11 +179,9 @@ export class Bindings {
   }
 
   sayAbsent(characters) {
-    const names = [...new Set([...characters].map(nameOf))];
-    this.#publisher.notice(
-      `Some characters cannot be shown on the canvas: ${names.slice(0, 5).join(", ")}${names.length > 5 ? ", …" : ""}.`,
-      true,
-    );
+    const all = [...new Set([...characters].map(nameOf))];
+    const names = `${all.slice(0, 5).map(translated).join(", ")}${all.length > 5 ? ", …" : ""}`;
+    this.#publisher.notice(say("Some characters cannot be shown on the canvas: {names}.", { names }), true);
   }
 
   // --- The document --------------------------------------------------------------------------------------------------
@@ -202,8 +201,9 @@ export class Bindings {
 
   announce(text) {
     const region = document.getElementById("alert");
+    const said = translated(text);
     // A screen reader does not repeat a text that does not change.
-    region.textContent = text && region.textContent === text ? `${text}\u00a0` : text;
+    region.textContent = said && region.textContent === said ? `${said}\u00a0` : said;
   }
 
   beginSearch(...given) {
@@ -221,7 +221,7 @@ export class Bindings {
     const done = await underWay(copy(url));
     this.#publisher.notice(
       done
-        ? `The link is copied. ${this.#aboutLink(url)}`
+        ? `${translated("The link is copied.")} ${this.#aboutLink(url)}`
         : "The browser did not allow copying. The address bar holds the same link.",
       !done,
     );
@@ -274,17 +274,19 @@ export class Bindings {
     const lacking = [
       this.#program.text("page_link_lacks"),
       ownWords
-        ? "It does not hold the words of this lesson: send the lesson’s file as well, or copy the link to it in the editor."
+        ? translated(
+            "It does not hold the words of this lesson: send the lesson’s file as well, or copy the link to it in the editor.",
+          )
         : "",
     ];
-    const all = isLessonLink(lesson)
-      ? "the polygon, all settings and the whole lesson"
-      : "the polygon and all settings";
-    const holds = lacking.filter(Boolean).join(" ") || `It holds ${all}.`;
-    const length = `It has ${url.length.toLocaleString("en")} characters`;
-    if (url.length < longLink) return `${holds} ${length}.`;
-    const instead = isLessonLink(lesson) ? "The lesson’s file" : "The JSON file in Save";
-    return `${holds} ${length}: some programs cut links of ${longLink.toLocaleString("en")} or more. ${instead} holds the same.`;
+    const [all, instead] = isLessonLink(lesson)
+      ? ["It holds the polygon, all settings and the whole lesson.", "The lesson’s file holds the same."]
+      : ["It holds the polygon and all settings.", "The JSON file in Save holds the same."];
+    const holds = lacking.filter(Boolean).join(" ") || translated(all);
+    const [number, most] = [url.length, longLink].map((count) => count.toLocaleString("en"));
+    if (url.length < longLink) return `${holds} ${say("It has {number} characters.", { number })}`;
+    const cut = say("It has {number} characters: some programs cut links of {most} or more.", { number, most });
+    return `${holds} ${cut} ${translated(instead)}`;
   }
 
   async #windows() {

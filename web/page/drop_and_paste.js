@@ -1,18 +1,19 @@
 // Opens files and texts that are dropped or pasted anywhere on the page.
+import { translated } from "../words/words.js";
 import { underWay } from "./under_way.js";
 
 const typesIn = "input, textarea";
 
 export function connectDropAndPaste(page) {
-  const take = async (data, verb) => {
+  const take = async (data, textName) => {
     const given = { files: [...data.files], text: data.getData("text/plain") }; // gone once this event is over
     const { take: open } = await page.windows();
-    await open(page, given, verb);
+    await open(page, given, textName);
   };
   addEventListener("paste", (event) => {
     if (event.target.closest?.(typesIn)) return;
     event.preventDefault();
-    underWay(take(event.clipboardData, "pasted"));
+    underWay(take(event.clipboardData, "The pasted text"));
   });
 
   let own = false; // a text of this page is being dragged: it is not a polygon
@@ -37,7 +38,7 @@ export function connectDropAndPaste(page) {
     underWay(hint(page, false));
     if (!opens(event)) return;
     event.preventDefault();
-    underWay(take(event.dataTransfer, "dropped"));
+    underWay(take(event.dataTransfer, "The dropped text"));
   });
 }
 
@@ -52,7 +53,7 @@ async function hint(page, on) {
     element = Object.assign(document.createElement("div"), {
       id: "drop-hint",
       popover: "manual",
-      textContent: "Drop to open",
+      textContent: translated("Drop to open"),
     });
     document.body.append(element);
     element.showPopover?.(); // above an open window

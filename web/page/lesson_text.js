@@ -1,5 +1,7 @@
 // Recognizes lessons (docs/lessons.md): their first line that is not a comment is a setting. `com:` does not count, as
 // polygons may have it.
+import { say } from "../words/words.js";
+
 const setting =
   /^(title|polygon|link|teams|metric|min-ratio|weight|seed|predict|generate|require|move|place|find)[ \t]*:/;
 const mostBytes = 65536; // core/include/evenlift/lesson.h
@@ -17,5 +19,5 @@ export function isLesson(text) {
 export function unreadable(text) {
   if (text.length > mostBytes) return "A lesson has at most 65,536 bytes";
   const at = text.search(/[\0\uFFFD]/);
-  return at < 0 ? "" : `Line ${text.slice(0, at).split("\n").length}: not readable text (UTF-8)`;
+  return at < 0 ? "" : say("Line {line}: not readable text (UTF-8)", { line: text.slice(0, at).split("\n").length });
 }

@@ -1,8 +1,10 @@
 // Starts the page: checks whether it can run, loads the program, and connects it to the browser.
 import { lessonLinkIn, linkIn, readAddress } from "./address.js";
+import { say, translated, translations } from "../words/words.js";
 import { createApi } from "./api.js";
 import { Bindings } from "./bindings.js";
 import { connectInput } from "./input.js";
+import { speak } from "./language.js";
 import { Program } from "./program.js";
 import { Publisher } from "./publisher.js";
 import { beginStart, prepareRestart, whyStartedAnew, workGoesOn } from "./recovery.js";
@@ -29,10 +31,10 @@ function showProblem(reason, [heading, advice] = cannotRun) {
   document.getElementById("progress").hidden = true;
   const problem = document.getElementById("problem");
   const strong = document.createElement("strong");
-  strong.textContent = heading;
+  strong.textContent = translated(heading);
   problem.replaceChildren(
     strong,
-    ...[reason, advice].map((text) => Object.assign(document.createElement("p"), { textContent: text })),
+    ...[reason, advice].map((text) => Object.assign(document.createElement("p"), { textContent: translated(text) })),
   );
   problem.hidden = false;
   cover.classList.remove("done", "see-through");
@@ -46,32 +48,35 @@ function toOpen(program, text) {
   return asked.challenge && text ? program.text("page_without_step", text) : text;
 }
 
-// Calls `say` with a message about a refused link, and `opened` after any other link.
-function followAddress(program, say, opened) {
+// Calls `tell` with a message about a refused link, and `opened` after any other link.
+function followAddress(program, tell, opened) {
   addEventListener("hashchange", () => {
     const link = linkIn(location.hash);
     if (!link) return void (lessonLinkIn(location.hash) && opened(false));
     const problem = program.text("page_open_link", toOpen(program, link));
-    if (problem) say(`${refused(problem)} Nothing was changed.`);
+    if (problem) tell(`${refused(problem)} ${translated("Nothing was changed.")}`);
     else opened(true);
   });
 }
 
 // A message about the link of the address, when the page shows something else in its place.
 function refusedAtStart(problem, { work } = {}) {
-  return `${refused(problem)} The page shows ${work ? "the last document" : "a sample"} instead.`;
+  const instead = work ? "The page shows the last document instead." : "The page shows a sample instead.";
+  return `${refused(problem)} ${translated(instead)}`;
 }
 
-// The reason may name its place, which is the link.
+// The reason may name its place, which is the link. After the colon English has a small letter.
 function refused(problem) {
-  const why = problem.replace(/^Link, /, "");
-  return `This link cannot be opened: ${why.charAt(0).toLowerCase()}${why.slice(1)}.`;
+  const first = document.documentElement.lang === "en" ? (letter) => letter.toLowerCase() : (letter) => letter;
+  const why = problem.replace(/^Link, /, "").replace(/^./u, first);
+  return say("This link cannot be opened: {problem}.", { problem: why });
 }
 
 // Loads the module.
 async function load(bindings) {
   const { default: createModule } = await import("./evenlift.js");
   const program = new Program(await createModule({ canvas: document.getElementById("canvas"), bindings }));
+  program.speak(translations());
   bindings.attach(program);
   return program;
 }
@@ -129,17 +134,18 @@ async function startStill(program, publisher, bindings) {
   api.connect(program);
   publisher.connect(program);
   bindings.connect(program, undefined, { embed: true });
-  const { draw, say } = await still.showStill(program, {
+  const { draw, tell } = await still.showStill(program, {
     missing: [noWebGl, whereItRuns],
     save: embed ? undefined : () => bindings.openDialog("save"),
   });
-  if (problem) say(refusedAtStart(problem));
-  followAddress(program, say, () => say(""));
+  if (problem) tell(refusedAtStart(problem));
+  followAddress(program, tell, () => tell(""));
   draw();
   return draw;
 }
 
 async function start() {
+  await speak();
   if (typeof WebAssembly !== "object") throw new Error(noWebAssembly);
   const publisher = new Publisher({ embed });
   let afterPicture;
@@ -197,8 +203,8 @@ async function start() {
   // If the document of the address is open, the lesson that the address names continues at the link's step.
   if (started.lesson === lesson) await bindings.beginLesson(fragment !== "" && !problem && !started.problem);
   else publisher.nameInAddress();
-  const say = started.problem || (problem && refusedAtStart(problem, started)) || (embed ? "" : whyStartedAnew());
-  if (say) program.call("page_notice", say, 1);
+  const message = started.problem || (problem && refusedAtStart(problem, started)) || (embed ? "" : whyStartedAnew());
+  if (message) program.call("page_notice", message, 1);
   await Promise.race([firstPicture, stopped]);
   started.succeeded?.();
   if (started.fragment && !problem) publisher.adopt(fragment);

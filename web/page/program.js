@@ -60,6 +60,12 @@ export class Program {
     return text ? JSON.parse(text) : null;
   }
 
+  // From now on the module says these words, [English, translated], in the reader's language.
+  speak(words) {
+    if (this.#module._words_translate)
+      for (const [english, translated] of words) this.call("words_translate", english, translated);
+  }
+
   get stopped() {
     return this.#stopped;
   }

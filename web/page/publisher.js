@@ -1,3 +1,4 @@
+import { translated } from "../words/words.js";
 import { lessonLinkIn, linkIn, readAddress, withLesson } from "./address.js";
 import { historyKey, lasting, ofThisTab, read, workKey, write } from "./storage.js";
 import { begin, end, isAwaited, whenAwaited } from "./work.js";
@@ -17,8 +18,8 @@ const documentKeys = [workKey, draftKey, drawingKey, historyKey];
 const mostKept = 400000; // vertices; no browser keeps a longer text
 
 // Each sentence is an element of its own, which stays as long as the sentence does, so that only new sentences are read
-// out. The list of teams or robots is long: it can be read but is not announced. The sentences of the start are not
-// announced either.
+// out. The list of teams or robots ("Robot 3 at (…") is long: it can be read but is not announced. The sentences of the
+// start are not announced either.
 function showSentences(root, sentences, aloud) {
   const stays = new Set(sentences);
   const before = [...root.children].filter((element) => stays.has(element.textContent) || element.remove());
@@ -29,7 +30,7 @@ function showSentences(root, sentences, aloud) {
     );
     const element = known < 0 ? document.createElement("span") : before[known];
     if (known < 0) {
-      element.ariaLive = !aloud || /^ (Team|Robot) \d+ at /.test(text) ? "off" : "polite";
+      element.ariaLive = !aloud || /^ \p{L}+ \d+ \p{L}+ \(/u.test(text) ? "off" : "polite";
       element.textContent = text;
     }
     root.insertBefore(element, root.children[i] ?? null);
@@ -266,7 +267,7 @@ export class Publisher {
   }
 
   #speak({ aloud = true } = {}) {
-    const sentences = this.#program.text("page_summary").split(/(?<=[.!?]) (?=[A-Z\d])/);
+    const sentences = this.#program.text("page_summary").split(/(?<=[.!?]) (?=[\p{Lu}\d])/u);
     showSentences(
       document.getElementById("summary"),
       sentences.map((text, i) => (i ? ` ${text}` : text)),
@@ -275,7 +276,13 @@ export class Publisher {
     document.title = sentences[0] ? `${sentences[0].replace(/[.:]$/, "")} – evenlift` : "evenlift";
     // Assistive technology can read the state of each overlay's switch. The message reports only that a switch changed.
     const news = this.#program.text("page_news").split("\n").filter(Boolean);
-    const overlay = (line) => /^(?:Shown|Hidden): (.*)/.exec(line)?.[1];
+    const switched = ["Shown: {overlay}.", "Hidden: {overlay}."].map((pattern) =>
+      translated(pattern).split("{overlay}"),
+    );
+    const overlay = (line) =>
+      switched
+        .filter(([before, after]) => line.startsWith(before) && line.endsWith(after))
+        .map(([before, after]) => line.slice(before.length, line.length - after.length))[0];
     for (const line of news)
       if (aloud && overlay(line) && !this.#told.includes(line)) this.#switched.add(overlay(line));
     this.#told = news;

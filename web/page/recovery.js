@@ -1,6 +1,7 @@
 // The page never gets stuck. A start marks its document until the first frame is drawn. If the next start finds the
 // mark, the page did not get that far; then it does not open that document again, but sets it aside. When the program
 // stops later, the page starts again with the last document that was drawn.
+import { translated } from "../words/words.js";
 import { lasting, ofThisTab, read, write } from "./storage.js";
 
 const markKey = "evenlift.opening";
@@ -42,6 +43,7 @@ export function forgetAside() {
 // --- A start ---------------------------------------------------------------------------------------------------------
 
 const keptAside = "It is kept: use Save to get it as a file.";
+const withKept = (sentence) => `${translated(sentence)} ${translated(keptAside)}`;
 
 // Checks by a lock whether another tab is starting at this moment: then a mark is that tab's, and not a failure. In a
 // browser without locks, two tabs that open at the same moment look like one that failed.
@@ -77,17 +79,17 @@ export async function beginStart(kept) {
       work,
       draft: "",
       drawing: "",
-      problem: `The page stopped while opening the last polygon, so it was not opened again. ${keptAside}`,
+      problem: withKept("The page stopped while opening the last polygon, so it was not opened again."),
     };
   }
-  for (const [part, name] of [
-    ["fragment", "link"], // it may be the link of that work
-    ["lesson", "lesson"],
+  for (const [part, sentence] of [
+    // It may be the link of that work.
+    ["fragment", "The page stopped while opening this link, so it was not opened again."],
+    ["lesson", "The page stopped while opening this lesson, so it was not opened again."],
   ]) {
     if (!hasFailed(kept[part])) continue;
     setAside(kept[part]);
-    const problem = `The page stopped while opening this ${name}, so it was not opened again. ${keptAside}`;
-    opens = { ...opens, [part]: "", problem };
+    opens = { ...opens, [part]: "", problem: withKept(sentence) };
   }
   // A lesson that an address holds is the likeliest to stop the page: everything else was drawn before.
   const opened = opens.lesson || opens.fragment || opens.work;
@@ -139,9 +141,12 @@ export function prepareRestart({ opening, work }) {
   if (restarts >= mostRestarts) return false;
   // If the page stops again without any input, the kept work is the reason.
   if (restarts > 0 && work) write(lasting, markKey, markOf(work));
-  const aside = opening ? (setAside(opening) ? ` ${keptAside}` : " It is too large to be kept here.") : "";
-  const sentence = opening
-    ? `The page stopped while opening this, and has started again with the last polygon that was shown.${aside}`
-    : "The page stopped, and has started again with the last polygon that was shown.";
+  const sentences = opening
+    ? [
+        "The page stopped while opening this, and has started again with the last polygon that was shown.",
+        setAside(opening) ? keptAside : "It is too large to be kept here.",
+      ]
+    : ["The page stopped, and has started again with the last polygon that was shown."];
+  const sentence = sentences.map(translated).join(" ");
   return write(ofThisTab, stoppedKey, JSON.stringify({ restarts: restarts + 1, sentence }));
 }

@@ -1,3 +1,4 @@
+import { translated } from "../words/words.js";
 import { begin, end } from "./work.js";
 
 // Reports to the program the canvas size in CSS and device pixels, the user's preferences, and a lost WebGL context.
@@ -82,8 +83,9 @@ function followContext(program, canvas) {
     event.preventDefault(); // else the context is never restored
     begin();
     program.call("page_context", 1);
-    progress.textContent =
-      "The connection to the graphics processor was lost. The drawing will return by itself; nothing is lost.";
+    progress.textContent = translated(
+      "The connection to the graphics processor was lost. The drawing will return by itself; nothing is lost.",
+    );
     cover.classList.add("see-through");
     cover.classList.remove("done");
   });

@@ -3,6 +3,7 @@
 import { closingButton, openCard } from "../kit/card.js";
 import { closeWindows, ensureStyles } from "../kit/dialogs.js";
 import { button, el, number, typedNumber } from "../kit/elements.js";
+import { say, translated } from "../words/words.js";
 import { twoPoints } from "./two_points.js";
 
 const mostPixels = 50e6;
@@ -25,7 +26,9 @@ export async function layBehind(page, file) {
       const pixels = image.naturalWidth * image.naturalHeight;
       if (!pixels) return "It has no pixels";
       return pixels > mostPixels
-        ? `It has ${number(Math.ceil(pixels / 1e6))} megapixels, more than the 50 that can be shown`
+        ? say("It has {number} megapixels, more than the 50 that can be shown", {
+            number: number(Math.ceil(pixels / 1e6)),
+          })
         : "";
     },
     () => "It is damaged, or this browser cannot show it",
@@ -47,7 +50,9 @@ export async function layBehind(page, file) {
   page.program.call("page_backdrop", left, bottom, unit * image.naturalWidth, unit * image.naturalHeight);
   closeWindows();
   await openControls(page);
-  page.announce(`“${file.name}” is behind the drawing for tracing. A card sets its scale and opacity.`);
+  page.announce(
+    say("“{name}” is behind the drawing for tracing. A card sets its scale and opacity.", { name: file.name }),
+  );
 }
 
 const worldAt = (program, x, y) => [program.number("page_world_x", x, y), program.number("page_world_y", x, y)];
@@ -88,12 +93,10 @@ function scaleTo(page, label, pixels, length) {
   const width = tidy(length / pixels) * photo.image.naturalWidth;
   const problem = page.program.text("page_scale_backdrop", width);
   const { unit } = JSON.parse(page.program.text("page_state"));
-  if (problem) page.notice(`${label}: ${problem}.`, true);
+  const now = `${number(tidy(width))}${unit ? ` ${unit}` : ""}`;
+  if (problem) page.notice(`${translated(label)}: ${translated(problem)}.`, true);
   else
-    page.notice(
-      `The picture is now ${number(tidy(width))}${unit ? ` ${unit}` : ""} wide. Shapes traced on it are scaled with it.`,
-      false,
-    );
+    page.notice(say("The picture is now {width} wide. Shapes traced on it are scaled with it.", { width: now }), false);
   return !problem;
 }
 
@@ -127,9 +130,11 @@ function typedLength(text, unit) {
   if (!typed) return { problem: "please type a number above 0." };
   if (!Number.isFinite(converted))
     return {
-      problem: `“${typed}” is not a number. Please type it ${unit ? `in ${unit}` : "without a unit"}, such as 2.5.`,
+      problem: unit
+        ? say("“{typed}” is not a number. Please type it in {unit}, such as 2.5.", { typed, unit })
+        : say("“{typed}” is not a number. Please type it without a unit, such as 2.5.", { typed }),
     };
-  return converted > 0 ? { length: converted } : { problem: `${typed} is not above 0.` };
+  return converted > 0 ? { length: converted } : { problem: say("{typed} is not above 0.", { typed }) };
 }
 
 // A field for a length and its button, with a CSS class; `set` applies the length.
@@ -146,7 +151,7 @@ function lengthField(page, label, value, set, of = "") {
   field.value = value;
   const take = () => {
     const { length, problem } = typedLength(field.value, unit);
-    return problem ? page.notice(`${label}: ${problem}`, true) : set(length);
+    return problem ? page.notice(`${translated(label)}: ${translated(problem)}`, true) : set(length);
   };
   field.addEventListener("keydown", (event) => event.key === "Enter" && take());
   return [
@@ -224,7 +229,7 @@ async function openControls(page) {
     onclick: () => {
       const whole = card.root.classList.toggle("whole");
       more.setAttribute("aria-expanded", String(whole));
-      more.textContent = whole ? "Less" : "More …";
+      more.textContent = translated(whole ? "Less" : "More …");
       card.seat();
     },
   });
@@ -242,7 +247,7 @@ async function openControls(page) {
       el(
         "p",
         {},
-        `“${photo.name}” is behind the drawing. `,
+        `${say("“{name}” is behind the drawing.", { name: photo.name })} `,
         el(
           "span",
           { class: "second" },
@@ -277,7 +282,7 @@ export function photoLine(page) {
     el(
       "p",
       { class: "row second" },
-      `“${photo.name}” is behind the drawing.`,
+      say("“{name}” is behind the drawing.", { name: photo.name }),
       button("Change …", {
         onclick: () => {
           closeWindows();

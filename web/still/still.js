@@ -8,7 +8,7 @@ function described(svg) {
   return new DOMParser().parseFromString(svg, "image/svg+xml").querySelector("desc").textContent;
 }
 
-// Returns `draw`, which shows the program's present picture, and `say`, which shows a message above it. With `save`, a
+// Returns `draw`, which shows the program's present picture, and `tell`, which shows a message above it. With `save`, a
 // button calls it.
 export async function showStill(program, { missing, save }) {
   await Promise.all([ensureStyles(), ensureStyles("still.css")]);
@@ -51,7 +51,7 @@ export async function showStill(program, { missing, save }) {
       picture.alt = verdict.textContent = described(svg);
       underWay(picture.decode()).catch(() => {}); // another picture may come before this one is decoded
     },
-    say(text) {
+    tell(text) {
       told.textContent = text;
     },
   };

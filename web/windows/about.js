@@ -2,6 +2,7 @@
 import { buttonTo, openWindow } from "../kit/dialogs.js";
 import { el } from "../kit/elements.js";
 import { ask, fetchJson } from "../kit/fetched.js";
+import { say } from "../words/words.js";
 import { show as showGlossary } from "../lessons/glossary.js";
 import { show as showKeys } from "./keys.js";
 import { show as showTour } from "./tour.js";
@@ -72,7 +73,7 @@ export async function show(page) {
   });
   if (!root) return;
   const { version: number } = await fetchJson("version.json").catch(() => ({}));
-  if (number) version.textContent = `Version ${number}. `;
+  if (number) version.textContent = `${say("Version {number}.", { number })} `;
 }
 
 async function fill(licences) {
@@ -81,6 +82,6 @@ async function fill(licences) {
     licences.textContent = await (await ask(new URL("licences.txt", import.meta.url))).text();
     licences.dataset.filled = "1";
   } catch (error) {
-    licences.textContent = `The licences cannot be fetched: ${error.message}.`;
+    licences.textContent = say("The licences cannot be fetched: {problem}.", { problem: error.message });
   }
 }

@@ -2,6 +2,7 @@
 // over the canvas, where the robots are dragged; the loads and the score follow.
 import { openCard } from "../kit/card.js";
 import { button, el, number } from "../kit/elements.js";
+import { say, translated } from "../words/words.js";
 
 const asks = { 3: "three", 4: "four", 5: "five", 6: "six", 7: "seven", 8: "eight", 9: "nine" };
 const heads = ["", "Robots", "At most", "Spread", "Covered", "Held"];
@@ -9,7 +10,7 @@ const heads = ["", "Robots", "At most", "Spread", "Covered", "Held"];
 // `beat` is the score of the sender, if there is one (page/address.js).
 export async function show(page, { place, beat }) {
   const { program } = page;
-  const asked = `Where would you put ${asks[place]} robots?`;
+  const asked = say("Where would you put {number} robots?", { number: asks[place] });
   const question = el("h2", {});
   const advice = el("p", { class: "second", role: "status" });
   const copied = el("p", { class: "second", role: "status" }); // until the score that was copied changes
@@ -47,9 +48,11 @@ export async function show(page, { place, beat }) {
     const [mine] = program.json("page_scores");
     const address = page.placesAddress(program.text("page_challenge_link"), { place, beat: mine.numbers });
     const done = await page.copy(address);
-    copied.textContent = done
-      ? "The challenge is copied: the object alone and your score, but not where your robots stand."
-      : "The browser did not allow copying. The address bar holds a link to the same object.";
+    copied.textContent = translated(
+      done
+        ? "The challenge is copied: the object alone and your score, but not where your robots stand."
+        : "The browser did not allow copying. The address bar holds a link to the same object.",
+    );
     card.seat();
   }
 
@@ -68,10 +71,12 @@ export async function show(page, { place, beat }) {
     if (revealed) rows.push(["evenlift", evenlifts]);
     const best = bests(rows.map(([, score]) => score.numbers));
     body.replaceChildren(...rows.map(([who, score], i) => row(who, score, best[i])));
-    question.textContent = revealed || beat ? "Can you beat this?" : asked;
-    advice.textContent = revealed
-      ? "evenlift's answer uses the same number of robots. Drag yours to come closer, or try again."
-      : "Drag the robots so that all carry nearly the same, and so that the object does not tip.";
+    question.textContent = revealed || beat ? translated("Can you beat this?") : asked;
+    advice.textContent = translated(
+      revealed
+        ? "evenlift's answer uses the same number of robots. Drag yours to come closer, or try again."
+        : "Drag the robots so that all carry nearly the same, and so that the object does not tip.",
+    );
     reveal.hidden = revealed;
     again.hidden = !revealed;
     copy.hidden = !revealed && !beat;

@@ -4,6 +4,7 @@ import { button, el, svgEl } from "../kit/elements.js";
 import { show as showExperiment } from "../experiment/experiment.js";
 import { fetchJson } from "../kit/fetched.js";
 import { fitted, pathOf } from "../kit/fit.js";
+import { say, translated } from "../words/words.js";
 import { isSame, ownOutline } from "./document_name.js";
 
 const width = 96;
@@ -57,13 +58,13 @@ export async function show(page) {
     } catch (error) {
       const line = problemLine();
       list.replaceChildren(line, button("Try again", { onclick: load }));
-      line.say(`The samples cannot be fetched: ${error.message}`);
+      line.say(say("The samples cannot be fetched: {problem}", { problem: error.message }));
       return;
     }
     fill(page.program, list, samples, (text) => {
       const problem = page.program.text("page_open_sample", text);
       root.close();
-      if (problem) page.notice(`This sample cannot be opened: ${problem}.`, true);
+      if (problem) page.notice(say("This sample cannot be opened: {problem}.", { problem }), true);
     });
     connect(root, filter, list, count);
     if (!typing && root.contains(document.activeElement)) list.querySelector("button")?.focus();
@@ -92,7 +93,7 @@ function fill(program, list, samples, choose) {
           ...members.map(({ title, text }) =>
             el(
               "li",
-              { "data-words": `${title} ${group}`.toLowerCase() },
+              { "data-words": `${translated(title)} ${translated(group)}`.toLowerCase() },
               el(
                 "button",
                 {
@@ -129,7 +130,7 @@ function connect(root, filter, list, count) {
     const found = shown();
     list.querySelector(".nothing").hidden = found.length > 0;
     list.scrollTop = 0;
-    if (filter.value) count.textContent = `${found.length} samples`;
+    if (filter.value) count.textContent = say("{number} samples", { number: found.length });
     reach(found[0]);
   };
   filter.addEventListener("input", narrow);

@@ -1,6 +1,7 @@
 // The list of keys, by groups, from the program's own table (wasm/actions/key_list.h).
 import { buttonTo, fadeFoot, openWindow } from "../kit/dialogs.js";
 import { el } from "../kit/elements.js";
+import { say, translated } from "../words/words.js";
 import { show as showGlossary } from "../lessons/glossary.js";
 import { show as showTour } from "./tour.js";
 
@@ -8,17 +9,20 @@ const groups = ["Files and sharing", "Drawing and editing", "Teams and method", 
 const onMac = /Mac|iPhone|iPad/.test(navigator.platform);
 
 function rows(program) {
-  return program
-    .json("page_keys")
-    .map(({ group, key, label }) => ({ group: groups[group], key: onMac ? key.replace("Ctrl", "Cmd") : key, label }));
+  return program.json("page_keys").map(({ group, key, label }) => ({
+    group: groups[group],
+    key: parts(onMac ? key.replace("Ctrl", "Cmd") : key)
+      .map(translated)
+      .join(""),
+    label: translated(label),
+  }));
 }
+
+const parts = (key) => key.split(/(\+(?=.)|, | (?=.$))/).filter(Boolean);
 
 // "Ctrl+Z" as <kbd>Ctrl</kbd>+<kbd>Z</kbd>.
 function keyed(key) {
-  return key
-    .split(/(\+(?=.)|, | (?=.$))/)
-    .filter(Boolean)
-    .map((part) => (/^(\+|, | )$/.test(part) && key !== "+" ? part : el("kbd", {}, part)));
+  return parts(key).map((part) => (/^(\+|, | )$/.test(part) && key !== "+" ? part : el("kbd", {}, part)));
 }
 
 // About links to this list, so it is not imported.
@@ -51,7 +55,7 @@ export async function show(page) {
             .map(({ key, label }) =>
               el(
                 "div",
-                { "data-words": `${label} ${key} ${group}`.toLowerCase() },
+                { "data-words": `${label} ${key} ${translated(group)}`.toLowerCase() },
                 el("dt", {}, label),
                 el("dd", {}, ...keyed(key)),
               ),
@@ -70,7 +74,7 @@ export async function show(page) {
       section.hidden = !section.querySelector("dl > div:not([hidden])");
     }
     none.hidden = found > 0;
-    count.textContent = `${found} keys`;
+    count.textContent = say("{number} keys", { number: found });
   });
   const scroll = el(
     "div",

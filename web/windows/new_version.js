@@ -1,6 +1,7 @@
 // The card that announces a new version of the page. Nothing is loaded before its button is pressed.
 import { closingButton, openCard, whenNoCard } from "../kit/card.js";
 import { el } from "../kit/elements.js";
+import { translated } from "../words/words.js";
 import { hasPhoto } from "../photo/photo.js";
 
 export function newVersion(page) {
@@ -14,9 +15,12 @@ async function show(page) {
     title: "New version",
     body: [sentence, el("div", { class: "ways" }, closingButton("Load it", { class: "button primary" }, load))],
   });
-  const lost = hasPhoto() ? ", except for the picture behind the drawing" : "";
   // Set afterwards, so that it is read out.
-  sentence.textContent = `A new version of evenlift is ready. Your work stays open${lost}.`;
+  sentence.textContent = translated(
+    hasPhoto()
+      ? "A new version of evenlift is ready. Your work stays open, except for the picture behind the drawing."
+      : "A new version of evenlift is ready. Your work stays open.",
+  );
 }
 
 // The service worker of the new version waits for a message; if another tab has sent it, the page need only be loaded

@@ -2,19 +2,19 @@
 import { closeWindows, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, lowered, number } from "../kit/elements.js";
 import { readShapes } from "../kit/import.js";
+import { say, translated } from "../words/words.js";
 import { nameOpened, openedName, stemOf } from "./document_name.js";
 import { openLessonText, openLinkedLesson } from "../lessons/lesson_source.js";
 import { linkedLesson } from "../page/address.js";
 import { isLesson } from "../page/lesson_text.js";
 import { isPhoto, layBehind, photoLine } from "../photo/photo.js";
-import { lengthInWords, sentences, showShapes } from "./shapes.js";
+import { lengthInWords, sentences, showShapes, unitInWords } from "./shapes.js";
 import { underWay } from "../page/under_way.js";
 
 const mostBytes = 64 * 1024 * 1024; // core/include/evenlift/document.h
 const tooLong = (bytes) =>
-  bytes > mostBytes && `It has ${number(Math.ceil(bytes / 1048576))} MiB, more than the 64 that evenlift reads`;
-
-const undo = "Undo brings back the previous polygon.";
+  bytes > mostBytes &&
+  say("It has {number} MiB, more than the 64 that evenlift reads", { number: number(Math.ceil(bytes / 1048576)) });
 
 // The last text whose curves were flattened, so that another tolerance can flatten them again while its polygon is open.
 let curved;
@@ -28,27 +28,29 @@ async function openText(page, text, what, { how = "page_load", name = "" } = {})
     const problem = isLesson(text)
       ? await openLessonText(page, text)
       : await openLinkedLesson(page, linkedLesson(text));
-    if (!problem) done(page, `${what} is opened. ${undo}`);
+    if (!problem) done(page, what);
     return problem;
   }
   // The program reads the simple formats itself.
   if (!/^\s*<|\0/.test(text) && !page.program.text(how, text)) {
     nameOpened(page.program, name);
-    return done(page, `${what} is opened. ${undo}`);
+    return done(page, what);
   }
   return openShapes(page, { text, what, how, name });
 }
 
-function done(page, notice) {
+// `more` are sentences for the notice.
+function done(page, what, more = "") {
   closeWindows();
-  page.notice(notice);
+  const all = [say("{what} is opened.", { what }), more, translated("Undo brings back the previous polygon.")];
+  page.notice(all.filter(Boolean).join(" "));
 }
 
 async function openShapes(page, source) {
   const found = await readShapes(source.text);
   if (found.problem) return found.problem;
-  const { unit, notes, shapes } = found;
-  const said = [...(unit ? [`lengths are in ${unit}`] : []), ...notes.slice(0, 2)];
+  const { notes, shapes } = found;
+  const said = [...unitInWords(found), ...notes.slice(0, 2)];
   if (shapes.length === 1 && !found.doubtful) return openShape(page, source, shapes[0], found, said);
   closeWindows();
   await chooseShape(page, source, found);
@@ -70,9 +72,9 @@ function openShape(page, source, shape, found, said = []) {
     : undefined;
   const more = [
     ...said,
-    ...(shape.tolerance ? [`curves were flattened to within ${within}, which “Open” can change`] : []),
+    ...(shape.tolerance ? [say("curves were flattened to within {within}, which “Open” can change", { within })] : []),
   ];
-  done(page, `${what} is opened. ${sentences(more)} ${undo}`.replace("  ", " "));
+  done(page, what, sentences(more));
 }
 
 const picture = "It is a picture of a kind that cannot be shown behind the drawing. PNG, JPEG and WebP can";
@@ -90,23 +92,26 @@ async function openFile(page, file) {
   if (/^(\x89PNG|\xff\xd8\xff|GIF8|BM|RIFF|II\*\0|MM\0\*)/.test(head)) return picture;
   // Spreadsheets write "Unicode text" as UTF-16.
   const encoding = head.startsWith("\xff\xfe") ? "utf-16le" : head.startsWith("\xfe\xff") ? "utf-16be" : "utf-8";
-  return openText(page, new TextDecoder(encoding).decode(bytes), `“${file.name}”`, { name: stemOf(file.name) });
+  return openText(page, new TextDecoder(encoding).decode(bytes), quoted(file), { name: stemOf(file.name) });
 }
 
-// Opens files or texts that were dropped or pasted anywhere on the page. If that fails, the window shows the reason, or
-// else a notice does.
-export async function take(page, { files, text }, verb) {
+// Opens files or texts that were dropped or pasted anywhere on the page; `textName` is what a text is called. If that
+// fails, the window shows the reason, or else a notice does.
+export async function take(page, { files, text }, textName) {
   if (files.length > 1) return refuse(page, "Please open one file at a time");
   const [file] = files;
-  const what = file ? `“${file.name}”` : `The ${verb} text`;
+  const what = file ? quoted(file) : textName;
   const problem = file ? await openFile(page, file) : await openText(page, text, what);
-  if (problem) refuse(page, `${what} cannot be opened: ${lowered(problem)}`);
+  if (problem) refuse(page, refusal(what, problem));
 }
+
+const quoted = ({ name }) => say("“{name}”", { name });
+const refusal = (what, problem) => say("{what} cannot be opened: {problem}", { what, problem: lowered(problem) });
 
 function refuse(page, sentence) {
   const line = document.querySelector("#open .problem");
   if (line) line.say(sentence);
-  else page.notice(`${sentence.replace(/\.$/, "")}.`, true);
+  else page.notice(`${translated(sentence).replace(/\.$/, "")}.`, true);
 }
 
 const formats =
@@ -155,7 +160,7 @@ export async function show(page, { edited } = {}) {
     file.value = ""; // the same file may be chosen again
     if (!chosen) return;
     const why = await underWay(openFile(page, chosen));
-    refused(why && `“${chosen.name}” cannot be opened: ${lowered(why)}`);
+    refused(why && refusal(quoted(chosen), why));
   });
   text.addEventListener("keydown", (event) => {
     if (event.key !== "Enter" || !(event.ctrlKey || event.metaKey)) return;
@@ -163,12 +168,14 @@ export async function show(page, { edited } = {}) {
     apply();
   });
   const choose = button("Choose a file …", { onclick: () => file.click() }, "file");
-  const bring = matchMedia("(hover: none)").matches ? "Choose a file below" : "Drop a file anywhere on the page";
+  const bring = matchMedia("(hover: none)").matches
+    ? "Choose a file below, or paste here: {formats}."
+    : "Drop a file anywhere on the page, or paste here: {formats}.";
   const help = el(
     "p",
     { class: "second" },
     edited === undefined
-      ? `${bring}, or paste here: ${formats}.`
+      ? say(bring, { formats })
       : "The settings do not change. An optional first line CoM:(x,y) is the centre of mass.",
   );
   await openWindow({
@@ -212,7 +219,7 @@ function againCurved(page) {
     el(
       "p",
       { class: "row second again" },
-      `The curves of ${what} were flattened to within ${within}.`,
+      say("The curves of {what} were flattened to within {within}.", { what, within }),
       button("Change …", { onclick: () => underWay(change()) }),
     ),
   ];

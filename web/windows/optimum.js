@@ -3,6 +3,7 @@
 import { askWorker } from "../experiment/worker_pool.js";
 import { openWindow, problemLine } from "../kit/dialogs.js";
 import { el } from "../kit/elements.js";
+import { say } from "../words/words.js";
 
 // Far more than is needed if the optimum can be found at all, so that a busy machine gives the same answer. Closing the
 // window ends the wait.
@@ -24,7 +25,7 @@ function picture(svg, name, urls) {
   return el(
     "figure",
     {},
-    el("img", { src: url, alt: `${name}: the teams and their lifting base` }),
+    el("img", { src: url, alt: say("{name}: the teams and their lifting base", { name }) }),
     el("figcaption", {}, name),
   );
 }
@@ -38,7 +39,11 @@ export async function show(page) {
   const found = el(
     "div",
     { class: "optimum" },
-    el("p", { class: "second", role: "status" }, `Looking for the best choice, for at most ${seconds} seconds …`),
+    el(
+      "p",
+      { class: "second", role: "status" },
+      say("Looking for the best choice, for at most {seconds} seconds …", { seconds }),
+    ),
   );
   const root = await openWindow({
     name: "optimum",
@@ -53,7 +58,8 @@ export async function show(page) {
   });
   if (!root) return;
   try {
-    if (!link) throw new Error(`this polygon has no link: ${program.text("page_link_problem")}`);
+    if (!link)
+      throw new Error(say("this polygon has no link: {problem}", { problem: program.text("page_link_problem") }));
     const { found: compared, pictures } = await askWorker("optimum", { link, seconds }, stop.signal);
     if (compared.problem) throw new Error(compared.problem);
     const { rows, said } = compared;
@@ -65,6 +71,6 @@ export async function show(page) {
   } catch (error) {
     if (stop.signal.aborted) return;
     found.replaceChildren();
-    problem.say(`The optimum cannot be shown: ${error.message}`);
+    problem.say(say("The optimum cannot be shown: {problem}", { problem: error.message }));
   }
 }

@@ -2,6 +2,7 @@
 import { openWindow } from "../kit/dialogs.js";
 import { button, download, el, rasterise } from "../kit/elements.js";
 import { qrCode } from "../kit/qr_code.js";
+import { say } from "../words/words.js";
 
 // Returns why it cannot be shown, if the address is too long; otherwise undefined.
 export async function showQr(address) {
@@ -9,7 +10,7 @@ export async function showQr(address) {
   try {
     svg = await qrCode(address);
   } catch (error) {
-    return `The QR code cannot be made: ${error.message}`;
+    return say("The QR code cannot be made: {problem}", { problem: error.message });
   }
   if (!svg) return "The link is too long for a QR code, which holds 2,953 characters; a file has no such limit";
   const image = el("img", {

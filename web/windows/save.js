@@ -1,6 +1,7 @@
 // Share and save: the link, its QR code, and files.
 import { openWindow, problemLine } from "../kit/dialogs.js";
-import { button, download, el, icon, rasterise } from "../kit/elements.js";
+import { button, download, el, icon, number, rasterise } from "../kit/elements.js";
+import { say, translated } from "../words/words.js";
 import { documentName } from "./document_name.js";
 import { showQr } from "./qr.js";
 import { forgetAside, textsAside } from "../page/recovery.js";
@@ -90,7 +91,10 @@ export async function show(page) {
   });
   if (!root) return;
   root.querySelector(".primary, .choice").focus();
-  if (!link) problem.say(`There is no link: ${page.program.text("page_link_problem")}. Save a file instead`);
+  if (link) return;
+  problem.say(
+    say("There is no link: {problem}. Save a file instead", { problem: page.program.text("page_link_problem") }),
+  );
 }
 
 // The texts that stopped the page when they were opened.
@@ -116,9 +120,9 @@ function aside() {
           el(
             "span",
             {},
-            el("b", {}, `Text ${i + 1}`),
+            el("b", {}, say("Text {number}", { number: i + 1 })),
             " ",
-            el("small", {}, `${text.length.toLocaleString("en")} characters`),
+            el("small", {}, say("{number} characters", { number: number(text.length) })),
           ),
         ),
       ),
@@ -151,14 +155,15 @@ function share(page, address, problem) {
       problem.say("The browser did not allow copying. Copy the link from the field");
       return field.focus();
     }
-    copy.replaceChildren(icon("check"), "Copied");
-    said.textContent = `The link is copied. ${page.aboutLink(address)}`;
-    setTimeout(() => copy.replaceChildren(icon("copy"), "Copy"), 2500);
+    copy.replaceChildren(icon("check"), translated("Copied"));
+    said.textContent = `${translated("The link is copied.")} ${page.aboutLink(address)}`;
+    setTimeout(() => copy.replaceChildren(icon("copy"), translated("Copy")), 2500);
   });
   const embed = button("Copy code to embed", {
     onclick: async () => {
       const done = await page.copy(embedCode(address));
-      if (done) said.textContent = "The code is copied: a figure of this polygon for an article or a course page.";
+      if (done)
+        said.textContent = translated("The code is copied: a figure of this polygon for an article or a course page.");
       else problem.say("The browser did not allow copying");
     },
   });
@@ -194,8 +199,8 @@ function challengeLink(page, problem) {
     "Challenge link",
     {
       onclick: async () => {
-        if (await page.copy(address)) said.textContent = "The challenge link is copied.";
-        else problem.say(`The browser did not allow copying. This is the challenge link: ${address}`);
+        if (await page.copy(address)) said.textContent = translated("The challenge link is copied.");
+        else problem.say(say("The browser did not allow copying. This is the challenge link: {address}", { address }));
       },
     },
     "copy",
@@ -218,7 +223,7 @@ function choices(page, [group, members], problem) {
             download(new Blob([content], { type }), called + file);
             problem.say("");
           } catch (error) {
-            problem.say(`The file cannot be made: ${error.message}`);
+            problem.say(say("The file cannot be made: {problem}", { problem: error.message }));
           }
         };
         return el(

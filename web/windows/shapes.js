@@ -3,6 +3,7 @@ import { openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, number, svgEl, typedNumber } from "../kit/elements.js";
 import { fitted, lineOf, pathOf } from "../kit/fit.js";
 import { readShapes } from "../kit/import.js";
+import { say, translated } from "../words/words.js";
 import { underWay } from "../page/under_way.js";
 
 const width = 96;
@@ -50,15 +51,15 @@ function largest(shapes) {
 }
 
 // Puts the name, the kind, and vertices, holes and size on a line each; the description is "NAME", KIND, VERTICES, SIZE
-// or, with holes, "NAME", KIND, VERTICES, HOLES, SIZE.
+// or, with holes, "NAME", KIND, VERTICES, HOLES, SIZE. Vertices and holes are a number and a noun.
 function inWords({ name, description }) {
   const parts = description.slice(name ? name.length + 4 : 0).split(", ");
   const size = parts
-    .splice(/^\d+ holes?$/.test(parts.at(-2)) ? -3 : -2)
+    .splice(/^[\d,]+ \p{L}+$/u.test(parts.at(-3)) ? -3 : -2)
     .join(", ")
     .replace(" x ", " × ");
   return [
-    ...(name ? [el("b", {}, name, " ")] : []),
+    ...(name ? [el("b", {}, new Text(`${name} `))] : []),
     el("span", {}, parts.join(", "), " "),
     el("span", { class: "second" }, size),
   ];
@@ -72,7 +73,24 @@ export const lengthUnit = ({ unit }) => unit || "units of the drawing";
 const ones = { inches: "inch", feet: "foot", "units of the drawing": "unit of the drawing" };
 export function lengthInWords(length, found) {
   const many = lengthUnit(found);
-  return `${length} ${Number(length) === 1 ? (ones[many] ?? many.replace(/s$/, "")) : many}`;
+  return `${length} ${translated(Number(length) === 1 ? (ones[many] ?? many.replace(/s$/, "")) : many)}`;
+}
+
+export const unitInWords = ({ unit }) => (unit ? [say("lengths are in {unit}", { unit })] : []);
+
+// What the window is about.
+function whatThereIs(what, { shapes, doubtful }) {
+  const values = { what, number: number(shapes.length) };
+  if (shapes.length > 1)
+    return doubtful
+      ? say(
+          "{what} has {number} shapes, but what does not close is larger. Choose a shape to open all the same.",
+          values,
+        )
+      : say("{what} has {number} shapes. Choose the one to open.", values);
+  return doubtful
+    ? say("{what} has a shape, but what does not close is larger. Choose a shape to open all the same.", values)
+    : say("{what} has curves, but a polygon has straight edges.", values);
 }
 
 // Shows the shapes and notes of a text; `found` comes from readShapes. `choose` opens a shape, and returns why it was
@@ -136,7 +154,10 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
     );
     const left = found.shapes.length - list.childElementCount;
     more.hidden = left === 0;
-    more.textContent = `Show ${number(Math.min(left, atOnce))} more of ${number(left)}`;
+    more.textContent = say("Show {number} more of {all}", {
+      number: number(Math.min(left, atOnce)),
+      all: number(left),
+    });
   }
   const likely = () => list.querySelectorAll("button")[largest(found.shapes.slice(0, atOnce))];
   function fill() {
@@ -144,20 +165,22 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
     show(atOnce);
     whole.replaceChildren(...wholeDrawing(found));
     likely().tabIndex = 0;
-    const { unit, shapes } = found;
-    notes.textContent = sentences([...(unit ? [`lengths are in ${unit}`] : []), ...found.notes]);
-    const flattened = shapes.filter((shape) => shape.tolerance).map((shape) => shape.tolerance);
+    notes.textContent = sentences([...unitInWords(found), ...found.notes]);
+    const flattened = found.shapes.filter((shape) => shape.tolerance).map((shape) => shape.tolerance);
     form.hidden = flattened.length === 0;
     const [least, most] = [Math.min(...flattened), Math.max(...flattened)];
     curves.value = least === most ? String(least) : "";
-    curves.placeholder = least === most ? "" : `${least} to ${most}`;
-    said.textContent = `of the curves, in ${lengthUnit(found)}`;
+    curves.placeholder = least === most ? "" : say("{least} to {most}", { least, most });
+    said.textContent = say("of the curves, in {unit}", { unit: lengthUnit(found) });
   }
   async function readAgain() {
     const wanted = curves.value.trim() ? typedNumber(curves.value) : undefined;
     if (wanted !== undefined && !(wanted > 0)) {
       problem.say(
-        `The distance of the edges from the curves must be a number above 0, in ${lengthUnit(found)}, not “${curves.value.trim()}”`,
+        say("The distance of the edges from the curves must be a number above 0, in {unit}, not “{typed}”", {
+          unit: lengthUnit(found),
+          typed: curves.value.trim(),
+        }),
       );
       return curves.focus();
     }
@@ -166,35 +189,16 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
     if (again.problem) return curves.focus();
     found = again;
     fill();
-    told.textContent = "The curves are flattened again. The list shows the new numbers of vertices.";
+    told.textContent = translated("The curves are flattened again. The list shows the new numbers of vertices.");
   }
   connectKeys(list);
   fill();
   if (tolerance) curves.value = String(tolerance);
-  const several = found.shapes.length > 1;
-  const shapes = several ? `${number(found.shapes.length)} shapes` : "a shape";
   const root = await openWindow({
     name: "shapes",
-    title: several || found.doubtful ? "Which shape?" : "Flatten curves",
+    title: found.shapes.length > 1 || found.doubtful ? "Which shape?" : "Flatten curves",
     body: [
-      el(
-        "div",
-        { class: "scroll" },
-        el(
-          "p",
-          {},
-          found.doubtful
-            ? `${what} has ${shapes}, but what does not close is larger. Choose a shape to open all the same.`
-            : several
-              ? `${what} has ${shapes}. Choose the one to open.`
-              : `${what} has curves, but a polygon has straight edges.`,
-        ),
-        notes,
-        whole,
-        list,
-        more,
-        told,
-      ),
+      el("div", { class: "scroll" }, el("p", {}, whatThereIs(what, found)), notes, whole, list, more, told),
       problem,
       el("footer", {}, form),
     ],

@@ -2,6 +2,7 @@
 // drawing, and dragging changes the table.
 import { makeRoom, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el } from "../kit/elements.js";
+import { say, translated } from "../words/words.js";
 import { settingValue, typedProblem } from "../mirror/typed.js";
 import { show as openText } from "./open.js";
 import { underWay } from "../page/under_way.js";
@@ -9,15 +10,18 @@ import { underWay } from "../page/under_way.js";
 const name = "table";
 const most = 500; // rows on a page
 
-// What the table lists, and the page's functions for it; `typed` are the columns that can be typed. Robots have a load in
-// a column of its own; typing a place makes them robots placed by hand. Vertices of holes have a name of their own.
+// What the table lists, and the page's functions for it, with the names of their buttons; `one` heads the names, and
+// `typed` are the columns that can be typed. Robots have a load in a column of its own; typing a place makes them robots
+// placed by hand. Vertices of holes have a name of their own.
 const lists = {
   vertices: {
     one: "Vertex",
+    many: "Vertices",
+    row: "Vertex {name}",
     count: "page_vertex_count",
     read: "page_vertices",
     write: "page_set_coordinate",
-    remove: "page_remove_vertex",
+    remove: ["page_remove_vertex", "Delete vertex", "Delete vertex {number}"],
     pointed: "page_hovered_vertex",
     select: "page_select_vertex",
     label: "page_vertex_name",
@@ -28,28 +32,31 @@ const lists = {
   },
   robots: {
     one: "Robot",
+    many: "Robots",
+    row: "Robot {name}",
     count: "page_robot_count",
     read: "page_robots",
     write: "page_set_robot",
-    remove: "page_remove_robot",
+    remove: ["page_remove_robot", "Delete robot", "Delete robot {number}"],
     pointed: "page_hovered_robot",
     select: "page_point_at_robot",
-    add: "page_add_robot",
+    add: ["page_add_robot", "Add a robot"],
     columns: ["x", "y", "Load"],
     typed: ["x", "y"],
     digits: 6,
     least: 1,
   },
   weights: {
-    one: "Weight",
-    head: "No.",
+    one: "No.",
+    many: "Weights",
+    row: "Weight {name}",
     count: "page_weight_count",
     read: "page_weights",
     write: "page_set_weight",
-    remove: "page_remove_weight",
+    remove: ["page_remove_weight", "Delete weight", "Delete weight {number}"],
     pointed: "page_hovered_weight",
     select: "page_select_weight",
-    add: "page_add_weight",
+    add: ["page_add_weight", "Add a weight"],
     columns: ["x", "y", "Weight", "Name"],
     typed: ["x", "y", "weight", "name"],
     digits: 5,
@@ -97,17 +104,13 @@ class Table {
     this.choice = el(
       "div",
       { class: "row lists", role: "group", "aria-label": "What the table lists" },
-      ...Object.entries(lists).map(([key, list]) =>
-        button(`${key[0].toUpperCase()}${key.slice(1)}`, {
-          class: "button bare",
-          "aria-pressed": "false",
-          onclick: () => this.#take(list),
-        }),
+      ...Object.values(lists).map((list) =>
+        button(list.many, { class: "button bare", "aria-pressed": "false", onclick: () => this.#take(list) }),
       ),
     );
     this.more = button("", {
       onclick: () => {
-        this.#program.call(this.#list.add);
+        this.#program.call(this.#list.add[0]);
         this.#go(this.#program.number(this.#list.count) - 1);
       },
     });
@@ -164,7 +167,7 @@ class Table {
     this.#list = list;
     this.#rows = [];
     this.#from = list === lists.vertices ? this.#from : 0;
-    const heads = [list.head ?? list.one, ...list.columns];
+    const heads = [list.one, ...list.columns];
     this.head.replaceChildren(el("tr", {}, ...heads.map((head) => el("th", { scope: "col" }, head)), el("td", {})));
     Object.values(lists).forEach((each, i) => {
       this.choice.children[i].setAttribute("aria-pressed", String(each === list));
@@ -175,7 +178,7 @@ class Table {
     this.whole.hidden = !vertices;
     this.centre.row.hidden = !vertices;
     this.more.hidden = vertices;
-    this.more.textContent = `Add a ${list.one.toLowerCase()}`;
+    this.more.textContent = vertices ? "" : translated(list.add[1]);
     this.problem.say("");
     this.#refresh();
   }
@@ -193,23 +196,34 @@ class Table {
         inputmode: axis === "name" ? "text" : "decimal",
         autocomplete: "off",
         spellcheck: "false",
-        "aria-label": `${what}, ${axis}`,
+        "aria-label": `${what}, ${translated(axis)}`,
       }),
     );
   }
 
   #row(vertex) {
-    const { one, remove: removes, count, columns, typed, label } = this.#list;
+    const {
+      row: rowName,
+      remove: [removes, ...removing],
+      count,
+      columns,
+      typed,
+      label,
+    } = this.#list;
     const name = label ? this.#program.text(label, vertex) : String(vertex + 1);
-    const inputs = this.#inputs(`${one} ${name}`, typed);
-    const act = (label, picture, run) =>
-      button("", { class: "button bare", "aria-label": `${label} ${vertex + 1}`, title: label, onclick: run }, picture);
-    const insert = act("Insert a vertex after", "plus", () => {
+    const inputs = this.#inputs(say(rowName, { name }), typed);
+    const act = ([title, pattern], picture, run) =>
+      button(
+        "",
+        { class: "button bare", "aria-label": say(pattern, { number: vertex + 1 }), title, onclick: run },
+        picture,
+      );
+    const insert = act(["Insert a vertex after", "Insert a vertex after {number}"], "plus", () => {
       this.#program.call("page_insert_vertex", vertex);
       this.#refresh();
       this.#go(vertex + 1);
     });
-    const remove = act(`Delete ${one.toLowerCase()}`, "close", () => {
+    const remove = act(removing, "close", () => {
       this.#program.call(removes, vertex);
       this.#refresh();
       const acts = typed.length + (this.#list === lists.vertices ? 1 : 0);
@@ -228,7 +242,7 @@ class Table {
   }
 
   #centreRow() {
-    const inputs = this.#inputs("Centre of mass");
+    const inputs = this.#inputs(translated("Centre of mass"));
     const release = button("Back to centroid", {
       onclick: () => {
         this.#program.call("page_release_centre");
@@ -312,7 +326,11 @@ class Table {
     this.pager.hidden = count <= most;
     this.back.disabled = this.#from === 0;
     this.next.disabled = this.#from + shown >= count;
-    this.range.textContent = `${this.#from + 1}–${this.#from + shown} of ${count}`;
+    this.range.textContent = say("{first}–{last} of {all}", {
+      first: this.#from + 1,
+      last: this.#from + shown,
+      all: count,
+    });
     if (moved && selected >= 0 && document.activeElement === document.getElementById("canvas"))
       this.#rows[selected - this.#from].row.scrollIntoView({ block: "nearest" });
   }

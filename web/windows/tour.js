@@ -2,6 +2,7 @@
 // drawing, so that it covers nothing that it describes. It changes nothing.
 import { openCard } from "../kit/card.js";
 import { button, el, svgEl } from "../kit/elements.js";
+import { say, translated } from "../words/words.js";
 import { look, reveal } from "./tour_places.js";
 import { stops } from "./tour_stops.js";
 
@@ -45,10 +46,10 @@ export async function show(page) {
   function go(by) {
     if (at + by >= all.length) return card.close();
     at = Math.max(at + by, 0);
-    heading.textContent = all[at].title;
-    count.textContent = `${at + 1} of ${all.length}`;
+    heading.textContent = translated(all[at].title);
+    count.textContent = say("{number} of {all}", { number: at + 1, all: all.length });
     back.disabled = at === 0;
-    next.textContent = at + 1 === all.length ? "Done" : "Next";
+    next.textContent = translated(at + 1 === all.length ? "Done" : "Next");
     skip.classList.toggle("unseen", at + 1 === all.length);
     reveal(page, all[at]);
     place();
@@ -58,8 +59,8 @@ export async function show(page) {
   // While a stop is shown, the drawing may move and the placement may change.
   function place() {
     const here = look(page);
-    const { where, words: say } = all[at];
-    const said = say(here);
+    const { where, words: wordsOf } = all[at];
+    const said = translated(wordsOf(here));
     if (words.textContent !== said) words.textContent = said;
     rings.replaceChildren(...(!where || where(here) ? ringed(here, all[at]).map(drawn) : []));
   }

@@ -1,18 +1,20 @@
 // The stops of the tour: the text of each, and the place at which it points (tour_places.js).
+import { say, translated } from "../words/words.js";
 
 // The movements that remain free in this placement; there may be no hatching.
 function mobility({ free, heldByCurvature }) {
   const turns = { clockwise: "clockwise in red", counterclockwise: "counter-clockwise in blue" };
   const hatched = Object.keys(turns)
     .filter((turn) => free.includes(turn))
-    .map((turn) => turns[turn])
+    .map((turn) => translated(turns[turn]))
     .join(", ");
   if (heldByCurvature)
     return "Here it cannot, as long as no robot gives way, but only the curvature of its motion holds it. Hatching would show the points about which it could turn.";
   if (!free.length)
     return "Here it cannot, as long as no robot gives way: the robots hold it. Hatching would show the points about which it could turn.";
   if (!hatched) return "It cannot turn, so nothing is hatched; but it can slide, as the arrow shows.";
-  return `Hatching shows the points about which it can turn: ${hatched}.${free.includes("translation") ? " The arrow shows how it slides." : ""}`;
+  const turning = say("Hatching shows the points about which it can turn: {turns}.", { turns: hatched });
+  return free.includes("translation") ? `${turning} ${translated("The arrow shows how it slides.")}` : turning;
 }
 
 const finger = () => matchMedia("(pointer: coarse)").matches;
@@ -53,7 +55,12 @@ export const stops = [
     title: "Lifting base",
     where: ({ baseHasArea }) => baseHasArea,
     words: ({ coverage }) =>
-      `The green area is the lifting base. A downward press inside it does not tip the object as long as the robots push back and none is overloaded. Coverage${coverage ? `, here ${coverage},` : ""} is the share of the object above the lifting base.`,
+      say(
+        coverage
+          ? "The green area is the lifting base. A downward press inside it does not tip the object as long as the robots push back and none is overloaded. Coverage, here {coverage}, is the share of the object above the lifting base."
+          : "The green area is the lifting base. A downward press inside it does not tip the object as long as the robots push back and none is overloaded. Coverage is the share of the object above the lifting base.",
+        { coverage },
+      ),
     points: (here) => here.base(),
   },
   {
@@ -66,11 +73,13 @@ export const stops = [
   {
     title: "Settings",
     words: ({ balanced, hasSheet }) =>
-      `${hasSheet ? "Pull the sheet up, and choose" : "Choose"} ${
-        balanced
-          ? "the number of robots, the method, and the goal: to hold the object or to cover it"
-          : "the number of teams, the method that chooses them, and the minimum load ratio"
-      }. The result follows at once.`,
+      balanced
+        ? hasSheet
+          ? "Pull the sheet up, and choose the number of robots, the method, and the goal: to hold the object or to cover it. The result follows at once."
+          : "Choose the number of robots, the method, and the goal: to hold the object or to cover it. The result follows at once."
+        : hasSheet
+          ? "Pull the sheet up, and choose the number of teams, the method that chooses them, and the minimum load ratio. The result follows at once."
+          : "Choose the number of teams, the method that chooses them, and the minimum load ratio. The result follows at once.",
     controls: ["methods", "teams -", "teams +", "robots -", "robots +", "ratio"],
   },
   {

@@ -11,6 +11,7 @@
 #include "chords/opposite_vertices.h"
 #include "chords/radial_view.h"
 #include "evenlift/tolerance.h"
+#include "evenlift/wording.h"
 
 namespace evenlift {
 namespace {
@@ -28,12 +29,12 @@ struct Found {
 std::optional<InputError> check_number_in_ranges(std::uint64_t sources) {
   constexpr std::uint64_t most = max_edge_pairs / 3;
   if (sources <= most) return std::nullopt;
-  return InputError{ErrorCode::too_many_edge_pairs,
-                    "the polygon has " + std::to_string(sources) +
-                        " edge pairs and opposite vertices about its centre of mass; with "
-                        "positions anywhere in the range, at most " +
-                        std::to_string(most) + " are allowed",
-                    {}};
+  return InputError{
+      ErrorCode::too_many_edge_pairs,
+      say("the polygon has {number} edge pairs and opposite vertices about its centre "
+          "of mass; with positions anywhere in the range, at most {most} are allowed",
+          {std::to_string(sources), std::to_string(most)}),
+      {}};
 }
 
 Result<Found> find(const Polygon& polygon, const Vec2& centre, double min_ratio,

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "evenlift/tolerance.h"
+#include "evenlift/wording.h"
 
 namespace evenlift {
 namespace {
@@ -77,10 +78,12 @@ std::optional<std::vector<OppositeVertices>> find_opposite_vertices(const Polygo
 }
 
 InputError too_many_opposite_vertices() {
-  return {ErrorCode::too_many_edge_pairs,
-          "the polygon has more than " + std::to_string(max_edge_pairs) +
-              " edge pairs and opposite vertices about its centre of mass",
-          {}};
+  return {
+      ErrorCode::too_many_edge_pairs,
+      say("the polygon has more than {most} edge pairs and opposite vertices about its centre of "
+          "mass",
+          {std::to_string(max_edge_pairs)}),
+      {}};
 }
 
 }  // namespace evenlift

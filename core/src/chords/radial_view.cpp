@@ -6,6 +6,7 @@
 
 #include "evenlift/predicates.h"
 #include "evenlift/tolerance.h"
+#include "evenlift/wording.h"
 #include "exact/pseudo_angle.h"
 #include "exact/sorted_indices.h"
 
@@ -183,10 +184,11 @@ std::uint64_t count_edge_pairs(const Polygon& polygon, const RadialView& view) {
 
 std::optional<InputError> check_number(std::uint64_t number, const char* what) {
   if (number <= max_edge_pairs) return std::nullopt;
-  return InputError{ErrorCode::too_many_edge_pairs,
-                    "the polygon has " + std::to_string(number) + ' ' + what +
-                        " about its centre of mass, more than " + std::to_string(max_edge_pairs),
-                    {}};
+  return InputError{
+      ErrorCode::too_many_edge_pairs,
+      say("the polygon has {number} {things} about its centre of mass, more than {most}",
+          {std::to_string(number), what, std::to_string(max_edge_pairs)}),
+      {}};
 }
 
 }  // namespace evenlift

@@ -12,6 +12,7 @@
 
 #include "evenlift/numbers.h"
 #include "evenlift/settings.h"
+#include "evenlift/wording.h"
 
 namespace evenlift::setting_value {
 
@@ -146,21 +147,23 @@ inline std::string bound_text(double bound) {
 template <class Value>
 std::string kind_in_words(const SettingRange& range) {
   if constexpr (std::is_same_v<Value, double>) {
-    return std::string(range.least > 0 ? "a number greater than 0, from " : "a number from ") +
-           shortest(range.least) + " to " + bound_text(range.most);
+    return say(range.least > 0 ? "a number greater than 0, from {least} to {most}"
+                               : "a number from {least} to {most}",
+               {shortest(range.least), bound_text(range.most)});
   } else if constexpr (std::is_same_v<Value, std::uint64_t>) {
-    return "a whole number from 0 to " + std::to_string(~std::uint64_t{0});
+    return say("a whole number from {least} to {most}", {"0", std::to_string(~std::uint64_t{0})});
   } else if constexpr (std::is_same_v<Value, std::uint32_t>) {
-    return "a whole number from " + bound_text(range.least) + " to " + bound_text(range.most);
+    return say("a whole number from {least} to {most}",
+               {bound_text(range.least), bound_text(range.most)});
   } else {
-    std::string text, none;
     const auto& all = all_of(Value{});
-    const std::size_t first = name(all[0]) == "none" ? 1 : 0, count = std::size(all);
-    for (std::size_t i = first; i < count; ++i) {
-      if (i > first) text += first == 1 || i + 1 < count ? ", " : " or ";
-      text += name(all[i]);
+    const std::size_t first = name(all[0]) == "none" ? 1 : 0;  // "none" comes last
+    std::string names[2];                                      // all but the last, and the last
+    for (std::size_t i = 0; i < std::size(all); ++i) {
+      if (i > 0) names[0] += (i > 1 ? ", " : "") + names[1];
+      names[1] = name(all[(i + first) % std::size(all)]);
     }
-    return first == 1 ? text + " or none" : text;
+    return say_written("{names} or {last}", names, 2);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "document/stand_settings.h"
 #include "document/support_settings.h"
 #include "evenlift/numbers.h"
+#include "evenlift/wording.h"
 
 namespace evenlift {
 namespace {
@@ -546,10 +547,12 @@ bool is_kept(const SettingRow& row, const Settings& settings) {
 
 std::string requirement(Setting setting) {
   const SettingRow& row = row_of(setting);
-  std::string text(row.subject);
-  if (!row.rule.empty()) return text + " " + std::string(row.rule);
-  text += " must be " + row.access.kind(row.range);
-  return row.range.unset.empty() ? text : text + ", or " + std::string(row.range.unset);
+  if (!row.rule.empty()) return say("{subject} {rule}", {row.subject, row.rule});
+  const bool unset = !row.range.unset.empty();
+  const std::string values[] = {std::string(translated(row.subject)), row.access.kind(row.range),
+                                std::string(row.range.unset)};
+  return say_written(unset ? "{subject} must be {kind}, or {other}" : "{subject} must be {kind}",
+                     values, unset ? 3 : 2);
 }
 
 InputError setting_error(Setting setting) { return setting_error(setting, requirement(setting)); }
@@ -564,7 +567,8 @@ std::optional<InputError> read_setting(Setting setting, std::string_view text, D
     const std::string_view part =
         row.access.refused ? row.access.refused(text) : std::string_view();
     if (part.empty()) return setting_error(setting);
-    return setting_error(setting, requirement(setting) + (", not \"" + std::string(part) + "\""));
+    const std::string values[] = {requirement(setting), std::string(part)};
+    return setting_error(setting, say_written("{requirement}, not \"{part}\"", values, 2));
   }
   if (row.changes == Changes::stands) document.moved = {};
   return std::nullopt;

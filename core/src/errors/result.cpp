@@ -1,22 +1,37 @@
 #include "evenlift/result.h"
 
+#include "evenlift/wording.h"
+
 namespace evenlift {
 namespace {
 
-std::string hole(std::size_t ring) { return "hole " + std::to_string(ring); }
+// How vertices or edges are named.
+struct Words {
+  const char *one, *two, *in_hole, *two_in_hole, *of_outline;
+};
+constexpr Words vertex_words{
+    "vertex {number}", "vertices {first} and {second}", "hole {hole}, vertex {number}",
+    "hole {hole}, vertices {first} and {second}", "the outline's vertex {number}"};
+constexpr Words edge_words{"edge {number}", "edges {first} and {second}",
+                           "hole {hole}, edge {number}", "hole {hole}, edges {first} and {second}",
+                           "the outline's edge {number}"};
+
+std::string one_of(const Words& words, std::size_t ring, std::size_t number) {
+  return ring == 0 ? say(words.one, {number}) : say(words.in_hole, {ring, number});
+}
 
 // "vertex 3", "vertices 3 and 7" if the place names two, "hole 2, vertex 3", or "hole 2, vertex 3
 // and the outline's vertex 7".
-std::string one_or_two(const std::string& one, const std::string& two, const Place& place) {
-  const std::string first = std::to_string(place.index + 1),
-                    second = std::to_string(place.other + 1);
-  const std::string where = place.ring == 0 ? "" : hole(place.ring) + ", ";
+std::string one_or_two(const Words& words, const Place& place) {
+  const std::size_t first = place.index + 1, second = place.other + 1;
   if (place.ring != place.other_ring)
-    return where + one + " " + first + " and " +
-           (place.other_ring == 0 ? "the outline's " : hole(place.other_ring) + ", ") + one + " " +
-           second;
-  if (place.other == 0 || place.other == place.index) return where + one + " " + first;
-  return where + two + " " + first + " and " + second;
+    return say("{first} and {second}",
+               {one_of(words, place.ring, first), place.other_ring == 0
+                                                      ? say(words.of_outline, {second})
+                                                      : one_of(words, place.other_ring, second)});
+  if (place.other == 0 || place.other == place.index) return one_of(words, place.ring, first);
+  return place.ring == 0 ? say(words.two, {first, second})
+                         : say(words.two_in_hole, {place.ring, first, second});
 }
 
 }  // namespace
@@ -30,20 +45,20 @@ std::string describe(const Place& place) {
     case Place::Kind::nowhere:
       return {};
     case Place::Kind::line:
-      return "line " + std::to_string(place.index) +
-             (place.other == 0 ? std::string() : ", column " + std::to_string(place.other));
+      return place.other == 0 ? say("line {line}", {place.index})
+                              : say("line {line}, column {column}", {place.index, place.other});
     case Place::Kind::vertex:
-      return one_or_two("vertex", "vertices", place);
+      return one_or_two(vertex_words, place);
     case Place::Kind::edge:
-      return one_or_two("edge", "edges", place);
+      return one_or_two(edge_words, place);
     case Place::Kind::hole:
-      return hole(place.ring);
+      return say("hole {hole}", {place.ring});
     case Place::Kind::centre_of_mass:
-      return "centre of mass";
+      return say("centre of mass");
     case Place::Kind::option:
       return place.option;
     case Place::Kind::link:
-      return place.index == 0 ? "link" : "link, character " + std::to_string(place.index);
+      return place.index == 0 ? say("link") : say("link, character {number}", {place.index});
   }
   return {};
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "document/cargo_settings.h"
+#include "evenlift/wording.h"
 #include "formats/readers.h"
 #include "numbers/text_cursor.h"
 
@@ -28,7 +29,7 @@ std::optional<InputError> take_pair(TextCursor& cursor, const char* before, Vec2
 std::optional<InputError> take_line_end(TextCursor& cursor, const char* after) {
   cursor.skip_spaces_in_line();
   if (!cursor.at_line_end())
-    return cursor.expected(std::string("the end of the line after ") + after);
+    return cursor.expected(say("the end of the line after {text}", {after}));
   cursor.skip_white_space();
   return std::nullopt;
 }

@@ -6,6 +6,7 @@
 
 #include "evenlift/angles.h"
 #include "evenlift/document.h"
+#include "evenlift/wording.h"
 #include "generate/families.h"
 
 namespace evenlift {
@@ -217,11 +218,12 @@ std::optional<Family> family_from_name(std::string_view name) {
 
 Result<Points> generate(Family family, std::size_t n, std::uint64_t seed) {
   if (n < info(family).fewest)
-    return bad_size("a polygon of the family \"" + std::string(name(family)) + "\" has at least " +
-                    std::to_string(info(family).fewest) + " vertices, not " + std::to_string(n));
+    return bad_size(
+        say("a polygon of the family {family} has at least {fewest} vertices, not {number}",
+            {"\"" + std::string(name(family)) + "\"", info(family).fewest, n}));
   if (n > max_vertices)
-    return bad_size("at most " + std::to_string(max_vertices) + " vertices can be generated, not " +
-                    std::to_string(n));
+    return bad_size(
+        say("at most {most} vertices can be generated, not {number}", {max_vertices, n}));
 
   families::GridPolygon polygon = draw(family, n, seed);
   if (families::doubled_area(polygon.vertices) < 0)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "evenlift/numbers.h"
+#include "evenlift/wording.h"
 #include "formats/readers.h"
 #include "import/cells.h"
 #include "import/gathering.h"
@@ -116,21 +117,21 @@ InputError ColumnReader::error(std::string_view at, ErrorCode code, std::string 
 }
 
 InputError ColumnReader::not_a_number(std::string_view field) const {
-  const std::string quoted = "\"" + clean_name(field.substr(0, 60)) + "\"";
+  const std::string cell = in_quotes(clean_name(field.substr(0, 60)));
   if (style_.separator == ',' && field.find(' ') != std::string_view::npos &&
       has_only_digits({field}))
     return error(
         field, ErrorCode::bad_syntax,
-        quoted +
-            " is not a number: write decimals with a point (1.5, 2.3), or with a comma and a "
-            "semicolon between x and y (1,5; 2,3)");
+        say("{cell} is not a number: write decimals with a point (1.5, 2.3), or with a comma and a "
+            "semicolon between x and y (1,5; 2,3)",
+            {cell}));
   if (has_only_digits({field}) && field.find_first_of(",.") != std::string_view::npos)
     return error(
         field, ErrorCode::bad_syntax,
-        quoted +
-            " is not a number: a number has one point or comma, before its decimals, and no "
-            "separator between its thousands");
-  return error(field, ErrorCode::bad_syntax, quoted + " is not a number");
+        say("{cell} is not a number: a number has one point or comma, before its decimals, and no "
+            "separator between its thousands",
+            {cell}));
+  return error(field, ErrorCode::bad_syntax, say("{cell} is not a number", {cell}));
 }
 
 // --- Headings
@@ -210,9 +211,11 @@ bool ColumnReader::take_names(const Line& heading, const Line& row, const Fields
     if (i != x_ && i != y_ && may_tell_shapes((*best)[i])) others.push_back(i);
   shapes_ = columns_of_shapes(rows_from(row), style_, others);
   for (const std::size_t column : shapes_)
-    gathering_.note("the column \"" + clean_name((*best)[column]) + "\" separates the shapes");
+    gathering_.note(
+        say("the column {name} separates the shapes", {in_quotes(clean_name((*best)[column]))}));
   for (const std::size_t column : named_->heights)
-    gathering_.note("the column \"" + clean_name((*best)[column]) + "\" was left out");
+    gathering_.note(
+        say("the column {name} was left out", {in_quotes(clean_name((*best)[column]))}));
   return true;
 }
 
@@ -236,9 +239,9 @@ void ColumnReader::take_words(const std::vector<Line>& words) {
     ++skipped;
   }
   if (rows_ > 0 || (plain && skipped <= 1)) return;
-  gathering_.note(skipped == 1
-                      ? "the line \"" + clean_name(words[0].text) + "\" was taken as a heading"
-                      : "the first " + std::to_string(skipped) + " lines were taken as headings");
+  gathering_.note(skipped == 1 ? say("the line {text} was taken as a heading",
+                                     {in_quotes(clean_name(words[0].text))})
+                               : say("the first {count} lines were taken as headings", {skipped}));
 }
 
 // A line for spreadsheet programs, such as "sep=;".
@@ -287,7 +290,7 @@ std::optional<InputError> ColumnReader::choose(const Line& row, const Fields& ce
   chosen_ = true;
   first_row_size_ = cells.size();
   number_columns_ = number_columns(cells, style_);
-  if (!columns.note.empty()) gathering_.note(std::move(columns.note));
+  if (!columns.note.empty()) gathering_.note(columns.note);
   return std::nullopt;
 }
 
@@ -301,9 +304,9 @@ std::optional<InputError> ColumnReader::check_word(const Fields& cells) {
   if (rows_ == 1 && cells[0] != first_word_) first_word_ = "";
   if (rows_ < 2 || first_word_.empty() || cells[0] == first_word_) return std::nullopt;
   return error(cells[0], ErrorCode::bad_syntax,
-               "the line begins with \"" + clean_name(cells[0]) +
-                   "\", but the lines before it with \"" + clean_name(first_word_) +
-                   "\": blank lines separate shapes");
+               say("the line begins with {word}, but the lines before it with {first}: blank "
+                   "lines separate shapes",
+                   {in_quotes(clean_name(cells[0])), in_quotes(clean_name(first_word_))}));
 }
 
 // A row has numbers where the first one has them.
@@ -316,9 +319,9 @@ std::optional<InputError> ColumnReader::check_row(const Line& line, const Fields
         number_columns(cells, style_).size() < cells.size())
       return std::nullopt;
     return error(line.text, ErrorCode::bad_syntax,
-                 "the line has " + std::to_string(cells.size()) + " numbers, but the heading has " +
-                     std::to_string(heading_size_) +
-                     " names; decimals with a comma need a semicolon between the columns");
+                 say("the line has {numbers} numbers, but the heading has {names} names; decimals "
+                     "with a comma need a semicolon between the columns",
+                     {cells.size(), heading_size_}));
   }
   bool same = std::all_of(number_columns_.begin(), number_columns_.end(), [&](std::size_t column) {
     return column < cells.size() && (cells[column].empty() || is_number(column));
@@ -326,11 +329,13 @@ std::optional<InputError> ColumnReader::check_row(const Line& line, const Fields
   for (std::size_t column = first_row_size_; column < cells.size(); ++column)
     same = same && !is_number(column);
   if (same) return std::nullopt;
+  const std::size_t numbers = number_columns(cells, style_).size();
   return error(line.text, ErrorCode::bad_syntax,
-               "the line has " +
-                   counted(number_columns(cells, style_).size(), "number", "numbers") +
-                   ", but the first row has " + std::to_string(number_columns_.size()) +
-                   ": all rows need the same columns");
+               say(numbers == 1 ? "the line has {numbers} number, but the first row has {first}: "
+                                  "all rows need the same columns"
+                                : "the line has {numbers} numbers, but the first row has {first}: "
+                                  "all rows need the same columns",
+                   {numbers, number_columns_.size()}));
 }
 
 // Ends a shape where the cells that number or name it change.
@@ -463,7 +468,6 @@ void ColumnReader::add_notes() {
   if (unit_ != LengthUnit::none) gathering_.import.unit = in_full(unit_);
   if (count_line_) gathering_.note("the number before the rows is how many there are");
   notes_.are_degrees = named_ && named_->meaning == Column::longitude;
-  notes_.who_says_so = "the coordinates";
   if (notes_.are_degrees && named_->y < named_->x)
     gathering_.note("the latitude comes first here: x is the longitude, and y the latitude");
   notes_.add_to(gathering_);
@@ -476,8 +480,9 @@ Result<Import> ColumnReader::read() {
   style_ = style_of_table(text_);
   if (auto wrong = read_lines()) return *std::move(wrong);
   if (rows_ == 0) {
-    return InputError{
-        ErrorCode::bad_syntax, joined({"this text is in an unknown format: ", known_formats}), {}};
+    return InputError{ErrorCode::bad_syntax,
+                      say("this text is in an unknown format: {formats}", {known_formats}),
+                      {}};
   }
   if (auto wrong = check_count()) return *std::move(wrong);
   join_surfaces();

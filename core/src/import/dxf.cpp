@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "evenlift/wording.h"
 #include "import/dxf/drawing.h"
 #include "import/dxf/insert.h"
 #include "import/dxf/outlines.h"
@@ -171,8 +172,8 @@ void DxfReader::check_depth(const DxfBlock& block, const DxfEntity& entity, cons
   for (const Frame* outer = &frame; outer; outer = outer->outer)
     if (outer->block == &block)
       return stop(text_error(ErrorCode::bad_syntax,
-                             "the DXF drawing is damaged: the block \"" + clean_name(block.name) +
-                                 "\" contains itself",
+                             say("the DXF drawing is damaged: the block {name} contains itself",
+                                 {in_quotes(clean_name(block.name))}),
                              text_, offset));
   if (frame.depth == max_depth)
     stop(text_error(ErrorCode::unsupported,
@@ -239,12 +240,20 @@ void DxfReader::take_all(std::size_t offset, const Frame& frame) {
 }
 
 InputError DxfReader::nothing_found() const {
-  std::string message = "this DXF drawing has no closed outline";
   const std::string& gap = gathering_.gap();
-  if (!gap.empty()) message += ": " + gap;
   const std::string found = gathering_.left_out.list();
-  if (!found.empty()) message += (gap.empty() ? ", only " : "; it also has ") + found;
-  if (splines_ > 0) message += "; such splines must be turned into polylines first";
+  std::string message;
+  if (!gap.empty() && !found.empty())
+    message =
+        say("this DXF drawing has no closed outline: {gap}; it also has {things}", {gap, found});
+  else if (!gap.empty())
+    message = say("this DXF drawing has no closed outline: {gap}", {gap});
+  else if (!found.empty())
+    message = say("this DXF drawing has no closed outline, only {things}", {found});
+  else
+    message = say("this DXF drawing has no closed outline");
+  if (splines_ > 0)
+    message = say("{problem}; such splines must be turned into polylines first", {message});
   return {ErrorCode::unsupported, message, {}};
 }
 
@@ -258,10 +267,13 @@ Result<Import> DxfReader::read() {
   if (error_) return *std::move(error_);
   gathering_.add_joined(pieces_, false);
   if (made_periodic_ > 0)
-    gathering_.note(counted(made_periodic_, "spline is", "splines are") +
-                    " marked as periodic but " + (made_periodic_ == 1 ? "has" : "have") +
-                    " the knots of an open curve, and " + (made_periodic_ == 1 ? "was" : "were") +
-                    " read as periodic");
+    gathering_.note(
+        say(made_periodic_ == 1
+                ? "{count} spline is marked as periodic but has the knots of an open "
+                  "curve, and was read as periodic"
+                : "{count} splines are marked as periodic but have the knots of an open "
+                  "curve, and were read as periodic",
+            {made_periodic_}));
   const DxfUnit& unit = drawing_.unit;
   gathering_.import.unit = unit.label == LengthUnit::none ? unit.other : in_full(unit.label);
   for (ImportedShape& shape : gathering_.import.shapes)

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "evenlift/numbers.h"
+#include "evenlift/wording.h"
 #include "formats/readers.h"
 #include "import/joining/nesting.h"
 #include "numbers/number_text.h"
@@ -58,14 +59,13 @@ std::string short_number(double value) {
   return shortest(number.value_or(value));
 }
 
-std::string joined(std::initializer_list<std::string_view> texts) {
-  std::string whole;
-  for (const std::string_view text : texts) whole += text;
-  return whole;
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  return std::to_string(count) + " " + std::string(translated(count == 1 ? one : many));
 }
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return std::to_string(count) + " " + std::string(count == 1 ? one : many);
+std::string in_quotes(std::string_view text) {
+  const std::string written(text);
+  return say_written("\"{text}\"", &written, 1);
 }
 
 std::string clean_name(std::string_view name) {
@@ -103,8 +103,10 @@ void LeftOut::add(std::string_view one, std::string_view many) {
 std::string LeftOut::list() const {
   std::string text;
   for (std::size_t i = 0; i < counts_.size(); ++i) {
-    if (i > 0) text += i + 1 == counts_.size() ? " and " : ", ";
-    text += counted(counts_[i].count, counts_[i].one, counts_[i].many);
+    const std::string item = counted(counts_[i].count, counts_[i].one, counts_[i].many);
+    text = i == 0                   ? item
+           : i + 1 < counts_.size() ? text + ", " + item
+                                    : say("{first} and {last}", {text, item});
   }
   return text;
 }
@@ -227,7 +229,7 @@ void Gathering::add_joined(const std::vector<DrawnPiece>& pieces, bool closes_al
     add({{joined.outline},
          joined.layer,
          joined.parts == 1 ? "closed line"
-                           : std::to_string(joined.parts) + " lines and arcs, joined"});
+                           : say("{parts} lines and arcs, joined", {joined.parts})});
   if (closes_alone) {
     for (const std::size_t piece : joining.alone)
       if (pieces[piece].outline.pieces.size() > 1 || pieces[piece].outline.curved())
@@ -256,21 +258,25 @@ void Gathering::keep_open(const Outline& line) {
 }
 
 void Gathering::note_joining(const Joining& joining) {
-  if (joining.gap_is_seen) note("ends up to " + short_number(joining.gap) + " apart were joined");
+  if (joining.gap_is_seen)
+    note(say("ends up to {distance} apart were joined", {short_number(joining.gap)}));
   if (std::any_of(joining.outlines.begin(), joining.outlines.end(),
                   [](const JoinedOutline& joined) { return joined.across_layers; }))
     note("lines on different layers were joined, since they do not close within their layers");
   if (joining.repeated > 0)
-    note(counted(joining.repeated, "line that lies", "lines that lie") + " on another " +
-         (joining.repeated == 1 ? "was" : "were") + " left out");
+    note(say(joining.repeated == 1 ? "{count} line that lies on another was left out"
+                                   : "{count} lines that lie on another were left out",
+             {joining.repeated}));
   const std::size_t open = joining.open.size();
   if (open == 0) return;
   if (joining.apart)
-    gap_ = "the nearest open ends, " + point_in_words(joining.apart->first) + " and " +
-           point_in_words(joining.apart->second) + ", are " +
-           short_number(length(joining.apart->second - joining.apart->first)) + " apart";
-  note(counted(open, "line or arc does", "lines and arcs do") + " not close and " +
-       (open == 1 ? "was" : "were") + " left out" + (gap_.empty() ? "" : ": " + gap_));
+    gap_ = say("the nearest open ends, {first} and {second}, are {distance} apart",
+               {point_in_words(joining.apart->first), point_in_words(joining.apart->second),
+                short_number(length(joining.apart->second - joining.apart->first))});
+  note(say(open == 1 ? "{count} line or arc does not close and was left out"
+                     : "{count} lines and arcs do not close and were left out",
+           {open}) +
+       (gap_.empty() ? "" : ": " + gap_));
 }
 
 // Numbers the parts of a path of which several are shapes.
@@ -281,7 +287,7 @@ void Gathering::name_parts(const std::vector<OutlineWithHoles>& shapes) {
     const Drawn& drawn = drawn_[shape.outline];
     if (shapes_of[drawn.path] == 1) continue;
     std::string& name = import.shapes[shape.outline].name;
-    name += (name.empty() ? "part " : ", part ") + std::to_string(drawn.part);
+    name += (name.empty() ? "" : ", ") + say("part {number}", {drawn.part});
   }
 }
 
@@ -300,11 +306,13 @@ void Gathering::nest_outlines() {
   }
   import.shapes = std::move(shapes);
   if (nesting.repeated > 0)
-    note(counted(nesting.repeated, "outline that repeats", "outlines that repeat") + " another " +
-         (nesting.repeated == 1 ? "was" : "were") + " left out");
+    note(say(nesting.repeated == 1 ? "{count} outline that repeats another was left out"
+                                   : "{count} outlines that repeat another were left out",
+             {nesting.repeated}));
   if (nesting.holes > 0 && options_.holes)
-    note(counted(nesting.holes, "outline inside another was read as a hole",
-                 "outlines inside others were read as holes"));
+    note(say(nesting.holes == 1 ? "{count} outline inside another was read as a hole"
+                                : "{count} outlines inside others were read as holes",
+             {nesting.holes}));
   import.doubtful =
       left_open_ > 1.01 * bounding_box(import.shapes.front().document.vertices).size().prod();
 }
@@ -327,8 +335,8 @@ void Gathering::add_problem(InputError error) {
   if (!first_problem_) first_problem_ = std::move(error);
 }
 
-void Gathering::note(std::string sentence) {
-  if (import.notes.size() < 20) import.notes.push_back(std::move(sentence));
+void Gathering::note(std::string_view sentence) {
+  if (import.notes.size() < 20) import.notes.emplace_back(translated(sentence));
 }
 
 Result<Import> Gathering::finish(InputError nothing) {
@@ -339,14 +347,22 @@ Result<Import> Gathering::finish(InputError nothing) {
   }
   if (!drawn_.empty()) nest_outlines();
   if (!left_out.empty())
-    note(left_out.list() + (left_out.total() == 1 ? " was left out" : " were left out"));
+    note(say(left_out.total() == 1 ? "{things} was left out" : "{things} were left out",
+             {left_out.list()}));
   if (without_area_ > 0)
-    note(counted(without_area_, "line without an area was", "lines without an area were") +
-         " left out");
+    note(say(without_area_ == 1 ? "{count} line without an area was left out"
+                                : "{count} lines without an area were left out",
+             {without_area_}));
   if (problems_ > 0) {
-    const std::string place = describe(first_problem_->place);
-    note(counted(problems_, "shape was", "shapes were") + " left out, the first because of " +
-         (place.empty() ? "this: " : place + ": ") + first_problem_->message);
+    const std::string place = describe(first_problem_->place), &problem = first_problem_->message;
+    const bool one = problems_ == 1;
+    note(place.empty()
+             ? say(one ? "{count} shape was left out, the first because of this: {problem}"
+                       : "{count} shapes were left out, the first because of this: {problem}",
+                   {problems_, problem})
+             : say(one ? "{count} shape was left out, the first because of {place}: {problem}"
+                       : "{count} shapes were left out, the first because of {place}: {problem}",
+                   {problems_, place, problem}));
   }
   return std::move(import);
 }

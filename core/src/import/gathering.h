@@ -1,7 +1,6 @@
 // The result of a reader so far: shapes within bounds, and the list of parts that are left out.
 #pragma once
 
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,11 +23,11 @@ double larger_side(const Box& box);
 // A rounded number of at most four digits, such as 12.35 or 120.
 std::string short_number(double value);
 
-// The texts, concatenated.
-std::string joined(std::initializer_list<std::string_view> texts);
-
 // "1 text", "2 texts".
 std::string counted(std::size_t count, std::string_view one, std::string_view many);
+
+// A text of the user between quotation marks, in which it is never translated.
+std::string in_quotes(std::string_view text);
 
 // A name for display: valid UTF-8 of at most 80 characters, on one line.
 std::string clean_name(std::string_view name);
@@ -83,7 +82,8 @@ class Gathering {
   std::size_t most_holes() const { return options_.holes ? max_holes : max_vertices; }
   // Degrees are converted once the text is read, so they need no note.
   bool projects() const { return options_.project; }
-  void note(std::string sentence);
+  // Adds the sentence in the reader's language.
+  void note(std::string_view sentence);
 
   // Returns the import. Without a shape it returns the first problem, or else `nothing`.
   Result<Import> finish(InputError nothing);

@@ -6,6 +6,7 @@
 #include "evenlift/formats.h"
 #include "evenlift/link.h"
 #include "evenlift/numbers.h"
+#include "evenlift/wording.h"
 #include "import/gathering.h"
 #include "import/other_kinds.h"
 #include "import/projection/projection.h"
@@ -68,18 +69,25 @@ Result<Import> read_format(std::string_view text, const ImportOptions& options) 
 
 // "8.5417° E".
 std::string degrees_in_words(double degrees, const char* positive, const char* negative) {
-  return shortest(std::abs(degrees)) + "\u00B0 " + (degrees < 0 ? negative : positive);
+  return say(degrees < 0 ? negative : positive, {shortest(std::abs(degrees))});
 }
 
 std::string projection_note(const Projection& projection) {
   constexpr double unseen_error = 0.001;
-  std::string note = "the coordinates were converted from degrees to metres east and north of " +
-                     degrees_in_words(projection.origin().x(), "E", "W") + ", " +
-                     degrees_in_words(projection.origin().y(), "N", "S");
-  if (projection.error() >= unseen_error)
-    note += "; widths are off by up to " + shortest(std::ceil(1000 * projection.error()) / 10) +
-            "\u00A0%, since the shapes are so far apart or so large";
-  return note;
+  const std::string longitude = degrees_in_words(projection.origin().x(), "{degrees}\u00B0 E",
+                                                 "{degrees}\u00B0 W"),
+                    latitude = degrees_in_words(projection.origin().y(), "{degrees}\u00B0 N",
+                                                "{degrees}\u00B0 S");
+  if (projection.error() < unseen_error)
+    return say(
+        "the coordinates were converted from degrees to metres east and north of {longitude}, "
+        "{latitude}",
+        {longitude, latitude});
+  return say(
+      "the coordinates were converted from degrees to metres east and north of {longitude}, "
+      "{latitude}; widths are off by up to {error}\u00A0%, since the shapes are so far apart or so "
+      "large",
+      {longitude, latitude, shortest(std::ceil(1000 * projection.error()) / 10)});
 }
 
 Result<Import> projected(Import import) {
@@ -124,7 +132,8 @@ Result<Import> read_shapes(std::string_view text, const ImportOptions& options) 
   if (const char* refusal = refusal_of_other_kind(text))
     return InputError{ErrorCode::unsupported, refusal, {}};
   if (std::any_of(text.begin(), text.end(), is_no_text))
-    return InputError{ErrorCode::unsupported, joined({"this is not text: ", known_formats}), {}};
+    return InputError{
+        ErrorCode::unsupported, say("this is not text: {formats}", {known_formats}), {}};
   Result<Import> import = read_format(text, options);
   if (import && !options.holes)
     if (std::string note = leave_out_holes(import->shapes); !note.empty())
@@ -138,14 +147,16 @@ std::string leave_out_holes(std::vector<ImportedShape>& shapes) {
     count += shape.document.holes.size();
     shape.document.holes.clear();
   }
-  return count == 0 ? "" : counted(count, "hole is", "holes are") + " left out";
+  if (count == 0) return {};
+  return say(count == 1 ? "{count} hole is left out" : "{count} holes are left out", {count});
 }
 
 std::string describe(const ImportedShape& shape) {
   const Vec2 size = bounding_box(shape.document.vertices).size();
   const std::size_t holes = shape.document.holes.size();
-  std::string text = shape.name.empty() ? "" : "\"" + shape.name + "\", ";
-  text += shape.kind + ", " + counted(shape.document.vertices.size(), "vertex", "vertices") + ", ";
+  std::string text = shape.name.empty() ? "" : in_quotes(shape.name) + ", ";
+  text += std::string(translated(shape.kind)) + ", " +
+          counted(shape.document.vertices.size(), "vertex", "vertices") + ", ";
   if (holes > 0) text += counted(holes, "hole", "holes") + ", ";
   text += short_number(size.x()) + " x " + short_number(size.y());
   return text;

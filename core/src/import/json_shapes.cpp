@@ -8,6 +8,7 @@
 #include "evenlift/numbers.h"
 #include "evenlift/polygon_with_holes.h"
 #include "evenlift/settings.h"
+#include "evenlift/wording.h"
 #include "formats/readers.h"
 #include "import/gathering.h"
 #include "import/joining/nesting.h"
@@ -61,7 +62,6 @@ class JsonShapes {
     bool are_degrees;
   };
   std::optional<Members> members_of_point(Index object) const;
-  void say_degrees(std::string_view who);
   bool is_point(Index at) const;
   Result<Points> points(Index array);
   Result<Vec2> point(Index at);
@@ -352,11 +352,6 @@ std::optional<JsonShapes::Members> JsonShapes::members_of_point(Index object) co
   return std::nullopt;
 }
 
-void JsonShapes::say_degrees(std::string_view who) {
-  notes_.are_degrees = true;
-  notes_.who_says_so = who;
-}
-
 bool JsonShapes::is_point(Index at) const {
   if (tree_.kind(at) == Kind::object) return members_of_point(at).has_value();
   return tree_.kind(at) == Kind::array && tree_.first(at) != tree_.end(at) &&
@@ -371,7 +366,7 @@ Result<Vec2> JsonShapes::point(Index at) {
     const auto members = members_of_point(at);
     if (!members || !is(members->x, Kind::number) || !is(members->y, Kind::number))
       return refused();
-    if (members->are_degrees) say_degrees("the coordinates");
+    if (members->are_degrees) notes_.are_degrees = true;
     return Vec2(tree_.number(members->x), tree_.number(members->y));
   }
   if (tree_.kind(at) != Kind::array) return refused();
@@ -475,8 +470,8 @@ void JsonShapes::geometry(Index object, std::string_view name, const Document& o
   const std::string_view kind = tree_.text(*type);
   if (kind == "Polygon" || kind == "MultiPolygon") {
     if (!coordinates)
-      return gathering_.add_problem(error(*type, ErrorCode::bad_syntax,
-                                          "the " + std::string(kind) + " has no \"coordinates\""));
+      return gathering_.add_problem(
+          error(*type, ErrorCode::bad_syntax, say("the {kind} has no \"coordinates\"", {kind})));
     if (kind == "Polygon" || !is(coordinates, Kind::array)) return polygon(*coordinates, name, of);
     for (Index i = tree_.first(*coordinates); i != tree_.end(*coordinates); i = tree_.next(i))
       polygon(i, name, of);
@@ -591,7 +586,7 @@ void JsonShapes::take_esri_system(Index object) {
   for (const char* name : {"wkid", "latestWkid"})
     if (const auto code = tree_.member(*system, name);
         is(code, Kind::number) && is_in_degrees(tree_.number(*code)))
-      say_degrees("the coordinates");
+      notes_.are_degrees = true;
 }
 
 void JsonShapes::esri(Index object) {
@@ -645,7 +640,8 @@ Result<Import> JsonShapes::finish(const char* format) {
   const std::string found = gathering_.left_out.list();
   return gathering_.finish(
       {ErrorCode::unsupported,
-       joined({"this ", format, " has no polygon", found.empty() ? "" : ", only ", found}),
+       found.empty() ? say("this {format} has no polygon", {format})
+                     : say("this {format} has no polygon, only {things}", {format, found}),
        {}});
 }
 
@@ -692,7 +688,12 @@ Result<Import> JsonShapes::read() {
   }
   gathering_.import.format = "GeoJSON";
   geojson(0, "", {});
-  if (is_geojson_in_degrees()) say_degrees("by the standard of GeoJSON its coordinates");
+  if (is_geojson_in_degrees()) {
+    notes_.are_degrees = true;
+    notes_.in_degrees =
+        "by the standard of GeoJSON its coordinates are degrees of longitude and latitude, not "
+        "lengths";
+  }
   return finish("GeoJSON");
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "evenlift/wording.h"
 #include "formats/readers.h"
 #include "import/gathering.h"
 #include "import/ring_notes.h"
@@ -59,7 +60,8 @@ void PythonPoints::add_shape(Points points) {
 // Ends a bracket: a point if it has numbers, a shape if it has points.
 std::optional<InputError> PythonPoints::close() {
   if (!cursor_.take(levels_.back().closes))
-    return cursor_.expected(std::string("',' or '") + levels_.back().closes + "'");
+    return cursor_.expected(
+        say("',' or {bracket}", {std::string("'") + levels_.back().closes + "'"}));
   Level level = std::move(levels_.back());
   levels_.pop_back();
   if (level.numbers.empty()) {

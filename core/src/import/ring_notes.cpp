@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "evenlift/angles.h"
+#include "evenlift/wording.h"
 
 namespace evenlift {
 namespace {
@@ -18,15 +19,13 @@ bool can_be_degrees(const Box& box) {
 }
 
 // The note about degrees. It names the factor at the middle latitude.
-std::string degrees_note(std::string_view who, const Box& box) {
-  std::string note(who);
-  note += " are degrees of longitude and latitude, not lengths";
+std::string degrees_note(std::string_view note, const Box& box) {
   const double latitude = (box.low.y() + box.high.y()) / 2;
   const double shrinking = cosine(latitude * pi / 180);
   if (std::abs(latitude) > low_latitude && shrinking > 1e-3)
-    note += ": at latitude " + short_number(latitude) + " widths come out " +
-            short_number(1 / shrinking) + " times too large";
-  return note;
+    return say("{note}: at latitude {latitude} widths come out {factor} times too large",
+               {note, short_number(latitude), short_number(1 / shrinking)});
+  return std::string(note);
 }
 
 }  // namespace
@@ -40,14 +39,15 @@ void RingNotes::drop_repeated(Points& ring) {
 void RingNotes::add_to(Gathering& gathering) const {
   if (heights > 0) gathering.note("coordinates beyond x and y were left out");
   if (repeated > 0)
-    gathering.note(counted(repeated, "vertex at the place of the one before it was",
-                           "vertices at the place of the one before them were") +
-                   " left out");
+    gathering.note(say(repeated == 1
+                           ? "{count} vertex at the place of the one before it was left out"
+                           : "{count} vertices at the place of the one before them were left out",
+                       {repeated}));
   if (!are_degrees || gathering.import.shapes.empty()) return;
   const Box box = box_of(gathering.import.shapes);
   if (!can_be_degrees(box) || gathering.projects()) return;
   gathering.import.in_degrees = true;
-  gathering.note(degrees_note(who_says_so, box));
+  gathering.note(degrees_note(in_degrees, box));
 }
 
 Box box_of(const std::vector<ImportedShape>& shapes) {

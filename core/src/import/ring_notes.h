@@ -12,10 +12,12 @@
 namespace evenlift {
 
 struct RingNotes {
-  std::size_t repeated = 0;      // vertices at the place of the one before
-  std::size_t heights = 0;       // positions with coordinates beyond x and y
-  bool are_degrees = false;      // the text says that coordinates are longitudes and latitudes
-  std::string_view who_says_so;  // completes "... are degrees", as in "the coordinates"
+  std::size_t repeated = 0;  // vertices at the place of the one before
+  std::size_t heights = 0;   // positions with coordinates beyond x and y
+  bool are_degrees = false;  // the text says that coordinates are longitudes and latitudes
+  // The note about these.
+  std::string_view in_degrees =
+      "the coordinates are degrees of longitude and latitude, not lengths";
 
   // Drops each vertex that equals the one before it and counts it; the last vertex of a ring may
   // equal the first. O(n).

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "evenlift/wording.h"
 #include "import/gathering.h"
 #include "import/table_headings.h"
 #include "numbers/text_cursor.h"
@@ -60,7 +61,7 @@ class Course {
 struct Candidate {
   std::size_t column = 0;
   Course course;
-  const char* reason = nullptr;  // why it is no coordinate
+  const char* reason = nullptr;  // a clause why it is no coordinate, with a place for its label
 };
 
 using Candidates = std::vector<Candidate>;
@@ -101,8 +102,8 @@ void drop_by_headings(Candidates& all, const Fields& headings) {
       return each.column < headings.size() && column_of(headings[each.column]) == column;
     };
   };
-  drop(all, "numbers the points", means(Column::number));
-  drop(all, "has the heights", means(Column::height));
+  drop(all, "{column} numbers the points", means(Column::number));
+  drop(all, "{column} has the heights", means(Column::height));
 }
 
 // The first column has whole numbers that rise, and the others have decimals.
@@ -111,7 +112,7 @@ void drop_gapped_numbers(Candidates& all) {
   const bool others_have_decimals = std::all_of(
       left.begin() + 1, left.end(), [&](std::size_t i) { return all[i].course.has_decimals(); });
   if (others_have_decimals)
-    drop(all, "numbers the points", [&](const Candidate& each) {
+    drop(all, "{column} numbers the points", [&](const Candidate& each) {
       return each.column == all[left[0]].column && each.course.rises_in_whole_numbers();
     });
 }
@@ -119,20 +120,22 @@ void drop_gapped_numbers(Candidates& all) {
 // "column 2", or its heading.
 std::string label(std::size_t column, const Fields& headings) {
   if (column < headings.size() && !headings[column].empty())
-    return "\"" + clean_name(headings[column]) + "\"";
-  return "column " + std::to_string(column + 1);
+    return in_quotes(clean_name(headings[column]));
+  return say("column {number}", {column + 1});
 }
 
 std::string note_of(const Candidates& all, const Candidate& x, const Candidate& y,
                     const Fields& headings) {
   std::string reasons;
-  for (const Candidate& each : all)
-    if (each.reason && each.column < y.column)
-      reasons += (reasons.empty() ? ", since " : " and ") + label(each.column, headings) + " " +
-                 each.reason;
+  for (const Candidate& each : all) {
+    if (!each.reason || each.column >= y.column) continue;
+    const std::string reason = say(each.reason, {label(each.column, headings)});
+    reasons = reasons.empty() ? reason : say("{first} and {last}", {reasons, reason});
+  }
   if (reasons.empty()) return "the first two columns with numbers were taken as x and y";
-  return label(x.column, headings) + " was taken as x and " + label(y.column, headings) + " as y" +
-         reasons + "; headings such as No, N, E, Z say otherwise";
+  return say(
+      "{x} was taken as x and {y} as y, since {reasons}; headings such as No, N, E, Z say otherwise",
+      {label(x.column, headings), label(y.column, headings), reasons});
 }
 
 }  // namespace
@@ -238,12 +241,13 @@ ChosenColumns choose_columns(std::string_view rows, const CellStyle& style, cons
   if (all.size() == 2) return {all[0].column, all[1].column, {}, ""};
   follow(all, rows, style);
   const auto shapes = columns_of_shapes(rows, style, {all[0].column});
-  drop(all, "numbers the shapes",
+  drop(all, "{column} numbers the shapes",
        [&](const Candidate& each) { return !shapes.empty() && each.column == shapes[0]; });
   drop_by_headings(all, headings);
-  drop(all, "is the same in every line",
+  drop(all, "{column} is the same in every line",
        [](const Candidate& each) { return each.course.stays_the_same(); });
-  drop(all, "numbers the points", [](const Candidate& each) { return each.course.counts(); });
+  drop(all, "{column} numbers the points",
+       [](const Candidate& each) { return each.course.counts(); });
   drop_gapped_numbers(all);
   const auto left = left_of(all);
   const Candidate &x = all[left[0]], &y = all[left[1]];

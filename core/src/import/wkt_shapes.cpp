@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "evenlift/numbers.h"
+#include "evenlift/wording.h"
 #include "formats/readers.h"
 #include "import/cells.h"
 #include "import/table_headings.h"
@@ -85,9 +86,7 @@ std::optional<InputError> WktReader::take_reference_system(TextCursor& cursor) {
   if (!cursor.take(';')) return cursor.expected("';' after the reference system");
   cursor.skip_white_space();
   if (system_.empty()) system_ = shortest(code);
-  if (!is_in_degrees(code)) return std::nullopt;
-  notes_.are_degrees = true;
-  notes_.who_says_so = "the coordinates";
+  if (is_in_degrees(code)) notes_.are_degrees = true;
   return std::nullopt;
 }
 
@@ -166,7 +165,7 @@ std::optional<InputError> WktReader::take(std::string_view text, TextCursor& cur
 void WktReader::finish() {
   notes_.add_to(gathering_);
   if (!system_.empty() && !notes_.are_degrees)
-    gathering_.note("the reference system (SRID " + system_ + ") was left out");
+    gathering_.note(say("the reference system (SRID {number}) was left out", {system_}));
 }
 
 Result<Import> read_wkt_shapes(std::string_view text, const ImportOptions& options) {
@@ -183,10 +182,11 @@ Result<Import> read_wkt_shapes(std::string_view text, const ImportOptions& optio
   } while (!cursor.at_end() && !gathering.full());
   reader.finish();
   const std::string found = gathering.left_out.list();
-  return gathering.finish(
-      {ErrorCode::unsupported,
-       joined({"this WKT has no polygon", found.empty() ? "" : ", only ", found}),
-       {}});
+  return gathering.finish({ErrorCode::unsupported,
+                           found.empty()
+                               ? say("this {format} has no polygon", {"WKT"})
+                               : say("this {format} has no polygon, only {things}", {"WKT", found}),
+                           {}});
 }
 
 // --- Tables
@@ -268,10 +268,11 @@ Result<Import> WktTable::read() {
   }
   reader_.finish();
   const std::string found = gathering_.left_out.list();
-  return gathering_.finish(
-      {ErrorCode::unsupported,
-       joined({"this table has no polygon", found.empty() ? "" : ", only ", found}),
-       {}});
+  return gathering_.finish({ErrorCode::unsupported,
+                            found.empty()
+                                ? "this table has no polygon"
+                                : say("this table has no polygon, only {things}", {found}),
+                            {}});
 }
 
 }  // namespace

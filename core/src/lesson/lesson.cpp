@@ -3,6 +3,7 @@
 #include <string>
 
 #include "evenlift/link.h"
+#include "evenlift/wording.h"
 
 namespace evenlift {
 namespace {
@@ -39,29 +40,37 @@ struct Absence {
   const Trace& trace;
 
   std::string operator()(const at::Kind& address) const {
-    const std::string word =
-        address.kind == StepKind::outcome ? "pair" : std::string(name(address.kind));
-    const std::uint32_t count = trace.count(address.kind);
-    if (count == 0) return "there is no step [" + word + "] with this polygon and these settings";
-    return "there is no step [" + word + " " + std::to_string(address.item + 1) +
-           "]: with this polygon and these settings there " +
-           (count == 1 ? "is only [" + word + "]"
-                       : "are [" + word + " 1] to [" + word + " " + std::to_string(count) + "]");
+    const std::string word(address.kind == StepKind::outcome ? std::string_view("pair")
+                                                             : name(address.kind));
+    const auto step = [&](std::uint32_t number) {
+      return "[" + word + " " + std::to_string(number) + "]";
+    };
+    const std::uint32_t count = trace.count(address.kind), item = address.item + 1;
+    if (count == 0)
+      return say("there is no step {step} with this polygon and these settings",
+                 {"[" + word + "]"});
+    if (count == 1)
+      return say(
+          "there is no step {step}: with this polygon and these settings there is only {only}",
+          {step(item), "[" + word + "]"});
+    return say(
+        "there is no step {step}: with this polygon and these settings there are {first} to {last}",
+        {step(item), step(1), step(count)});
   }
   std::string operator()(const at::Vertex& address) const {
-    const std::string vertex = std::to_string(address.vertex + 1);
+    const std::uint32_t vertex = address.vertex + 1;
     if (address.vertex >= trace.polygon().size())
-      return "there is no vertex " + vertex + ": the polygon has " +
-             std::to_string(trace.polygon().size()) + " vertices";
-    return "there is no ray from vertex " + vertex + " with these settings";
+      return say("there is no vertex {vertex}: the polygon has {count} vertices",
+                 {vertex, trace.polygon().size()});
+    return say("there is no ray from vertex {vertex} with these settings", {vertex});
   }
   std::string operator()(const at::Edges& address) const {
-    return "edges " + std::to_string(address.a + 1) + " and " + std::to_string(address.b + 1) +
-           " are not examined together: no chord through the centre of mass joins them";
+    return say(
+        "edges {a} and {b} are not examined together: no chord through the centre of mass joins them",
+        {address.a + 1, address.b + 1});
   }
   std::string operator()(const at::Number& address) const {
-    return "there is no step " + std::to_string(address.step + 1) + ": there are " +
-           std::to_string(trace.size());
+    return say("there is no step {step}: there are {count}", {address.step + 1, trace.size()});
   }
   std::string operator()(const at::End&) const { return {}; }  // each trace has an end
 };

@@ -5,9 +5,11 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "evenlift/lesson.h"
 #include "evenlift/numbers.h"
+#include "evenlift/wording.h"
 #include "numbers/utf8.h"
 
 namespace evenlift {
@@ -35,14 +37,17 @@ std::optional<Movable> movable_from_name(std::string_view text) {
   return std::nullopt;
 }
 
+// Two or more words of a lesson, which are the same in all languages: "title, polygon and teams".
+std::string listed(const std::vector<std::string>& words) {
+  std::string ends[] = {words.front(), words.back()};
+  for (std::size_t i = 1; i + 1 < words.size(); ++i) ends[0] += ", " + words[i];
+  return say_written("{first} and {last}", ends, 2);
+}
+
 std::string names_of_movable() {
-  std::string names;
-  for (const auto& movable : movables)
-    names += (names.empty()                    ? ""
-              : movable.part == Movable::cargo ? " and "
-                                               : ", ") +
-             std::string(movable.name);
-  return names;
+  std::vector<std::string> names;
+  for (const auto& movable : movables) names.emplace_back(movable.name);
+  return listed(names);
 }
 
 constexpr std::size_t most_robots_to_place = 64;
@@ -104,7 +109,7 @@ class Reader {
     for (const Key& own : keys)
       if (own.name == key) return (this->*own.take)(value);
     if (setting) return take_setting(value, *setting);
-    refuse("unknown setting; the settings are " + names_of_keys());
+    refuse(say("unknown setting; the settings are {names}", {names_of_keys()}));
   }
 
   void take_title(std::string_view value) {
@@ -170,7 +175,8 @@ class Reader {
     while (true) {
       const std::size_t comma = value.find(',');
       const auto part = movable_from_name(trimmed(value.substr(0, comma)));
-      if (!part) return refuse("what may be moved is one or more of " + names_of_movable());
+      if (!part)
+        return refuse(say("what may be moved is one or more of {names}", {names_of_movable()}));
       if (std::find(may.begin(), may.end(), *part) == may.end()) may.push_back(*part);
       if (comma == std::string_view::npos) break;
       value.remove_prefix(comma + 1);
@@ -234,10 +240,7 @@ class Reader {
     for (const Key& own : keys) names.emplace_back(own.name);
     for (const SettingRow& row : all_settings())
       if (is_key(row)) names.push_back(hyphened(row.name));
-    std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i)
-      text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
-    return text;
+    return listed(names);
   }
 
   // The destination of the words that follow, and the messages if they are too long or missing.

@@ -9,6 +9,7 @@
 #include "evenlift/placement.h"
 #include "evenlift/random.h"
 #include "evenlift/supports.h"
+#include "evenlift/wording.h"
 
 namespace evenlift {
 namespace {
@@ -137,8 +138,8 @@ std::vector<Goalpost> found(const Exercise& exercise, const ShownPlacement& of) 
     const bool carries = of.placement.loads && i < robots.size();
     goals.push_back(
         {"load " + std::to_string(i + 1),
-         "Robot " + std::to_string(i + 1) + " should carry " +
-             load_in_words(reading, largest, of.shown.units),
+         say("Robot {robot} should carry {load}",
+             {i + 1, load_in_words(reading, largest, of.shown.units)}),
          carries ? load_in_words(robots[i].load, largest, of.shown.units) : std::string(),
          carries && std::abs(robots[i].load - reading) <= found_within * of.placement.weight()});
   }
@@ -186,12 +187,13 @@ std::string movable_in_words(const Task& task) {
   static constexpr std::string_view words[] = {"the robots", "the teams", "the centre of mass",
                                                "the shape", "the cargo"};
   std::string text;
-  for (std::size_t i = 0; i < task.may.size(); ++i)
-    text += (i == 0                    ? ""
-             : i + 1 < task.may.size() ? ", "
-                                       : " and ") +
-            std::string(words[static_cast<std::size_t>(task.may[i])]);
-  return "Only " + text + " may be changed.";
+  for (std::size_t i = 0; i < task.may.size(); ++i) {
+    const std::string part(translated(words[static_cast<std::size_t>(task.may[i])]));
+    text = i == 0                    ? part
+           : i + 1 < task.may.size() ? text + ", " + part
+                                     : say("{first} and {last}", {text, part});
+  }
+  return say("Only {parts} may be changed.", {text});
 }
 
 }  // namespace evenlift

@@ -8,6 +8,7 @@
 #include "evenlift/lesson_link.h"
 #include "evenlift/numbers.h"
 #include "evenlift/settings.h"
+#include "evenlift/wording.h"
 #include "link/link_text.h"
 #include "link/payload.h"
 
@@ -124,9 +125,11 @@ Result<Document> decode_version(LinkVersion version, std::size_t begin, std::str
   if (!digits) return digits.error();
   Payload payload = decode_payload(version, *digits);
   if (const UnknownRecord* record = std::get_if<UnknownRecord>(&payload)) {
-    return link_error(ErrorCode::unknown_version,
-                      "the link was made by a newer evenlift: this one does not know its record " +
-                          std::to_string(record->tag));
+    return link_error(
+        ErrorCode::unknown_version,
+        say("the link was made by a newer evenlift: this one does not know its record "
+            "{number}",
+            {record->tag}));
   }
   Document* document = std::get_if<Document>(&payload);
   if (!document || check_linkable(*document)) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "evenlift/wording.h"
 #include "numbers/text_cursor.h"
 
 namespace evenlift {
@@ -68,7 +69,8 @@ InputError bad_character(std::string_view text, std::size_t at) {
     return link_error(ErrorCode::bad_link, "the link is broken by a space or the end of a line",
                       at + 1);
   }
-  return link_error(ErrorCode::bad_link, found_in_text(text, at) + " cannot be in a link", at + 1);
+  return link_error(ErrorCode::bad_link,
+                    say("{character} cannot be in a link", {found_in_text(text, at)}), at + 1);
 }
 
 void append_digits(std::string& link, const Digits& digits) {

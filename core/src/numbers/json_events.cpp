@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "evenlift/wording.h"
 #include "numbers/number_text.h"
 #include "numbers/text_cursor.h"
 
@@ -31,7 +32,8 @@ struct Tap {
 };
 
 // Extracts the reason from the library's message. A message looks like "[...] parse error at line
-// 1, column 3: syntax error while parsing array - REASON; last read: '['; expected ...".
+// 1, column 3: syntax error while parsing array - REASON; last read: '['; expected ...", always in
+// English.
 std::string reason(std::string_view message) {
   const std::size_t start = message.find(" - ");
   if (start == std::string_view::npos) return "this is not valid JSON";
@@ -39,7 +41,7 @@ std::string reason(std::string_view message) {
   // The part "last read" quotes the text and may contain anything, even words that look like the
   // following part, "expected". So only the library's own words count as that part.
   const std::size_t read = message.find("; last read: ");
-  if (read == std::string_view::npos) return "this is not valid JSON: " + std::string(message);
+  if (read == std::string_view::npos) return say("this is not valid JSON: {reason}", {message});
   constexpr std::string_view words[] = {"; expected ':'",
                                         "; expected ']'",
                                         "; expected '}'",
@@ -48,8 +50,9 @@ std::string reason(std::string_view message) {
                                         "; expected '[', '{', or a literal"};
   const auto expected = std::find_if(std::begin(words), std::end(words),
                                      [&](std::string_view end) { return message.ends_with(end); });
-  return "this is not valid JSON: " + std::string(message.substr(0, read)) +
-         std::string(expected == std::end(words) ? std::string_view() : *expected);
+  const std::string_view rest = expected == std::end(words) ? std::string_view() : *expected;
+  return say("this is not valid JSON: {reason}",
+             {std::string(message.substr(0, read)) + std::string(rest)});
 }
 
 // The handler of the library's events.

@@ -1,5 +1,6 @@
 #include "numbers/text_cursor.h"
 
+#include "evenlift/wording.h"
 #include "numbers/number_text.h"
 
 namespace evenlift {
@@ -52,7 +53,7 @@ std::string found_in_text(std::string_view text, std::size_t offset) {
   if (c >= ' ' && c <= '~') return std::string("'") + c + "'";
   static constexpr char hex[] = "0123456789abcdef";
   const auto byte = static_cast<unsigned char>(c);
-  return std::string("the byte 0x") + hex[byte >> 4] + hex[byte & 15];
+  return say("the byte 0x{digits}", {std::string{hex[byte >> 4], hex[byte & 15]}});
 }
 
 bool TextCursor::take(char c) {
@@ -108,7 +109,7 @@ std::optional<InputError> TextCursor::take_number(double& value, const char* wha
 
 InputError TextCursor::expected(const std::string& what) const {
   return error(ErrorCode::bad_syntax,
-               "expected " + what + " but found " + found_in_text(text_, at_));
+               say("expected {what} but found {found}", {what, found_in_text(text_, at_)}));
 }
 
 InputError TextCursor::error(ErrorCode code, std::string message) const {

@@ -19,7 +19,7 @@ InputError text_error(ErrorCode code, std::string message, std::string_view text
                       std::size_t offset);
 
 // Describes the byte at `offset` for messages: "'x'", "the end of the line", "the end of the text".
-// O(1).
+// Put it into a sentence by say(). O(1).
 std::string found_in_text(std::string_view text, std::size_t offset);
 
 bool is_letter(char c);         // of ASCII, in any locale

@@ -13,6 +13,7 @@
 #include "evenlift/settings.h"
 #include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
+#include "evenlift/wording.h"
 #include "placement/describe.h"
 
 namespace evenlift {
@@ -21,11 +22,11 @@ namespace {
 // The error has no place, because a link or a saved result contains the moved robots, and no
 // setting does.
 InputError refused(const std::string& why) {
-  return {ErrorCode::bad_setting, "robots moved by hand: " + why, {}};
+  return {ErrorCode::bad_setting, say("robots moved by hand: {why}", {why}), {}};
 }
 
-std::string numbered(const char* word, std::size_t index) {
-  return word + (" " + std::to_string(index + 1));
+InputError no_such_edge(std::size_t edge) {
+  return refused(say("there is no edge {edge}", {edge + 1}));
 }
 
 // --- Points of edges
@@ -60,7 +61,8 @@ std::optional<InputError> check_balanced(const Placement& placement,
   const Stands* stands = placement.stands.get();
   if (!stands) return std::nullopt;
   for (std::size_t i = 0; i < robots.size(); ++i)
-    if (!stands->can_lift(robots[i])) return refused(numbered("robot", i) + " has no room there");
+    if (!stands->can_lift(robots[i]))
+      return refused(say("robot {robot} has no room there", {i + 1}));
   if (stands->any_collide(robots)) return refused("two robots collide");
   return std::nullopt;
 }
@@ -68,11 +70,10 @@ std::optional<InputError> check_balanced(const Placement& placement,
 std::optional<InputError> move_balanced(Placement& placement,
                                         const std::vector<EdgePoint>& contacts) {
   if (placement.settings.method != Method::balanced || contacts.size() != placement.settings.robots)
-    return refused(std::to_string(contacts.size()) + " balanced robots were not requested");
+    return refused(say("{number} balanced robots were not requested", {contacts.size()}));
   std::vector<LiftingPoint> robots;
   for (const EdgePoint& contact : contacts) {
-    if (contact.edge >= placement.vertices().size())
-      return refused("there is no " + numbered("edge", contact.edge));
+    if (contact.edge >= placement.vertices().size()) return no_such_edge(contact.edge);
     robots.push_back(lifting_point(placement, contact));
   }
   if (auto error = check_balanced(placement, robots)) return error;
@@ -164,16 +165,16 @@ MovedTeam kept(const Placement& placement, std::size_t team, const Turned& turne
 std::optional<InputError> move_team(const Placement& placement, const MovedTeam& moved,
                                     std::vector<Chord>& chords) {
   const std::size_t n = placement.vertices().size();
-  if (moved.team >= chords.size()) return refused("there is no " + numbered("team", moved.team));
+  if (moved.team >= chords.size()) return refused(say("there is no team {team}", {moved.team + 1}));
   for (const std::uint32_t edge : {moved.end.edge, moved.opposite})
-    if (edge >= n) return refused("there is no " + numbered("edge", edge));
+    if (edge >= n) return no_such_edge(edge);
   const Vec2 at = lifting_point(placement, moved.end).position;
   const Vec2 direction = at - placement.centre_of_mass;
   std::optional<Turned> turned;
   if (length(direction) > 0 && moved.end.edge != moved.opposite)
     turned = towards(placement, moved.end.edge, moved.opposite, direction);
   if (!turned || length(turned->on_a - at) > near_distance(placement.polygon().diameter()))
-    return refused(numbered("team", moved.team) + " is outside its range there");
+    return refused(say("team {team} is outside its range there", {moved.team + 1}));
   chords[moved.team] = turned->chord;
   return std::nullopt;
 }

@@ -11,6 +11,7 @@
 #include "evenlift/settings.h"
 #include "evenlift/supports.h"
 #include "evenlift/swaps.h"
+#include "evenlift/wording.h"
 #include "placement/describe.h"
 
 namespace evenlift {
@@ -146,10 +147,12 @@ Result<std::vector<Candidate>> candidates_of(const Polygon& polygon, const Vec2&
 std::optional<InputError> check_balanced(const Settings& settings) {
   const std::uint32_t least = 2 * settings.survive + 3;
   if (settings.survive == 0 || settings.robots >= least) return std::nullopt;
-  return setting_error(Setting::survive, "surviving " + std::to_string(settings.survive) +
-                                             (settings.survive == 1 ? " failure" : " failures") +
-                                             " takes at least " + std::to_string(least) +
-                                             " robots, not " + std::to_string(settings.robots));
+  return setting_error(
+      Setting::survive,
+      say(settings.survive == 1
+              ? "surviving {number} failure takes at least {least} robots, not {robots}"
+              : "surviving {number} failures takes at least {least} robots, not {robots}",
+          {settings.survive, least, settings.robots}));
 }
 
 std::optional<InputError> check_given(const Settings& settings, const Shown& shown) {
@@ -160,8 +163,8 @@ std::optional<InputError> check_given(const Settings& settings, const Shown& sho
   const std::size_t capacities = shown.support_capacities.size();
   if (capacities == 0 || capacities == settings.supports.size()) return std::nullopt;
   return setting_error(Setting::support_capacities,
-                       std::to_string(capacities) + " capacities are given for " +
-                           std::to_string(settings.supports.size()) + " supports");
+                       say("{capacities} capacities are given for {supports} supports",
+                           {capacities, settings.supports.size()}));
 }
 
 }  // namespace

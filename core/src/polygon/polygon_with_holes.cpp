@@ -6,6 +6,7 @@
 
 #include "evenlift/plane.h"
 #include "evenlift/predicates.h"
+#include "evenlift/wording.h"
 #include "exact/sorted_indices.h"
 #include "polygon/moments.h"
 #include "polygon/ring_sweep.h"
@@ -58,8 +59,8 @@ std::optional<InputError> check_inside(const RingSweep& swept) {
     const std::optional<std::size_t> around = swept.around[hole + 1];
     if (around == std::size_t{0}) continue;
     return in_hole(hole, {ErrorCode::hole_outside,
-                          around ? "the hole lies in hole " + std::to_string(*around)
-                                 : std::string("the hole lies outside the polygon"),
+                          around ? say("the hole lies in hole {hole}", {*around})
+                                 : "the hole lies outside the polygon",
                           {}});
   }
   return std::nullopt;

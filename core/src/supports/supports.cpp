@@ -10,6 +10,7 @@
 #include "evenlift/plane.h"
 #include "evenlift/settings.h"
 #include "evenlift/tolerance.h"
+#include "evenlift/wording.h"
 #include "numbers/number_text.h"
 #include "polygon/coordinates.h"
 
@@ -45,10 +46,10 @@ InputError error_at(std::size_t number, std::string why) {
 
 std::string why_refused(const PolygonWithHoles& object, const SupportPlacer& placer,
                         const Vec2& support) {
-  const std::string at = "(" + shortest(support.x()) + ", " + shortest(support.y()) + ") is ";
+  const std::string at = "(" + shortest(support.x()) + ", " + shortest(support.y()) + ")";
   if (const auto hole = object.hole_around(support))
-    return at + "in hole " + std::to_string(*hole + 1);
-  return at + in_brief(placer.distance(support)) + " outside the object";
+    return say("{point} is in hole {hole}", {at, *hole + 1});
+  return say("{point} is {distance} outside the object", {at, in_brief(placer.distance(support))});
 }
 
 }  // namespace

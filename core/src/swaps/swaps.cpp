@@ -7,6 +7,7 @@
 #include "evenlift/selection.h"
 #include "evenlift/settings.h"
 #include "evenlift/tolerance.h"
+#include "evenlift/wording.h"
 #include "grasp/hold_levels.h"
 #include "swaps/rounds.h"
 
@@ -157,14 +158,14 @@ std::optional<InputError> check_swaps(std::size_t candidates, std::size_t teams,
   const std::size_t placed = teams < candidates ? teams : candidates;
   if (placed == candidates && !stands) return std::nullopt;
   if (placed > most_swapped_teams)
-    return setting_error(Setting::goal, "at most " + std::to_string(most_swapped_teams) +
-                                            " teams can be swapped for a hold, not " +
-                                            std::to_string(placed));
-  if (static_cast<std::uint64_t>(placed) * candidates > most_swaps)
     return setting_error(Setting::goal,
-                         "the object has " + std::to_string(candidates) +
-                             " candidates, too many to swap " + std::to_string(placed) +
-                             " teams among them for a hold; raise the minimum load ratio");
+                         say("at most {most} teams can be swapped for a hold, not {teams}",
+                             {most_swapped_teams, placed}));
+  if (static_cast<std::uint64_t>(placed) * candidates > most_swaps)
+    return setting_error(
+        Setting::goal, say("the object has {candidates} candidates, too many to swap {teams} teams "
+                           "among them for a hold; raise the minimum load ratio",
+                           {candidates, placed}));
   return std::nullopt;
 }
 

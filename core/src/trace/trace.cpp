@@ -11,6 +11,7 @@
 #include "evenlift/stands.h"
 #include "evenlift/swaps.h"
 #include "evenlift/tolerance.h"
+#include "evenlift/wording.h"
 #include "trace/balanced_steps.h"
 
 namespace evenlift {
@@ -188,11 +189,11 @@ std::uint64_t write_blocks(Trace& trace) {
 
 std::optional<InputError> check_steps(std::uint64_t steps) {
   if (steps <= max_trace_steps) return std::nullopt;
-  return InputError{ErrorCode::unsupported,
-                    "the algorithm takes at least " + std::to_string(steps) +
-                        " steps here, more than the " + std::to_string(max_trace_steps) +
-                        " that can be shown",
-                    {}};
+  return InputError{
+      ErrorCode::unsupported,
+      say("the algorithm takes at least {steps} steps here, more than the {most} that can be shown",
+          {std::to_string(steps), max_trace_steps}),
+      {}};
 }
 
 // The candidates, and the source of each.

@@ -3,6 +3,7 @@
 #include "evenlift/experiment/figures.h"
 #include "evenlift/output/json_text.h"
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 #include "experiment/thesis/claims_sections.h"
 #include "experiment/thesis/markdown.h"
 
@@ -13,13 +14,15 @@ std::string percent(double share, int decimals) { return fixed(100 * share, deci
 
 std::string rate(const Count& count) {
   if (count.of == 0) return none;
-  return percent(static_cast<double>(count.yes) / count.of) + " (" + std::to_string(count.yes) +
-         " of " + std::to_string(count.of) + ")";
+  return say("{share} ({count} of {all})",
+             {percent(static_cast<double>(count.yes) / count.of), count.yes, count.of});
 }
 
 std::string with_deviation(const std::string& value, const std::optional<double>& deviation,
                            double scale, int decimals, const char* unit) {
-  return value + (deviation ? " (s.d. " + fixed(scale * *deviation, decimals) + unit + ")" : "");
+  return deviation ? say("{value} (s.d. {deviation})",
+                         {value, fixed(scale * *deviation, decimals) + unit})
+                   : value;
 }
 
 }  // namespace claims

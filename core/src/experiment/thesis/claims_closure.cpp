@@ -1,4 +1,6 @@
+#include "evenlift/wording.h"
 #include "experiment/thesis/claims_sections.h"
+#include "experiment/thesis/sentences.h"
 
 namespace evenlift::experiment::claims {
 namespace {
@@ -7,8 +9,12 @@ namespace {
 struct Reading {
   Closed closed;
   std::optional<double> Aggregate::*rate;
-  std::uint32_t Aggregate::*of;
+  std::uint32_t Aggregate::*possible;
   const char* in_words;  // appended to the name of the quantity
+
+  std::string of(std::string_view what) const {
+    return std::string(translated(what)) + std::string(translated(in_words));
+  }
 };
 constexpr Reading readings[] = {
     {&Measurement::form_closure, &Aggregate::form_closure, &Aggregate::closable, ""},
@@ -17,15 +23,11 @@ constexpr Reading readings[] = {
 
 std::string lost_in_words(const Lost& lost) {
   if (lost.steps.of == 0) return none;
-  if (lost.steps.yes == 0) return "never (in " + std::to_string(lost.steps.of) + " steps)";
-  std::string text = std::to_string(lost.steps.yes) + " of " + std::to_string(lost.steps.of) +
-                     " steps, on the way to ";
-  for (std::size_t i = 0; i < lost.robots.size(); ++i)
-    text += (i == 0                        ? ""
-             : i + 1 == lost.robots.size() ? " and "
-                                           : ", ") +
-            std::to_string(lost.robots[i]);
-  return text + " robots";
+  if (lost.steps.yes == 0) return say("never (in {steps} steps)", {lost.steps.of});
+  std::vector<std::string> numbers;
+  for (const std::uint32_t robots : lost.robots) numbers.push_back(std::to_string(robots));
+  return say("{lost} of {steps} steps, on the way to {numbers} robots",
+             {lost.steps.yes, lost.steps.of, listed(numbers)});
 }
 
 // The numbers of robots from 4 to 12 for which no method of teams passes the test on more polygons
@@ -48,13 +50,13 @@ void add_rates(std::vector<Claim>& claims, const Rows& rows, const Reading& read
                std::uint32_t robots, Method stated_method, const char* stated) {
   for (const Method method : pair_methods) {
     const Aggregate* a = find(rows, method, robots);
-    claims.push_back({"5.5",
-                      "In form closure with " + std::to_string(robots) + " robots, " +
-                          std::string(name(method)) + reading.in_words,
-                      method == stated_method ? stated : none,
-                      a && a->*reading.rate ? percent(*(a->*reading.rate)) + " (of " +
-                                                  std::to_string(a->*reading.of) + ")"
-                                            : none});
+    claims.push_back(
+        {"5.5",
+         reading.of(say("In form closure with {robots} robots, {method}", {robots, name(method)})),
+         method == stated_method ? stated : none,
+         a && a->*reading.rate
+             ? say("{share} (of {number})", {percent(*(a->*reading.rate)), a->*reading.possible})
+             : none});
   }
 }
 
@@ -62,34 +64,36 @@ std::string never_closed(const Results& results, const Reading& reading) {
   std::uint32_t measured = 0;
   for (const PolygonResult& result : results) measured += !result.measurements.empty();
   const Count possible = closed(results, reading.closed);
-  return std::to_string(measured - possible.of) + " of " + std::to_string(measured);
+  return say("{count} of {all}", {measured - possible.of, measured});
 }
 
 void add_reading(std::vector<Claim>& claims, const Results& results, const Rows& rows,
                  const Reading& reading) {
-  const std::string how = reading.in_words;
-  claims.push_back({"5.5", "Polygons that no method brings into form closure" + how, "12",
+  claims.push_back({"5.5", reading.of("Polygons that no method brings into form closure"), "12",
                     never_closed(results, reading)});
   add_rates(claims, rows, reading, 4, Method::distributed, "41 %");
   add_rates(claims, rows, reading, 8, Method::distance, "80 %");
   claims.push_back(
-      {"5.5", "In form closure with 8 robots, distance, polygons with at most 12 vertices" + how,
+      {"5.5",
+       reading.of("In form closure with 8 robots, distance, polygons with at most 12 vertices"),
        none, rate(closed_with(results, reading.closed, Method::distance, 8, 12))});
   claims.push_back(
       {"5.5",
-       "Numbers of robots up to 12 with which distributed has the most polygons in form closure" +
-           how,
+       reading.of("Numbers of robots up to 12 with which distributed has the most polygons in form "
+                  "closure"),
        "all", distributed_leads(rows, reading)});
   for (const Method method : candidate_methods)
-    claims.push_back({"5.5",
-                      "Form closure lost by adding a team, " + std::string(name(method)) + how,
-                      "never", lost_in_words(closure_lost(results, reading.closed, method))});
-  claims.push_back({"5.5", "Form closure lost by adding a team, distributed" + how,
-                    "on the way to 14 and 18 robots",
-                    lost_in_words(closure_lost(results, reading.closed, Method::distributed))});
+    claims.push_back(
+        {"5.5", reading.of(say("Form closure lost by adding a team, {method}", {name(method)})),
+         "never", lost_in_words(closure_lost(results, reading.closed, method))});
+  claims.push_back(
+      {"5.5", reading.of(say("Form closure lost by adding a team, {method}", {"distributed"})),
+       "on the way to 14 and 18 robots",
+       lost_in_words(closure_lost(results, reading.closed, Method::distributed))});
   claims.push_back(
       {"5.5",
-       "Polygons in form closure by the algorithm, of those in form closure by any method" + how,
+       reading.of(
+           "Polygons in form closure by the algorithm, of those in form closure by any method"),
        "over 88 %", rate(closed(results, reading.closed))});
 }
 

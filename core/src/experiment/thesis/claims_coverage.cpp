@@ -1,5 +1,6 @@
 #include "evenlift/experiment/algorithm_average.h"
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 #include "experiment/thesis/claims_sections.h"
 
 namespace evenlift::experiment::claims {
@@ -75,8 +76,8 @@ void add_comparisons(std::vector<Claim>& claims, const Results& results) {
       {"5.4",
        "Coverage with 12 robots before and after the centre of mass is moved, worst case (figure 5.9)",
        "84.71 % to 12.98 %",
-       loss ? percent(loss->before, 2) + " to " + percent(loss->after, 2) + " (" + loss->polygon +
-                  ")"
+       loss ? say("{least} to {most}", {percent(loss->before, 2), percent(loss->after, 2)}) + " (" +
+                  loss->polygon + ")"
             : none});
 }
 

@@ -1,5 +1,6 @@
 #include "evenlift/experiment/algorithm_average.h"
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 #include "experiment/thesis/claims_sections.h"
 
 namespace evenlift::experiment::claims {
@@ -35,8 +36,7 @@ void add_spreads(std::vector<Claim>& claims, const Rows& rows, std::uint32_t rob
   for (const auto& [method, value] : stated) {
     const Aggregate* a = find(rows, method, robots);
     claims.push_back(
-        {"5.3",
-         "Spread of loads with " + std::to_string(robots) + " robots, " + std::string(name(method)),
+        {"5.3", say("Spread of loads with {robots} robots, {method}", {robots, name(method)}),
          value,
          a ? with_deviation(fixed(a->spread.mean, 2) + " kg", a->spread.deviation, 1, 2, " kg")
            : none});
@@ -52,8 +52,8 @@ void add_ranges(std::vector<Claim>& claims, const Rows& rows, std::uint32_t robo
     const Aggregate* a = find(rows, method, robots);
     claims.push_back(
         {"5.3",
-         "Range of loads with " + std::to_string(robots) + " robots, mean ± half the spread, " +
-             std::string(name(method)),
+         say("Range of loads with {robots} robots, mean ± half the spread, {method}",
+             {robots, name(method)}),
          value,
          a ? fixed(mean - a->spread.mean / 2, 2) + "–" + fixed(mean + a->spread.mean / 2, 2) + " kg"
            : none});
@@ -64,7 +64,7 @@ void add_shares(std::vector<Claim>& claims, const Rows& rows) {
   for (const auto& [method, value] : shares_of_10_teams) {
     const Aggregate* a = find(rows, method, 20);
     claims.push_back(
-        {"5.3", "Shares of the team’s load with 10 teams, " + std::string(name(method)), value,
+        {"5.3", say("Shares of the team’s load with 10 teams, {method}", {name(method)}), value,
          a ? with_deviation(
                  fixed(100 - 100 * a->max_share.mean, 1) + "–" + percent(a->max_share.mean, 1),
                  a->max_share.deviation, 100, 1, " %")
@@ -78,8 +78,8 @@ std::string robots_needed(const Rows& rows, Method method, double capacity) {
   for (const Aggregate& a : rows)
     if (a.method == method && a.load_max.mean <= capacity && (!least || a.robots < least->robots))
       least = &a;
-  return least ? std::to_string(least->robots) + " (" + fixed(least->load_max.mean, 2) + " kg, " +
-                     std::to_string(least->polygons) + " polygons)"
+  return least ? say("{robots} ({load} kg, {polygons} polygons)",
+                     {least->robots, fixed(least->load_max.mean, 2), least->polygons})
                : none;
 }
 
@@ -90,8 +90,9 @@ void add_robots_needed(std::vector<Claim>& claims, const Rows& rows) {
                                                        : "22";
     claims.push_back(
         {"5.3",
-         "Fewest robots with a greatest load of at most 5 kg of 100 kg, averaged over the polygons, " +
-             std::string(name(method)),
+         say("Fewest robots with a greatest load of at most 5 kg of 100 kg, averaged over the "
+             "polygons, {method}",
+             {name(method)}),
          stated, robots_needed(rows, method, 5)});
   }
 }
@@ -100,8 +101,8 @@ void add_times(std::vector<Claim>& claims, const Rows& rows, std::uint32_t most_
   const auto add = [&](const std::string& where, const char* stated, auto made) {
     for (const Method method : {Method::distributed, Method::random})
       claims.push_back({"6.1",
-                        "Spread of loads of " + std::string(name(method)) +
-                            " in multiples of the algorithm’s, " + where,
+                        say("Spread of loads of {method} in multiples of the algorithm’s, {where}",
+                            {name(method), where}),
                         stated, made(method)});
   };
   add("over the numbers of robots shown", "5–8", [&](Method method) -> std::string {

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "evenlift/experiment/figures.h"
+#include "evenlift/wording.h"
 #include "experiment/thesis/by_polygon.h"
 #include "experiment/thesis/sentences.h"
 
@@ -21,11 +22,12 @@ std::uint32_t most_robots(const PolygonResult& result) {
 }
 
 std::string random_note(const ExperimentSettings& settings) {
-  return " Random is the mean of " + std::to_string(settings.samples) + " placement" +
-         (settings.samples == 1 ? "." : "s.");
+  return " " + say(settings.samples == 1 ? "Random is the mean of {number} placement."
+                                         : "Random is the mean of {number} placements.",
+                   {settings.samples});
 }
 
-// "With 6 robots 12.3 kg by area, ... and 15.0 kg at random."
+// "With 6 robots: 12.3 kg by area, ... and 15.0 kg at random."
 template <class Write>
 std::string by_every_method(const PolygonResult& result, Value value, Write write) {
   const std::uint32_t robots = std::min<std::uint32_t>(6, most_robots(result));
@@ -33,7 +35,7 @@ std::string by_every_method(const PolygonResult& result, Value value, Write writ
   for (const Method method : all_methods)
     if (const Measurement* m = find(result, method, robots))
       items.push_back(write(m->*value) + " " + by(method));
-  return "With " + of_robots(robots) + ": " + listed(items) + ".";
+  return say("With {robots} robots: {values}.", {robots, listed(items)});
 }
 
 bool has(const PolygonResult& result, Method method) {
@@ -45,13 +47,13 @@ bool has(const PolygonResult& result, Method method) {
 std::string first_closed(const PolygonResult& result, Method method) {
   for (const Measurement& m : result.measurements)
     if (m.method == method && m.form_closure > 0)
-      return by(method) + " with " + of_robots(m.robots);
-  return by(method) + " with none";
+      return say("{how} with {robots} robots", {by(method), m.robots});
+  return say("{how} with none", {by(method)});
 }
 
 // Equal angles and balanced robots are placed independently for each number, so form closure may be
-// lost again. `who` names these robots.
-std::string lost_again(const PolygonResult& result, Method method, const std::string& who) {
+// lost again. `sentence` has a place for the numbers.
+std::string lost_again(const PolygonResult& result, Method method, const char* sentence) {
   std::vector<std::string> numbers;
   const Measurement* before = nullptr;
   for (const Measurement& m : result.measurements) {
@@ -61,7 +63,7 @@ std::string lost_again(const PolygonResult& result, Method method, const std::st
     before = &m;
   }
   if (numbers.empty()) return "";
-  return " " + who + " lose it again with " + listed(numbers) + " robots.";
+  return " " + say(sentence, {listed(numbers)});
 }
 
 std::string closure_sentence(const PolygonResult& result) {
@@ -69,10 +71,12 @@ std::string closure_sentence(const PolygonResult& result) {
   for (const Method method : all_methods)
     if (method != Method::random && has(result, method))
       items.push_back(first_closed(result, method));
-  return "First in form closure " + listed(items) + "." +
-         lost_again(result, Method::distributed, "Equal angles") +
-         lost_again(result, Method::balanced, "Balanced robots") +
-         " For random, the chart shows the share of placements in form closure.";
+  return say("First in form closure {how}.", {listed(items)}) +
+         lost_again(result, Method::distributed,
+                    "Equal angles lose it again with {numbers} robots.") +
+         lost_again(result, Method::balanced,
+                    "Balanced robots lose it again with {numbers} robots.") +
+         " " + say("For random, the chart shows the share of placements in form closure.");
 }
 
 Figure figure_of(const PolygonResult& result, const char* id, const char* title,

@@ -26,7 +26,6 @@ std::string closure_sentence(const std::vector<Aggregate>&, std::uint32_t);
 std::string in_unit(double value, const std::string& unit);
 std::string in_kg(double value);
 std::string in_percent(double share);
-std::string of_robots(std::uint32_t robots);  // "6 robots"
 // The method of placement in words: "by area", "at equal angles", "in balance".
 std::string by(Method method);
 // "1, 2 and 3"; empty if there are no items.

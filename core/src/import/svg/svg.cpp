@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "evenlift/link.h"
+#include "evenlift/wording.h"
 #include "import/readers.h"
 #include "import/svg/svg_element.h"
 #include "import/svg/svg_reader.h"
@@ -82,7 +83,8 @@ Result<pugi::xml_node> SvgReader::load() {
                       "the SVG is not well-formed XML: a second drawing begins here");
   if (local_name(root) != "svg")
     return InputError{ErrorCode::unsupported,
-                      "this XML is not SVG: its root element is <" + clean_name(root.name()) + ">",
+                      say("this XML is not SVG: its root element is {element}",
+                          {"<" + clean_name(root.name()) + ">"}),
                       {}};
   return root;
 }
@@ -121,13 +123,15 @@ void SvgReader::start_again() {
 void SvgReader::say_what_is_unseen() {
   std::string names;
   for (std::size_t i = 0; i < hidden_names_.size(); ++i) {
-    const std::string& name = hidden_names_[i];
-    names += i == 0 ? " (" : i + 1 == hidden_names_.size() ? " and " : ", ";
-    names += name.empty() ? "others" : "\"" + name + "\"";
+    const std::string name = hidden_names_[i].empty() ? "others" : in_quotes(hidden_names_[i]);
+    names = i == 0                         ? name
+            : i + 1 < hidden_names_.size() ? names + ", " + name
+                                           : say("{first} and {last}", {names, name});
   }
-  if (!names.empty()) names += ")";
   LeftOut& left_out = gathering_.left_out;
-  const std::string one = "hidden element" + names, many = "hidden elements" + names;
+  const bool named = !names.empty();
+  const std::string one = named ? say("hidden element ({names})", {names}) : "hidden element",
+                    many = named ? say("hidden elements ({names})", {names}) : "hidden elements";
   for (std::size_t i = 0; i < hidden_; ++i) left_out.add(one, many);
   for (std::size_t i = 0; i < hairs_; ++i) left_out.add("loop of a hair", "loops of a hair");
   if (takes_unpainted_ && unpainted_ > 0)
@@ -140,9 +144,10 @@ void SvgReader::say_what_is_unseen() {
 
 InputError SvgReader::nothing_found() const {
   const std::string found = gathering_.left_out.list();
-  std::string message = "this SVG has no closed shape";
-  if (!found.empty()) message += ", only " + found;
-  if (has_texts_) message += " (in Inkscape: Path, Object to Path turns texts into outlines)";
+  std::string message = found.empty() ? say("this SVG has no closed shape")
+                                      : say("this SVG has no closed shape, only {things}", {found});
+  if (has_texts_)
+    message += " " + say("(in Inkscape: Path, Object to Path turns texts into outlines)");
   return {ErrorCode::unsupported, message, {}};
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "curves/outline.h"
+#include "evenlift/wording.h"
 #include "import/gathering.h"
 #include "import/svg/svg_paper.h"
 #include "import/svg/svg_style.h"
@@ -51,7 +52,7 @@ class SvgReader {
   template <class T>
   std::optional<T> checked(const pugi::xml_node& node, const char* what, SvgResult<T> result) {
     if (auto* wrong = std::get_if<SvgProblem>(&result)) {
-      problem(node, joined({"the SVG's ", what, ", ", wrong->what}));
+      problem(node, say("the SVG's {part}, {problem}", {what, wrong->what}));
       return std::nullopt;
     }
     return std::get<0>(std::move(result));

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evenlift/wording.h"
 #include "import/svg/svg_element.h"
 #include "import/svg/svg_reader.h"
 
@@ -175,7 +176,7 @@ void SvgReader::points(const pugi::xml_node& node, const Context& context,
   const auto values = checked(node, what, svg_numbers(value_of(node, "points")));
   if (!values) return;
   if (values->size() % 2 != 0)
-    return problem(node, joined({"the SVG's ", what, ": the last point has no y"}));
+    return problem(node, say("the SVG's {part}: the last point has no y", {what}));
   if (values->empty()) return;
   Outline outline;
   outline.start = {(*values)[0], (*values)[1]};

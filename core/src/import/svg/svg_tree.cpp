@@ -1,6 +1,7 @@
 // The tree of an SVG's elements: what is seen, where, and how often.
 #include <algorithm>
 
+#include "evenlift/wording.h"
 #include "import/svg/svg_element.h"
 #include "import/svg/svg_reader.h"
 #include "numbers/text_cursor.h"
@@ -102,9 +103,9 @@ bool SvgReader::transform(const pugi::xml_node& node, const SvgDeclared& declare
   for (const Mover& mover : movers) {
     const std::string_view value = declared[mover.property];
     if (value.empty() || same_word(value, "none")) continue;
-    problem(node, joined({"the SVG moves a shape by the style \"", mover.name,
-                          "\", which is not supported; use a transform (in Inkscape: save as "
-                          "Plain SVG)"}));
+    problem(node, say("the SVG moves a shape by the style {name}, which is not supported; use a "
+                      "transform (in Inkscape: save as Plain SVG)",
+                      {in_quotes(mover.name)}));
     return false;
   }
   const std::string_view text = declared[SvgProperty::transform];

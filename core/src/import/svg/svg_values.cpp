@@ -6,6 +6,8 @@
 
 #include "evenlift/angles.h"
 #include "evenlift/document.h"
+#include "evenlift/wording.h"
+#include "import/gathering.h"
 #include "numbers/number_text.h"
 #include "numbers/text_cursor.h"
 
@@ -146,7 +148,7 @@ SvgResult<double> origin_along(std::string_view word, std::optional<double> whol
     if (!same_word(word, name)) continue;
     if (part == 0) return 0.0;
     if (whole) return part * *whole;
-    return SvgProblem{"\"" + std::string(word) + "\" is a place in a drawing without a size"};
+    return SvgProblem{say("{word} is a place in a drawing without a size", {in_quotes(word)})};
   }
   auto length = svg_length(word, whole);
   if (auto* problem = std::get_if<SvgProblem>(&length)) return std::move(*problem);
@@ -154,7 +156,7 @@ SvgResult<double> origin_along(std::string_view word, std::optional<double> whol
 }
 
 std::string at_character(std::size_t offset, const char* what) {
-  return "character " + std::to_string(offset + 1) + ": " + what;
+  return say("character {number}: {problem}", {offset + 1, what});
 }
 
 // Reads a path from front to back, one command after another.
@@ -405,17 +407,18 @@ std::string_view svg_trimmed(std::string_view text) {
 SvgResult<std::optional<double>> svg_length(std::string_view text, std::optional<double> whole) {
   text = svg_trimmed(text);
   if (text.empty() || text == "auto") return std::optional<double>();
-  const auto quoted = [&] { return "\"" + std::string(text.substr(0, 20)) + "\""; };
+  const auto shown = [&] { return in_quotes(text.substr(0, 20)); };
   const ScannedNumber number = scan_number(text);
-  if (number.kind != ScannedNumber::Kind::finite) return SvgProblem{quoted() + " is not a length"};
+  if (number.kind != ScannedNumber::Kind::finite)
+    return SvgProblem{say("{text} is not a length", {shown()})};
   const std::string_view unit = svg_trimmed(text.substr(number.length));
   if (unit == "%") {
     if (whole) return std::optional<double>(number.value / 100 * *whole);
-    return SvgProblem{quoted() + " is a part of a drawing without a size"};
+    return SvgProblem{say("{text} is a part of a drawing without a size", {shown()})};
   }
   if (const auto size = unit_size(unit, length_units))
     return std::optional<double>(number.value * *size);
-  return SvgProblem{"the unit of " + quoted() + " is unknown to evenlift"};
+  return SvgProblem{say("the unit of {text} is unknown to evenlift", {shown()})};
 }
 
 SvgResult<Affine> svg_transform(std::string_view text) {
@@ -429,9 +432,9 @@ SvgResult<Affine> svg_transform(std::string_view text) {
     const std::size_t open = text.find_first_not_of(" \t\r\n", letters);
     const std::size_t close = text.find(')');
     const auto refused = [&] {
-      return SvgProblem{"the transform \"" +
-                        std::string(text.substr(0, std::min<std::size_t>(close, 60))) +
-                        (close < 60 ? ")" : "") + "\" is not understood"};
+      const std::string shown(text.substr(0, std::min<std::size_t>(close, 60)));
+      return SvgProblem{say("the transform {text} is not understood",
+                            {in_quotes(shown + (close < 60 ? ")" : ""))})};
     };
     if (open == std::string_view::npos || text[open] != '(' || close == std::string_view::npos ||
         close < open)

@@ -9,6 +9,7 @@
 #include "evenlift/numbers.h"
 #include "evenlift/output/json_text.h"
 #include "evenlift/placed_robots.h"
+#include "evenlift/wording.h"
 
 namespace evenlift {
 namespace {
@@ -112,18 +113,21 @@ std::string vector_in_yaml(std::initializer_list<std::pair<const char*, double>>
 
 std::string as_yaml(const std::vector<PlacedRobot>& robots, bool carried, const Units& units,
                     const PoseOptions& options) {
-  std::string text = "# geometry_msgs/msg/PoseArray, in metres; x of each pose faces the object\n";
+  std::string text =
+      "# " + say("geometry_msgs/msg/PoseArray, in metres; x of each pose faces the object") + "\n";
   if (units.length == LengthUnit::none)
-    text += "# The object has no unit: its coordinates are taken for metres\n";
+    text += "# " + say("The object has no unit: its coordinates are taken for metres") + "\n";
   text += "header:\n  stamp: {sec: 0, nanosec: 0}\n  frame_id: \"" + options.frame + "\"\n";
   text += robots.empty() ? "poses: []\n" : "poses:\n";
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const PlacedRobot& robot = robots[i];
     const auto [z, w] = half_turn(robot.direction);
-    text += "  # Robot " + std::to_string(i + 1) + " (team " + std::to_string(robot.team + 1) +
-            ") carries " +
-            (carried ? shortest(robot.load) + " " + std::string(name(units.weight))
-                     : "nothing: the object falls") +
+    text += "  # " +
+            (carried ? say("Robot {robot} (team {team}) carries {load}",
+                           {i + 1, robot.team + 1,
+                            shortest(robot.load) + " " + std::string(name(units.weight))})
+                     : say("Robot {robot} (team {team}) carries nothing: the object falls",
+                           {i + 1, robot.team + 1})) +
             "\n";
     text += "  - position: " +
             vector_in_yaml({{"x", in_metres(robot.at.x(), units.length)},

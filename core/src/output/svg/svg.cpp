@@ -14,6 +14,7 @@
 #include "evenlift/output/picture.h"
 #include "evenlift/output/words.h"
 #include "evenlift/stands.h"
+#include "evenlift/wording.h"
 #include "output/svg/svg_bodies.h"
 #include "output/svg/svg_caption.h"
 #include "output/svg/svg_cargo.h"
@@ -105,23 +106,24 @@ class Drawing {
   }
 
   std::string title() const {
-    const std::size_t teams = placement_.teams.size();
     const std::size_t robots = count_robots(placement_.teams);
     if (placement_.settings.method == Method::given)
-      return count_of(robots, "robot", "robots") + " that already stand, below " + object_named();
+      return say("{robots} that already stand, below {object}",
+                 {count_of(robots, "robot", "robots"), object_named()});
     if (placement_.settings.method == Method::balanced)
-      return count_of(robots, "balanced robot", "balanced robots") + " lifting " + object_named();
-    return std::to_string(teams) + (teams == 1 ? " team" : " teams") + " of two robots lifting " +
-           object_named();
+      return say("{robots} lifting {object}",
+                 {count_of(robots, "balanced robot", "balanced robots"), object_named()});
+    return say("{teams} of two robots lifting {object}",
+               {count_of(placement_.teams.size(), "team", "teams"), object_named()});
   }
 
   std::string object_named() const {
     const std::size_t holes = placement_.object.holes().size();
     const bool has_cargo = !placement_.settings.cargo.empty();
-    std::string words = "a polygonal object";
-    if (holes > 0) words += " with " + count_of(holes, "hole", "holes");
-    if (has_cargo) words += holes > 0 ? " and cargo" : " with cargo";
-    return words;
+    if (holes == 0) return say(has_cargo ? "a polygonal object with cargo" : "a polygonal object");
+    return say(
+        has_cargo ? "a polygonal object with {holes} and cargo" : "a polygonal object with {holes}",
+        {count_of(holes, "hole", "holes")});
   }
 
   std::string drawn(const Shape& shape) {

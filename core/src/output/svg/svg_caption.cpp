@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "evenlift/output/carrying_words.h"
+#include "evenlift/wording.h"
 #include "output/svg/svg_cargo.h"
 #include "output/svg/svg_carrying.h"
 #include "output/svg/svg_markup.h"
@@ -19,26 +20,33 @@ std::string settings_line(const ShownPlacement& of) {
   const Shown& shown = of.shown;
   const Settings& settings = placement.settings;
   const bool by_ratio = selects_candidates(settings.method);
-  std::string line = "Method: " + method_in_words(settings.method);
-  if (settings.method == Method::random) line += ", seed " + std::to_string(settings.seed);
+  const std::string method = method_in_words(settings.method);
+  std::string line =
+      settings.method == Method::random
+          ? say("Method: {method}, seed {seed}", {method, std::to_string(settings.seed)})
+          : say("Method: {method}", {method});
   line += " · " + (is_one_team(settings.method)
                        ? count_of(count_robots(placement.teams), "robot", "robots")
                        : count_of(placement.teams.size(), "team", "teams"));
-  if (by_ratio) line += " · minimum load ratio " + plain(settings.min_ratio);
-  line += " · coverage " + percentage(placement.coverage);
-  if (shown.capacity) line += " · a robot can carry " + given_weight(*shown.capacity, shown.units);
+  const auto add = [&](const char* pattern, std::initializer_list<Value> values = {}) {
+    line += " · " + say(pattern, values);
+  };
+  if (by_ratio) add("minimum load ratio {ratio}", {plain(settings.min_ratio)});
+  add("coverage {coverage}", {percentage(placement.coverage)});
+  if (shown.capacity)
+    add("a robot can carry {weight}", {given_weight(*shown.capacity, shown.units)});
   if (shown.com_radius > 0)
-    line += " · C uncertainty " + with_length_unit(plain(shown.com_radius), shown.units);
+    add("C uncertainty {length}", {with_length_unit(plain(shown.com_radius), shown.units)});
   const Carrying& carrying = shown.carrying;
   if (carrying.com_height > 0)
-    line += " · C at a height of " + with_length_unit(plain(carrying.com_height), shown.units);
-  if (carrying.slope > 0) line += " · slopes up to " + slope_in_words(carrying.slope);
-  line += placement.closure.form_closure ? " · form closure" : " · no form closure";
+    add("C at a height of {length}", {with_length_unit(plain(carrying.com_height), shown.units)});
+  if (carrying.slope > 0) add("slopes up to {slope}", {slope_in_words(carrying.slope)});
+  add(placement.closure.form_closure ? "form closure" : "no form closure");
   if (const std::size_t holes = placement.object.holes().size())
-    line += " · " + std::to_string(holes) + (holes == 1 ? "\u00A0hole" : "\u00A0holes");
+    add(holes == 1 ? "{holes}\u00A0hole" : "{holes}\u00A0holes", {holes});
   if (const std::size_t items = settings.cargo.size())
-    line += " · " + std::to_string(items) +
-            (items == 1 ? "\u00A0item of\u00A0cargo" : "\u00A0items of\u00A0cargo");
+    add(items == 1 ? "{items}\u00A0item of\u00A0cargo" : "{items}\u00A0items of\u00A0cargo",
+        {items});
   return line;
 }
 
@@ -113,14 +121,15 @@ Caption make_caption(const ShownPlacement& of, const Seen& seen, double top, dou
   double x = caption_margin;
   y += 24;
   for (const KeyEntry& entry : key(seen)) {
-    const double needed = 26 + text_width(entry.words, 13) + 18;
+    const std::string_view words = translated(entry.words);
+    const double needed = 26 + text_width(words, 13) + 18;
     if (x > caption_margin && x + needed > width) {
       x = caption_margin;
       y += 22;
     }
     const std::string place = "translate(" + px(x + 9) + " " + px(y - 4.5) + ")";
     caption.markup += "<g" + attribute("transform", place) + ">" + entry.swatch + "</g>\n";
-    caption.markup += text({x + 26, y}, 13, entry.words, grey);
+    caption.markup += text({x + 26, y}, 13, words, grey);
     x += needed;
   }
   caption.height = y + 20 - top;

@@ -10,6 +10,23 @@
 #include "evenlift/tolerance.h"
 
 namespace evenlift {
+namespace {
+
+// The best candidate and its value. Its score is always exact.
+const char* best_by(Rule rule) {
+  switch (rule) {
+    case Rule::longest_even:
+    case Rule::longest:
+      return "Candidate {candidate} has a length of {length}";
+    case Rule::most_even:
+      return "Candidate {candidate} has a load ratio of {ratio}";
+    case Rule::score:
+      break;
+  }
+  return "Candidate {candidate} has {score}";
+}
+
+}  // namespace
 
 Piece StepCaptions::load(double value) const { return weight_text(trace_, value); }
 
@@ -21,43 +38,50 @@ Piece StepCaptions::least() const { return exact(placement_.settings.min_ratio);
 
 std::string StepCaptions::radial() const {
   std::string list;
-  const std::size_t shown = std::min<std::size_t>(trace_.radial_edges.size(), 6);
+  const std::size_t all = trace_.radial_edges.size(), shown = std::min<std::size_t>(all, 6);
   for (std::size_t i = 0; i < shown; ++i)
-    list += fill(i == 0 ? "#" : ", #", {counted_from_1(trace_.radial_edges[i])});
-  if (shown < trace_.radial_edges.size()) list += ", …";
-  return trace_.radial_edges.size() == 1
-             ? fill(
-                   "The line of edge # passes through C. Rays from C meet this edge only at its ends, so it faces no other edge.",
-                   {list})
-             : fill(
-                   "The lines of edges # pass through C. Rays from C meet these edges only at their ends, so they face no other edge.",
-                   {list});
+    list += (i == 0 ? "" : ", ") + written(counted_from_1(trace_.radial_edges[i]));
+  if (shown < all) list += ", …";
+  return fill(
+      all == 1
+          ? "The line of edge {edges} passes through C. Rays from C meet this edge only at its ends, so it faces no other edge."
+          : "The lines of edges {edges} pass through C. Rays from C meet these edges only at their ends, so they face no other edge.",
+      {list});
 }
 
 std::string StepCaptions::ray() const {
   const std::uint32_t vertex = trace_.rays.vertices[item_];
   const std::uint32_t begin = trace_.rays.begins[item_], end = trace_.rays.begins[item_ + 1];
-  std::string text = fill("From vertex # through C. ", {counted_from_1(vertex)});
+  const std::string from = fill("From vertex {vertex} through C.", {counted_from_1(vertex)});
   if (begin == end)
-    return text + "Beyond C the ray does not meet the boundary: this vertex has no chord.";
+    return sentences(
+        {from, "Beyond C the ray does not meet the boundary: this vertex has no chord."});
   if (end == begin + 1) {
     const VertexChord& chord = trace_.rays.chords[begin];
-    const std::uint32_t other = chord.vertex == vertex ? chord.hit_vertex : chord.vertex;
-    text += other == inside_edge ? fill("Beyond C the ray meets the boundary at #",
-                                        {point_text(trace_, far_end(chord.chord, vertex))})
-                                 : fill("Beyond C the ray meets vertex #", {counted_from_1(other)});
-    text += chord.vertex == vertex ? ": a chord with a load ratio of #."
-                                   : ", where this chord was already found: load ratio #.";
-    return fill(text, {ratio(chord.chord.ratio)});
+    const bool known = chord.vertex != vertex;
+    const std::uint32_t other = known ? chord.vertex : chord.hit_vertex;
+    const bool at_vertex = other != inside_edge;
+    return sentences(
+        {from,
+         fill(
+             known
+                 ? "Beyond C the ray meets vertex {place}, where this chord was already found: load ratio {ratio}."
+             : at_vertex
+                 ? "Beyond C the ray meets vertex {place}: a chord with a load ratio of {ratio}."
+                 : "Beyond C the ray meets the boundary at {place}: a chord with a load ratio of {ratio}.",
+             {at_vertex ? counted_from_1(other) : point_text(trace_, far_end(chord.chord, vertex)),
+              ratio(chord.chord.ratio)})});
   }
   constexpr std::uint32_t most = 5;
   std::string ratios;
   for (std::uint32_t i = begin; i < end && i < begin + most; ++i)
-    ratios += fill(i == begin ? "#" : ", #", {ratio(trace_.rays.chords[i].chord.ratio)});
+    ratios += (i == begin ? "" : ", ") + written(ratio(trace_.rays.chords[i].chord.ratio));
   if (end - begin > most) ratios += ", …";
-  return text +
-         fill("Beyond C the ray meets the boundary # times. Each hit makes a chord: load ratios #.",
-              {whole(end - begin), ratios});
+  return sentences(
+      {from,
+       fill(
+           "Beyond C the ray meets the boundary {hits} times. Each hit makes a chord: load ratios {ratios}.",
+           {whole(end - begin), ratios})});
 }
 
 Vec2 StepCaptions::far_end(const Chord& chord, std::uint32_t vertex) const {
@@ -72,27 +96,28 @@ std::string StepCaptions::slopes() const {
     const Chord& c = trace_.rays.chords[chord].chord;
     return with_decimals(slope_degrees(c.r2.position - c.r1.position), 1);
   };
-  return fill("The # in order of slope, from #° to #°. ",
-              {counted(order.size(), "chord"), angle(order.front()), angle(order.back())}) +
-         "Between two neighbouring chords no edge begins or ends: the same edges face each other.";
+  return sentences(
+      {fill("The {chords} in order of slope, from {first}° to {last}°.",
+            {counted(order.size(), "chord"), angle(order.front()), angle(order.back())}),
+       "Between two neighbouring chords no edge begins or ends: the same edges face each other."});
 }
 
-std::string StepCaptions::edges() const {
-  return fill("edges # and #",
-              {counted_from_1(detail_.pair->pair.a), counted_from_1(detail_.pair->pair.b)});
+std::string StepCaptions::facing() const {
+  return fill("Edge pair {pair} of {pairs}: edges {a} and {b} face each other across C.",
+              {counted_from_1(item_), whole(trace_.pairs.size()),
+               counted_from_1(detail_.pair->pair.a), counted_from_1(detail_.pair->pair.b)});
 }
 
 std::string StepCaptions::sections_before_choice() const {
-  return fill(
-      "Edge pair # of #: # face each other across C. The facing parts, called sections, end at two chords.",
-      {counted_from_1(item_), whole(trace_.pairs.size()), edges()});
+  return sentences({facing(), "The facing parts, called sections, end at two chords."});
 }
 
 std::string StepCaptions::sections() const {
-  std::string said = sections_before_choice();
-  said.pop_back();
-  return said + fill(" with load ratios # and #.",
-                     {ratio(detail_.pair->ends[0].ratio), ratio(detail_.pair->ends[1].ratio)});
+  return sentences(
+      {facing(),
+       fill(
+           "The facing parts, called sections, end at two chords with load ratios {first} and {second}.",
+           {ratio(detail_.pair->ends[0].ratio), ratio(detail_.pair->ends[1].ratio)})});
 }
 
 std::string StepCaptions::outcome() const {
@@ -101,53 +126,55 @@ std::string StepCaptions::outcome() const {
   const Piece b = counted_from_1(pair.pair.b);
   const Piece chosen = ratio(pair.chosen.ratio);
   const std::string off = fill(
-      "Reflected through C, edge # meets the line of edge # outside the sections: none of their chords is even. ",
+      "Reflected through C, edge {b} meets the line of edge {a} outside the sections: none of their chords is even.",
       {b, a});
   std::string text;
   switch (pair.outcome) {
     case Outcome::bisecting:
       text = fill(
-          "Reflected through C, edge # meets edge # within the sections: C bisects the chord there. Equal arms, load ratio 1: a candidate.",
+          "Reflected through C, edge {b} meets edge {a} within the sections: C bisects the chord there. Equal arms, load ratio 1: a candidate.",
           {b, a});
       break;
     case Outcome::nearer_end:
-      text = off + fill("The more even end has #, at least the minimum #: a candidate.",
-                        {chosen, least()});
+      text = sentences(
+          {off, fill("The more even end has {ratio}, at least the minimum {least}: a candidate.",
+                     {chosen, least()})});
       break;
     case Outcome::too_uneven:
-      text = off + fill("The more even end has only #, below the minimum #: no candidate here.",
-                        {chosen, least()});
+      text = sentences(
+          {off,
+           fill("The more even end has only {ratio}, below the minimum {least}: no candidate here.",
+                {chosen, least()})});
       break;
     case Outcome::midpoint:
       text = fill(
-          "Edges # and # are parallel: all their chords have the load ratio #, at least the minimum #. The chord between the middles of the sections is the candidate.",
+          "Edges {a} and {b} are parallel: all their chords have the load ratio {ratio}, at least the minimum {least}. The chord between the middles of the sections is the candidate.",
           {a, b, chosen, least()});
       break;
     case Outcome::parallel_low:
       text = fill(
-          "Edges # and # are parallel: all their chords have the load ratio #, below the minimum #: no candidate here.",
+          "Edges {a} and {b} are parallel: all their chords have the load ratio {ratio}, below the minimum {least}: no candidate here.",
           {a, b, chosen, least()});
       break;
   }
-  if (pair.standing) text += standing(pair);
-  if (!pair.candidate || pair.stands) return text;
-  return text + same_chord(*pair.candidate);
+  return sentences({text, pair.standing ? standing(pair) : "",
+                    pair.candidate && !pair.stands ? same_chord(*pair.candidate) : ""});
 }
 
 // Whether robots with a size can stand there. Empty if the load ratio is already too low.
 std::string StepCaptions::standing(const PairDetail& pair) const {
   switch (*pair.standing) {
     case Standing::there:
-      return " Robots of this size can stand there.";
+      return "Robots of this size can stand there.";
     case Standing::elsewhere:
       return fill(
-          " Where robots of this size can stand, the best chord has #, at least the minimum #: it is the candidate.",
+          "Where robots of this size can stand, the best chord has {ratio}, at least the minimum {least}: it is the candidate.",
           {ratio(pair.chosen.ratio), least()});
     case Standing::nowhere:
       break;
   }
   return pair.verdict.candidate
-             ? " But robots of this size cannot stand there, nor on another chord that meets the minimum ratio: no candidate."
+             ? "But robots of this size cannot stand there, nor on another chord that meets the minimum ratio: no candidate."
              : "";
 }
 
@@ -156,31 +183,34 @@ std::string StepCaptions::same_chord(std::uint32_t candidate) const {
   const std::uint32_t source = trace_.source_of_candidate[candidate];
   if (source == no_index) return {};  // edges that face each other only where the hands lift
   if (source < trace_.pairs.size())
-    return fill(" Edge pair # has the same chord.", {counted_from_1(source)});
+    return fill("Edge pair {pair} has the same chord.", {counted_from_1(source)});
   const OppositeVertices& two = trace_.opposite[source - trace_.pairs.size()];
-  return fill(" The opposite vertices # and # have the same chord, and theirs is kept.",
+  return fill("The opposite vertices {v} and {w} have the same chord, and theirs is kept.",
               {counted_from_1(two.v), counted_from_1(two.w)});
 }
 
 std::string StepCaptions::opposite() const {
   const OppositeDetail& opposite = *detail_.opposite;
-  std::string text = fill(
-      "Vertices # and # are opposite each other: the line between them passes through C. Rounding decides whether the edges that meet there also face each other, so the chord between the two vertices is a separate case. ",
+  const std::string text = fill(
+      "Vertices {v} and {w} are opposite each other: the line between them passes through C. Rounding decides whether the edges that meet there also face each other, so the chord between the two vertices is a separate case.",
       {counted_from_1(opposite.vertices.v), counted_from_1(opposite.vertices.w)});
   const Piece own = ratio(opposite.chord.ratio);
   if (!opposite.candidate && placement_.stands &&
       opposite.chord.ratio >= placement_.settings.min_ratio)
-    return text + "Robots of this size cannot stand there: no candidate.";
+    return sentences({text, "Robots of this size cannot stand there: no candidate."});
   if (!opposite.candidate)
-    return text +
-           fill("Its load ratio is only #, below the minimum #: no candidate.", {own, least()});
-  text += fill("Its load ratio is #, at least the minimum #: a candidate.", {own, least()});
-  return opposite.stands ? text : text + same_chord(*opposite.candidate);
+    return sentences(
+        {text, fill("Its load ratio is only {ratio}, below the minimum {least}: no candidate.",
+                    {own, least()})});
+  return sentences({text,
+                    fill("Its load ratio is {ratio}, at least the minimum {least}: a candidate.",
+                         {own, least()}),
+                    opposite.stands ? "" : same_chord(*opposite.candidate)});
 }
 
 std::string StepCaptions::sources() const {
   if (trace_.opposite.empty()) return written(counted(trace_.pairs.size(), "edge pair"));
-  return fill("# and # of opposite vertices",
+  return fill("{edge_pairs} and {pairs} of opposite vertices",
               {counted(trace_.pairs.size(), "edge pair"), counted(trace_.opposite.size(), "pair")});
 }
 
@@ -190,31 +220,35 @@ std::string StepCaptions::duplicates() const {
   const std::size_t kept = placement_.candidates.size();
   if (found == 0) return "No edge pair and no pair of opposite vertices has a candidate.";
   if (found == kept)
-    return fill("No chord was found twice: # from #.", {counted(kept, "candidate"), sources()});
+    return fill("No chord was found twice: {candidates} from {sources}.",
+                {counted(kept, "candidate"), sources()});
   return fill(
-      "# of the # chords found #, as at a vertex, where two edge pairs meet. Each chord counts once, which leaves #.",
-      {whole(found - kept), whole(found), found - kept == 1 ? "repeats another" : "repeat others",
-       counted(kept, "candidate")});
+      found - kept == 1
+          ? "{repeats} of the {found} chords found repeats another, as at a vertex, where two edge pairs meet. Each chord counts once, which leaves {candidates}."
+          : "{repeats} of the {found} chords found repeat others, as at a vertex, where two edge pairs meet. Each chord counts once, which leaves {candidates}.",
+      {whole(found - kept), whole(found), counted(kept, "candidate")});
 }
 
 std::string StepCaptions::candidates() const {
   const std::vector<Candidate>& all = placement_.candidates;
   if (all.empty())
-    return fill("There is no candidate: no chord through C has a load ratio of at least #.",
+    return fill("There is no candidate: no chord through C has a load ratio of at least {least}.",
                 {least()});
   std::size_t even = 0;
   for (const Candidate& candidate : all) even += is_even(candidate.chord);
-  return fill("#, in order of slope. # even: equal loads for both robots.",
-              {counted(all.size(), "candidate"),
-               even == 0            ? "None of them is"
-               : even == all.size() ? (even == 1 ? "It is" : "All of them are")
-               : even == 1          ? "One of them is"
-                                    : fill("# of them are", {whole(even)})});
+  const std::string how_even =
+      even == 0            ? "None of them is even: equal loads for both robots."
+      : even == all.size() ? (even == 1 ? "It is even: equal loads for both robots."
+                                        : "All of them are even: equal loads for both robots.")
+      : even == 1          ? "One of them is even: equal loads for both robots."
+                  : fill("{even} of them are even: equal loads for both robots.", {whole(even)});
+  return sentences(
+      {fill("{candidates}, in order of slope.", {counted(all.size(), "candidate")}), how_even});
 }
 
 std::string StepCaptions::directions() const {
   return fill(
-      "Lines through C that meet the boundary on both sides of C span #° of 180°. The teams divide these directions equally.",
+      "Lines through C that meet the boundary on both sides of C span {degrees}° of 180°. The teams divide these directions equally.",
       {with_decimals(180 / pi * open_directions_rad(trace_.polygon(), trace_.centre), 1)});
 }
 
@@ -226,17 +260,14 @@ std::string StepCaptions::ranking(const TeamScores& scores) const {
   for (std::size_t i = 0; i < order.size() && i < most; ++i) {
     const Score& score = scores.of_candidate[order[i]];
     if (i > 0 && !score.eligible) break;
-    text += i == 0 ? "Candidate " : ", candidate ";
-    text += written(counted_from_1(order[i]));
-    text += i > 0 ? " has "
-            : scores.rule == Rule::longest_even || scores.rule == Rule::longest
-                ? " has a length of "
-            : scores.rule == Rule::most_even ? " has a load ratio of "
-                                             : " has ";
-    if (!score.exact) text += "at most ";
-    text += written(score_text(trace_, scores.rule, score.value, neighbour(scores, i)));
+    text += (i == 0 ? "" : ", ") +
+            fill(i == 0        ? best_by(scores.rule)
+                 : score.exact ? "candidate {candidate} has {score}"
+                               : "candidate {candidate} has at most {score}",
+                 {counted_from_1(order[i]),
+                  score_text(trace_, scores.rule, score.value, neighbour(scores, i))});
   }
-  return text + (order.size() > most ? ", and so on." : ".");
+  return order.size() > most ? fill("{ranking}, and so on.", {text}) : text + ".";
 }
 
 // The value of a ranking from which the i-th must look different: the nearest earlier value that
@@ -249,62 +280,66 @@ double StepCaptions::neighbour(const TeamScores& scores, std::size_t i) {
 }
 
 std::string StepCaptions::first_scores(const TeamScores& scores) const {
-  if (scores.rule == Rule::longest_even)
-    return "The first team takes the longest even candidate, for a wide lifting base. " +
-           ranking(scores);
-  if (scores.rule == Rule::longest)
-    return "All candidates meet the minimum ratio, so the first team takes the longest, for a wide lifting base. " +
-           ranking(scores);
-  return "No candidate is even, so the first team takes the one with the largest load ratio. " +
-         ranking(scores);
+  return sentences(
+      {scores.rule == Rule::longest_even
+           ? "The first team takes the longest even candidate, for a wide lifting base."
+       : scores.rule == Rule::longest
+           ? "All candidates meet the minimum ratio, so the first team takes the longest, for a wide lifting base."
+           : "No candidate is even, so the first team takes the one with the largest load ratio.",
+       ranking(scores)});
 }
 
 std::string StepCaptions::scores() const {
   const TeamScores& scores = *detail_.scores;
   if (item_ == 0) return first_scores(scores);
-  return fill("Team #: how much would each candidate add? The score is #. ",
-              {counted_from_1(scores.team), words_of(trace_.metric()).score}) +
-         (scores.of_candidate[scores.ranking.front()].value > 0
-              ? ranking(scores)
-              : "No candidate adds anything more.");
+  return sentences(
+      {fill("Team {team}: how much would each candidate add?", {counted_from_1(scores.team)}),
+       words_of(trace_.metric()).score,
+       scores.of_candidate[scores.ranking.front()].value > 0 ? ranking(scores)
+                                                             : "No candidate adds anything more."});
 }
 
 std::string StepCaptions::team() const {
   if (!detail_.scores) return team_without_candidates();
   const TeamScores& scores = *detail_.scores;
   const std::uint32_t winner = scores.ranking.front();
-  const std::string text =
-      fill("Team # takes candidate #", {counted_from_1(scores.team), counted_from_1(winner)});
-  if (scores.decided_by == DecidedBy::only_one) return text + ", the only one left.";
+  const Piece team = counted_from_1(scores.team), own = counted_from_1(winner);
+  if (scores.decided_by == DecidedBy::only_one)
+    return fill("Team {team} takes candidate {candidate}, the only one left.", {team, own});
   const std::uint32_t second = scores.ranking[1];
   const Piece other = counted_from_1(second);
   const double best = scores.of_candidate[winner].value, next = scores.of_candidate[second].value;
   const Candidate &a = placement_.candidates[winner], &b = placement_.candidates[second];
   switch (scores.decided_by) {
     case DecidedBy::ratio:
-      return text + fill(": it ties with candidate # but is more even, # against #.",
-                         {other, ratio_text(a.chord.ratio, b.chord.ratio),
-                          ratio_text(b.chord.ratio, a.chord.ratio)});
+      return fill(
+          "Team {team} takes candidate {candidate}: it ties with candidate {other} but is more even, {ratio} against {other_ratio}.",
+          {team, own, other, ratio_text(a.chord.ratio, b.chord.ratio),
+           ratio_text(b.chord.ratio, a.chord.ratio)});
     case DecidedBy::length:
-      return text + fill(": it ties with candidate # but is longer, # against #.",
-                         {other, number_unlike(a.length, b.length, trace_.polygon().diagonal()),
-                          number_unlike(b.length, a.length, trace_.polygon().diagonal())});
+      return fill(
+          "Team {team} takes candidate {candidate}: it ties with candidate {other} but is longer, {length} against {other_length}.",
+          {team, own, other, number_unlike(a.length, b.length, trace_.polygon().diagonal()),
+           number_unlike(b.length, a.length, trace_.polygon().diagonal())});
     case DecidedBy::order:
-      return text +
-             fill(": it ties with candidate # in everything but comes first in order of slope.",
-                  {other});
+      return fill(
+          "Team {team} takes candidate {candidate}: it ties with candidate {other} in everything but comes first in order of slope.",
+          {team, own, other});
     default:
       break;
   }
-  if (!scores.of_candidate[second].eligible) return text + ", the only even one.";
-  return text +
-         fill(scores.rule == Rule::longest_even || scores.rule == Rule::longest
-                  ? ", ## longer than candidate #."
-                  : ", ## ahead of candidate #.",
-              {scores.of_candidate[second].exact ? "" : "at least ",
-               scores.rule == Rule::most_even ? ratio_text(best - next, 0)
-                                              : score_text(trace_, scores.rule, best - next, 0),
-               other});
+  if (!scores.of_candidate[second].eligible)
+    return fill("Team {team} takes candidate {candidate}, the only even one.", {team, own});
+  const Piece exact_lead = scores.rule == Rule::most_even
+                               ? ratio_text(best - next, 0)
+                               : score_text(trace_, scores.rule, best - next, 0);
+  const std::string lead = scores.of_candidate[second].exact
+                               ? written(exact_lead)
+                               : fill("at least {lead}", {exact_lead});
+  return fill(scores.rule == Rule::longest_even || scores.rule == Rule::longest
+                  ? "Team {team} takes candidate {candidate}, {lead} longer than candidate {other}."
+                  : "Team {team} takes candidate {candidate}, {lead} ahead of candidate {other}.",
+              {team, own, lead, other});
 }
 
 std::string StepCaptions::team_without_candidates() const {
@@ -312,11 +347,11 @@ std::string StepCaptions::team_without_candidates() const {
   const Piece name = counted_from_1(item_);
   if (placement_.settings.method == Method::random)
     return fill(
-        "Team #: one robot stands at a random point of the boundary, the other straight across C: # and #, load ratio #.",
+        "Team {team}: one robot stands at a random point of the boundary, the other straight across C: {first} and {second}, load ratio {ratio}.",
         {name, point_text(trace_, chord.r1.position), point_text(trace_, chord.r2.position),
          ratio_text(chord.ratio)});
   return fill(
-      "Team # of # takes the line at #°, with its robots at the farthest boundary points: load ratio #.",
+      "Team {team} of {teams} takes the line at {degrees}°, with its robots at the farthest boundary points: load ratio {ratio}.",
       {name, whole(placement_.teams.size()),
        with_decimals(slope_degrees(chord.r2.position - chord.r1.position), 1),
        ratio_text(chord.ratio)});
@@ -331,15 +366,16 @@ std::string StepCaptions::base() const {
   if (detail_.base.size() < 3)
     return "The lifting base H is still a segment: all robots stand on one line.";
   return fill(
-      "The lifting base H, the convex hull of all robots, grows to # and covers # of the object.",
+      "The lifting base H, the convex hull of all robots, grows to {corners} and covers {coverage} of the object.",
       {counted(detail_.base.size(), "corner"), covers});
 }
 
 std::string StepCaptions::fewer() const {
   if (placement_.teams.empty()) return verdict(placement_);
-  return fill("Only # of the # requested teams: # left.",
-              {whole(placement_.teams.size()), whole(placement_.requested_teams),
-               trace_.by_candidates() ? "no candidate is" : "no further place was"});
+  return fill(trace_.by_candidates()
+                  ? "Only {teams} of the {requested} requested teams: no candidate is left."
+                  : "Only {teams} of the {requested} requested teams: no further place was left.",
+              {whole(placement_.teams.size()), whole(placement_.requested_teams)});
 }
 
 std::string StepCaptions::share() const {
@@ -348,10 +384,11 @@ std::string StepCaptions::share() const {
   const Piece all = load(placement_.weight() / static_cast<double>(placement_.teams.size()));
   const double first = team.robots[0].load, second = team.robots[1].load;
   if (is_even(chord_of(team)))
-    return fill("Team # carries #, its share of #. Equal arms, equal loads: # for each robot.",
-                {item, all, exact(placement_.weight()), load(first)});
+    return fill(
+        "Team {team} carries {share}, its share of {weight}. Equal arms, equal loads: {load} for each robot.",
+        {item, all, exact(placement_.weight()), load(first)});
   return fill(
-      "Team # carries #, its share of #. By the law of the lever, the robot nearer to C carries more: # and #.",
+      "Team {team} carries {share}, its share of {weight}. By the law of the lever, the robot nearer to C carries more: {greater} and {lesser}.",
       {item, all, exact(placement_.weight()), load(std::max(first, second)),
        load(std::min(first, second))});
 }
@@ -359,55 +396,58 @@ std::string StepCaptions::share() const {
 std::string StepCaptions::loads() const {
   const LoadSummary& loads = *placement_.loads;
   if (trace_.given()) return loads_in_words(placement_);
-  const std::string planned = "As planned, " + loads_in_words(placement_);
+  // With another model than the plan, the text begins with "As planned".
+  const std::string planned = loads_in_words(placement_, LoadModel::springs);
   if (trace_.balanced()) return planned;
-  return planned +
-         (written(load(loads.min)) == written(load(loads.max))
-              ? " All carry the same load."
-              : fill(" The arms are unequal, so the spread of loads is #.", {load(loads.spread)}));
+  return sentences({planned, written(load(loads.min)) == written(load(loads.max))
+                                 ? "All carry the same load."
+                                 : fill("The arms are unequal, so the spread of loads is {spread}.",
+                                        {load(loads.spread)})});
 }
 
 std::string StepCaptions::coverage() const {
   if (placement_.lifting_base.size() < 3)
     return "All robots stand on one line, so H has no area: pressing down beside the line tips the object.";
   return fill(
-      "H covers # of the object. Pressing down there does not tip it, as long as robots push back and none is overloaded.",
+      "H covers {coverage} of the object. Pressing down there does not tip it, as long as robots push back and none is overloaded.",
       {percent(placement_.coverage)});
 }
 
 std::string StepCaptions::contacts() const {
   const std::size_t number = trace_.contacts.size();
   return fill(
-      "Do the robots also hold the object in place? A robot on an edge makes one contact, in an inward corner two; at an outward corner it is not counted (the safe side): # for #. Before the first contact, the object can turn about any point, either way.",
+      "Do the robots also hold the object in place? A robot on an edge makes one contact, in an inward corner two; at an outward corner it is not counted (the safe side): {contacts} for {robots}. Before the first contact, the object can turn about any point, either way.",
       {counted(number, "contact"), counted(count_robots(placement_.teams), "robot")});
 }
 
 std::string StepCaptions::cut() const {
   const Contact& contact = trace_.contacts[item_];
-  std::string text = fill(
-      "Contact #, # on edge #. It pushes along its normal line: the object can turn clockwise only about points to the right of the line, counter-clockwise only about points to the left. ",
-      {counted_from_1(item_), robot_of_contact(contact), counted_from_1(contact.edge)});
+  const std::string text = fill(
+      "Contact {contact}, robot {robot} on edge {edge}. It pushes along its normal line: the object can turn clockwise only about points to the right of the line, counter-clockwise only about points to the left.",
+      {counted_from_1(item_), counted_from_1(contact.point), counted_from_1(contact.edge)});
   if (detail_.clockwise.has_area && detail_.counterclockwise.has_area)
-    return text +
-           "It can still turn clockwise about some points, and counter-clockwise about others.";
-  return text + left("clockwise", detail_.clockwise, detail_.clockwise_before) + " " +
-         left("counter-clockwise", detail_.counterclockwise, detail_.counterclockwise_before);
+    return sentences(
+        {text,
+         "It can still turn clockwise about some points, and counter-clockwise about others."});
+  return sentences(
+      {text, left("clockwise", detail_.clockwise, detail_.clockwise_before),
+       left("counter-clockwise", detail_.counterclockwise, detail_.counterclockwise_before)});
 }
 
 std::string StepCaptions::left(const char* sense, const FreeRegion& region, bool before) {
   if (!region.exists)
-    return fill(
-        before ? "It can no longer turn # about any point." : "Turning # is already ruled out.",
-        {sense});
-  if (region.has_area) return fill("It can still turn # about some points.", {sense});
-  return fill(region.clipped.size() == 1 ? "It can turn # only about a single point."
-                                         : "It can turn # only about points on a line.",
+    return fill(before ? "It can no longer turn {sense} about any point."
+                       : "Turning {sense} is already ruled out.",
+                {sense});
+  if (region.has_area) return fill("It can still turn {sense} about some points.", {sense});
+  return fill(region.clipped.size() == 1 ? "It can turn {sense} only about a single point."
+                                         : "It can turn {sense} only about points on a line.",
               {sense});
 }
 
 std::string StepCaptions::slide() const {
   if (const auto& way = placement_.closure.translation)
-    return fill("It can slide: no contact blocks the direction (#, #).",
+    return fill("It can slide: no contact blocks the direction ({x}, {y}).",
                 {with_decimals(way->x(), 3), with_decimals(way->y(), 3)});
   return "It cannot slide: every direction is blocked by a contact.";
 }
@@ -417,11 +457,13 @@ std::string StepCaptions::closure() const {
   const Piece margin = margin_text(closure.margin.value_or(0));
   if (closure.form_closure)
     return fill(
-        "No centre to turn about, no way to slide: first-order form closure, with a margin of #, as long as no robot gives way.",
+        "No centre to turn about, no way to slide: first-order form closure, with a margin of {margin}, as long as no robot gives way.",
         {margin});
-  return fill("No form closure: the object can begin to #.", {free_motions_in_words(closure)}) +
-         (closure.margin ? fill(" The margin is #; form closure needs more than 0.", {margin})
-                         : "");
+  return sentences({fill("No form closure: the object can begin to {motions}.",
+                         {free_motions_in_words(closure)}),
+                    closure.margin
+                        ? fill("The margin is {margin}; form closure needs more than 0.", {margin})
+                        : ""});
 }
 
 std::string StepCaptions::second_order() const {
@@ -433,7 +475,8 @@ std::string StepCaptions::second_order() const {
 std::string StepCaptions::result() const {
   const std::string text = verdict(placement_);
   if (!trace_.moved) return text;
-  return text + " Then robots were moved by hand. Where they stand now: " + verdict(*trace_.moved);
+  return sentences(
+      {text, "Then robots were moved by hand. Where they stand now:", verdict(*trace_.moved)});
 }
 
 }  // namespace evenlift

@@ -72,7 +72,7 @@ class StepCaptions : LookedAtStep {
   Piece ratio(double value) const;
   Piece least() const;
   Vec2 far_end(const Chord& chord, std::uint32_t vertex) const;
-  std::string edges() const;
+  std::string facing() const;
   std::string standing(const PairDetail& pair) const;
   std::string same_chord(std::uint32_t candidate) const;
   std::string sources() const;

@@ -20,12 +20,13 @@ bool add_up(const Piece& a, const Piece& b, const Piece& total) {
 
 // "a + b = total", or "≈" if the numbers as written do not add up.
 std::string sum(const Piece& a, const Piece& b, const Piece& total) {
-  return fill(add_up(a, b, total) ? "# + # = #" : "# + # ≈ #", {a, b, total});
+  return fill(add_up(a, b, total) ? "{a} + {b} = {total}" : "{a} + {b} ≈ {total}", {a, b, total});
 }
 
 // "total − a = rest", or "≈".
 std::string difference(const Piece& total, const Piece& a, const Piece& rest) {
-  return fill(add_up(a, rest, total) ? "# − # = #" : "# − # ≈ #", {total, a, rest});
+  return fill(add_up(a, rest, total) ? "{total} − {a} = {rest}" : "{total} − {a} ≈ {rest}",
+              {total, a, rest});
 }
 
 }  // namespace
@@ -34,11 +35,11 @@ Piece StepFormulas::load(double value) const { return load_text(trace_, value); 
 
 Piece StepFormulas::corners(const Points& base) { return counted(base.size(), "corner"); }
 
-std::string StepFormulas::ratio(const Chord& chord) const {
+std::string StepFormulas::ratio(const Chord& chord, const char* pattern) const {
   const double least = placement_.settings.min_ratio;
-  return fill("load ratio = # / # = #", {length_text(trace_, std::min(chord.arm1, chord.arm2)),
-                                         length_text(trace_, std::max(chord.arm1, chord.arm2)),
-                                         ratio_text(chord.ratio, least)});
+  return fill(pattern, {length_text(trace_, std::min(chord.arm1, chord.arm2)),
+                        length_text(trace_, std::max(chord.arm1, chord.arm2)),
+                        ratio_text(chord.ratio, least)});
 }
 
 const Chord& StepFormulas::chord(std::uint32_t i) const { return trace_.rays.chords[i].chord; }
@@ -52,22 +53,24 @@ std::string StepFormulas::score(const TeamScores& scores) const {
   const std::uint32_t winner = scores.ranking.front();
   const Candidate& candidate = placement_.candidates[winner];
   if (scores.rule != Rule::score)
-    return "|r1 r2| = " +
-           sum(length_text(trace_, candidate.chord.arm1), length_text(trace_, candidate.chord.arm2),
-               length_text(trace_, candidate.length)) +
-           fill(", load ratio #", {ratio_text(candidate.chord.ratio)});
+    return fill(
+        "|r1 r2| = {sum}, load ratio {ratio}",
+        {sum(length_text(trace_, candidate.chord.arm1), length_text(trace_, candidate.chord.arm2),
+             length_text(trace_, candidate.length)),
+         ratio_text(candidate.chord.ratio)});
   const Score& score = scores.of_candidate[winner];
   if (detail_.step.kind == StepKind::team && scores.ranking.size() > 1) {
     const Score& second = scores.of_candidate[scores.ranking[1]];
-    const char* sign = scores.decided_by != DecidedBy::first_key ? " ties with "
-                       : second.exact                            ? " > "
-                                                                 : " > at most ";
-    return fill("score: ###", {score_text(trace_, scores.rule, score.value, second.value), sign,
-                               score_text(trace_, scores.rule, second.value, score.value)});
+    return fill(scores.decided_by != DecidedBy::first_key ? "score: {score} ties with {next}"
+                : second.exact                            ? "score: {score} > {next}"
+                                                          : "score: {score} > at most {next}",
+                {score_text(trace_, scores.rule, score.value, second.value),
+                 score_text(trace_, scores.rule, second.value, score.value)});
   }
-  return "score = f(r1) + f(r2) = " + sum(score_text(trace_, scores.rule, score.ends[0].value, 0),
-                                          score_text(trace_, scores.rule, score.ends[1].value, 0),
-                                          score_text(trace_, scores.rule, score.value, 0));
+  return fill("score = f(r1) + f(r2) = {sum}",
+              {sum(score_text(trace_, scores.rule, score.ends[0].value, 0),
+                   score_text(trace_, scores.rule, score.ends[1].value, 0),
+                   score_text(trace_, scores.rule, score.value, 0))});
 }
 
 std::string StepFormulas::polygon() const {
@@ -75,18 +78,19 @@ std::string StepFormulas::polygon() const {
   double holes = 0;
   for (const Polygon& hole : object.holes()) holes += hole.area();
   if (holes > 0)
-    return "area = |x1·y2 − x2·y1 + x2·y3 − …| / 2 − Σ holes = " +
-           difference(area_text(trace_, object.outline().area()), area_text(trace_, holes),
-                      area_text(trace_, object.area()));
-  return fill("area = |x1·y2 − x2·y1 + x2·y3 − …| / 2 = #",
+    return fill("area = |x1·y2 − x2·y1 + x2·y3 − …| / 2 − Σ holes = {difference}",
+                {difference(area_text(trace_, object.outline().area()), area_text(trace_, holes),
+                            area_text(trace_, object.area()))});
+  return fill("area = |x1·y2 − x2·y1 + x2·y3 − …| / 2 = {area}",
               {area_text(trace_, trace_.object().area())});
 }
 
 std::string StepFormulas::centroid() const {
-  return fill(trace_.object().holes().empty()
-                  ? "sum of area × centroid / sum of areas = #"
-                  : "sum of area × centroid / sum of areas, both minus those of the holes = #",
-              {point_text(trace_, trace_.object().centroid())});
+  return fill(
+      trace_.object().holes().empty()
+          ? "sum of area × centroid / sum of areas = {point}"
+          : "sum of area × centroid / sum of areas, both minus those of the holes = {point}",
+      {point_text(trace_, trace_.object().centroid())});
 }
 
 std::string StepFormulas::cargo() const {
@@ -94,7 +98,7 @@ std::string StepFormulas::cargo() const {
   const Loaded before = with_cargo(item_), after = with_cargo(item_ + std::size_t{1});
   const auto weight = [](double value) { return significant(value, 6); };
   return fill(
-      "C = (W0 C0 + Σ w q) / W = (# × # + # × #) / # = #",
+      "C = (W0 C0 + Σ w q) / W = ({before} × {centre} + {cargo} × {place}) / {all} = {point}",
       {weight(before.weight), point_text(trace_, before.centre), weight(item.weight),
        point_text(trace_, item.at), weight(after.weight), point_text(trace_, after.centre)});
 }
@@ -106,11 +110,12 @@ std::string StepFormulas::ray() const {
   std::uint32_t best = begin;
   for (std::uint32_t i = begin; i < end; ++i)
     if (chord(i).ratio > chord(best).ratio) best = i;
-  return (end - begin > 1 ? "best " : "") + ratio(chord(best));
+  return end - begin > 1 ? ratio(chord(best), "best load ratio = {shorter} / {longer} = {ratio}")
+                         : ratio(chord(best));
 }
 
 std::string StepFormulas::sections() const {
-  return fill("g = |C rb| / |C ra|: from # to #",
+  return fill("g = |C rb| / |C ra|: from {first} to {last}",
               {ratio_text(detail_.pair->verdict.g0), ratio_text(detail_.pair->verdict.g1)});
 }
 
@@ -125,12 +130,12 @@ std::string StepFormulas::opposite() const {
 }
 
 std::string StepFormulas::duplicates() const {
-  return fill("#", {counted(placement_.candidates.size(), "candidate")});
+  return written(counted(placement_.candidates.size(), "candidate"));
 }
 
 std::string StepFormulas::directions() const {
   const double open = 180 / pi * open_directions_rad(trace_.polygon(), trace_.centre);
-  return fill("team k at (k − 1/2) / # × #°",
+  return fill("team k at (k − 1/2) / {teams} × {degrees}°",
               {whole(placement_.requested_teams), with_decimals(open, 1)});
 }
 
@@ -141,12 +146,14 @@ std::string StepFormulas::scores() const {
 std::string StepFormulas::base() const {
   const std::size_t before = detail_.base_before.size(), now = detail_.base.size();
   if (before == now)
-    return now == 2 ? "H is still a segment" : fill("H still has #", {corners(detail_.base)});
-  return fill("H #; now it #",
-              {before == 0   ? Piece("was empty")
-               : before == 2 ? Piece("was a segment")
-                             : fill("had #", {corners(detail_.base_before)}),
-               now == 2 ? Piece("is a segment") : fill("has #", {corners(detail_.base)})});
+    return now == 2 ? "H is still a segment"
+                    : fill("H still has {corners}", {corners(detail_.base)});
+  const std::string was = before == 0   ? "H was empty"
+                          : before == 2 ? "H was a segment"
+                                        : fill("H had {corners}", {corners(detail_.base_before)}),
+                    is = now == 2 ? "now it is a segment"
+                                  : fill("now it has {corners}", {corners(detail_.base)});
+  return fill("{was}; {is}", {was, is});
 }
 
 std::string StepFormulas::share() const {
@@ -155,20 +162,20 @@ std::string StepFormulas::share() const {
   const Chord chord = chord_of(team);
   const double load1 = team.robots[0].load, load2 = team.robots[1].load;
   return fill(
-      "W1 = # / # × |C r2| / |r1 r2| = # × # / # = #",
+      "W1 = {weight} / {teams} × |C r2| / |r1 r2| = {share} × {arm} / {length} = {load}",
       {weight, whole(placement_.teams.size()), load(load1 + load2), length_text(trace_, chord.arm2),
        length_text(trace_, chord.arm1 + chord.arm2), weight_text(trace_, load1)});
 }
 
 std::string StepFormulas::loads() const {
   return fill(
-      "mean = # / # = #, greatest − least = #",
+      "mean = {weight} / {robots} = {mean}, greatest − least = {spread}",
       {exact(placement_.weight()), whole(count_robots(placement_.teams)),
        weight_text(trace_, placement_.loads->mean), weight_text(trace_, placement_.loads->spread)});
 }
 
 std::string StepFormulas::coverage() const {
-  return fill("area of P in H / area of P = # / # = #",
+  return fill("area of P in H / area of P = {covered} / {area} = {coverage}",
               {area_text(trace_, placement_.coverage * trace_.object().area()),
                area_text(trace_, trace_.object().area()), with_decimals(placement_.coverage, 3)});
 }
@@ -176,13 +183,14 @@ std::string StepFormulas::coverage() const {
 std::string StepFormulas::cut() const {
   const Contact& contact = trace_.contacts[item_];
   const Vec2 n = inward_normal(trace_.polygon(), contact.edge);
-  return fill("normal n = (#, #) at #", {with_decimals(n.x(), 3), with_decimals(n.y(), 3),
-                                         point_text(trace_, contact.position)});
+  return fill("normal n = ({x}, {y}) at {point}", {with_decimals(n.x(), 3), with_decimals(n.y(), 3),
+                                                   point_text(trace_, contact.position)});
 }
 
 std::string StepFormulas::closure() const {
   if (!placement_.closure.margin) return {};
-  return fill("least over u of the greatest u · w = #", {margin_text(*placement_.closure.margin)});
+  return fill("least over u of the greatest u · w = {margin}",
+              {margin_text(*placement_.closure.margin)});
 }
 
 }  // namespace evenlift

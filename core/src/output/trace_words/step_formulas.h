@@ -48,7 +48,8 @@ class StepFormulas : LookedAtStep {
  private:
   Piece load(double value) const;
   static Piece corners(const Points& base);
-  std::string ratio(const Chord& chord) const;
+  std::string ratio(const Chord& chord,
+                    const char* pattern = "load ratio = {shorter} / {longer} = {ratio}") const;
   const Chord& chord(std::uint32_t i) const;
   std::string compared_with_minimum(const Chord& chord,
                                     std::optional<std::uint32_t> candidate) const;

@@ -6,6 +6,7 @@
 
 #include "evenlift/output/trace_words.h"
 #include "evenlift/stands.h"
+#include "evenlift/wording.h"
 #include "output/trace_words/step_captions.h"
 #include "output/trace_words/step_formulas.h"
 
@@ -127,10 +128,13 @@ std::string_view letters_of_stands(const RobotSize& robot) {
 
 }  // namespace
 
-std::string_view title(Chapter chapter) { return titles[static_cast<std::size_t>(chapter)]; }
+std::string_view title(Chapter chapter) {
+  return translated(titles[static_cast<std::size_t>(chapter)]);
+}
 
+// Captions and formulas without a number are looked up here.
 std::string caption(const Trace& trace, const StepDetail& detail) {
-  return (StepCaptions(trace, detail).*row_of(detail).caption)();
+  return written((StepCaptions(trace, detail).*row_of(detail).caption)());
 }
 
 std::string caption_before_choice(const Trace& trace, const StepDetail& detail) {
@@ -138,7 +142,7 @@ std::string caption_before_choice(const Trace& trace, const StepDetail& detail) 
 }
 
 std::string formula(const Trace& trace, const StepDetail& detail) {
-  return (StepFormulas(trace, detail).*row_of(detail).formula)();
+  return written((StepFormulas(trace, detail).*row_of(detail).formula)());
 }
 
 std::string_view formula_letters(const Trace& trace, const StepDetail& detail) {

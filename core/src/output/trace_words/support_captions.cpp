@@ -15,39 +15,38 @@ std::string StepCaptions::support() const {
                                    [&](const Contact& contact) { return contact.point == item_; });
   const char* pattern =
       place.edge == beneath
-          ? "Robot # stands beneath the object, at #: it lifts, and touches nothing sideways."
+          ? "Robot {robot} stands beneath the object, at {point}: it lifts, and touches nothing sideways."
       : touches
-          ? "Robot # stands at the edge, at #: it lifts there, and it can also push sideways."
-          : "Robot # stands at a corner, at #: it lifts there; a push from the side is not counted.";
+          ? "Robot {robot} stands at the edge, at {point}: it lifts there, and it can also push sideways."
+          : "Robot {robot} stands at a corner, at {point}: it lifts there; a push from the side is not counted.";
   return fill(pattern, {counted_from_1(item_), point_text(trace_, place.position)});
 }
 
 std::string StepCaptions::equations() const {
   const std::size_t robots = count_robots(placement_.teams);
-  const std::string laws =
-      "The loads add up to the weight, and they balance about C from left to right and from front to back: "
-      "three equations. ";
-  if (!placement_.loads)
-    return laws + "Robots only push up, and then no loads satisfy all three here.";
-  if (loads_are_determined(placement_))
-    return laws + fill("They determine the loads of # without any further assumption.",
-                       {counted(robots, "robot")});
-  return laws +
-         fill("They do not determine the loads of #: that depends on how the robots give way.",
-              {counted(robots, "robot")});
+  return sentences(
+      {"The loads add up to the weight, and they balance about C from left to right and from front to back: "
+       "three equations.",
+       !placement_.loads
+           ? "Robots only push up, and then no loads satisfy all three here."
+           : fill(
+                 loads_are_determined(placement_)
+                     ? "They determine the loads of {robots} without any further assumption."
+                     : "They do not determine the loads of {robots}: that depends on how the robots give way.",
+                 {counted(robots, "robot")})});
 }
 
 std::string StepCaptions::by_lever() const {
   const std::vector<Robot>& robots = placement_.teams[0].robots;
   return fill(
-      "The law of the lever: the robot nearer to C carries more. Robot 1 carries #, robot 2 #.",
+      "The law of the lever: the robot nearer to C carries more. Robot 1 carries {first}, robot 2 {second}.",
       {load(robots[0].load), load(robots[1].load)});
 }
 
 std::string StepCaptions::by_areas() const {
   const std::vector<Robot>& robots = placement_.teams[0].robots;
   return fill(
-      "C divides the triangle of the robots into three. Each robot's share is the triangle on the other side of C: #, # and #.",
+      "C divides the triangle of the robots into three. Each robot's share is the triangle on the other side of C: {first}, {second} and {third}.",
       {load(robots[0].load), load(robots[1].load), load(robots[2].load)});
 }
 
@@ -60,7 +59,7 @@ std::string StepCaptions::by_springs() const {
 std::string StepCaptions::extremes() const {
   const auto models = model_loads(placement_);
   return fill(
-      "Other robots could share the weight differently. With ideal control, no robot would need to carry more than #. If their heights are unequal or the object bends, a robot may have to carry up to #.",
+      "Other robots could share the weight differently. With ideal control, no robot would need to carry more than {best}. If their heights are unequal or the object bends, a robot may have to carry up to {worst}.",
       {load(models->best), load(*std::max_element(models->worst.begin(), models->worst.end()))});
 }
 
@@ -72,7 +71,7 @@ std::string StepCaptions::falls() const {
 
 std::string StepFormulas::equations() const {
   const Vec2& centre = trace_.centre;
-  return fill("Σ Wi = W = #, Σ Wi xi = W × #, Σ Wi yi = W × #",
+  return fill("Σ Wi = W = {weight}, Σ Wi xi = W × {x}, Σ Wi yi = W × {y}",
               {exact(placement_.weight()), number(centre.x(), trace_.polygon().diameter()),
                number(centre.y(), trace_.polygon().diameter())});
 }
@@ -80,13 +79,13 @@ std::string StepFormulas::equations() const {
 std::string StepFormulas::by_lever() const {
   const std::vector<Robot>& robots = placement_.teams[0].robots;
   const double whole = robots[0].arm + robots[1].arm;
-  return fill("W1 = W |C p2| / |p1 p2| = # × # / # = #",
+  return fill("W1 = W |C p2| / |p1 p2| = {weight} × {arm} / {length} = {load}",
               {exact(placement_.weight()), length_text(trace_, robots[1].arm),
                length_text(trace_, whole), load(robots[0].load)});
 }
 
 std::string StepFormulas::by_areas() const {
-  return fill("W1 = W × area(C p2 p3) / area(p1 p2 p3) = #",
+  return fill("W1 = W × area(C p2 p3) / area(p1 p2 p3) = {load}",
               {load(placement_.teams[0].robots[0].load)});
 }
 

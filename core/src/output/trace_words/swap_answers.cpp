@@ -15,7 +15,8 @@ std::string against_the_best(const HoldKeys& other, const HoldKeys& best) {
   if (other.level < best.level) return "their margin would be smaller";
   const auto coverage = told_apart(other.coverage, best.coverage);
   if (better_by(best, other) == HoldKey::coverage)
-    return fill("the coverage would be # instead of #", {coverage[0], coverage[1]});
+    return fill("the coverage would be {coverage} instead of {present}",
+                {coverage[0], coverage[1]});
   if (better_by(best, other) == HoldKey::ratios)
     return "hold and coverage would be the same, but the teams would share their loads less evenly";
   return "all would be the same, and the first such swap in order is made";
@@ -32,23 +33,24 @@ std::array<std::string, 2> told_apart(double a, double b) {
 }
 
 std::string swap_question(const StepDetail& detail, const Question& question) {
-  constexpr const char* aim = "for the strongest hold, and then the greatest coverage?";
   const SwapDetail& swap = *detail.swap;
   if (question.kind == QuestionKind::leaving_team)
-    return fill("One team moves to another candidate. Which team should it be, #", {aim});
-  return fill("Team # leaves candidate #. Which candidate should it take, #",
-              {counted_from_1(swap.teams[0]), counted_from_1(swap.from[0]), aim});
+    return written(
+        "One team moves to another candidate. Which team should it be, for the strongest hold, and then the greatest coverage?");
+  return fill(
+      "Team {team} leaves candidate {candidate}. Which candidate should it take, for the strongest hold, and then the greatest coverage?",
+      {counted_from_1(swap.teams[0]), counted_from_1(swap.from[0])});
 }
 
 std::string other_swap_text(const Trace& trace, const StepDetail& detail, const Question& question,
                             std::uint32_t choice) {
   const OtherSwap other = compare_swap(trace, detail, question, choice);
   const Piece team = counted_from_1(other.team);
-  if (!other.candidate) return fill("No other candidate for team # is better.", {team});
+  if (!other.candidate) return fill("No other candidate for team {team} is better.", {team});
   const std::string so = against_the_best(other.keys, detail.swap->after);
   return fill(question.kind == QuestionKind::leaving_team
-                  ? "The best for team # would be candidate #: then #."
-                  : "With team # at candidate #, #.",
+                  ? "The best for team {team} would be candidate {candidate}: then {result}."
+                  : "With team {team} at candidate {candidate}, {result}.",
               {team, counted_from_1(*other.candidate), so});
 }
 

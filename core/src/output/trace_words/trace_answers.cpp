@@ -10,32 +10,38 @@
 namespace evenlift {
 namespace {
 
-std::string edges_of(const Trace& trace, std::uint32_t pair) {
-  return fill("Edges # and #",
-              {counted_from_1(trace.pairs[pair].a), counted_from_1(trace.pairs[pair].b)});
-}
-
-// The quantity that a rule compares first. Without a default, the compiler requires a word for each
-// rule.
-const char* compared_by(Rule rule) {
+// A candidate's value of the quantity that a rule compares first. Without a default, the compiler
+// requires a sentence for each rule.
+const char* value_by(Rule rule) {
   switch (rule) {
     case Rule::longest_even:
     case Rule::longest:
-      return "length";
+      return "For team {team}, candidate {candidate} has a length of {value}.";
     case Rule::most_even:
-      return "load ratio";
+      return "For team {team}, candidate {candidate} has a load ratio of {value}.";
     case Rule::score:
-      return "score";
+      return "For team {team}, candidate {candidate} has a score of {value}.";
   }
   return "";
 }
 
-// "is the longest even one", and similar.
-const char* aim(const Trace& trace, Rule rule) {
-  if (rule == Rule::longest_even) return "is the longest even one";
-  if (rule == Rule::longest) return "is the longest one";
-  if (rule == Rule::most_even) return "is the most even one";
-  return words_of(trace.metric()).wins;
+// The merit of the candidate that wins by a rule, asked for and told.
+struct Aim {
+  const char *asked, *told;
+};
+Aim aim(const Trace& trace, Rule rule) {
+  switch (rule) {
+    case Rule::longest_even:
+      return {"The one that is the longest even one.", "of those left, it is the longest even one"};
+    case Rule::longest:
+      return {"The one that is the longest one.", "of those left, it is the longest one"};
+    case Rule::most_even:
+      return {"The one that is the most even one.", "of those left, it is the most even one"};
+    case Rule::score:
+      break;
+  }
+  const MetricWords words = words_of(trace.metric());
+  return {words.asked, words.wins};
 }
 
 std::string behind(const Trace& trace, const WhyNot& answer) {
@@ -45,41 +51,47 @@ std::string behind(const Trace& trace, const WhyNot& answer) {
                   &b = trace.placement.candidates[*answer.winner];
   switch (answer.decided_by) {
     case DecidedBy::ratio:
-      return fill("For team #, candidate # ties with candidate #, which is more even, # against #.",
-                  {team, own, winner, ratio_text(b.chord.ratio, a.chord.ratio),
-                   ratio_text(a.chord.ratio, b.chord.ratio)});
+      return fill(
+          "For team {team}, candidate {candidate} ties with candidate {winner}, which is more even, {ratio} against {other_ratio}.",
+          {team, own, winner, ratio_text(b.chord.ratio, a.chord.ratio),
+           ratio_text(a.chord.ratio, b.chord.ratio)});
     case DecidedBy::length:
-      return fill("For team #, candidate # ties with candidate #, which is longer, # against #.",
-                  {team, own, winner, number_unlike(b.length, a.length, trace.polygon().diagonal()),
-                   number_unlike(a.length, b.length, trace.polygon().diagonal())});
+      return fill(
+          "For team {team}, candidate {candidate} ties with candidate {winner}, which is longer, {length} against {other_length}.",
+          {team, own, winner, number_unlike(b.length, a.length, trace.polygon().diagonal()),
+           number_unlike(a.length, b.length, trace.polygon().diagonal())});
     case DecidedBy::order:
       return fill(
-          "For team #, candidate # ties in everything with candidate #, which comes first in order of slope.",
+          "For team {team}, candidate {candidate} ties in everything with candidate {winner}, which comes first in order of slope.",
           {team, own, winner});
     default:
       break;
   }
-  return fill(
-      "For team #, candidate # has a # of ##. Candidate #, which it takes, has #. Candidate # is number # of those that were left.",
-      {team, own, compared_by(answer.rule), answer.exact ? "" : "at most ",
-       score_text(trace, answer.rule, answer.value, answer.best), winner,
-       score_text(trace, answer.rule, answer.best, answer.value), own,
-       counted_from_1(answer.rank)});
+  return sentences(
+      {fill(value_by(answer.rule),
+            {team, own,
+             score_or_bound(score_text(trace, answer.rule, answer.value, answer.best),
+                            answer.exact)}),
+       fill(
+           "Candidate {winner}, which it takes, has {best}. Candidate {candidate} is number {rank} of those that were left.",
+           {winner, score_text(trace, answer.rule, answer.best, answer.value), own,
+            counted_from_1(answer.rank)})});
 }
 
 // The question of the step that shows the chord of two balanced robots.
 std::string chord_question(const Trace& trace, const StepDetail& detail) {
   const BalancedDetail& balanced = *detail.balanced;
   if (balanced.moved.empty())
-    return fill(
-        "Which chord makes the best set of #? Aim for #.",
-        {counted(balanced.robots.size(), "robot"), goal_of(trace.placement.settings) == Goal::hold
-                                                       ? "a strong hold, then for coverage"
-                                                       : "coverage"});
-  return fill(
-      "#, and one robot takes the place with the ring. Which chord with M in its middle should two robots take for the best set?",
-      {fill(balanced.moved.size() == 1 ? "Robot # moves" : "Robots # move",
-            {numbers_from_1(balanced.moved)})});
+    return sentences({fill("Which chord makes the best set of {robots}?",
+                           {counted(balanced.robots.size(), "robot")}),
+                      goal_of(trace.placement.settings) == Goal::hold
+                          ? "Aim for a strong hold, then for coverage."
+                          : "Aim for coverage."});
+  return sentences({fill(balanced.moved.size() == 1
+                             ? "Robot {robots} moves, and one robot takes the place with the ring."
+                             : "Robots {robots} move, and one robot takes the place with the ring.",
+                         {numbers_from_1(balanced.moved)}),
+                    "Which chord with M in its middle should two robots take for the best set?"});
 }
 
 // Why a chord is not a candidate.
@@ -87,27 +99,33 @@ std::string why_no_candidate(const Trace& trace, const WhyNot& answer) {
   const double least = trace.placement.settings.min_ratio;
   switch (answer.why) {
     case Why::no_chord:
-      return "In this direction the boundary is not on both sides of C: no team can stand there.";
+      return written(
+          "In this direction the boundary is not on both sides of C: no team can stand there.");
     case Why::no_pair:
-      return "Its ends are not on two edges that face each other: an edge whose line passes through C is in no edge pair.";
+      return written(
+          "Its ends are not on two edges that face each other: an edge whose line passes through C is in no edge pair.");
     case Why::too_uneven:
-      return fill("Ratio too low: this chord has #. # allow at most #, below the minimum #.",
-                  {ratio_text(answer.chord.ratio, least), edges_of(trace, *answer.pair),
-                   ratio_text(answer.pair_ratio, least), exact(least)});
+      return fill(
+          "Ratio too low: this chord has {ratio}. Edges {a} and {b} allow at most {best}, below the minimum {least}.",
+          {ratio_text(answer.chord.ratio, least), counted_from_1(trace.pairs[*answer.pair].a),
+           counted_from_1(trace.pairs[*answer.pair].b), ratio_text(answer.pair_ratio, least),
+           exact(least)});
     case Why::opposite_too_uneven:
       return fill(
-          "Ratio too low: this chord between two opposite vertices has #, below the minimum #.",
+          "Ratio too low: this chord between two opposite vertices has {ratio}, below the minimum {least}.",
           {ratio_text(answer.chord.ratio, least), exact(least)});
     case Why::not_best_of_pair:
       return fill(
-          "Not the best of its edge pair: this chord has a load ratio of #. # give one candidate, number # with #.",
-          {ratio_text(answer.chord.ratio, answer.pair_ratio), edges_of(trace, *answer.pair),
+          "Not the best of its edge pair: this chord has a load ratio of {ratio}. Edges {a} and {b} give one candidate, number {candidate} with {best}.",
+          {ratio_text(answer.chord.ratio, answer.pair_ratio),
+           counted_from_1(trace.pairs[*answer.pair].a), counted_from_1(trace.pairs[*answer.pair].b),
            counted_from_1(*answer.candidate), ratio_text(answer.pair_ratio, answer.chord.ratio)});
     case Why::duplicate:
-      return fill("A duplicate: it is the same chord as candidate #, which counts for both.",
-                  {counted_from_1(*answer.candidate)});
+      return fill(
+          "A duplicate: it is the same chord as candidate {candidate}, which counts for both.",
+          {counted_from_1(*answer.candidate)});
     default:
-      return "Robots of this size cannot stand at both of its ends.";
+      return written("Robots of this size cannot stand at both of its ends.");
   }
 }
 
@@ -116,21 +134,22 @@ std::string why_not_chosen(const Trace& trace, const WhyNot& answer) {
   switch (answer.why) {
     case Why::not_even:
       return fill(
-          "The first team takes the longest even candidate. Candidate # has a load ratio of #; candidate # is even.",
+          "The first team takes the longest even candidate. Candidate {candidate} has a load ratio of {ratio}; candidate {winner} is even.",
           {counted_from_1(*answer.candidate), ratio_text(answer.chord.ratio),
            counted_from_1(*answer.winner)});
     case Why::collides:
       return fill(
-          "A robot at one of its ends would be too close to one of the teams before team #.",
+          "A robot at one of its ends would be too close to one of the teams before team {team}.",
           {counted_from_1(answer.team)});
     case Why::behind:
       return behind(trace, answer);
     default:
-      return fill("Team # takes candidate #: of those left, it #.",
+      return fill("Team {team} takes candidate {candidate}: {merit}.",
                   {counted_from_1(answer.team), counted_from_1(*answer.candidate),
-                   answer.decided_by == DecidedBy::only_one    ? "is the only one"
-                   : answer.decided_by == DecidedBy::first_key ? aim(trace, answer.rule)
-                                                               : "wins the tie for the best"});
+                   answer.decided_by == DecidedBy::only_one ? "of those left, it is the only one"
+                   : answer.decided_by == DecidedBy::first_key
+                       ? aim(trace, answer.rule).told
+                       : "of those left, it wins the tie for the best"});
   }
 }
 
@@ -140,17 +159,17 @@ std::string compared(const SetComparison& sets) {
   const auto fail = [](int steady) { return whole(static_cast<std::size_t>(std::max(0, steady))); };
   switch (sets.decided_by) {
     case BalancedKey::near_pairs:
-      return fill("# of robots would be too close to each other, instead of #",
+      return fill("{pairs} of robots would be too close to each other, instead of {present}",
                   {counted(other.near_pairs, "pair"), whole(now.near_pairs)});
     case BalancedKey::steady:
-      return fill("the object would stay steady if # fail, instead of #",
+      return fill("the object would stay steady if {robots} fail, instead of {present}",
                   {fail(other.steady), fail(now.steady)});
     case BalancedKey::level:
-      return fill("the margin would be # instead of #",
+      return fill("the margin would be {margin} instead of {present}",
                   {margin_text(sets.margin.value_or(0)), margin_text(sets.margin_now.value_or(0))});
     case BalancedKey::coverage: {
       const int decimals = percentage(other.coverage) == percentage(now.coverage) ? 3 : 0;
-      return fill("the coverage would be # instead of #",
+      return fill("the coverage would be {coverage} instead of {present}",
                   {percentage(other.coverage, decimals), percentage(now.coverage, decimals)});
     }
     case BalancedKey::spread:
@@ -166,11 +185,13 @@ std::string compared(const SetComparison& sets) {
 
 std::string question_text(const Trace& trace, const StepDetail& detail, const Question& question) {
   if (question.kind == QuestionKind::nearer_end)
-    return "None of the chords between these two sections is even. Which end is more even?";
+    return written(
+        "None of the chords between these two sections is even. Which end is more even?");
   if (question.kind == QuestionKind::even_chord) return chord_question(trace, detail);
   if (detail.swap) return swap_question(detail, question);
-  return fill("Which candidate does team # take? The one that #.",
-              {counted_from_1(detail.step.item), aim(trace, detail.scores->rule)});
+  return sentences(
+      {fill("Which candidate does team {team} take?", {counted_from_1(detail.step.item)}),
+       aim(trace, detail.scores->rule).asked});
 }
 
 std::string why_not_text(const Trace& trace, const WhyNot& answer) {
@@ -185,7 +206,7 @@ std::string why_not_text(const Trace& trace, const WhyNot& answer) {
       return why_no_candidate(trace, answer);
     case Why::not_by_candidates:
       return fill(
-          "Load ratio #. The method “#” does not choose among candidates.",
+          "Load ratio {ratio}. The method “{method}” does not choose among candidates.",
           {ratio_text(answer.chord.ratio), method_in_words(trace.placement.settings.method)});
     case Why::not_even:
     case Why::behind:
@@ -200,37 +221,41 @@ std::string why_no_robot_text(const Trace& trace, const WhyNoRobot& answer) {
   const Piece robot = counted_from_1(answer.robot);
   switch (answer.why) {
     case WhyNoRobot::Why::no_set:
-      return "There are fewer than three robots, so none can move.";
+      return written("There are fewer than three robots, so none can move.");
     case WhyNoRobot::Why::stands_from_start:
-      return fill("Robot # has stood here since the first set: no swap that moved it was better.",
-                  {robot});
+      return fill(
+          "Robot {robot} has stood here since the first set: no swap that moved it was better.",
+          {robot});
     case WhyNoRobot::Why::stands:
       return fill(
-          "Robot # came here in round #, with swap # of #. No later swap that moved it was better.",
+          "Robot {robot} came here in round {round}, with swap {swap} of {swaps}. No later swap that moved it was better.",
           {robot, counted_from_1(trace.history.moves[answer.move].round),
            counted_from_1(answer.move), whole(trace.history.moves.size())});
     case WhyNoRobot::Why::no_completion:
-      return "With a robot here, no two others make C the centroid of all again: whichever three leave, no chord of the object has the required point M in its middle.";
+      return written(
+          "With a robot here, no two others make C the centroid of all again: whichever three leave, no chord of the object has the required point M in its middle.");
     case WhyNoRobot::Why::other_set:
       break;
   }
-  const std::size_t stay = answer.set.kept.size(), move = answer.set.came.size() - 1;
-  const std::string others =
-      move == 0 ? fill("the other # could stay where they are", {whole(stay)})
-                : fill("at best # of the others could stay, and # would have to move to the #",
-                       {whole(stay), move == 1 ? "one" : "two", move == 1 ? "ring" : "rings"});
-  return fill(
-      "With a robot here, #, so that C stays the centroid. Then #.#",
-      {others, compared(answer.comparison),
+  const std::size_t move = answer.set.came.size() - 1;
+  return sentences(
+      {fill(
+           move == 0
+               ? "With a robot here, the other {others} could stay where they are, so that C stays the centroid."
+           : move == 1
+               ? "With a robot here, at best {others} of the others could stay, and one would have to move to the ring, so that C stays the centroid."
+               : "With a robot here, at best {others} of the others could stay, and two would have to move to the rings, so that C stays the centroid.",
+           {whole(answer.set.kept.size())}),
+       fill("Then {result}.", {compared(answer.comparison)}),
        answer.comparison.better
            ? fill(
-                 " That would be better, but the search tries # points, and this place is not one of them.",
+                 "That would be better, but the search tries {points} points, and this place is not one of them.",
                  {whole(trace.history.stands)})
-           : std::string()});
+           : ""});
 }
 
 std::string even_chord_text(const Trace& trace, const StepDetail& detail, std::uint32_t choice) {
-  return fill("With chord #, #.",
+  return fill("With chord {chord}, {result}.",
               {counted_from_1(choice), compared(compare_even_chord(trace, detail, choice))});
 }
 

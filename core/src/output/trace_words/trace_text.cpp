@@ -6,6 +6,7 @@
 #include "evenlift/angles.h"
 #include "evenlift/output/words.h"
 #include "evenlift/tolerance.h"
+#include "evenlift/wording.h"
 
 namespace evenlift {
 namespace {
@@ -73,18 +74,21 @@ std::string written(const Piece& piece) {
     case Piece::Kind::text:
       break;
   }
-  return std::string(piece.text);
+  return std::string(translated(piece.text));
 }
 
 std::string fill(std::string_view pattern, std::initializer_list<Piece> pieces) {
+  std::vector<std::string> texts;
+  for (const Piece& piece : pieces) texts.push_back(written(piece));
+  return say_written(pattern, texts.data(), texts.size());
+}
+
+std::string sentences(std::initializer_list<Piece> each) {
   std::string text;
-  const Piece* piece = pieces.begin();
-  for (const char c : pattern) {
-    if (c == '#' && piece != pieces.end()) {
-      text += written(*piece++);
-    } else {
-      text += c;
-    }
+  for (const Piece& piece : each) {
+    const std::string sentence = written(piece);
+    if (!text.empty() && !sentence.empty()) text += ' ';
+    text += sentence;
   }
   return text;
 }
@@ -140,32 +144,37 @@ Piece weight_text(const Trace& trace, double value, double largest) {
 Piece margin_text(double value) { return with_decimals(value, margin_decimals(value)); }
 
 std::string cargo_text(const Trace& trace, std::uint32_t item) {
-  const std::string& name = trace.placement.settings.cargo[item].name;
-  return fill(name.empty() ? "Cargo #" : "Cargo #, “#”,", {counted_from_1(item), name});
-}
-
-std::string robot_of_contact(const Contact& contact) {
-  return fill("robot #", {counted_from_1(contact.point)});
+  // The name is the user's, so it is not looked up.
+  const std::string number_and_name[] = {written(counted_from_1(item)),
+                                         trace.placement.settings.cargo[item].name};
+  return number_and_name[1].empty() ? say_written("Cargo {item}", number_and_name, 1)
+                                    : say_written("Cargo {item}, “{name}”,", number_and_name, 2);
 }
 
 MetricWords words_of(Metric metric) {
   switch (metric) {
     case Metric::circle:
-      return {"the area of the circles inscribed in the triangles between H and its ends",
-              "adds the largest inscribed circles",
-              "whose ends leave room for the largest circles beyond the lifting base",
-              "The circles have an area of #; those of the next best chord have ##."};
+      return {
+          "The score is the area of the circles inscribed in the triangles between H and its ends.",
+          "The one that adds the largest inscribed circles.",
+          "of those left, it adds the largest inscribed circles",
+          "Team {team} takes the chord whose ends leave room for the largest circles beyond the lifting base: the wider the lifting base, the harder it is to tip the object.",
+          "The circles have an area of {area}; those of the next best chord have {next}."};
     case Metric::distance:
-      return {"the amount by which it reduces the leverage of weight on the vertices",
-              "reduces the leverage of weight on the vertices most",
-              "that most reduces the leverage of weight on the vertices",
-              "It reduces this leverage by #, the next best chord by ##."};
+      return {
+          "The score is the amount by which it reduces the leverage of weight on the vertices.",
+          "The one that reduces the leverage of weight on the vertices most.",
+          "of those left, it reduces the leverage of weight on the vertices most",
+          "Team {team} takes the chord that most reduces the leverage of weight on the vertices: the wider the lifting base, the harder it is to tip the object.",
+          "It reduces this leverage by {lever}, the next best chord by {next}."};
     case Metric::area:
       break;
   }
-  return {"the area, within the object, of the triangles between H and its two ends",
-          "adds the most area", "that adds the most area to the lifting base",
-          "It adds an area of #; the next best chord would add ##."};
+  return {
+      "The score is the area, within the object, of the triangles between H and its two ends.",
+      "The one that adds the most area.", "of those left, it adds the most area",
+      "Team {team} takes the chord that adds the most area to the lifting base: the wider the lifting base, the harder it is to tip the object.",
+      "It adds an area of {area}; the next best chord would add {next}."};
 }
 
 Piece score_text(const Trace& trace, Rule rule, double value, double other) {
@@ -174,6 +183,10 @@ Piece score_text(const Trace& trace, Rule rule, double value, double other) {
   const bool is_length =
       rule == Rule::longest_even || rule == Rule::longest || scores_are_lengths(trace.metric());
   return number_unlike(value, other, is_length ? size : 0.1 * size * size);
+}
+
+std::string score_or_bound(const Piece& score, bool exact) {
+  return exact ? written(score) : fill("at most {score}", {score});
 }
 
 double slope_degrees(const Vec2& direction) {

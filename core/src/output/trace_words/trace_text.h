@@ -39,8 +39,11 @@ struct Piece {
 
 std::string written(const Piece& piece);
 
-// Replaces each # in the pattern by the next piece.
+// The pattern in the reader's language with the pieces in the places of its {names}, as by say().
 std::string fill(std::string_view pattern, std::initializer_list<Piece> pieces);
+
+// Sentences in the reader's language, joined by spaces. Empty ones are left out.
+std::string sentences(std::initializer_list<Piece> each);
 
 // A whole number. counted_from_1(0) is "1", and counted(3, "team") is "3 teams".
 Piece whole(std::size_t number);
@@ -78,19 +81,19 @@ Piece margin_text(double value);
 // An item of cargo, with its name if it has one: "Cargo 2, “motor”,".
 std::string cargo_text(const Trace& trace, std::uint32_t item);
 
-// The robot of a contact: "robot 3".
-std::string robot_of_contact(const Contact& contact);
-
 // The walkthrough's words for a metric: the quantity that it measures, the merit of the candidate
-// that wins, the place of the winning chord, and its lead over the next best.
+// that wins, asked for and told, the place of the winning chord, and its lead over the next best.
 struct MetricWords {
-  const char *score, *wins, *chord, *gains;
+  const char *score, *asked, *wins, *chord, *gains;
 };
 MetricWords words_of(Metric metric);
 
 // The value of a score in the unit of the trace's metric and rule, with enough decimals to
 // distinguish it from `other`.
 Piece score_text(const Trace& trace, Rule rule, double value, double other);
+
+// The score, or "at most" it if it is an upper bound.
+std::string score_or_bound(const Piece& score, bool exact);
 
 // The angle between a direction and the x axis, in degrees, in (-90, 90]; 90 within tolerance of
 // vertical.

@@ -16,19 +16,12 @@ std::string with_unit(const Trace& trace, const TeamScores& scores, double value
   return length || trace.units.length == LengthUnit::none ? text : text + "²";
 }
 
-std::string first_team_is(const TeamScores& scores) {
+const char* first_team_is(const TeamScores& scores) {
   if (scores.rule == Rule::most_even)
     return "No chord has two equal halves. The first team takes the chord that comes closest.";
-  return std::string("The first team takes the longest chord ") +
-         (scores.rule == Rule::longest ? "that meets the minimum load ratio"
-                                       : "with two equal halves") +
-         ": the farther apart the robots stand, the wider the lifting base can become.";
-}
-
-std::string further_team_is(const Trace& trace, const TeamScores& scores) {
-  return fill(
-      "Team # takes the chord #: the wider the lifting base, the harder it is to tip the object.",
-      {counted_from_1(scores.team), words_of(trace.metric()).chord});
+  return scores.rule == Rule::longest
+             ? "The first team takes the longest chord that meets the minimum load ratio: the farther apart the robots stand, the wider the lifting base can become."
+             : "The first team takes the longest chord with two equal halves: the farther apart the robots stand, the wider the lifting base can become.";
 }
 
 // The chord's lead over the next best, or the key that decided between the two.
@@ -40,10 +33,10 @@ std::string lead(const Trace& trace, const TeamScores& scores) {
   switch (scores.decided_by) {
     case DecidedBy::ratio:
       return fill(
-          "Another chord is as good; this one is more even, with a load ratio of # against #.",
+          "Another chord is as good; this one is more even, with a load ratio of {ratio} against {other_ratio}.",
           {ratio_text(a.chord.ratio, b.chord.ratio), ratio_text(b.chord.ratio, a.chord.ratio)});
     case DecidedBy::length:
-      return fill("Another chord is as good; this one is longer, # against #.",
+      return fill("Another chord is as good; this one is longer, {length} against {other_length}.",
                   {with_length_unit(written(number_unlike(a.length, b.length, size)), units),
                    with_length_unit(written(number_unlike(b.length, a.length, size)), units)});
     case DecidedBy::order:
@@ -55,25 +48,26 @@ std::string lead(const Trace& trace, const TeamScores& scores) {
   const Score &best = scores.of_candidate[winner], &next = scores.of_candidate[second];
   if (!next.eligible) return "It is the only one.";
   if (scores.rule == Rule::most_even)
-    return fill("Its load ratio is #, that of the next chord #.",
+    return fill("Its load ratio is {ratio}, that of the next chord {next}.",
                 {ratio_text(best.value, next.value), ratio_text(next.value, best.value)});
   if (scores.rule != Rule::score)
-    return fill("The next chord is # shorter.",
+    return fill("The next chord is {length} shorter.",
                 {with_unit(trace, scores, best.value - next.value, 0)});
   return fill(words_of(trace.metric()).gains,
-              {with_unit(trace, scores, best.value, next.value), next.exact ? "" : "at most ",
-               with_unit(trace, scores, next.value, best.value)});
+              {with_unit(trace, scores, best.value, next.value),
+               score_or_bound(with_unit(trace, scores, next.value, best.value), next.exact)});
 }
 
 }  // namespace
 
 std::string why_here_text(const Trace& trace, const TeamScores& scores) {
-  if (scores.decided_by == DecidedBy::only_one) return "It was the only chord left.";
+  if (scores.decided_by == DecidedBy::only_one) return written("It was the only chord left.");
   const Score& best = scores.of_candidate[scores.ranking.front()];
-  const std::string first = scores.team == 0 ? first_team_is(scores)
-                            : best.value > 0 ? further_team_is(trace, scores)
-                                             : "No chord left adds anything to the lifting base.";
-  return first + " " + lead(trace, scores);
+  return sentences({scores.team == 0 ? first_team_is(scores)
+                    : best.value > 0
+                        ? fill(words_of(trace.metric()).chord, {counted_from_1(scores.team)})
+                        : "No chord left adds anything to the lifting base.",
+                    lead(trace, scores)});
 }
 
 }  // namespace evenlift

@@ -10,6 +10,7 @@
 #include "evenlift/output/words.h"
 #include "evenlift/tilt.h"
 #include "evenlift/tolerance.h"
+#include "evenlift/wording.h"
 
 namespace evenlift {
 namespace {
@@ -118,15 +119,13 @@ const Row* find(std::string_view name) {
 const Row& row_of(const Condition& condition) { return *find(condition.quantity); }
 
 std::string names(bool yes_or_no) {
-  std::vector<std::string_view> found;
-  for (const Row& row : rows)
-    if (row.yes_or_no == yes_or_no) found.push_back(row.name);
-  std::string text;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const char* before = i == 0 ? "" : i + 1 < found.size() ? ", " : yes_or_no ? " or " : " and ";
-    text += before + std::string(found[i]);
+  std::string found[2];  // all but the last, and the last
+  for (const Row& row : rows) {
+    if (row.yes_or_no != yes_or_no) continue;
+    if (!found[1].empty()) found[0] += (found[0].empty() ? "" : ", ") + found[1];
+    found[1] = row.name;
   }
-  return text;
+  return say_written(yes_or_no ? "{names} or {last}" : "{names} and {last}", found, 2);
 }
 
 std::optional<Condition> read_condition(const std::string& text) {
@@ -150,10 +149,15 @@ std::string without_spaces(std::string_view text) {
 
 InputError refused(const std::string& condition) {
   const bool quotable = !condition.empty() && is_quotable(condition);
-  return bad_setting("require", "a condition must be " + names(true) + ", or one of " +
-                                    names(false) +
-                                    " with >= or <= and a number, such as coverage>=0.8" +
-                                    (quotable ? ", not \"" + condition + "\"" : std::string()));
+  const std::string values[] = {names(true), names(false), condition};
+  return bad_setting(
+      "require",
+      say_written(quotable
+                      ? "a condition must be {conditions}, or one of {quantities} with >= or <= "
+                        "and a number, such as coverage>=0.8, not \"{condition}\""
+                      : "a condition must be {conditions}, or one of {quantities} with >= or <= "
+                        "and a number, such as coverage>=0.8",
+                  values, quotable ? 3 : 2));
 }
 
 // A share in per cent; any other value as it is.
@@ -229,9 +233,10 @@ std::vector<Requirement> check_conditions(const ShownPlacement& of,
 
 std::string condition_in_words(const Condition& condition, const Units& units) {
   const Row& row = row_of(condition);
-  if (row.yes_or_no) return std::string(row.words);
-  return std::string(row.words) + (condition.at_least ? " is at least " : " is at most ") +
-         with_unit(plain(in_unit(condition.limit, row.unit)), row.unit, units);
+  if (row.yes_or_no) return say(row.words);
+  return say(
+      condition.at_least ? "{quantity} is at least {limit}" : "{quantity} is at most {limit}",
+      {row.words, with_unit(plain(in_unit(condition.limit, row.unit)), row.unit, units)});
 }
 
 std::string value_in_words(const Requirement& requirement, const Units& units) {

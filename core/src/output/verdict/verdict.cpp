@@ -3,30 +3,29 @@
 #include "evenlift/capacity.h"
 #include "evenlift/output/carrying_words.h"
 #include "evenlift/output/words.h"
+#include "evenlift/wording.h"
 
 namespace evenlift {
 namespace {
 
 std::string misfit_sentence(const ShownPlacement& of, const Misfit& misfit) {
   const RobotSize& size = of.placement.settings.robot;
-  const std::string robot = "Robot " + std::to_string(misfit.robot + 1);
-  const auto text = [&](double value) { return with_length_unit(plain(value), of.shown.units); };
+  const std::uint32_t robot = misfit.robot + 1;
   switch (misfit.why) {
     case Misfit::Why::outside:
-      return robot + " has no room for its body" +
-             (size.radius > 0 ? " of radius " + text(size.radius) : std::string()) + ".";
+      return size.radius > 0 ? say("Robot {robot} has no room for its body of radius {radius}.",
+                                   {robot, with_length_unit(plain(size.radius), of.shown.units)})
+                             : say("Robot {robot} has no room for its body.", {robot});
     case Misfit::Why::arm:
-      return "The arm of robot " + std::to_string(misfit.robot + 1) + " would cross the object.";
+      return say("The arm of robot {robot} would cross the object.", {robot});
     case Misfit::Why::hand:
-      return "The hand of robot " + std::to_string(misfit.robot + 1) +
-             " would stick out of the object.";
+      return say("The hand of robot {robot} would stick out of the object.", {robot});
     case Misfit::Why::no_go:
-      return robot + " stands at a no-go part of the boundary.";
+      return say("Robot {robot} stands at a no-go part of the boundary.", {robot});
     case Misfit::Why::too_near:
       break;
   }
-  return "Robots " + std::to_string(misfit.other + 1) + " and " + std::to_string(misfit.robot + 1) +
-         " are too near to each other.";
+  return say("Robots {other} and {robot} are too near to each other.", {misfit.other + 1, robot});
 }
 
 }  // namespace
@@ -50,8 +49,8 @@ std::vector<std::string> misfits_in_words(const ShownPlacement& of) {
   for (std::size_t i = 0; i < all.size() && i < most_listed; ++i)
     sentences.push_back(misfit_sentence(of, all[i]));
   if (all.size() > most_listed)
-    sentences.push_back("The robots do not fit in " + std::to_string(all.size() - most_listed) +
-                        " more ways.");
+    sentences.push_back(
+        say("The robots do not fit in {number} more ways.", {all.size() - most_listed}));
   return sentences;
 }
 

@@ -5,6 +5,7 @@
 #include "evenlift/angles.h"
 #include "evenlift/capacity.h"
 #include "evenlift/tolerance.h"
+#include "evenlift/wording.h"
 #include "output/words/listed.h"
 
 namespace evenlift {
@@ -18,44 +19,48 @@ std::string length_in_words(double length, const Units& units) {
   return with_length_unit(plain(length), units);
 }
 
-// "With C off by up to 20 mm, on a slope of 8 % and braked at 0.3 g it tips."
+// "With C off by up to 20 mm, on a slope of 8 % and braked at 0.3 g, it tips." It is on a slope or
+// braked.
 std::string tips_under_these(const Shown& shown) {
+  constexpr const char* sentences[2][3] = {
+      {"On a slope of {slope} it tips.", "On level ground, braked at {acceleration}, it tips.",
+       "On a slope of {slope} and braked at {acceleration}, it tips."},
+      {"With C off by up to {radius}, on a slope of {slope} it tips.",
+       "With C off by up to {radius}, on level ground, braked at {acceleration}, it tips.",
+       "With C off by up to {radius}, on a slope of {slope} and braked at {acceleration}, it tips."}};
   const Carrying& carrying = shown.carrying;
-  std::string text;
-  if (shown.com_radius > 0)
-    text = "With C off by up to " + length_in_words(shown.com_radius, shown.units) + ", on";
-  else
-    text = "On";
-  text += carrying.slope > 0 ? " a slope of " + slope_in_words(carrying.slope)
-                             : std::string(" level ground");
-  if (carrying.acceleration > 0)
-    text += (carrying.slope > 0 ? " and braked at " : ", braked at ") +
-            acceleration_in_words(carrying.acceleration) + ",";
-  return text + " it tips.";
+  std::vector<std::string> values;
+  if (shown.com_radius > 0) values.push_back(length_in_words(shown.com_radius, shown.units));
+  if (carrying.slope > 0) values.push_back(slope_in_words(carrying.slope));
+  if (carrying.acceleration > 0) values.push_back(acceleration_in_words(carrying.acceleration));
+  const std::size_t when = !(carrying.slope > 0) ? 1 : carrying.acceleration > 0 ? 2 : 0;
+  return say_written(sentences[shown.com_radius > 0 ? 1 : 0][when], values.data(), values.size());
 }
 
-// A condition that changes loads, as an addition to a sentence and as a clause, each followed by how
-// great it is.
+// A condition that changes loads, as an addition to a sentence and as a clause.
 struct Condition {
-  std::string as_addition, as_clause, amount;
+  std::string as_addition, as_clause;
 };
 
 // The conditions that change loads.
 std::vector<Condition> conditions_of(const Shown& shown) {
   const Carrying& carrying = shown.carrying;
   std::vector<Condition> conditions;
+  const auto add = [&](const char* addition, const char* clause, const std::string& size) {
+    conditions.push_back({say(addition, {size}), say(clause, {size})});
+  };
   if (shown.com_radius > 0)
-    conditions.push_back({"with a C uncertainty of ", "C is off by up to ",
-                          length_in_words(shown.com_radius, shown.units)});
+    add("with a C uncertainty of {amount}", "C is off by up to {amount}",
+        length_in_words(shown.com_radius, shown.units));
   if (carrying.slope > 0)
-    conditions.push_back(
-        {"on slopes up to ", "the ground slopes by up to ", slope_in_words(carrying.slope)});
+    add("on slopes up to {amount}", "the ground slopes by up to {amount}",
+        slope_in_words(carrying.slope));
   if (carrying.acceleration > 0 && carrying.com_height > 0)
-    conditions.push_back({"braked at up to ", "the object is braked at up to ",
-                          acceleration_in_words(carrying.acceleration)});
+    add("braked at up to {amount}", "the object is braked at up to {amount}",
+        acceleration_in_words(carrying.acceleration));
   if (carrying.uneven > 0 && carrying.give)
-    conditions.push_back({"with heights off by up to ", "heights are off by up to ",
-                          length_in_words(carrying.uneven, shown.units)});
+    add("with heights off by up to {amount}", "heights are off by up to {amount}",
+        length_in_words(carrying.uneven, shown.units));
   return conditions;
 }
 
@@ -77,18 +82,19 @@ std::string degrees_in_words(double degrees) { return significant(degrees, 3) + 
 std::string disturbance_in_words(const Shown& shown) {
   std::string text;
   for (const Condition& condition : conditions_of(shown))
-    text += (text.empty() ? "" : ", ") + (condition.as_addition + condition.amount);
+    text += (text.empty() ? "" : ", ") + condition.as_addition;
   return text;
 }
 
 std::string disturbance_as_clause(const Shown& shown) {
   const std::vector<Condition> conditions = conditions_of(shown);
   std::string text;
-  for (std::size_t i = 0; i < conditions.size(); ++i)
-    text += (i == 0                      ? ""
-             : i + 1 < conditions.size() ? ", "
-                                         : " and ") +
-            (conditions[i].as_clause + conditions[i].amount);
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    const std::string& clause = conditions[i].as_clause;
+    text = i == 0                      ? clause
+           : i + 1 < conditions.size() ? text + ", " + clause
+                                       : say("{clauses} and {last}", {text, clause});
+  }
   return text;
 }
 
@@ -96,10 +102,10 @@ std::string without_effect_in_words(const Shown& shown) {
   const Carrying& carrying = shown.carrying;
   std::string text;
   if (carrying.acceleration > 0 && !(carrying.com_height > 0))
-    text = "The acceleration changes nothing without the height of the centre of mass.";
+    text = say("The acceleration changes nothing without the height of the centre of mass.");
   if (carrying.uneven > 0 && !carrying.give)
-    text += std::string(text.empty() ? "" : " ") +
-            "Uneven heights change nothing unless it is known how far robots give way.";
+    text += (text.empty() ? "" : " ") +
+            say("Uneven heights change nothing unless it is known how far robots give way.");
   return text;
 }
 
@@ -111,64 +117,78 @@ std::string tipping_in_words(const Robustness& robustness, const ShownPlacement&
                ? std::string()
                : tips_under_these(shown);
   if (!(reach > 0) || reach < distance) return {};
-  return "It can tip: the centre of mass may be off by " + length_in_words(reach, shown.units) +
-         ", and " + with_length_unit(amount(distance, distance), shown.units) +
-         " in one direction is enough.";
+  return say(
+      "It can tip: the centre of mass may be off by {reach}, and {distance} in one direction is "
+      "enough.",
+      {length_in_words(reach, shown.units),
+       with_length_unit(amount(distance, distance), shown.units)});
 }
 
 std::string tilt_in_words(const Robustness& robustness, const ShownPlacement& of) {
   const auto tilt =
       tilt_of(of.shown, robustness.tipping_distance, of.placement.polygon().diameter());
   if (!tilt) return {};
-  if (!(tilt->slope > 0)) return "On any slope, and whenever it is braked, it can tip.";
-  const std::string with_disturbance =
-      of.shown.com_radius > 0
-          ? ", with C off by up to " + length_in_words(of.shown.com_radius, of.shown.units)
-          : std::string();
-  return "In the worst direction it tips at a slope of " + degrees_in_words(tilt->degrees) + " (" +
-         slope_in_words(tilt->slope) + ") or when it is braked at " +
-         acceleration_in_words(tilt->acceleration) + with_disturbance + ".";
+  if (!(tilt->slope > 0)) return say("On any slope, and whenever it is braked, it can tip.");
+  const std::string degrees = degrees_in_words(tilt->degrees), slope = slope_in_words(tilt->slope),
+                    acceleration = acceleration_in_words(tilt->acceleration);
+  if (of.shown.com_radius > 0)
+    return say(
+        "In the worst direction it tips at a slope of {degrees} ({slope}) or when it is braked at "
+        "{acceleration}, with C off by up to {radius}.",
+        {degrees, slope, acceleration, length_in_words(of.shown.com_radius, of.shown.units)});
+  return say(
+      "In the worst direction it tips at a slope of {degrees} ({slope}) or when it is braked at "
+      "{acceleration}.",
+      {degrees, slope, acceleration});
 }
 
 std::string extra_in_words(const ExtraLoad& extra, const ShownPlacement& of) {
+  constexpr const char* sentences[3][2] = {
+      {"Another {weight} may stand anywhere on the object without lifting a robot off, if all robots "
+       "are equally stiff.",
+       "Another {weight} may stand anywhere on the object without lifting a robot off or overloading "
+       "one, if all robots are equally stiff."},
+      {"Another {weight} may stand nowhere on the object without lifting a robot off, if all robots "
+       "are equally stiff.",
+       "Another {weight} may stand nowhere on the object without lifting a robot off or overloading "
+       "one, if all robots are equally stiff."},
+      {"Another {weight} may stand on {share} of the object without lifting a robot off, if all "
+       "robots are equally stiff.",
+       "Another {weight} may stand on {share} of the object without lifting a robot off or "
+       "overloading one, if all robots are equally stiff."}};
   const Units& units = of.shown.units;
-  const std::string load = "Another " + given_weight(extra.weight, units) + " may stand ";
-  const char* harm =
-      has_capacities(of) ? "lifting a robot off or overloading one" : "lifting a robot off";
-  const std::string condition = ", if all robots are equally stiff";
-  std::string text;
-  if (extra.share >= 1 - tau)
-    return load + "anywhere on the object without " + harm + condition + ".";
-  if (extra.share <= tau)
-    text = load + "nowhere on the object without " + harm + condition + ".";
-  else
-    text =
-        load + "on " + percentage(extra.share) + " of the object without " + harm + condition + ".";
-  if (extra.anywhere && *extra.anywhere > 0)
-    text += " Up to " + load_in_words(*extra.anywhere, *extra.anywhere, units) +
-            " may stand anywhere on it.";
+  const std::size_t where = extra.share >= 1 - tau ? 0 : extra.share <= tau ? 1 : 2;
+  const std::string values[] = {given_weight(extra.weight, units), percentage(extra.share)};
+  std::string text =
+      say_written(sentences[where][has_capacities(of) ? 1 : 0], values, where == 2 ? 2 : 1);
+  if (where != 0 && extra.anywhere && *extra.anywhere > 0)
+    text += " " + say("Up to {load} may stand anywhere on it.",
+                      {load_in_words(*extra.anywhere, *extra.anywhere, units)});
   return text;
 }
 
 LoadHere extra_here_in_words(const ExtraLoad& extra, const Vec2& at, const ShownPlacement& of) {
-  const std::string here = given_weight(extra.weight, of.shown.units) + " here";
+  const std::string weight = given_weight(extra.weight, of.shown.units);
   const auto loads = loads_with(of.placement, extra.weight, at);
-  if (!loads) return {here + " tips it", false};
+  if (!loads) return {say("{weight} here tips it", {weight}), false};
   const auto [least, greatest] = std::minmax_element(loads->begin(), loads->end());
-  std::string words =
-      here + ": robots carry " + load_in_words(*least, *greatest, *greatest, of.shown.units);
+  std::string words = say("{weight} here: robots carry {loads}",
+                          {weight, load_in_words(*least, *greatest, *greatest, of.shown.units)});
   const std::vector<std::size_t> overloaded = overloaded_robots(of, *loads);
   std::vector<std::size_t> idle;
   for (std::size_t i = 0; i < loads->size(); ++i)
     if (!((*loads)[i] > 0)) idle.push_back(i);
   if (!overloaded.empty())
-    words += std::string(" · overloaded: ") + (overloaded.size() == 1 ? "robot " : "robots ") +
-             numbers_from_1(overloaded);
+    words += " · " + say(overloaded.size() == 1 ? "overloaded: robot {robots}"
+                                                : "overloaded: robots {robots}",
+                         {numbers_from_1(overloaded)});
   if (!idle.empty())
-    words += (idle.size() == 1 ? " · robot " : " · robots ") + numbers_from_1(idle) +
-             (idle.size() == 1 ? " goes slack" : " go slack");
+    words +=
+        " · " + say(idle.size() == 1 ? "robot {robots} goes slack" : "robots {robots} go slack",
+                    {numbers_from_1(idle)});
   const bool is_fine = is_within(extra.region, at, of.placement.polygon().diameter());
-  if (!is_fine && overloaded.empty() && idle.empty()) words += " · not under all given conditions";
+  if (!is_fine && overloaded.empty() && idle.empty())
+    words += " · " + say("not under all given conditions");
   return {words, is_fine};
 }
 
@@ -180,8 +200,8 @@ std::string tilt_towards_in_words(const Vec2& at, const ShownPlacement& of) {
     return {};
   const double slope =
       tipping_slope(placement.lifting_base, placement.centre_of_mass, towards, of.shown);
-  return "Downhill this way it tips at " + degrees_in_words(slope_degrees(slope)) + " (" +
-         slope_in_words(slope) + ")";
+  return say("Downhill this way it tips at {degrees} ({slope})",
+             {degrees_in_words(slope_degrees(slope)), slope_in_words(slope)});
 }
 
 }  // namespace evenlift

@@ -5,20 +5,22 @@
 #include <string>
 #include <vector>
 
+#include "evenlift/wording.h"
+
 namespace evenlift {
 
 // "1, 2 and 5". Of more than eight numbers, only the first seven
 // appear, with "and 3 more".
 inline std::string listed(const std::vector<std::size_t>& numbers) {
+  if (numbers.empty()) return {};
   constexpr std::size_t most_named = 8;
-  const std::size_t named = numbers.size() > most_named ? most_named - 1 : numbers.size();
+  const bool all = numbers.size() <= most_named;
+  const std::size_t before = all ? numbers.size() - 1 : most_named - 1;
   std::string text;
-  for (std::size_t i = 0; i < named; ++i) {
-    if (i > 0) text += i + 1 == numbers.size() ? " and " : ", ";
-    text += std::to_string(numbers[i]);
-  }
-  if (named < numbers.size()) text += " and " + std::to_string(numbers.size() - named) + " more";
-  return text;
+  for (std::size_t i = 0; i < before; ++i) text += (i > 0 ? ", " : "") + std::to_string(numbers[i]);
+  if (!all) return say("{numbers} and {rest} more", {text, numbers.size() - before});
+  return before == 0 ? std::to_string(numbers[0])
+                     : say("{numbers} and {last}", {text, numbers.back()});
 }
 
 // "2, 4 and 5" for robots, teams or candidates numbered from 0.

@@ -6,6 +6,7 @@
 #include "evenlift/output/words.h"
 #include "evenlift/plane.h"
 #include "evenlift/tolerance.h"
+#include "evenlift/wording.h"
 #include "numbers/number_text.h"
 #include "output/words/ascii_number.h"
 
@@ -141,7 +142,7 @@ std::string promised_length(double length, const Units& units) {
 
 std::string points_ahead(double share, double other) {
   const auto hundredths = [](double of) { return std::round(10000 * of); };
-  return plain((hundredths(share) - hundredths(other)) / 100) + " points";
+  return say("{number} points", {plain((hundredths(share) - hundredths(other)) / 100)});
 }
 
 std::string percentage(double share, int decimals) {
@@ -156,7 +157,7 @@ std::string percentage(double share, int decimals) {
 }
 
 std::string count_of(std::size_t n, const char* one, const char* many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
+  return std::to_string(n) + " " + std::string(translated(n == 1 ? one : many));
 }
 
 std::string ratio_in_words(double ratio) { return fixed(ratio, 3); }

@@ -8,6 +8,7 @@
 #include "evenlift/output/carrying_words.h"
 #include "evenlift/tilt.h"
 #include "evenlift/uncertainty.h"
+#include "evenlift/wording.h"
 #include "output/words/listed.h"
 
 namespace evenlift {
@@ -22,15 +23,17 @@ std::string length_in_words(double length, const Units& units) {
 
 std::string springs_in_words(const SpringLoads& springs, const Units& units) {
   const auto [least, greatest] = std::minmax_element(springs.loads.begin(), springs.loads.end());
-  std::string text =
-      "If all robots are equally stiff and level and the object does not bend, they carry " +
-      load_in_words(*least, *greatest, *greatest, units) + " each.";
+  const std::string text = say(
+      "If all robots are equally stiff and level and the object does not bend, they carry {loads} "
+      "each.",
+      {load_in_words(*least, *greatest, *greatest, units)});
   Robots idle;
   for (std::size_t i = 0; i < springs.loads.size(); ++i)
     if (springs.loads[i] == 0) idle.push_back(i + 1);
   if (idle.empty()) return text;
-  return text + (idle.size() == 1 ? " Robot " : " Robots ") + listed(idle) +
-         (idle.size() == 1 ? " goes slack." : " go slack.");
+  return text + " " +
+         say(idle.size() == 1 ? "Robot {robots} goes slack." : "Robots {robots} go slack.",
+             {listed(idle)});
 }
 
 // "five", or digits for numbers above twelve.
@@ -48,7 +51,7 @@ double greatest_after(const RestOfRobots& rest) {
 bool is_disturbed(const RestOfRobots& rest) { return rest.greatest_end > rest.greatest_by_springs; }
 
 std::string robots_or(const Robots& robots) {
-  return (robots.size() == 1 ? "robot " : "any of robots ") + listed(robots);
+  return say(robots.size() == 1 ? "robot {robots}" : "any of robots {robots}", {listed(robots)});
 }
 
 }  // namespace
@@ -60,12 +63,14 @@ std::string model_in_words(LoadModel model, const ModelLoads& loads, const Units
     case LoadModel::springs:
       return springs_in_words(loads.springs, units);
     case LoadModel::best:
-      return "However well the weight is shared, some robot carries at least " +
-             load_in_words(loads.best, loads.best, units) + ".";
+      return say("However well the weight is shared, some robot carries at least {load}.",
+                 {load_in_words(loads.best, loads.best, units)});
     case LoadModel::worst: {
       const double greatest = *std::max_element(loads.worst.begin(), loads.worst.end());
-      return "If the robots' heights are unequal or the object bends, a robot may have to carry up to " +
-             load_in_words(greatest, greatest, units) + ".";
+      return say(
+          "If the robots' heights are unequal or the object bends, a robot may have to carry up to "
+          "{load}.",
+          {load_in_words(greatest, greatest, units)});
     }
   }
   return {};
@@ -85,43 +90,52 @@ std::string uncertainty_in_words(const ModelLoads& loads, const Robustness& robu
     change = std::max(change, loads.changes.by[i]);
     if (!slack) change = std::max(change, springs.loads[i] - ranges[i].least);
   }
-  const std::string most = load_in_words(greatest, greatest, units) + ".";
+  const std::string most = load_in_words(greatest, greatest, units);
   if (slack && !only_centre)
-    return "If " + disturbance_as_clause(shown) +
-           ", one of equally stiff robots may go slack, and another may have to carry up to " +
-           most;
-  std::string text = "If " + disturbance_as_clause(shown) +
-                     ", the loads of equally stiff robots change by up to " +
-                     load_in_words(change, change, units) + ".";
+    return say(
+        "If {conditions}, one of equally stiff robots may go slack, and another may have to carry up "
+        "to {load}.",
+        {disturbance_as_clause(shown), most});
+  const std::string text =
+      say("If {conditions}, the loads of equally stiff robots change by up to {load}.",
+          {disturbance_as_clause(shown), load_in_words(change, change, units)});
   if (only_centre) {
     if (robustness.tipping_distance == 0)
-      return text + " Even the smallest error can tip the object.";
+      return text + " " + say("Even the smallest error can tip the object.");
     if (shown.com_radius >= robustness.tipping_distance)
-      return text + " From " + length_in_words(robustness.tipping_distance, units) +
-             " on, the object can tip.";
+      return text + " " +
+             say("From {distance} on, the object can tip.",
+                 {length_in_words(robustness.tipping_distance, units)});
   }
   if (!slack) return text;
-  return text + " One of them may go slack then, and another may have to carry up to " + most;
+  return text + " " +
+         say("One of them may go slack then, and another may have to carry up to {load}.", {most});
 }
 
 std::string uncertainty_for_capacity_in_words(const ModelLoads& loads, const ShownPlacement& of) {
   const Units& units = of.shown.units;
   const bool has_own = has_own_capacities(of);
-  const std::string limit = has_own ? std::string() : given_weight(*of.shown.capacity, units);
+  const std::string limit = has_own ? "their capacities" : given_weight(*of.shown.capacity, units);
   const auto capacities = capacities_of(of);
   const auto radius = com_radius_within(of, loads, capacities);
-  if (!radius)
-    return "If all robots are equally stiff, some " +
-           std::string(disturbance_in_words(of.shown).empty() ? "carry more than "
-                                                              : "may carry more than ") +
-           (has_own ? "they can" : limit) + ".";
+  if (!radius) {
+    const bool certain = disturbance_in_words(of.shown).empty();
+    if (has_own)
+      return say(certain ? "If all robots are equally stiff, some carry more than they can."
+                         : "If all robots are equally stiff, some may carry more than they can.");
+    return say(certain ? "If all robots are equally stiff, some carry more than {limit}."
+                       : "If all robots are equally stiff, some may carry more than {limit}.",
+               {limit});
+  }
   // Loads farther out are unknown; this may end the range, rather than the capacity.
   const bool ends_known =
       *radius ==
       com_radius_within(of, loads, std::vector<std::optional<double>>(capacities.size()));
-  return "Equally stiff robots stay within " + (has_own ? "their capacities" : limit) +
-         " as long as C is off by at most " + length_in_words(*radius, units) +
-         (ends_known ? "; beyond that, loads are not known in advance." : ".");
+  return say(ends_known ? "Equally stiff robots stay within {limit} as long as C is off by at most "
+                          "{distance}; beyond that, loads are not known in advance."
+                        : "Equally stiff robots stay within {limit} as long as C is off by at most "
+                          "{distance}.",
+             {limit, length_in_words(*radius, units)});
 }
 
 std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& failures,
@@ -140,39 +154,60 @@ std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& fa
     greatest = std::max(greatest, greatest_after(*failures[i]));
     disturbed = disturbed || is_disturbed(*failures[i]);
   }
-  if (needed.size() == failures.size()) return "The object falls whichever robot fails.";
-  const std::string most = "at most " + load_in_words(greatest, greatest, units) +
-                           " each if equally stiff" +
-                           (disturbed ? ", within the given conditions." : ".");
-  std::string text = needed.empty() ? "Whichever robot fails, the others carry the object, " + most
-                                    : "The object falls if " + robots_or(needed) +
-                                          " fails. If another fails, the others carry it, " + most;
-  if (!for_steadiness.empty()) text += " It can tip if " + robots_or(for_steadiness) + " fails.";
+  if (needed.size() == failures.size()) return say("The object falls whichever robot fails.");
+  const std::string most =
+      say(disturbed ? "at most {load} each if equally stiff, within the given conditions"
+                    : "at most {load} each if equally stiff",
+          {load_in_words(greatest, greatest, units)});
+  std::string text =
+      needed.empty() ? say("Whichever robot fails, the others carry the object, {most}.", {most})
+                     : say("The object falls if {robots} fails. If another fails, the others carry "
+                           "it, {most}.",
+                           {robots_or(needed), most});
+  if (!for_steadiness.empty())
+    text += " " + say("It can tip if {robots} fails.", {robots_or(for_steadiness)});
   if (!for_capacity.empty())
-    text += " Some robot carries more than " + limit + " if " + robots_or(for_capacity) + " fails.";
-  return text + " A sudden failure can briefly double the change of load.";
+    text += " " + say("Some robot carries more than {limit} if {robots} fails.",
+                      {limit, robots_or(for_capacity)});
+  return text + " " + say("A sudden failure can briefly double the change of load.");
 }
 
 std::string failure_in_words(std::size_t robot, std::size_t robots,
                              const std::optional<RestOfRobots>& rest,
                              const std::optional<double>& capacity, const Units& units) {
-  const std::string fails = "Robot " + std::to_string(robot + 1) + " fails: ";
-  const std::string others = "the other " + in_letters(robots - 1);
-  if (!rest) return fails + others + " cannot carry the object.";
+  const std::string others = in_letters(robots - 1);
+  if (!rest)
+    return robots == 2
+               ? say("Robot {robot} fails: the other one cannot carry the object.", {robot + 1})
+               : say("Robot {robot} fails: the other {number} cannot carry the object.",
+                     {robot + 1, others});
   const double greatest = greatest_after(*rest);
-  const std::string overload = capacity && exceeds(greatest, *capacity)
-                                   ? " Capacity: " + given_weight(*capacity, units) + "."
-                                   : std::string();
-  return fails + others + (robots == 2 ? " carries" : " carry") + " the object, at most " +
-         load_in_words(greatest, greatest, units) + " each" +
-         (is_disturbed(*rest) ? " within the given conditions" : "") +
-         (rest->clear && rest->stays ? "." : ", but it can tip.") + overload;
+  const std::string most =
+      say(is_disturbed(*rest) ? "at most {load} each within the given conditions"
+                              : "at most {load} each",
+          {load_in_words(greatest, greatest, units)});
+  const bool can_tip = !rest->clear || !rest->stays;
+  const std::string text =
+      robots == 2
+          ? say(can_tip
+                    ? "Robot {robot} fails: the other one carries the object, {most}, but it can "
+                      "tip."
+                    : "Robot {robot} fails: the other one carries the object, {most}.",
+                {robot + 1, most})
+          : say(can_tip
+                    ? "Robot {robot} fails: the other {number} carry the object, {most}, but it "
+                      "can tip."
+                    : "Robot {robot} fails: the other {number} carry the object, {most}.",
+                {robot + 1, others, most});
+  return capacity && exceeds(greatest, *capacity)
+             ? text + " " + say("Capacity: {capacity}.", {given_weight(*capacity, units)})
+             : text;
 }
 
 std::string rest_in_words(const ShownPlacement& of) {
   const Placement& failing = of.placement;
   if (!failing.loads)
-    return "The centre of mass is outside the remaining lifting base, so the object falls.";
+    return say("The centre of mass is outside the remaining lifting base, so the object falls.");
   return coverage_in_words(failing) + " " + closure_in_words(of);
 }
 
@@ -180,14 +215,15 @@ std::vector<Fact> robustness_facts(const ShownPlacement& of, const Robustness& r
                                    bool failing) {
   if (of.placement.teams.empty() || (!of.placement.loads && !failing)) return {};
   // Barely steady does not count.
-  const int carried = robustness.failures_carried, steady = robustness.failures_clear;
-  std::string may_fail = carried < 1 ? "none" : "any " + std::to_string(carried);
-  if (carried > 0 && steady > 0 && steady < carried)
-    may_fail =
-        "any " + std::to_string(steady) + "; any " + std::to_string(carried) + " if it may tip";
-  else if (carried > 0 && steady < carried)
-    may_fail += ", but it can tip then";
-  if (failing) may_fail = "one fails now";
+  const auto number = [](int failures) { return static_cast<std::size_t>(std::max(failures, 0)); };
+  const std::size_t carried = number(robustness.failures_carried),
+                    steady = number(robustness.failures_clear);
+  const std::string may_fail =
+      failing             ? say("one fails now")
+      : carried == 0      ? say("none")
+      : steady >= carried ? say("any {number}", {carried})
+      : steady == 0       ? say("any {number}, but it can tip then", {carried})
+                          : say("any {steady}; any {carried} if it may tip", {steady, carried});
   std::vector<Fact> facts = {
       {"Robots that may fail", may_fail,
        "If this number of robots fails at once, whichever they are, the others carry the object, if "

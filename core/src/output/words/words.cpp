@@ -3,11 +3,13 @@
 
 #include "evenlift/output/carrying_words.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "evenlift/placed_robots.h"
 #include "evenlift/stands.h"
 #include "evenlift/tolerance.h"
+#include "evenlift/wording.h"
 #include "output/words/listed.h"
 
 namespace evenlift {
@@ -30,7 +32,7 @@ std::string capital(std::string text) {
 
 // "robots 3 and 4", numbered from 1.
 std::string robots_of(const std::vector<std::size_t>& robots) {
-  return (robots.size() == 1 ? "robot " : "robots ") + numbers_from_1(robots);
+  return say(robots.size() == 1 ? "robot {robots}" : "robots {robots}", {numbers_from_1(robots)});
 }
 
 std::string overload_in_words(const ShownPlacement& of, const std::vector<std::size_t>& robots,
@@ -41,22 +43,25 @@ std::string overload_in_words(const ShownPlacement& of, const std::vector<std::s
   // `best` says nothing about robots with different capacities.
   if (has_own && model == LoadModel::best) return {};
   const std::string limit = limit_in_words(of);
-  if (robots.empty()) return "No robot carries more than " + limit + ".";
+  if (robots.empty()) return say("No robot carries more than {limit}.", {limit});
   // `best` gives only the greatest load, not its robot; by `worst`, not all robots have their
   // greatest loads at once.
   if (model == LoadModel::best)
-    return "However the weight is shared, some robot carries more than " + limit + ".";
+    return say("However the weight is shared, some robot carries more than {limit}.", {limit});
+  constexpr const char* sentences[3][2] = {
+      {"{who} can be overloaded", "{who} can be overloaded, with more than {limit}"},
+      {"{who} is overloaded", "{who} is overloaded, with more than {limit}"},
+      {"{who} are overloaded", "{who} are overloaded, with more than {limit}"}};
   const std::size_t all = count_robots(placement.teams) - (failed ? 1 : 0);
-  const std::string number = std::to_string(all), others = failed ? "the other " : "";
-  const std::string who = robots.size() == all
-                              ? "All " + others + number
-                              : std::to_string(robots.size()) + " of " + others + number;
-  const std::string verb = model == LoadModel::worst ? " can be"
-                           : robots.size() == 1      ? " is"
-                                                     : " are";
-  const std::string which = robots.size() == all ? std::string() : ": " + robots_of(robots);
-  return who + " robots" + verb + " overloaded" + (has_own ? "" : ", with more than " + limit) +
-         which + ".";
+  const bool are_all = robots.size() == all;
+  const std::string who =
+      are_all ? say(failed ? "All the other {number} robots" : "All {number} robots", {all})
+              : say(failed ? "{some} of the other {number} robots" : "{some} of {number} robots",
+                    {robots.size(), all});
+  const std::string values[] = {who, limit};
+  const std::size_t verb = model == LoadModel::worst ? 0 : robots.size() == 1 ? 1 : 2;
+  return say_written(sentences[verb][has_own ? 0 : 1], values, has_own ? 1 : 2) +
+         (are_all ? "" : ": " + robots_of(robots)) + ".";
 }
 
 // Whether loads may change for other reasons than a C uncertainty.
@@ -69,45 +74,48 @@ bool needs_level(const Shown& shown) {
 std::string need_in_words(const CapacityPlan& plan, const ShownPlacement& of, LoadModel model,
                           const std::optional<std::size_t>& failed) {
   const Settings& settings = of.placement.settings;
-  const std::string presumed = failed                     ? "with no failures, "
-                               : model != LoadModel::plan ? "as planned, "
-                               : needs_level(of.shown)
-                                   ? "on level, even ground and with C known exactly, "
-                               : of.shown.com_radius > 0 ? "with C known exactly, "
-                                                         : "";
+  const char* presumed = failed                     ? "With no failures"
+                         : model != LoadModel::plan ? "As planned"
+                         : needs_level(of.shown) ? "On level, even ground and with C known exactly"
+                         : of.shown.com_radius > 0 ? "With C known exactly"
+                                                   : nullptr;
   // For balanced robots only the weight counts (plan_capacity).
   const bool balanced = settings.method == Method::balanced;
   if (plan.possible)
-    return capital((presumed.empty() ? "considering load only, " : presumed) +
-                   (balanced ? "it takes " : "this method needs ") +
-                   count_of(plan.team_size * plan.teams, "robot", "robots") +
-                   (balanced ? ", with " : ", with at most ") +
-                   load_in_words(plan.greatest_load, plan.greatest_load, of.shown.units) +
-                   " each.");
-  const std::string tried = std::to_string(plan.team_size * plan.tried);
+    return say(balanced ? "{presumed}, it takes {robots}, with {load} each."
+                        : "{presumed}, this method needs {robots}, with at most {load} each.",
+               {presumed ? presumed : "Considering load only",
+                count_of(plan.team_size * plan.teams, "robot", "robots"),
+                load_in_words(plan.greatest_load, plan.greatest_load, of.shown.units)});
+  const std::uint32_t tried = plan.team_size * plan.tried;
   if (plan.tried >= most_teams_tried(settings) || plan.team_size == most_robots)
-    return capital(presumed + "even " + tried + " robots are too few.");
+    return presumed ? say("{presumed}, even {number} robots are too few.", {presumed, tried})
+                    : say("Even {number} robots are too few.", {tried});
   if (plan.tried == 0) return {};
-  return capital(presumed + "even all " + tried + " robots that can be placed are too few.");
+  return presumed ? say("{presumed}, even all {number} robots that can be placed are too few.",
+                        {presumed, tried})
+                  : say("Even all {number} robots that can be placed are too few.", {tried});
 }
 
 // The number of robots of which any one may fail.
 std::string need_if_one_fails(const FailurePlan& plan, const Units& units) {
   if (plan.possible)
-    return "To allow for any one failure: " + count_of(plan.robots, "robot", "robots") +
-           ", at most " + load_in_words(plan.greatest_load, plan.greatest_load, units) +
-           " each at rest if equally stiff.";
+    return say(
+        "To allow for any one failure: {robots}, at most {load} each at rest if equally stiff.",
+        {count_of(plan.robots, "robot", "robots"),
+         load_in_words(plan.greatest_load, plan.greatest_load, units)});
   if (plan.tried == 0) return {};
-  return "No number up to " + count_of(plan.tried, "robot", "robots") +
-         " was found to allow for any one failure.";
+  return say("No number up to {robots} was found to allow for any one failure.",
+             {count_of(plan.tried, "robot", "robots")});
 }
 
 // For a hold that relies on a contact near a corner.
 std::string near_corner_in_words(const ShownPlacement& of) {
   const Clearance& clearance = of.placement.closure.clearance;
-  return "The hold depends on the accuracy of robot " +
-         std::to_string(clearance.point.value_or(0) + 1) + ", which stands only " +
-         promised_length(clearance.distance, of.shown.units) + " from a corner.";
+  return say(
+      "The hold depends on the accuracy of robot {robot}, which stands only {distance} from a "
+      "corner.",
+      {clearance.point.value_or(0) + 1, promised_length(clearance.distance, of.shown.units)});
 }
 
 // Whether some robot stands beneath the object.
@@ -123,9 +131,9 @@ std::string fall_in_words(const ShownPlacement& of) {
   const Equilibrium equilibrium = evenlift::equilibrium(of.placement);
   const std::vector<std::size_t> over(equilibrium.tips_over.begin(), equilibrium.tips_over.end());
   const double outside = -equilibrium.com_margin;
-  return "It falls: the centre of mass is " +
-         with_length_unit(amount(outside, outside), of.shown.units) +
-         " outside the lifting base, beyond " + robots_of(over) + ".";
+  return say(
+      "It falls: the centre of mass is {distance} outside the lifting base, beyond {robots}.",
+      {with_length_unit(amount(outside, outside), of.shown.units), robots_of(over)});
 }
 
 // A margin below 0 measures how far form closure is missed, not the strength of a hold.
@@ -134,45 +142,69 @@ std::string hold_in_words(const Closure& closure) {
   return closure.second_order ? "by curvature alone" : "not held";
 }
 
+// Whether a message about a setting or a link begins with its subject.
+bool names_its_subject(std::string_view message) {
+  // A translation lists the beginnings of its own messages.
+  std::string_view beginnings = translated("the |no edge |there is no edge ");
+  while (!beginnings.empty()) {
+    const std::string_view beginning = beginnings.substr(0, beginnings.find('|'));
+    if (message.starts_with(beginning)) return true;
+    beginnings.remove_prefix(std::min(beginning.size() + 1, beginnings.size()));
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string loads_in_words(const ShownPlacement& of, LoadModel shown,
                            const std::vector<LoadRange>& ranges) {
   const Placement& placement = of.placement;
   if (!placement.search_ended && placement.teams.empty())
-    return "Still looking for places for " + std::to_string(placement.settings.robots) + " robots.";
+    return say("Still looking for places for {number} robots.", {placement.settings.robots});
   if (placement.teams.empty())
-    return placement.settings.method == Method::balanced ? "No robots can be placed."
-                                                         : "No team can be placed.";
+    return say(placement.settings.method == Method::balanced ? "No robots can be placed."
+                                                             : "No team can be placed.");
   if (!placement.loads) return fall_in_words(of);
   const Units& units = of.shown.units;
-  const std::string in_all =
-      " (" + weight_in_words(of) + (placement.settings.cargo.empty() ? " in all)." : ").");
+  const std::string all = placement.settings.cargo.empty()
+                              ? say("{weight} in all", {weight_in_words(of)})
+                              : weight_in_words(of);
   const std::string disturbance = disturbance_in_words(of.shown);
   const LoadSummary& loads = *placement.loads;
-  const bool given = placement.settings.method == Method::given;
-  const std::string stiff = given && !loads_are_determined(placement) ? "equally stiff " : "";
+  const bool given = placement.settings.method == Method::given, planned = shown == LoadModel::plan;
   const std::size_t number = count_robots(placement.teams);
-  const std::string robots = (shown == LoadModel::plan ? ""
-                              : given                  ? "If equally stiff, "
-                                                       : "As planned, ") +
-                             std::to_string(number) + " " +
-                             (shown == LoadModel::plan ? stiff : "") +
-                             (number == 1 ? "robot" : "robots"),
-                    carry = number == 1 ? " carries " : " carry ",
-                    each = number == 1 ? "" : " each";
-  if (shown == LoadModel::plan && !disturbance.empty() && !ranges.empty()) {
+  const std::string robots = planned && given && !loads_are_determined(placement)
+                                 ? count_of(number, "equally stiff robot", "equally stiff robots")
+                                 : count_of(number, "robot", "robots");
+  if (planned && !disturbance.empty() && !ranges.empty()) {
     double least = ranges.front().least, greatest = 0;
     for (const LoadRange& range : ranges) {
       least = std::min(least, range.least);
       greatest = std::max(greatest, range.greatest);
     }
-    return robots + carry + load_in_words(least, greatest, greatest, units) + each + ", " +
-           disturbance + in_all;
+    return say(number == 1 ? "{robots} carries {load}, {conditions} ({all})."
+                           : "{robots} carry {load} each, {conditions} ({all}).",
+               {robots, load_in_words(least, greatest, greatest, units), disturbance, all});
   }
-  if (placement.settings.method == Method::balanced)
-    return robots + " carry equal loads of " + load_in_words(loads.max, loads.max, units) + in_all;
-  return robots + carry + load_in_words(loads.min, loads.max, loads.max, units) + each + in_all;
+  constexpr const char* sentences[3][3] = {
+      {"{robots} carries {load} ({all}).", "{robots} carry {load} each ({all}).",
+       "{robots} carry equal loads of {load} ({all})."},
+      {"If equally stiff, {robots} carries {load} ({all}).",
+       "If equally stiff, {robots} carry {load} each ({all}).",
+       "If equally stiff, {robots} carry equal loads of {load} ({all})."},
+      {"As planned, {robots} carries {load} ({all}).",
+       "As planned, {robots} carry {load} each ({all}).",
+       "As planned, {robots} carry equal loads of {load} ({all})."}};
+  const bool equal = placement.settings.method == Method::balanced;
+  return say(sentences[planned ? 0
+                       : given ? 1
+                               : 2][equal         ? 2
+                                    : number == 1 ? 0
+                                                  : 1],
+             {robots,
+              equal ? load_in_words(loads.max, loads.max, units)
+                    : load_in_words(loads.min, loads.max, loads.max, units),
+              all});
 }
 
 std::string weight_in_words(const ShownPlacement& of) {
@@ -181,7 +213,7 @@ std::string weight_in_words(const ShownPlacement& of) {
   if (settings.cargo.empty()) return all;
   double cargo = 0;
   for (const Cargo& item : settings.cargo) cargo += item.weight;
-  return all + " with its cargo of " + given_weight(cargo, of.shown.units);
+  return say("{weight} with its cargo of {cargo}", {all, given_weight(cargo, of.shown.units)});
 }
 
 std::string outline_in_words(const PolygonWithHoles& object) {
@@ -194,40 +226,42 @@ std::string no_go_in_words(const std::vector<EdgePart>& no_go) {
   constexpr std::size_t most_named = 3;
   if (no_go.empty()) return {};
   if (no_go.size() > most_named)
-    return "No robot touches the " + std::to_string(no_go.size()) + " no-go parts of the boundary.";
-  std::string text = "No robot touches ";
-  for (std::size_t i = 0; i < no_go.size(); ++i) {
-    const EdgePart& part = no_go[i];
-    text += (i == 0 ? "edge " : ", nor edge ") + std::to_string(part.edge + 1);
-    if (part.from != 0 || part.to != 1)
-      text +=
-          " between " + percentage(part.from) + " and " + percentage(part.to) + " of its length";
+    return say("No robot touches the {number} no-go parts of the boundary.", {no_go.size()});
+  std::string parts;
+  for (const EdgePart& part : no_go) {
+    const std::string words =
+        part.from == 0 && part.to == 1
+            ? say("edge {edge}", {part.edge + 1})
+            : say("edge {edge} between {from} and {to} of its length",
+                  {part.edge + 1, percentage(part.from), percentage(part.to)});
+    parts = parts.empty() ? words : say("{parts}, nor {part}", {parts, words});
   }
-  return text + ".";
+  return say("No robot touches {parts}.", {parts});
 }
 
 std::string unusable_in_words(WhyUnusable why, const RobotSize& robot, const Units& units) {
   const auto size = [&](double value) { return with_length_unit(plain(value), units); };
   switch (why) {
     case WhyUnusable::no_go:
-      return "no-go: no robot may touch this";
+      return say("no-go: no robot may touch this");
     case WhyUnusable::body:
-      return "a robot of radius " + size(robot.radius) + " does not fit here";
+      return say("a robot of radius {radius} does not fit here", {size(robot.radius)});
     case WhyUnusable::arm:
-      return "an arm of reach " + size(robot.reach) + " would cross the object";
+      return say("an arm of reach {reach} would cross the object", {size(robot.reach)});
     case WhyUnusable::corner:
-      return robot.width > 0 ? "a hand of width " + size(robot.width) + " would stick out here"
-                             : "no robot stands at a corner";
+      return robot.width > 0
+                 ? say("a hand of width {width} would stick out here", {size(robot.width)})
+                 : say("no robot stands at a corner");
     case WhyUnusable::hand:
-      return "a hand of depth " + size(robot.depth) + " would stick out here";
+      return say("a hand of depth {depth} would stick out here", {size(robot.depth)});
     case WhyUnusable::hole:
-      return "a hand of depth " + size(robot.depth) + " would reach into a hole here";
+      return say("a hand of depth {depth} would reach into a hole here", {size(robot.depth)});
     case WhyUnusable::near_no_go:
-      return "a hand of width " + size(robot.width) + " would reach a no-go part";
+      return say("a hand of width {width} would reach a no-go part", {size(robot.width)});
     case WhyUnusable::narrow:
       break;
   }
-  return "too short for a robot between its neighbours";
+  return say("too short for a robot between its neighbours");
 }
 
 std::string shortage_in_words(const Placement& placement) {
@@ -235,43 +269,60 @@ std::string shortage_in_words(const Placement& placement) {
   const std::size_t teams = placement.teams.size();
   if (teams == 0 && !placement.search_ended) return {};
   if (teams == 0 && placement.settings.method == Method::balanced)
-    return "No places were found for " + std::to_string(placement.settings.robots) +
-           " balanced robots" + (placement.stands ? " of this size" : "") +
-           ": their centroid must be the centre of mass.";
+    return say(
+        placement.stands
+            ? "No places were found for {number} balanced robots of this size: their centroid "
+              "must be the centre of mass."
+            : "No places were found for {number} balanced robots: their centroid must be the "
+              "centre of mass.",
+        {placement.settings.robots});
   const bool has_size = !(placement.settings.robot == RobotSize{});
   if (teams == 0 && placement.stands)
-    return has_size
-               ? "No chord through the centre of mass where two robots of this size can stand meets the minimum load ratio. Lower the minimum, or use smaller robots."
-               : "No chord through the centre of mass that avoids the no-go edges meets the minimum load ratio. Lower the minimum, or allow more edges.";
+    return say(
+        has_size
+            ? "No chord through the centre of mass where two robots of this size can stand meets the minimum load ratio. Lower the minimum, or use smaller robots."
+            : "No chord through the centre of mass that avoids the no-go edges meets the minimum load ratio. Lower the minimum, or allow more edges.");
   if (teams == 0)
-    return by_ratio
-               ? "No chord through the centre of mass meets the minimum load ratio. Lower the minimum, or move the centre of mass."
-               : "No line through the centre of mass meets the boundary on both sides of it.";
+    return say(
+        by_ratio
+            ? "No chord through the centre of mass meets the minimum load ratio. Lower the minimum, or move the centre of mass."
+            : "No line through the centre of mass meets the boundary on both sides of it.");
   if (teams >= placement.requested_teams) return {};
-  return "There is room for only " + std::to_string(teams) + " of " +
-         count_of(placement.requested_teams, "team", "teams") +
-         (placement.stands && placement.candidates.size() > teams
-              ? ": anywhere else, robots would be too close to each other."
-          : placement.stands && has_size ? " at this minimum load ratio with robots of this size."
-          : placement.stands ? " at this minimum load ratio on the allowed parts of the boundary."
-          : by_ratio         ? " at this minimum load ratio."
-                             : ".");
+  return say(
+      placement.stands && placement.candidates.size() > teams
+          ? "There is room for only {teams} of {requested}: anywhere else, robots would be too close to each other."
+      : placement.stands && has_size
+          ? "There is room for only {teams} of {requested} at this minimum load ratio with robots of this size."
+      : placement.stands
+          ? "There is room for only {teams} of {requested} at this minimum load ratio on the allowed parts of the boundary."
+      : by_ratio ? "There is room for only {teams} of {requested} at this minimum load ratio."
+                 : "There is room for only {teams} of {requested}.",
+      {teams, count_of(placement.requested_teams, "team", "teams")});
 }
 
 std::string coverage_in_words(const Placement& placement) {
   if (placement.teams.empty() || !placement.loads) return {};
-  if (placement.lifting_base.size() == 1) return "It stands on one point, so it can tip.";
-  if (placement.lifting_base.size() < 3) return "They stand on one line, so the object can tip.";
-  if (placement.coverage >= 1 - tau) return "Pressing down anywhere on the object does not tip it.";
-  if (placement.coverage <= tau) return "Pressing down anywhere on the object can tip it.";
-  std::string share = percentage(placement.coverage);
-  for (const auto& [sign, words] : {std::pair("<", "less than"), {">", "more than"}})
-    if (share.starts_with(sign)) share.replace(0, 1, words);
-  if (placement.coverage < good_coverage && !share.starts_with("less"))
-    share = "only " + share + " of the object, less than half,";
-  else
-    share += " of the object";
-  return capital(share + " can be pressed down on without tipping it.");
+  if (placement.lifting_base.size() == 1) return say("It stands on one point, so it can tip.");
+  if (placement.lifting_base.size() < 3)
+    return say("They stand on one line, so the object can tip.");
+  if (placement.coverage >= 1 - tau)
+    return say("Pressing down anywhere on the object does not tip it.");
+  if (placement.coverage <= tau) return say("Pressing down anywhere on the object can tip it.");
+  const std::string share = percentage(placement.coverage);
+  for (const auto& [sign, sentence] :
+       {std::pair(
+            "<\u00A0",
+            "Less than\u00A0{share} of the object can be pressed down on without tipping it."),
+        std::pair(
+            ">\u00A0",
+            "More than\u00A0{share} of the object can be pressed down on without tipping it.")})
+    if (share.starts_with(sign))
+      return say(sentence, {share.substr(std::string_view(sign).size())});
+  return say(placement.coverage < good_coverage
+                 ? "Only {share} of the object, less than half, can be pressed down on without "
+                   "tipping it."
+                 : "{share} of the object can be pressed down on without tipping it.",
+             {share});
 }
 
 std::string closure_in_words(const ShownPlacement& of) {
@@ -280,27 +331,30 @@ std::string closure_in_words(const ShownPlacement& of) {
   const Closure& closure = placement.closure;
   if (closure.form_closure && !hold_clearly(placement)) return near_corner_in_words(of);
   if (closure.form_closure)
-    return "The robots' contact alone stops it from sliding or turning. Robots may be off by " +
-           promised_length(closure.clearance.tolerance, of.shown.units) + " along their edges.";
+    return say(
+        "The robots' contact alone stops it from sliding or turning. Robots may be off by {distance} "
+        "along their edges.",
+        {promised_length(closure.clearance.tolerance, of.shown.units)});
   if (closure.second_order)
-    return "It is held only to second order: any movement jams as soon as it begins.";
+    return say("It is held only to second order: any movement jams as soon as it begins.");
   if (!closure.margin && stands_beneath(placement))
-    return "No robot that touches it from the side keeps it from sliding or turning.";
+    return say("No robot that touches it from the side keeps it from sliding or turning.");
   if (!closure.margin)
-    return "All robots stand on corners, where contacts are not counted: nothing else keeps it from "
-           "sliding or turning.";
-  return "It can still " + free_motions_in_words(closure) + ".";
+    return say(
+        "All robots stand on corners, where contacts are not counted: nothing else keeps it from "
+        "sliding or turning.");
+  return say("It can still {motions}.", {free_motions_in_words(closure)});
 }
 
 std::string free_motions_in_words(const Closure& closure) {
   const bool clockwise = closure.clockwise.exists,
              counterclockwise = closure.counterclockwise.exists;
-  std::string turn = clockwise && counterclockwise ? "turn either way"
+  const char* turn = clockwise && counterclockwise ? "turn either way"
                      : clockwise                   ? "turn clockwise"
                      : counterclockwise            ? "turn counter-clockwise"
-                                                   : "";
-  if (!closure.translation_free) return turn;
-  return turn.empty() ? "slide" : turn + " and slide";
+                                                   : nullptr;
+  if (!closure.translation_free) return turn ? say(turn) : std::string();
+  return turn ? say("{turn} and slide", {turn}) : say("slide");
 }
 
 bool is_held(const Placement& placement) {
@@ -322,7 +376,8 @@ std::string verdict(const ShownPlacement& of, LoadModel shown,
 }
 
 std::string limit_in_words(const ShownPlacement& of) {
-  return has_own_capacities(of) ? "its capacity" : given_weight(*of.shown.capacity, of.shown.units);
+  return has_own_capacities(of) ? say("its capacity")
+                                : given_weight(*of.shown.capacity, of.shown.units);
 }
 
 std::string capacity_in_words(const ShownPlacement& of, const CapacityPlan* plan,
@@ -391,9 +446,9 @@ TeamInWords team_in_words(const Placement& placement, std::size_t team, int coor
 }
 
 std::string method_in_words(Method method) {
-  return method == Method::distributed ? "equal angles"
-         : method == Method::given     ? "by hand"
-                                       : std::string(name(method));
+  return say(method == Method::distributed ? "equal angles"
+             : method == Method::given     ? "by hand"
+                                           : name(method));
 }
 
 std::string form_closure_in_words(const Closure& closure) {
@@ -401,17 +456,18 @@ std::string form_closure_in_words(const Closure& closure) {
 }
 
 std::string sentence(const InputError& error) {
-  const std::string place = describe(error.place), &message = error.message;
-  constexpr std::string_view both = "the edges ";
-  if (place.starts_with("edges ") && message.starts_with(both))
+  const std::string place = describe(error.place), message(translated(error.message));
+  const std::string_view both = translated("the edges ");
+  if (place.starts_with(translated("edges ")) && message.starts_with(both))
     return capital(place + " " + message.substr(both.size()));
   const bool option = error.place.kind == Place::Kind::option,
              whole_link = error.place.kind == Place::Kind::link && error.place.index == 0;
   // A message about a setting or a link usually begins with its subject; a name in front would only
   // repeat it.
-  const bool named = message.starts_with("the ") || message.starts_with("no edge ") ||
-                     message.starts_with("there is no edge ");
-  const bool doubled = message.find("the " + place) != std::string::npos;  // "the centre of mass"
+  const bool named = names_its_subject(message);
+  // So would "centre of mass".
+  const std::string within = error.place.kind == Place::Kind::centre_of_mass ? "" : "the ";
+  const bool doubled = message.find(within + place) != std::string::npos;
   if (place.empty() || doubled || (named && (option || whole_link))) return capital(message);
   // The name of a setting keeps its spelling.
   return option ? place + ": " + message : capital(place + ": " + message);

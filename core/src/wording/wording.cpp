@@ -1,0 +1,82 @@
+#include "evenlift/wording.h"
+
+#include <algorithm>
+#include <cassert>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace evenlift {
+namespace {
+
+using Translations = std::map<std::string, std::string, std::less<>>;
+
+Translations& translations() {
+  static Translations all;
+  return all;
+}
+
+// Calls text() for what is between the places of a pattern, and place() for their names.
+template <class Text, class Place>
+void read_pattern(std::string_view pattern, const Text& text, const Place& place) {
+  while (!pattern.empty()) {
+    const std::size_t open = pattern.find('{'), close = pattern.find('}', open);
+    if (close == std::string_view::npos) break;
+    text(pattern.substr(0, open));
+    place(pattern.substr(open + 1, close - open - 1));
+    pattern.remove_prefix(close + 1);
+  }
+  text(pattern);
+}
+
+std::vector<std::string_view> names_in(std::string_view pattern) {
+  std::vector<std::string_view> names;
+  read_pattern(
+      pattern, [](std::string_view) {},
+      [&](std::string_view name) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+      });
+  return names;
+}
+
+}  // namespace
+
+void add_translation(std::string english, std::string translated) {
+  translations().insert_or_assign(std::move(english), std::move(translated));
+}
+
+void forget_translations() { translations().clear(); }
+
+std::string_view translated(std::string_view english) {
+  const Translations& all = translations();
+  if (all.empty()) return english;
+  const auto found = all.find(english);
+  return found == all.end() ? english : found->second;
+}
+
+std::string Value::written() const {
+  return is_text_ ? std::string(translated(text_)) : std::to_string(number_);
+}
+
+std::string say(std::string_view english, std::initializer_list<Value> values) {
+  std::vector<std::string> written;
+  for (const Value& value : values) written.push_back(value.written());
+  return say_written(english, written.data(), written.size());
+}
+
+std::string say_written(std::string_view english, const std::string* values, std::size_t number) {
+  const std::vector<std::string_view> names = names_in(english);
+  assert(names.size() == number);
+  std::string said;
+  read_pattern(
+      translated(english), [&](std::string_view text) { said += text; },
+      [&](std::string_view name) {
+        const auto found =
+            static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+        if (found < number) said += values[found];
+      });
+  return said;
+}
+
+}  // namespace evenlift

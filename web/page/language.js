@@ -1,0 +1,45 @@
+// The reader's language: the one that the address asks for (`?lang=de`), that the reader chose here, or the browser's.
+import { addTranslations } from "../words/words.js";
+import { lasting, read, write } from "./storage.js";
+
+const translated = ["de"]; // each with a file words-….json (assets/words)
+const kept = "evenlift.language";
+
+function language() {
+  const asked = new URLSearchParams(location.search).get("lang") || read(lasting, kept) || navigator.language;
+  const name = asked.slice(0, 2).toLowerCase();
+  return translated.includes(name) ? name : "en";
+}
+
+// Loads the words of the reader's language, and puts them into the page's own texts. Without the file the page speaks
+// English.
+export async function speak() {
+  const name = language();
+  if (name === "en") return;
+  const words = await fetch(`words-${name}.json`)
+    .then((answer) => answer.json())
+    .catch(() => undefined);
+  if (!words) return;
+  addTranslations(words);
+  document.documentElement.lang = name;
+  translateElements(words);
+}
+
+function translateElements(words) {
+  const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  while (texts.nextNode()) {
+    const english = texts.currentNode.data.trim();
+    if (words[english]) texts.currentNode.data = words[english];
+  }
+  for (const element of document.querySelectorAll("[aria-label]"))
+    element.ariaLabel = words[element.ariaLabel] ?? element.ariaLabel;
+}
+
+// Reads the page again in the other language. An address that asks for a language no longer does.
+export function changeLanguage() {
+  write(lasting, kept, language() === "en" ? "de" : "en");
+  const url = new URL(location.href);
+  url.searchParams.delete("lang");
+  if (url.href === location.href) location.reload();
+  else location.replace(url);
+}
