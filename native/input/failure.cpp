@@ -30,7 +30,9 @@ std::string system_message(const std::error_code& error) {
 
 Failure bad_value(const std::string& option, const std::string& expected,
                   const std::string& typed) {
-  return {bad_input_status, option, expected + ", not \"" + typed + "\""};
+  constexpr std::size_t most_quoted = 200;
+  const bool quotes = typed.size() <= most_quoted;
+  return {bad_input_status, option, expected + (quotes ? ", not \"" + typed + '"' : "")};
 }
 
 Failure bad_input(const std::string& source, const InputError& error) {

@@ -68,12 +68,17 @@ void supports_option(const std::string& text, Document& document) {
   document.moved = {};
 }
 
-// Adds to the cargo of the file.
+// Adds to the cargo of the file; `none` removes it.
 void cargo_option(const std::string& text, Document& document) {
   Document more;
   setting_option(Setting::cargo, text, more);
   std::vector<Cargo>& cargo = document.settings.cargo;
+  if (text == "none") cargo.clear();
   cargo.insert(cargo.end(), more.settings.cargo.begin(), more.settings.cargo.end());
+  if (cargo.size() > max_cargo)
+    throw Failure{bad_input_status, "--cargo",
+                  "with the cargo of the file these are " + std::to_string(cargo.size()) +
+                      " loads; at most " + std::to_string(max_cargo) + " are possible"};
   document.moved = {};
 }
 

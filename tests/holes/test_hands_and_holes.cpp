@@ -199,7 +199,7 @@ TEST_CASE("a given robot whose hand would reach into a hole does not fit", "[sup
   const Placement p = placed(document);
   const auto found = misfits(p.polygon(), p.stands.get(), lifting_points(p.teams));
   REQUIRE(found.size() == 1);
-  CHECK(found[0] == Misfit{0, Misfit::Why::hand, 0});
+  CHECK(found[0] == Misfit{0, Misfit::Why::hole, 0});
 }
 
 TEST_CASE("a support in a hole is refused by the number of the hole", "[supports][holes]") {

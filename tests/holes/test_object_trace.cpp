@@ -77,7 +77,7 @@ TEST_CASE("the first steps count a hole and the cargo, in words", "[trace][holes
   check_in_words(
       trace, StepKind::cargo,
       "Cargo 1, “motor”, weighs 24\u00A0kg at (8.00, 8.00), to the upper right of the centre of mass, which moves towards it from (5.08, 5.08) to (5.67, 5.67).",
-      "C = (W0 C0 + Σ w q) / W = (96 × (5.08, 5.08) + 24 × (8.00, 8.00)) / 120 = (5.67, 5.67)");
+      "C := (W C + w q) / (W + w) = (96 × (5.08, 5.08) + 24 × (8.00, 8.00)) / 120 = (5.67, 5.67)");
   check_in_words(
       trace, StepKind::centre,
       "With its cargo the object weighs 120\u00A0kg. Its centre of mass C is at (5.67, 5.67), 0.82 from that of the object alone. Two robots carry the object without tipping it only if C is between them: a team stands at the two ends of a chord through C.",

@@ -245,6 +245,11 @@ TEST_CASE("holes are empty in a picture: one path with the even-odd rule", "[svg
   CHECK(occurrences(svg, "class=\"object\"") == 1);
   CHECK(occurrences(svg, " lifting a polygonal object with 2 holes</title>") == 1);
   CHECK(svg.find("2\u00A0holes") != std::string::npos);
+  // The lifting base does not cover them.
+  const std::size_t base = svg.find("class=\"hull\""), holes = svg.find("class=\"holes\"");
+  REQUIRE(base != std::string::npos);
+  REQUIRE(holes != std::string::npos);
+  CHECK(base < holes);
   CHECK(occurrences(svg, "cargo") == 0);
   document.holes.clear();
   CHECK(occurrences(placement_svg(placed(document)), "evenodd") == 0);

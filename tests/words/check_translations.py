@@ -17,10 +17,10 @@ import sys
 root = pathlib.Path(__file__).resolve().parent.parent.parent
 # What the page says. The program's own words (native) and the experiments' report stay English.
 trees = ["wasm", "web", *(f"core/src/{folder}" for folder in (
-    "balanced", "candidates", "chords", "document", "errors", "experiment/thesis", "formats", "generate", "import", "lesson", "link",
-    "numbers", "output/svg", "output/trace_words", "output/verdict", "output/words", "placement", "polygon", "stands", "supports", "swaps"))]  # fmt: skip
+    "balanced", "candidates", "chords", "document", "errors", "experiment/measure", "experiment/thesis", "formats", "generate", "import", "lesson", "link",
+    "numbers", "output/poses", "output/svg", "output/trace_words", "output/verdict", "output/words", "placement", "polygon", "stands", "supports", "swaps", "trace"))]  # fmt: skip
 literal = re.compile(
-    r"""//[^\n]*|/\*.*?\*/|\#include[^\n]*|R"\(.*?\)"|(?P<text>"(?:[^"\\\n]|\\.)*"(?:\s*(?:\+\s*)?"(?:[^"\\\n]|\\.)*")*)"""
+    r"""//[^\n]*|/\*.*?\*/|\#include[^\n]*|R"\((?P<raw>.*?)\)"|(?P<text>"(?:[^"\\\n]|\\.)*"(?:\s*(?:\+\s*)?"(?:[^"\\\n]|\\.)*")*)"""
     r"""|(?P<quoted>'(?:[^'\\\n]|\\.)*')|(?P<template>`(?:[^`\\]|\\.)*`)""",
     re.DOTALL,
 )
@@ -32,13 +32,20 @@ def unescaped(written):
     text = "".join(pieces)
     simple = {"n": "\n", "t": "\t", "0": "\0"}
     return re.sub(
-        r"\\(?:u\{?([0-9A-Fa-f]{4,6})\}?|x([0-9A-Fa-f]{2})|(.))",
+        r"\\(?:u([0-9A-Fa-f]{4})|x([0-9A-Fa-f]{2})|(.))",
         lambda m: chr(int(m[1] or m[2], 16)) if m[1] or m[2] else simple.get(m[3], m[3]),
         text,
     )
 
 
+def is_message_to_developers(source, at):
+    """Of an assertion."""
+    return bool(re.search(r"(&&|static_assert\([^;]*,)\s*$", source[max(0, at - 200) : at]))
+
+
 def reads_as_words(text):
+    if re.search(r'</?\w+|="|\{"|;\n|: \{', text):  # markup
+        return False
     bare = place.sub("", text)
     return bool(re.search(r"[A-Za-z]{2}", bare)) and bool(re.search(r"[A-Za-z,.:;] [A-Za-z{(]|^[A-Z][a-z]|\w [{]|[}] \w", text))
 
@@ -55,7 +62,12 @@ def texts_in(source, is_script):
     that join words and values."""
     for found in literal.finditer(source):
         if found["text"]:
-            yield unescaped(found["text"]), False
+            # A line of the algorithm is looked up without its indent.
+            if not is_message_to_developers(source, found.start()):
+                text = unescaped(found["text"])
+                yield text.lstrip(" ") if text.startswith("  ") else text, False
+        elif found["raw"]:
+            yield found["raw"], False
         elif found["quoted"] and is_script:
             yield unescaped('"' + found["quoted"][1:-1] + '"'), False
         elif found["template"]:
@@ -107,8 +119,8 @@ def main():
         return
     problems = [f'{sorted(files)[0]}: no entry for "{text}"' for text, files in missing.items()]
     known = set(texts) | set(texts_of_assets())
-    problems += [f'assets/words/de.json: no text needs "{text}"' for text in words if text not in known]
-    problems += [f"tests/words/not_translated.txt: {json.dumps(t, ensure_ascii=False)} is no text" for t in excused - set(texts)]
+    problems += [f'assets/words/de.json: no text needs "{text}"' for text in words if text not in known | excused]
+    problems += [f"tests/words/not_translated.txt: {json.dumps(t, ensure_ascii=False)} is no text" for t in excused - set(texts) - set(words) - {template for _, template in joined}]
     for text, other in words.items():
         if set(place.findall(text)) != set(place.findall(other)):
             problems.append(f'assets/words/de.json: the {{names}} of "{text}" and "{other}" differ')

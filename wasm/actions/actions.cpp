@@ -336,6 +336,8 @@ const std::vector<Action> table = {
     {ActionId::about, Group::help, Icon::about, "About evenlift", "Shift+A", {{"A"}}, when::editing, show<Dialog::about>},
     {ActionId::glossary, Group::help, Icon::book, "Glossary", "Shift+G", {{"G"}}, when::always, show<Dialog::glossary>},
     {ActionId::welcome, Group::help, Icon::none, "How to begin, and the tour", "Shift+W", {{"W"}}, when::editing, show<Dialog::welcome>},
+    // Named in the other language, for whoever does not read this one.
+    {ActionId::language, Group::help, Icon::none, "Deutsch", "", {}, when::editing, show<Dialog::language>},
     {ActionId::dismiss, Group::help, Icon::close, "Close, or select nothing", "Esc", {{"Escape"}}, when::anything_open, dismiss},
 };
 // clang-format on

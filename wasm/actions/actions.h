@@ -21,7 +21,7 @@ enum class ActionId : std::uint8_t {
   more_teams, fewer_teams, place_yourself, add_robots, remove_robot, even_out, next_method, compare, experiment, higher_ratio, lower_ratio,
   all_teams, fail, type_ratio, type_weight, type_capacity, type_uncertainty, type_robot, type_seed, type_centre, free_centre,
   toggle_hull, toggle_clockwise, toggle_counterclockwise, toggle_chords, toggle_candidates, toggle_tipping, toggle_halo, toggle_tilt, toggle_load,
-  zoom_in, zoom_out, fit, fold_panel, motion, help, about, glossary, welcome, dismiss
+  zoom_in, zoom_out, fit, fold_panel, motion, help, about, glossary, welcome, language, dismiss
 };
 // clang-format on
 

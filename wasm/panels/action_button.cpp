@@ -40,8 +40,10 @@ void named_action_button(const Ui& ui, ActionId id, float size) {
 void action_row(const Ui& ui, ActionId id) {
   const Action& a = action(id);
   const bool keyed = *a.shown && !ui.state.session.screen.touch && !ui.state.session.screen.finger;
+  const std::string name = keyed ? std::string(a.label) + " (" + a.shown + ")" : a.label;
   const std::string label = keyed ? say("{action} ({key})", {a.label, a.shown}) : a.label;
-  if (choice(ui, label, nullptr, false, a.icon, a.enabled(ui.state))) a.run(ui.state, ui.commands);
+  if (choice(ui, label, nullptr, false, a.icon, a.enabled(ui.state), name))
+    a.run(ui.state, ui.commands);
 }
 
 }  // namespace evenlift::view

@@ -25,6 +25,7 @@ enum class Dialog : std::uint8_t {
   glossary,
   welcome,
   optimum,
+  language,
   end_of_dialogs  // not a dialog; it stays last and counts them, so that each must have a name
 };
 

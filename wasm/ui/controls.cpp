@@ -97,6 +97,7 @@ void enter_card(const char* name) { listed.card = name; }
 Asked list_control(Control control) {
   control.card = listed.card;
   control.label = translated(control.label);
+  control.value = translated(control.value);
   for (std::string& choice : control.choices) choice = translated(choice);
   control.place = rectangle(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();

@@ -9,6 +9,7 @@ export { show as glossary } from "../lessons/glossary.js";
 export { show as keys } from "./keys.js";
 export { beginFromAddress } from "../lessons/lesson_source.js";
 export { show as lessons } from "../lessons/lessons.js";
+export { changeLanguage as language } from "../page/language.js";
 export { newVersion } from "./new_version.js";
 export { show as optimum } from "./optimum.js";
 export { show as open, take } from "./open.js";

@@ -77,6 +77,7 @@ struct Misfit {
     outside,   // the body would meet the object
     arm,       // the arm would cross the object
     hand,      // the hand would stick out of the object
+    hole,      // the hand would reach into a hole of the object
     no_go,     // the robot would touch a no-go part
     too_near,  // it collides with another robot, or both are at one place
   };

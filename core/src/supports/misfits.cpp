@@ -14,8 +14,9 @@ Misfit::Why why_misfit(WhyUnusable why, const RobotSize& robot) {
     case WhyUnusable::arm:
       return Misfit::Why::arm;
     case WhyUnusable::hand:
-    case WhyUnusable::hole:
       return Misfit::Why::hand;
+    case WhyUnusable::hole:
+      return Misfit::Why::hole;
     case WhyUnusable::corner:
       return robot.depth > 0 || robot.width > 0 ? Misfit::Why::hand : Misfit::Why::outside;
     case WhyUnusable::body:
@@ -52,6 +53,8 @@ std::string misfit_in_words(const Misfit& misfit) {
       return "arm";
     case Misfit::Why::hand:
       return "hand";
+    case Misfit::Why::hole:
+      return "hole";
     case Misfit::Why::no_go:
       return "no-go";
     case Misfit::Why::too_near:

@@ -224,12 +224,21 @@ class Drawing {
   std::string hull(const Shape& shape) {
     seen_.hull = shape.points.size() >= 3;
     const std::string stroke = attribute("stroke", hull_outline_colour);
-    return drawn_path(
+    const std::string base = drawn_path(
         "hull", paper_(shape.points), seen_.hull,
         seen_.hull ? attribute("fill", hull_colour) + attribute("fill-opacity", 0.24) + stroke +
                          attribute("stroke-width", 1.75)
                    : stroke + attribute("stroke-width", 7) + attribute("stroke-opacity", 0.4) +
                          attribute("stroke-linecap", "round"));
+    return holes_.empty() ? base : base + empty_holes();
+  }
+
+  // The ground in the holes, over what was drawn above the object.
+  std::string empty_holes() const {
+    return element("path", attribute("class", "holes") + path(holes_) +
+                               attribute("fill", ground_colour) +
+                               attribute("stroke", outline_colour) + attribute("stroke-width", 2) +
+                               attribute("stroke-linejoin", "round"));
   }
 
   std::string region(const Shape& shape, bool clockwise, bool& shown) const {

@@ -17,7 +17,7 @@ struct Line {
 };
 
 constexpr Line head[] = {
-    {Statement::centre, "C := the given centre of mass, or else the centroid of P"}};
+    {Statement::centre, "C := the given centre of mass, or else the centroid of the object"}};
 constexpr Line with_cargo[] = {
     {Statement::cargo, "for each item of cargo: C := (W C + w q) / (W + w), W := W + w"}};
 constexpr Line with_a_size[] = {
@@ -82,7 +82,7 @@ constexpr Line loads_of_springs[] = {
 constexpr Line loads_of_teams[] = {
     {Statement::loads, "for each team: a robot carries W/t × the other's arm / the chord"}};
 constexpr Line tail[] = {
-    {Statement::coverage, "coverage := area of P in H / area of P"},
+    {Statement::coverage, "coverage := area of the object in H / area of the object"},
     {Statement::cut, "for each contact: cut the free rotation centres at its normal line"},
     {Statement::slide, "slide := is some direction blocked by no contact?"},
     {Statement::form_closure, "form closure := no rotation centre is left, and no slide"},

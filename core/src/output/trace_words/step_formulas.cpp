@@ -98,7 +98,7 @@ std::string StepFormulas::cargo() const {
   const Loaded before = with_cargo(item_), after = with_cargo(item_ + std::size_t{1});
   const auto weight = [](double value) { return significant(value, 6); };
   return fill(
-      "C = (W0 C0 + Σ w q) / W = ({before} × {centre} + {cargo} × {place}) / {all} = {point}",
+      "C := (W C + w q) / (W + w) = ({before} × {centre} + {cargo} × {place}) / {all} = {point}",
       {weight(before.weight), point_text(trace_, before.centre), weight(item.weight),
        point_text(trace_, item.at), weight(after.weight), point_text(trace_, after.centre)});
 }
@@ -175,7 +175,7 @@ std::string StepFormulas::loads() const {
 }
 
 std::string StepFormulas::coverage() const {
-  return fill("area of P in H / area of P = {covered} / {area} = {coverage}",
+  return fill("area of the object in H / area of the object = {covered} / {area} = {coverage}",
               {area_text(trace_, placement_.coverage * trace_.object().area()),
                area_text(trace_, trace_.object().area()), with_decimals(placement_.coverage, 3)});
 }

@@ -20,6 +20,8 @@ std::string misfit_sentence(const ShownPlacement& of, const Misfit& misfit) {
       return say("The arm of robot {robot} would cross the object.", {robot});
     case Misfit::Why::hand:
       return say("The hand of robot {robot} would stick out of the object.", {robot});
+    case Misfit::Why::hole:
+      return say("The hand of robot {robot} would reach into a hole.", {robot});
     case Misfit::Why::no_go:
       return say("Robot {robot} stands at a no-go part of the boundary.", {robot});
     case Misfit::Why::too_near:
