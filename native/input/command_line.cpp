@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "evenlift/closest_name.h"
 #include "input/failure.h"
 #include "input/files.h"
 
@@ -106,6 +107,15 @@ std::vector<std::string> CommandLine::joined(const std::vector<std::string>& arg
   return out;
 }
 
+// What to do about an unknown option.
+std::string CommandLine::advice_for(const std::string& option) const {
+  std::vector<std::string_view> known(value_options_.begin(), value_options_.end());
+  known.insert(known.end(), flags_.begin(), flags_.end());
+  const std::string_view similar = closest_name(option.substr(0, option.find('=')), known);
+  if (!similar.empty()) return "did you mean " + std::string(similar) + "?";
+  return "`" + app_->get_name() + " --help` lists them";
+}
+
 bool CommandLine::parse(const std::vector<std::string>& arguments) {
   std::vector<std::string> reversed = joined(arguments);
   std::reverse(reversed.begin(), reversed.end());
@@ -121,8 +131,7 @@ bool CommandLine::parse(const std::vector<std::string>& arguments) {
     if (extra == "--") continue;
     const bool option = extra.size() > 1 && extra[0] == '-';
     throw Failure{bad_input_status, extra.substr(0, option ? extra.find('=') : std::string::npos),
-                  option ? "unknown option; `" + app_->get_name() + " --help` lists them"
-                         : "unexpected argument"};
+                  option ? "unknown option; " + advice_for(extra) : "unexpected argument"};
   }
   for (const std::string& name : positionals_)
     if (app_->get_option(name)->empty())

@@ -36,6 +36,7 @@ class CommandLine {
   bool parse(const std::vector<std::string>& arguments);
 
  private:
+  std::string advice_for(const std::string& option) const;
   std::vector<std::string> joined(const std::vector<std::string>& arguments) const;
 
   std::unique_ptr<CLI::App> app_;

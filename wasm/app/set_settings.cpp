@@ -4,6 +4,7 @@
 
 #include "evenlift/placement.h"
 #include "evenlift/settings.h"
+#include "evenlift/similar_setting.h"
 
 namespace evenlift::view {
 namespace {
@@ -40,7 +41,7 @@ Result<Changeable> with_settings(Changeable given, std::string_view lines) {
     const std::optional<Setting> setting = setting_from_name(name);
     if (!setting || equals == std::string_view::npos)
       return InputError{ErrorCode::bad_setting,
-                        "unknown setting",
+                        unknown_setting(name),
                         {Place::Kind::option, 0, 0, std::string(name)}};
     if (auto error = read(*setting, line.substr(equals + 1), given)) return *error;
   }

@@ -97,9 +97,9 @@ void draw_menu(const Ui& ui, const Look& look) {
   if (!has_tools(ui) || !ui.layout.wide)
     for (const ActionId id : {ActionId::zoom_in, ActionId::zoom_out}) action_row(ui, id);
   if (snaps_in_menu(ui)) draw_snap_choices(ui);
-  for (const ActionId id : {ActionId::walkthrough, ActionId::present, ActionId::experiment,
-                            ActionId::glossary, ActionId::welcome, ActionId::help, ActionId::about,
-                            ActionId::language})
+  for (const ActionId id :
+       {ActionId::walkthrough, ActionId::present, ActionId::experiment, ActionId::glossary,
+        ActionId::welcome, ActionId::help, ActionId::about, ActionId::language})
     action_row(ui, id);
   end_choices(ui);
 }

@@ -1,6 +1,7 @@
 // The card that answers "why here?" beside the pressed part.
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/output/words.h"
@@ -23,9 +24,19 @@ Vec2 spot_of(const Ui& ui, const Explanation& explanation) {
                    ui.layout.second.top - ui.layout.first.top);
 }
 
-// Beside the spot, away from the centre of mass if there is room; on a narrow screen over the
-// sheet, below the spot; on a phone on its side over the panel, since beside the spot it would
-// cover the object.
+// The left and the right end of the object's picture that has the spot, in pixels.
+std::pair<double, double> ends_of_object(const Ui& ui, const Vec2& spot) {
+  const Rect& second = ui.layout.second;
+  const bool in_second = second.width() > 0 && second.contains(spot);
+  const double shift = in_second ? second.left - ui.layout.first.left : 0;
+  const Box box = bounding_box(ui.state.work.document().vertices);
+  return {ui.state.view.camera.to_screen(box.low).x() + shift,
+          ui.state.view.camera.to_screen(box.high).x() + shift};
+}
+
+// Beside the object if there is room, else beside the spot, away from the centre of mass; on a
+// narrow screen over the sheet, below the spot; on a phone on its side over the panel, since beside
+// the spot it would cover the object.
 struct CardPlace {
   Rect rect;
   bool at_bottom;      // at the bottom of the rectangle
@@ -52,8 +63,12 @@ CardPlace place_of(const Ui& ui, const Vec2& spot) {
   // As far as there is room, beyond the body of a sized robot.
   const RobotSize& robot = settings(ui.state).robot;
   const double body = ui.state.view.camera.scale * (robot.reach + 2 * robot.radius);
-  const double x =
-      std::clamp(at_left ? before - body : behind + body, left, std::max(left, right - width));
+  const auto [begin, end] = ends_of_object(ui, spot);
+  const double off = at_left ? begin - away - body - width : end + away + body;
+  const bool beside_object = off >= left && off + width <= right;
+  const double x = beside_object ? off
+                                 : std::clamp(at_left ? before - body : behind + body, left,
+                                              std::max(left, right - width));
   const double foot =
       x < ui.layout.tools.right ? std::min(bottom, ui.layout.tools.top - margin) : bottom;
   if (low) return {{x, top, x + width, std::clamp(spot.y() + 20, top, foot)}, true};

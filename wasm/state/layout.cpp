@@ -316,7 +316,8 @@ Rect seat_of_notice(const AppState& state, const Layout& l) {
 }
 
 // A notice of several lines would cover robots at the foot of the lower picture, so the polygon
-// makes room for it. If that is not enough, the notice moves down over the closed sheet.
+// makes room for it, unless the user moved the view. If that is not enough, the notice moves down
+// over the closed sheet.
 void make_room_for_notice(const AppState& state, Layout& l) {
   if (state.session.notice.text.empty()) return;
   constexpr double robot = 16;
@@ -327,7 +328,9 @@ void make_room_for_notice(const AppState& state, Layout& l) {
   const double lowest = l.room.bottom + (two ? l.second.bottom - l.first.bottom : 0);
   const double covered =
       std::max(0.0, lowest + robot - (l.notice.bottom - state.session.notice_height));
-  const double made = std::min(covered, l.room.height() * (over_sheet ? 0.4 : 0.75));
+  const double made = state.view.camera_follows
+                          ? std::min(covered, l.room.height() * (over_sheet ? 0.4 : 0.75))
+                          : 0;
   l.room.bottom -= made;
   if (!over_sheet) return;
   // Over the sheet, it covers only the handle, or the whole first sentence.

@@ -58,7 +58,8 @@ bool choice(const Ui& ui, const std::string& label, const char* about, bool curr
   const ImVec2 word = about ? text_size(Face::label, about) : ImVec2(0, 0);
   const float height = std::max(ui.control(), about ? 50.0f : 0.0f);
   const float width = std::max(ImGui::GetContentRegionAvail().x, std::max(title.x, word.x) + 56);
-  const PressableRow row = pressable_row(ui, (name.empty() ? label : name).c_str(), label, width, height, enabled);
+  const PressableRow row =
+      pressable_row(ui, (name.empty() ? label : name).c_str(), label, width, height, enabled);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (row.hovered) list.AddRectFilled(row.low, row.high, ui.theme.well.packed(), 7);
   const ImVec2 sign(row.low.x + 18, row.low.y + height / 2);

@@ -396,8 +396,9 @@ constexpr SettingRow rows[] = {
      .edit = "the cargo",
      .rule = "must be 1 to 1000 loads X,Y:W with W above 0 and spaces between them, such as 8,8:24 "
              "2,3:1.5, each perhaps with a name of at most 60 characters as X,Y:W:NAME; or none",
-     .option = {OptionGroup::placement, "\"X,Y:W[:NAME] ...\"",
-                "loads that are fixed to the object, added to those of the file; none removes those"},
+     .option =
+         {OptionGroup::placement, "\"X,Y:W[:NAME] ...\"",
+          "loads that are fixed to the object, added to those of the file; none removes those"},
      .record = 12,
      .in_document = Listed::if_changed,
      .in_result = Listed::if_changed,

@@ -8,6 +8,7 @@
 #include "evenlift/numbers.h"
 #include "evenlift/request.h"
 #include "evenlift/settings.h"
+#include "evenlift/similar_setting.h"
 #include "numbers/json_tree.h"
 #include "numbers/text_cursor.h"
 
@@ -216,8 +217,13 @@ Problem Reader::take_settings(Index object, Document& document) const {
   for (Index i = tree_.first(*settings); i != tree_.end(*settings); i = tree_.next(i)) {
     const std::string name(tree_.name(i));
     const auto setting = setting_from_name(name);
-    if (!setting || *setting == Setting::loads || *setting == Setting::failed)
-      return error(i, "there is no setting \"" + name + "\"", ErrorCode::bad_setting);
+    if (!setting || *setting == Setting::loads || *setting == Setting::failed) {
+      const std::string similar(similar_setting(name));
+      return error(i,
+                   "there is no setting \"" + name + '"' +
+                       (similar.empty() ? "" : "; did you mean \"" + similar + "\"?"),
+                   ErrorCode::bad_setting);
+    }
     for (Index k = tree_.first(*settings); k != i; k = tree_.next(k))
       if (setting_from_name(tree_.name(k)) == setting)
         return error(i, "the setting \"" + name + "\" is given twice", ErrorCode::bad_setting);

@@ -176,8 +176,7 @@ std::string failure_in_words(std::size_t robot, std::size_t robots,
                              const std::optional<RestOfRobots>& rest,
                              const std::optional<double>& capacity, const Units& units) {
   const std::string others = in_letters(robots - 1);
-  if (robots == 1)
-    return say("Robot {robot} fails: nothing else carries the object.", {robot + 1});
+  if (robots == 1) return say("Robot {robot} fails: nothing else carries the object.", {robot + 1});
   if (!rest)
     return robots == 2
                ? say("Robot {robot} fails: the other one cannot carry the object.", {robot + 1})

@@ -1,0 +1,15 @@
+// The setting that somebody may have meant who mistyped its name.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace evenlift {
+
+// The name of the setting that is closest to the typed one (closest_name()), or empty.
+std::string_view similar_setting(std::string_view typed);
+
+// "unknown setting", or "unknown setting; did you mean weight?".
+std::string unknown_setting(std::string_view typed);
+
+}  // namespace evenlift
