@@ -20,6 +20,7 @@ struct Overlay {
   const char* about;
   const char* about_none =
       nullptr;  // if it can be empty: a held object has no points to turn about
+  const char* name = nullptr;  // of its chip for scripts, if not the label
 };
 constexpr Overlay overlays[] = {
     {&Overlays::lifting_base, Swatch::hull, "Base",
@@ -27,12 +28,14 @@ constexpr Overlay overlays[] = {
     {&Overlays::chords, Swatch::chord, "Chords",
      "The two robots of a team and the line between them (C)"},
     {&Overlays::candidates, Swatch::candidate, "Candidates", "All chords that were compared (A)"},
-    {&Overlays::clockwise, Swatch::clockwise, "Clockwise",
+    {&Overlays::clockwise, Swatch::clockwise, "Clockwise turns",
      "Points about which it can still turn clockwise, robots on corners not counted (R)",
-     "Points about which it can still turn clockwise, robots on corners not counted: none here (R)"},
-    {&Overlays::counterclockwise, Swatch::counterclockwise, "Counter-clockwise",
+     "Points about which it can still turn clockwise, robots on corners not counted: none here (R)",
+     "Clockwise"},
+    {&Overlays::counterclockwise, Swatch::counterclockwise, "Counter-clockwise turns",
      "Points about which it can still turn counter-clockwise, robots on corners not counted (L)",
-     "Points about which it can still turn counter-clockwise, robots on corners not counted: none here (L)"},
+     "Points about which it can still turn counter-clockwise, robots on corners not counted: none here (L)",
+     "Counter-clockwise"},
     {&Overlays::tipping, Swatch::tipping, "Tipping",
      "The press down that tips the object, at each point (F)"},
     {&Overlays::halo, Swatch::halo, "Tipping distance",
@@ -121,7 +124,8 @@ void draw_overlays(const Ui& ui) {
     if (!first && ImGui::GetItemRectMax().x + 6 + wide <= left + width) ImGui::SameLine(0, 6);
     first = false;
     const char* why_not = why_none(settings(ui.state).method, overlay);
-    if (chip(ui, overlay.label, overlay.swatch, label, on && !why_not, !why_not)) {
+    const char* name = overlay.name ? overlay.name : overlay.label;
+    if (chip(ui, name, overlay.swatch, label, on && !why_not, !why_not)) {
       Shown changed = shown(ui.state);
       changed.overlays.*overlay.shown = !on;
       ui.push(SetShown{changed});

@@ -1,7 +1,7 @@
 // The walkthrough in words: captions with this polygon's own numbers, formulas with the numbers
 // filled in, the algorithm as pseudo-code, and answers to "why not this one?". All texts are plain
-// English in UTF-8, the same bytes on every platform. Vertices, edges, candidates and teams count
-// from 1.
+// English, or in the reader's language (wording.h), in UTF-8, and the same bytes on every platform.
+// Vertices, edges, candidates and teams count from 1.
 #pragma once
 
 #include <string>

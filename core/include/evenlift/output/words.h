@@ -1,5 +1,6 @@
 // Numbers and results in words. The program, the page, pictures, lessons and experiments all use
-// these functions and so agree. Texts are plain English in UTF-8, the same bytes on every platform.
+// these functions and so agree. Texts are plain English, or in the reader's language
+// (wording.h), in UTF-8, and the same bytes on every platform.
 //
 // Numbers are rounded from the decimal that shortest() prints: to the nearest, and a half away from
 // zero. So 2.345 is 2.35 with two decimals, although its double is slightly less. The minus sign is
