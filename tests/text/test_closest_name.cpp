@@ -1,4 +1,4 @@
-// What somebody meant who mistyped a name.
+// The name that a mistyped one may stand for.
 #include "evenlift/closest_name.h"
 
 #include "evenlift/similar_setting.h"

@@ -1,4 +1,4 @@
-// What somebody may have meant who mistyped a name.
+// The name that a mistyped one may stand for.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,7 @@
 namespace evenlift {
 
 // The first of the names that is fewest edits from the typed one, if these are at most two and fewer
-// than half of its characters; else empty. An edit inserts, removes or replaces a byte, or exchanges
+// than half of its characters; else empty. An edit inserts, removes or replaces a byte, or swaps
 // two neighbours (the optimal string alignment distance). O(bytes of `typed` times bytes of `names`).
 std::string_view closest_name(std::string_view typed, const std::vector<std::string_view>& names);
 

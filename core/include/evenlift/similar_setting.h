@@ -1,4 +1,4 @@
-// The setting that somebody may have meant who mistyped its name.
+// The setting that a mistyped name may stand for.
 #pragma once
 
 #include <string>
