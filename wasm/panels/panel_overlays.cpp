@@ -19,7 +19,7 @@ struct Overlay {
   const char* label;
   const char* about;
   const char* about_none =
-      nullptr;  // if it can be empty: a held object has no points to turn about
+      nullptr;                 // if it can be empty: a held object has no points to turn about
   const char* name = nullptr;  // of its chip for scripts, if not the label
 };
 constexpr Overlay overlays[] = {

@@ -195,8 +195,8 @@ void draw_walkthrough_briefly(const Ui& ui, float height) {
   begin_scrolling_box(ui, "told", apart ? height - row : height);
   const int moment = static_cast<int>(2 * walk.at + (walk.ask ? 1 : 0));
   if (in_last_frame("moment", moment, -1) != moment) ImGui::SetScrollY(0);
-  const std::string name = walk.script ? walk.script->lesson.title
-                                       : std::string(title(walk.detail.step.chapter));
+  const std::string name =
+      walk.script ? walk.script->lesson.title : std::string(title(walk.detail.step.chapter));
   text_block(Face::strong_label, ui.theme.second_text,
              say("{chapter} · step {place}", {name, place_in_words(ui.state)}));
   if (walk.ask) {

@@ -5,24 +5,24 @@
 // thesis, which calls for such methods in 6.2; algorithm.md, Balanced robots, gives the definition.
 //
 // A local search finds the robots among sets whose centroid is C. The outline of P begins at v*,
-// the vertex farthest from C (of those within tau L, the leftmost, then the lowest), runs once
-// round counter-clockwise and has the length Lambda. The trial points are the 64 points at
-// (j + 1/2) Lambda / 64 (16 points if P has more than 1,000 vertices), followed by the reflex
-// vertices unless these outnumber them. Robots Q are completed to m = |Q| + 2 robots by the ends of
-// an even candidate about (m C - sum Q) / 2, if that point is strictly inside the convex hull of P.
-// They are completed to m = |Q| + 3 robots by a trial point b and the ends of an even candidate for
-// Q and b.
+// the vertex farthest from C (if several are farthest within tau L, the leftmost of them, then the
+// lowest), runs once round counter-clockwise and has the length Lambda. The trial points are the 64
+// points at (j + 1/2) Lambda / 64 (16 points if P has more than 1,000 vertices), followed by the
+// reflex vertices unless these outnumber them. Robots Q are completed to m = |Q| + 2 robots by the
+// ends of an even candidate about (m C - sum Q) / 2, if that point is strictly inside the convex
+// hull of P. They are completed to m = |Q| + 3 robots by a trial point b and the ends of an even
+// candidate for Q and b.
 //
 // The better of two sets is ahead in the first key in which they differ:
 // 1. fewer pairs of robots nearer to each other than `apart`;
 // 2. with survive = F > 0: the larger min(F, number of failures that leave C at least `clear`
 //    inside the hull of the rest);
-// 3. for the goal hold: the margin of the contacts at least `clear` from every corner reaches more
-//    of 0.001, 0.4 mu and mu, mu being min_margin;
+// 3. for the goal hold: the larger number of thresholds among 0.001, 0.4 mu and mu that the margin
+//    of the contacts at least `clear` from every corner reaches, mu being min_margin;
 // 4. the larger coverage, by more than 1e-9;
 // 5. the larger sum of |p - C|^2, by more than 1e-9 of it;
-// 6. the robots' places along the outline, compared in order: the first that is smaller by more
-//    than tau Lambda.
+// 6. the robots' places along the outline, compared in order: where two of them first differ by
+//    more than tau Lambda, the smaller place.
 // If all keys tie, the set found first stays.
 //
 // Robots that hold a constant force give no righting moment: coverage and H presume robots that
@@ -90,9 +90,9 @@ struct BalancedSearch {
 };
 inline constexpr std::uint32_t most_rounds = 8;
 
-// The limit on work if the outline has more than 1,000 vertices. Work is counted, not timed, so
-// every platform ends with the same robots. Each completion counts 1, plus 1 for every 100 even
-// candidates about C.
+// The limit on work if the boundary (PolygonWithHoles::boundary()) has more than 1,000 vertices.
+// Work is counted, not timed, so every platform ends with the same robots. Each completion counts
+// 1, plus 1 for every 100 even candidates about C.
 inline constexpr std::uint64_t most_work = 150'000;
 
 // Starts the search: S_i is the better of S_(i-2) with two more robots and S_(i-3) with three more,

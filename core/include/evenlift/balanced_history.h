@@ -55,8 +55,8 @@ struct BalancedHistory {
 enum class HistoryLength : std::uint8_t { start, whole };
 BalancedHistory balanced_history(const BalancedProblem& problem, HistoryLength length);
 
-// Whether the whole search certainly takes at most a second or two, judged like
-// is_quick_to_start(), but by the completions of three rounds. O(n) at worst.
+// Whether the whole search is expected to take at most a second or two, judged like
+// is_quick_to_start(), but by the completions of the start and of three rounds. O(n) at worst.
 bool is_quick_to_finish(const BalancedProblem& problem);
 
 // The ways to complete robots by two more: the point that must be the middle of the two, and the
@@ -68,8 +68,8 @@ struct Completions {
 };
 Completions completions(const BalancedProblem& problem, const std::vector<LiftingPoint>& robots);
 
-// The best set that replaces three of at least three robots, with the first replacement at `place`;
-// nothing if there is none. One completion for each triple.
+// The best set in which three new robots, the first of them at `place`, replace three of `robots`;
+// nothing if there is none. There must be at least three robots. One completion for each triple.
 std::optional<BalancedMove> best_with_robot_at(const BalancedProblem& problem,
                                                const std::vector<LiftingPoint>& robots,
                                                const LiftingPoint& place);

@@ -25,7 +25,7 @@ struct Candidate {
   bool between_vertices = false;  // both ends are vertices
   std::uint32_t source = 0;       // set by trace_candidates() only: see there
   Vec2 direction =
-      Vec2::Zero();   // from r1 to r2, not normalized; the same for chords of one vertex
+      Vec2::Zero();   // from r1 to r2, not normalized; exactly the same for chords from one vertex
   double length = 0;  // |r1 r2|
 };
 
@@ -36,7 +36,7 @@ std::vector<Chord> chords_of(const std::vector<Candidate>& candidates,
 // Whether a chord is even: its load ratio is at least 1 - tau. O(1).
 bool is_even(const Chord& chord);
 
-// The candidate of an edge pair, if any, and the reason.
+// The candidate of an edge pair, if there is one, and what decided it.
 struct PairVerdict {
   double g0 = 0, g1 = 0;  // |C r_b| / |C r_a| at the beginning and the end of the range
   bool parallel = false;  // g0 and g1 agree within tolerance
@@ -121,8 +121,8 @@ Result<TracedCandidates> trace_candidates(const Polygon& polygon, const Vec2& ce
                                           double clear = 0);
 
 // The candidates of robots with a size: the chords at whose ends a team's two robots can stand
-// outside the object and lift beneath it. Two facing edges, moved inward by the hand's depth, have
-// the chord with the best load ratio and the chords at which usable intervals of both edges end
+// outside the object and lift beneath it. Two facing edges, moved inward by the hand's depth, give
+// the chord with the best load ratio and each chord both of whose ends are ends of usable intervals
 // (docs/stands.md). With positions anywhere in the range there is also one at each of range_places
 // in the longest of the standing_ranges(). The two robots of a chord do not collide, and its ends
 // are usable lifting points. If a source has several candidates, `of_source` is the best; it is
@@ -134,9 +134,9 @@ Result<TracedCandidates> standing_candidates(const Polygon& polygon, const Vec2&
                                              Positions positions = Positions::best,
                                              double clear = 0);
 
-// The parts of the range of two edges, perhaps moved inward, in which two robots with a size can
-// stand, in order along edge a. Each part runs from its first place, 0, to its last, 1. Places are
-// lifting points. Collisions between the two robots are not checked.
+// The parts of the range of two edges, moved inward by the hand's depth, in which two robots with a
+// size can stand, in order along edge a. Each part runs from its first place, 0, to its last, 1.
+// The ends of their chords are lifting points. Collisions between the two robots are not checked.
 // O(usable intervals of a times those of b).
 std::vector<PairRange> standing_ranges(const Polygon& polygon, const Vec2& centre, std::uint32_t a,
                                        std::uint32_t b, double min_ratio, const Stands& stands);

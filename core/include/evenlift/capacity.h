@@ -24,8 +24,8 @@ std::uint32_t most_teams_tried(const Settings& settings);
 // (loads.h). O(1).
 std::optional<double> capacity_of(const ShownPlacement& of, std::size_t robot);
 
-// Whether a load is more than a capacity. A load counts as within its capacity up to tau
-// (tolerance.h) times the capacity above it: rounding alone could add as much. O(1).
+// Whether a load exceeds a capacity by more than tau (tolerance.h) times the capacity. Rounding
+// alone could add as much as that. O(1).
 bool exceeds(double load, double capacity);
 
 // Whether any robot has a capacity, and whether supports have capacities of their own. O(1).
@@ -75,9 +75,9 @@ struct CapacityPlan {
 // that are needed, at most most_teams_tried(). Teams at equal angles differ for each number of
 // teams; only their loads are computed, and a number of teams is rejected at the first overloaded
 // robot. Teams that are swapped until they hold also differ for each number of teams, and each
-// costs its own swaps (swaps.h). Balanced robots all carry the same planned load, so their least
-// number follows from the weight, the capacity and the number of failures to survive; whether such
-// a set exists is not checked. For given supports no plan is possible.
+// number costs its own swaps (swaps.h). Balanced robots all carry the same planned load, so their
+// least number follows from the weight, the capacity and the number of failures to survive; whether
+// such a set exists is not checked. For given supports no plan is possible.
 CapacityPlan plan_capacity(const Placement& placement, double capacity);
 
 // The number of robots needed if any one may fail. While all work, no planned load exceeds the
@@ -93,10 +93,11 @@ struct FailurePlan {
 };
 
 // Finds the least number of robots for a FailurePlan with the placement's method. They stand where
-// place() would put them. The search begins with the number that the weight alone requires. It ends
-// where the method finds no place for more, at most_teams_tried(), or when the loads of
-// most_loads_planned robots have been computed. For balanced robots it tries most_sets_planned
-// numbers, each with a whole search (balanced.h).
+// place() would put them. The search begins with the least number that the weight and, for balanced
+// robots, the setting `survive` permit. It ends where the method finds no place for more, at
+// most_teams_tried(), or when the loads of most_loads_planned robots have been computed. For
+// balanced robots it tries at most most_sets_planned numbers, each with a whole search
+// (balanced.h).
 inline constexpr std::uint64_t most_loads_planned = std::uint64_t{1} << 21;
 inline constexpr std::uint32_t most_sets_planned = 8;
 FailurePlan plan_for_failures(const Placement& placement, double capacity);

@@ -20,14 +20,14 @@ Vec2 with_cargo(const Vec2& own, const Settings& settings);
 
 // C0 is the given point, or else the centroid of the object without its holes. With W0 its weight
 // and cargo of weights w at q, C = (W0 C0 + sum w q) / (W0 + sum w). An error if C is not strictly
-// inside the convex hull of the outline, which is decided exactly, or if a coordinate of C0 is not
-// finite, exceeds max_coordinate in size or, unless it is 0, is below min_coordinate. C0 and the
-// cargo may lie anywhere. O(items + h) for h corners of the hull.
+// inside the convex hull of the outline, which is decided exactly, or if a coordinate of a given C0
+// is not finite or, in size, exceeds max_coordinate or is below min_coordinate but not 0. C0 and
+// the cargo may lie anywhere. O(items + h) for h corners of the hull.
 Result<CentreOfMass> centre_of_mass(const PolygonWithHoles& object,
                                     const std::optional<Vec2>& given, const Settings& settings);
 
-// The weight and the centre of mass of the object with only the first items of its cargo: with none
-// W0 and `own`, with all W and C, bit for bit. O(items).
+// The weight and the centre of mass of the object with only the first `items` items of its cargo:
+// without cargo W0 and `own`; with all of it, bit for bit, the whole weight and C. O(items).
 struct Loaded {
   double weight = 0;
   Vec2 centre = Vec2::Zero();

@@ -4,9 +4,9 @@
 // closure: the instantaneous centres of rotation that each contact leaves free form a half-plane.
 // The object is in form closure if the clockwise half-planes have no point in common, the
 // counter-clockwise half-planes have none either, and no translation is free (F. Reuleaux, The
-// Kinematics of Machinery, 1876). The margin is the grasp quality of C. Ferrari and J. Canny
-// (Planning optimal grasps, 1992). Second-order immobility follows E. Rimon and J. W. Burdick
-// (Mobility of bodies in contact, 1998).
+// Kinematics of Machinery, 1876). The margin is the measure of grasp quality by Ferrari and Canny
+// (C. Ferrari and J. Canny, Planning optimal grasps, 1992). Second-order immobility follows E.
+// Rimon and J. W. Burdick (Mobility of bodies in contact, 1998).
 //
 // A hold that needs a robot extremely close to a corner cannot be built: at the corner itself the
 // contact is lost. So contacts have a distance from the nearest corner, holds have a clearance and
@@ -84,8 +84,9 @@ struct Clearance {
   std::optional<std::uint32_t> point;
   // The supremum of min(k, R s(k)) over all k. Form closure persists if every robot is off by less
   // than that along its side, all at once in any combination, provided that robots in reflex
-  // vertices stay there: no contact that counts leaves its side, and a wrench moves by at most the
-  // distance divided by R, so the margin shrinks by no more. 0 without form closure.
+  // vertices stay there. No contact that counts leaves its side. A wrench changes by at most the
+  // distance that its robot is off, divided by R, and the margin shrinks by no more than the
+  // largest of these changes. 0 without form closure.
   double tolerance = 0;
 };
 

@@ -1,5 +1,6 @@
-// Whether an object stands on its robots, and over which of them it tips if not. The methods that
-// find places always put C into the lifting base H; robots at given places (supports.h) may not.
+// Whether an object stands on its robots, and over which of them it tips if not. If a method finds
+// the places, C is always in the lifting base H; if the places are given (supports.h), C can be
+// outside.
 #pragma once
 
 #include <cstdint>

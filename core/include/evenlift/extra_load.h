@@ -11,8 +11,8 @@ namespace evenlift {
 
 struct ExtraLoad {
   double weight = 0;  // of the load
-  // The convex polygon, within the bounding box of the object, in which the load lifts no robot off
-  // and overloads none; counter-clockwise, empty if there is no such place.
+  // The convex polygon, within the bounding box of the object, in which the load makes no robot go
+  // slack and overloads none; counter-clockwise, empty if there is no such place.
   Points region;
   double share = 0;  // of the object's area (without holes) in the region
   std::optional<double>

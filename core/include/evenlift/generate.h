@@ -24,11 +24,11 @@ inline constexpr Family all_families[] = {Family::regular, Family::convex, Famil
 std::string_view name(Family family);
 std::optional<Family> family_from_name(std::string_view name);
 
-// A polygon of exactly n vertices, counter-clockwise, with coordinates in 0 .. 1000 on a decimal
-// grid of three decimals up to n = 1000 and at most nine beyond. The families regular and convex
+// A polygon of exactly n vertices, counter-clockwise, with coordinates in 0 .. 1000 that have at
+// most three decimals up to n = 1000 and at most nine for larger n. The families regular and convex
 // are strictly convex; random is not star-shaped from n = 6 on. n ranges from 3 (comb and spiral:
-// 8) to max_vertices; an error names the option "n". The seed does not affect regular. Expected
-// O(n); convex O(n log n).
+// 8) to max_vertices; for other n, the error names the option "n". The seed does not affect
+// regular. Expected O(n); convex O(n log n).
 Result<Points> generate(Family family, std::size_t n, std::uint64_t seed);
 
 }  // namespace evenlift

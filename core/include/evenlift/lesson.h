@@ -31,8 +31,8 @@
 //   edges A B        the outcome of the edge pair with these edges
 //   step N           its number in the whole trace, which changes with the polygon
 //   end              the last step
-// After the steps, or in their place, may follow a task (task.h): `[task]` and a sentence; the
-// settings `require`, `move`, `place` and `find` say what is to be reached and how. The lesson may
+// A task (task.h) may follow the steps or replace them: `[task]` and its words; the settings
+// `require`, `move`, `place` and `find` say what the learner should reach and how. The lesson may
 // end with a question to think about and its answer, which is shown on request.
 #pragma once
 
@@ -147,8 +147,8 @@ Result<Lesson> parse_lesson(std::string_view text);
 Result<Document> lesson_document(const Lesson& lesson, const Document& sample,
                                  std::uint64_t number = 1);
 
-// The same error, from that document or from its placement, at the line of the lesson's own setting
-// if the error concerns one. O(settings).
+// Returns an error of lesson_document() or of placing its result, moved to the line of the lesson's
+// own setting if the error concerns one. O(settings).
 InputError at_line(InputError error, const Lesson& lesson);
 
 // The number of the step in the trace; nothing if the trace has no such step. O(K) for edges and

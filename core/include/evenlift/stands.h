@@ -1,8 +1,8 @@
 // Where robots with a size can stand (docs/stands.md). A robot has a round body of radius r outside
 // the object, an arm that reaches to the contact c on an edge, and a hand that reaches beneath the
-// object by its depth d. With n the outward normal of the edge, the centre of the body is
-// s = c + (r + reach) n, the hand is the rectangle of its width from c to c - d n, and the lifting
-// point is p = c - d n.
+// object by its depth d. With n the outward normal of the edge, the centre of the body is s = c +
+// (r + reach) n, the lifting point is p = c - d n, and the hand is a rectangle of width w from c to
+// p.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ enum class WhyUnusable : std::uint8_t {
   hand,        // the object is not deep or wide enough for the hand
   hole,        // the hand would reach into a hole
   near_no_go,  // the hand would reach sideways onto a no-go part
-  narrow,      // the rest between two other parts is shorter than the tolerance; keep it last
+  narrow,      // what remains between two other parts is shorter than the tolerance; it stays last
 };
 
 inline constexpr std::size_t why_unusable_count = static_cast<std::size_t>(WhyUnusable::narrow) + 1;
@@ -57,7 +57,7 @@ struct EdgeFrame {
 //   1. every other edge is at least r - tau L away from the centre of its body,
 //   2. the segment from the body's centre to the contact meets the object only at the contact (if
 //      the reach is above 0),
-//   3. [t - w / 2, t + w / 2] x [w / 10, d], the hand's rectangle without the tenth of its width
+//   3. [t - w / 2, t + w / 2] x [w / 10, d], the hand's rectangle without a strip of depth w / 10
 //      next to the edge, lies within the object, up to tau L; and the corners (Polygon::is_corner)
 //      at which the edge ends are at least w / 2 away, where edges joined by straight vertices
 //      count as one,
@@ -138,13 +138,14 @@ std::vector<LiftingPoint> contact_points(const Stands* stands, std::vector<Lifti
 bool stands_anywhere(const Settings& settings);
 
 // The stands for these settings; null if robots are points that may stand anywhere. An error if an
-// edge of no_go does not exist, or if a method would have to find places where no robot could stand
-// anywhere. Costs as much as Stands.
+// edge of no_go does not exist, or if the method must find places and no robot can stand anywhere.
+// Costs as much as Stands.
 Result<std::shared_ptr<const Stands>> make_stands(const PolygonWithHoles& object,
                                                   const Settings& settings);
 
-// The no-go parts when the user marks or edits the outline by hand. Results are in order and do not
-// overlap; `at` is a place on an edge as a fraction of its length. O(parts log parts).
+// These functions update the no-go parts when the user marks or edits the outline by hand. Results
+// are in order and do not overlap; `at` is a place on an edge as a fraction of its length. O(parts
+// log parts).
 
 // The no-go parts with one part added, and with everything inside a part removed.
 std::vector<EdgePart> with_part(std::vector<EdgePart> no_go, const EdgePart& part);

@@ -17,8 +17,8 @@
 //
 // If the level is then below 3, the search also runs for t - 1 teams. Their result with the best
 // further candidate replaces the t teams if it is better, and swaps continue within the same 4 t
-// rounds. So one more team never lowers the level, though the teams may differ. The exception:
-// there may be no room for one more team of robots with a size.
+// rounds. So one more team never lowers the level, though the teams may differ. This need not hold
+// for robots with a size, since there may be no room for one more team.
 #pragma once
 
 #include <cstddef>
@@ -92,8 +92,9 @@ std::optional<InputError> check_swaps(std::size_t candidates, std::size_t teams,
 
 // Swaps the teams. The result is never worse than its start. With `stands`, only choices whose
 // robots do not collide are tried. For t teams among K candidates at most 4 t rounds of O(t K)
-// swaps, few of which need more than a bound; and where the level stays below 3, the same again for
-// t - 1 teams, and so on, so that there are O(t^2) rounds at worst. check_swaps() must allow them.
+// swaps, most of which a bound alone rules out; and where the level stays below 3, the same again
+// for t - 1 teams, and so on, so that there are O(t^2) rounds at worst. check_swaps() must allow
+// them.
 SwapHistory swap_teams(const PolygonWithHoles& object, const Vec2& centre,
                        const std::vector<Candidate>& candidates, std::vector<std::uint32_t> start,
                        const HoldRequirements& firm, const Stands* stands = nullptr);

@@ -1,5 +1,5 @@
 // Slopes, starts, stops and uneven ground. The results follow from the places of the robots, C and
-// the numbers of Carrying (document.h), and move no robot.
+// the numbers of Carrying (document.h). They do not affect where robots stand.
 //
 // On ground that slopes by the ratio k1, with an acceleration of k2 g, the resultant of weight and
 // inertia meets the plane of the lifting points up to about h (k1 + k2) from C (exactly, if either
@@ -17,8 +17,8 @@
 
 namespace evenlift {
 
-// The disturbance that the settings com_radius, com_height, slope, acceleration, give and uneven express.
-// O(1).
+// The disturbance that follows from the settings `com_radius`, `com_height`, `slope`,
+// `acceleration`, `give` and `uneven`. O(1).
 Disturbance disturbance_of(const Shown& shown);
 
 // When the object tips, in the worst direction.

@@ -55,8 +55,8 @@ enum class Chapter : std::uint8_t {
 };
 inline constexpr std::uint32_t chapter_count = 15;
 
-// The subject of a step. The `item` of a step counts from 0 among the steps of its kind. The
-// comments name the numbered things; "1" means that there is only one such step.
+// The subject of a step. The `item` of a step counts from 0 among the steps of its kind. Each
+// comment begins with the things that `item` counts; "1" means that there is only one such step.
 enum class StepKind : std::uint8_t {
   polygon,       // 1
   centroid,      // 1: how it is found
@@ -73,7 +73,7 @@ enum class StepKind : std::uint8_t {
   scores,        // teams: every candidate's score and rank, by area, circle or distance
   team,          // teams: the candidate that it takes
   base,          // teams: H grows
-  fewer,         // 1: no place for all teams requested, or for any
+  fewer,         // 1: only some of the teams requested find a place, or none
   share,         // teams: the law of the lever
   loads,         // 1: all robots
   coverage,      // 1
@@ -180,8 +180,8 @@ struct Trace {
   // `placement` is their result; only the last step describes both.
   std::optional<Placement> moved;
 
-  // A run of similar steps. Its item i is the `kinds` steps from first + i * kinds on, one of each
-  // kind in the order of `kind`.
+  // A run of similar steps. Item i of a block consists of `kinds` steps, from step first + i *
+  // kinds on, one of each kind in the order of `kind`.
   struct Block {
     std::uint32_t first = 0, items = 0, first_item = 0, kinds = 1;
     std::array<StepKind, 3> kind{};
@@ -220,10 +220,11 @@ bool centre_is_outside(const Trace& trace);
 
 // The trace of a placement from place(). An error if it has more than max_trace_steps steps. Costs
 // as much as place() without the selection: O(n log n + K log K) for K edge pairs and opposite
-// vertices; for balanced robots as much as their search, which must be quick to finish, or it is an
-// error. For them, and for teams moved by hand, the trace's placement is the method's own result,
-// wherever the given robots stand. With HistoryLength::start only the start of the search is
-// traced, if that is quick, so that the trace can follow a drag.
+// vertices; for balanced robots as much as their search. It is an error if that search is to be
+// traced whole and is not quick to finish. For balanced robots, and for teams moved by hand, the
+// trace's placement is the method's own result, wherever the robots of `placement` stand. With
+// HistoryLength::start only the start of the search is traced, if that is quick, so that the trace
+// can follow a drag.
 Result<Trace> make_trace(const Placement& placement, HistoryLength length = HistoryLength::whole,
                          const Units& units = {});
 
@@ -399,13 +400,13 @@ inline constexpr std::uint64_t exact_score_budget = 1u << 22;
 struct BalancedDetail {
   std::vector<LiftingPoint> robots;
   std::vector<std::uint32_t> numbers;  // from 0
-  // rest, mirror, completion, start, swap: how the set is completed
+  // rest, mirror, completion, start, `exchange`: how the set is completed
   std::vector<LiftingPoint> rest;     // the robots that stay, and the one at a trial point
   std::optional<LiftingPoint> stand;  // the robot that came to a trial point
   Vec2 middle = Vec2::Zero();         // the middle of the two other robots
   std::vector<Chord> chords;          // the even chords about the middle
   std::uint32_t chosen = 0;           // the index of the chord taken
-  // swap: compared with the preceding set
+  // `exchange`: compared with the preceding set
   std::vector<std::uint32_t> moved;  // the numbers of the robots that moved, increasing
   std::vector<Vec2> ways;            // for each of them, the old and the new position
   BalancedKeys keys_before;
@@ -430,8 +431,9 @@ struct StepDetail {
   std::optional<StandsDetail> stands;      // stands
   std::optional<TeamScores> scores;        // scores, team, in traces by_candidates() only
   // scores, team, base: H without and with the team. swap: H before and after. completion, start,
-  // swap and all later steps of balanced robots: H of the preceding set and H of the step's
-  // own.
+  // `exchange` and all later steps of balanced robots: `base` is H of the step's own robots;
+  // `base_before` is H of the robots that stayed (start) or of the preceding set (`exchange`),
+  // otherwise empty.
   Points base_before, base;
   std::optional<BalancedDetail> balanced;  // steps of balanced robots, from their first set on
   FreeRegion clockwise, counterclockwise;  // contacts, cut: the regions left after the step
@@ -473,32 +475,33 @@ enum class FigureKind : std::uint8_t {
   clockwise,  // area, segment or point: free rotation centres
   counterclockwise,
   translation,  // from C in a free direction
-  lever,        // from a robot through C to another, or to the middle of two others; from the
-                // centre of mass before an item of cargo through that with it to the item
-  side,         // between two robots
-  arm,          // from C to a robot; item: its number
-  sum,          // the arms laid end to end, each divided by the number of robots
-  middle,       // point: where the middle of two more robots must be
-  stand,        // point: the trial point that one of three robots came to
-  mirrored,     // the polygon turned by half a turn about the middle (area)
-  even_chord,   // about the middle; item: its number
-  left,         // point: where a robot stood before; item: its number then
-  way,          // from there to where a robot came
-  range,        // C and the part of an edge where robots may stand (area); item: edge
-  range_end,    // chord at an end of a range; item: 0 or 1; value: ratio
-  former,       // chord that a team left; item: candidate; value: ratio
-  unusable,     // a part of an edge; item: index of Stands::unusable()
-  body,         // 1 point, the centre of a robot's body; value: radius; item: the unusable part
-                // where the robot does not fit, none if it fits
-  hand,         // a robot's arm or hand, a segment or an area; item: as for `body`
-  share,        // triangle of C and two of three robots; item: the third robot; value: its share
-  level,        // line on which springs carry the same; value: that load
-  sinks,        // from C in the direction in which a board on springs sinks
-  hole,         // its outline (area); item: hole
-  hole_part,    // a vertex and an edge of a hole; item: hole; value: as for `triangle`, but
-                // negative, or positive where it folds back
-  cargo,        // point; item: of cargo; value: its weight
-  old_centre,   // point: the centre of mass before an item of cargo
+  // from a robot through C to another, or to the middle of two others; or from the centre of mass
+  // without an item of cargo, through the centre of mass with it, to the item
+  lever,
+  side,        // between two robots
+  arm,         // from C to a robot; item: its number
+  sum,         // the arms laid end to end, each divided by the number of robots
+  middle,      // point: where the middle of two more robots must be
+  stand,       // point: the trial point that one of three robots came to
+  mirrored,    // the polygon turned by half a turn about the middle (area)
+  even_chord,  // about the middle; item: its number
+  left,        // point: where a robot stood before; item: its number then
+  way,         // from there to where a robot came
+  range,       // C and the part of an edge where robots may stand (area); item: edge
+  range_end,   // chord at an end of a range; item: 0 or 1; value: ratio
+  former,      // chord that a team left; item: candidate; value: ratio
+  unusable,    // a part of an edge; item: index of Stands::unusable()
+  body,        // 1 point, the centre of a robot's body; value: radius; item: the unusable part
+               // where the robot does not fit, none if it fits
+  hand,        // a robot's arm or hand, a segment or an area; item: as for `body`
+  share,       // triangle of C and two of three robots; item: the third robot; value: its share
+  level,       // line on which springs carry the same; value: that load
+  sinks,       // from C in the direction in which a board on springs sinks
+  hole,        // its outline (area); item: hole
+  hole_part,   // a vertex and an edge of a hole; item: hole; value: as for `triangle`, but
+               // negative, or positive where it folds back
+  cargo,       // point; item: of cargo; value: its weight
+  old_centre,  // point: the centre of mass before an item of cargo
 };
 inline constexpr std::uint32_t figure_kind_count = 52;
 std::string_view name(FigureKind kind);
@@ -531,8 +534,9 @@ std::vector<Number> numbers(const Trace& trace, const StepDetail& detail);
 enum class QuestionKind : std::uint8_t {
   nearer_end,     // outcome: which end is nearer to even? 0 or 1, an index of pair->ends
   winning_chord,  // scores: which candidate wins? an index of placement.candidates
-  even_chord,     // completion, swap: which chord do two robots take? of balanced->chords
-  // swap of one team, alternately:
+  even_chord,  // completion, `exchange`: which chord do two robots take? an index of balanced->chords
+  // swap of one team: the first question for swaps 0, 2, 4 ... if there are several teams,
+  // otherwise the second:
   leaving_team,      // which team moves? its number from 0
   coming_candidate,  // to which candidate? an index of placement.candidates
 };
@@ -546,7 +550,7 @@ struct Question {
 // The question before step detail.number is shown. Nothing if the step is not a choice. O(1).
 std::optional<Question> question(const Trace& trace, const StepDetail& detail);
 // The possible answers, increasing. For coming_candidate, these are the candidates that no team has
-// taken, and where robots with a size would not collide. O(K teams).
+// taken and at which robots with a size would not collide. O(K teams).
 std::vector<std::uint32_t> choices(const Trace& trace, const StepDetail& detail,
                                    const Question& question);
 // The chord of a possible answer; for a team, the chord that it may leave. O(1).

@@ -46,8 +46,9 @@ constexpr bool has_ranges(LoadModel model) {
 // By how much a disturbance may change the loads of robots that give way like springs.
 struct LoadChanges {
   double kept = 1;                // of the disturbance
-  bool others_may_carry = false;  // robots that carry nothing by springs may come to carry
-  std::vector<double> by;  // each load by at most this, as long as the same robots carry load
+  bool others_may_carry = false;  // robots that carry no load by springs may begin to carry some
+  std::vector<double>
+      by;  // the greatest change of each load, as long as the same robots carry load
   std::vector<double>
       at_worst;  // the greatest load that each can get whichever robots go slack: as
                  // worst_loads() (load_models.h), with C anywhere within the reach
@@ -56,8 +57,8 @@ struct LoadChanges {
 // `springs` must be the loads of the same robots. Heights that are off change the load of robot i
 // by at most W/m * uneven * sum over j of |P_ij|, where P projects onto the heights that no plane
 // fits: P = I - A (A'A)^-1 A', with a row [1, x_j, y_j] of A for each of the robots that carry
-// load. It is 0 for three of them, if they are not on one line. O(m h), and O(m^2) if heights are
-// off.
+// load. This change is 0 if only three robots carry load and they are not on one line. O(m h), and
+// O(m^2) if heights are off.
 LoadChanges load_changes(const Points& robots, const Vec2& centre, double diameter, double weight,
                          const SpringLoads& springs, const Disturbance& disturbance);
 
@@ -66,16 +67,18 @@ LoadChanges load_changes(const Points& robots, const Vec2& centre, double diamet
 // without load may take some up. O(m).
 bool may_let_go(const std::vector<double>& loads, const LoadChanges& changes);
 
-// The loads of robots that are in equilibrium with `loads` and give way like springs: kept * load -
-// by .. load + by, and never less than 0. If a robot may go slack, every greatest load is `at_worst`, which
-// holds whichever robots go slack; the least loads presume that the other robots keep carrying. O(m).
+// The ranges of the loads of robots that give way like springs and that, without the disturbance,
+// are in equilibrium with these `loads`: kept * load - by .. load + by, and never less than 0. If a
+// robot may go slack, every greatest load is `at_worst`, which holds whichever robots go slack; the
+// least loads presume that the other robots keep carrying. O(m).
 std::vector<LoadRange> load_ranges(const std::vector<double>& loads, const LoadChanges& changes);
 
 // The greatest radius within which C may lie so that, by springs, no robot carries more than its
 // capacity; robots without one can carry any load. At most springs.same_within, since no bound
-// holds beyond it, and at most the tipping distance. `besides` are the changes of load for reasons
-// other than C, and `reach` is how far the weight may act from C for such reasons; none by default.
-// Nothing if a robot may be overloaded even with C at its assumed place. O(m).
+// holds beyond it, and at most the tipping distance, each less `reach`. `besides` are the changes
+// of load for reasons other than C, and `reach` is how far the weight may act from C for such
+// reasons; by default there are no such reasons. Nothing if a robot may be overloaded even with C
+// at its assumed place. O(m).
 std::optional<double> radius_within_capacity(const SpringLoads& springs, double tipping_distance,
                                              const std::vector<std::optional<double>>& capacities,
                                              const LoadChanges& besides = {}, double reach = 0);

@@ -17,12 +17,12 @@ enum class Why : std::uint8_t {
   too_uneven,           // no chord of its pair meets the minimum ratio
   opposite_too_uneven,  // it joins two opposite vertices, and its load ratio is too low
   not_best_of_pair,     // its pair's candidate is another chord
-  duplicate,            // its pair's candidate is within tolerance of another pair's, kept instead
-  not_even,             // a candidate; the first team is chosen among the even ones only
-  behind,               // a candidate; another one won (see decided_by)
-  taken,                // a team has taken it
-  cannot_stand,         // robots of the given size cannot stand at both its ends
-  collides,             // a candidate; its robots would collide with those of an earlier team
+  duplicate,  // its pair's candidate is within tolerance of another pair's, which was kept instead
+  not_even,   // a candidate; the first team is chosen among the even ones only
+  behind,     // a candidate; another one won (see decided_by)
+  taken,      // a team has taken it
+  cannot_stand,  // robots of the given size cannot stand at both its ends
+  collides,      // a candidate; its robots would collide with those of an earlier team
 };
 
 struct WhyNot {
@@ -81,7 +81,7 @@ struct WhyNoRobot {
 
 // The answer for the boundary point nearest to `at` and the robots of step k. If step k has fewer
 // than three robots, those of the last set count. A robot within `reach` of `at` counts as standing
-// there. Costs one completion (balanced.h) for each three robots that could leave.
+// there. Costs one completion (balanced.h) for each choice of three robots that could leave.
 WhyNoRobot why_no_robot(const Trace& trace, std::uint32_t k, const Vec2& at, double reach);
 
 // Compares the set that another even chord of a completion or swap would make with the set that the

@@ -1,7 +1,7 @@
-// The reader's language. English words and sentences are written where they are said, and are the
-// keys by which they are found in the language of the reader: so the whole page is translated by one
-// file (assets/words). Without such a file all is English. What a number stands for is named in
-// braces, so that a translation may change the order.
+// The reader's language. The code contains each English text where it is used. The English text is
+// also the key to its translation, so one file for each language (assets/words) translates the
+// whole page. Without such a file, all texts are in English. In a pattern, names in braces stand
+// for values, so that a translation can change their order.
 #pragma once
 
 #include <concepts>
@@ -13,19 +13,21 @@
 
 namespace evenlift {
 
-// From now on the English text or pattern reads like this. Called for all words before anything is
-// said, since a sentence that was said stays as it is. Not for use by several threads. O(log n).
+// Adds the translation of an English text or pattern, or replaces an earlier one. Call it for all
+// texts before any is used, since sentences that were already returned do not change. Not
+// thread-safe. O(log n).
 void add_translation(std::string english, std::string translated);
 
-// English again. Results of translated() end.
+// Removes all translations, so that texts are in English again. Translations that translated()
+// returned become invalid.
 void forget_translations();
 
-// The text in the reader's language, and the text itself if it was not translated. The result lives
-// as long as the program, or as the argument. O(log n).
+// The translation of a text, or the text itself if it has none. A translation stays valid until it
+// is replaced or forgotten; the text itself lives as long as the argument. O(log n).
 std::string_view translated(std::string_view english);
 
-// What is put into a sentence: a text, which is translated as well, or a whole number. It does not
-// own its text, so it must not outlive the call for which it is made.
+// A value in a sentence: a text, which is also translated, or a whole number. It does not own its
+// text, so it must not outlive the call for which it is made.
 class Value {
  public:
   Value(const char* text) : text_(text) {}
@@ -42,12 +44,13 @@ class Value {
   bool is_text_ = true;
 };
 
-// The pattern in the reader's language with the values in their places. Each {name} of the English
-// pattern takes the next value; a name that comes again takes its value again.
-// "Robot {robot} carries {load}." with 3 and "16.7 kg". O(bytes of pattern and values).
+// The pattern in the reader's language with the values in their places. Each new {name} of the
+// English pattern takes the next value; a repeated name takes the same value again. For example,
+// "Robot {robot} carries {load}." with 3 and "16.7 kg" becomes "Robot 3 carries 16.7 kg." O(bytes
+// of pattern and values).
 std::string say(std::string_view english, std::initializer_list<Value> values = {});
 
-// The same for values that are already written.
+// The same for `number` values that are already texts; these are not translated.
 std::string say_written(std::string_view english, const std::string* values, std::size_t number);
 
 }  // namespace evenlift

@@ -16,15 +16,15 @@ namespace evenlift {
 // loads_in_words() for it. Robots count from 1.
 std::string model_in_words(LoadModel model, const ModelLoads& loads, const Units& units = {});
 
-// By how much the loads of equally stiff robots change within the disturbance of `loads`, and that of the
-// placement shown: "If C is off by up to 3 cm and the ground slopes by up to 8 %, …"; if only C is
-// uncertain, the distance from which on the object can tip; and whether robots may go slack. Empty
-// without a disturbance. O(m).
+// By how much the loads of equally stiff robots change within the disturbance of `loads`, which
+// must be that of `shown`: "If C is off by up to 3 cm and the ground slopes by up to 8 %, …"; the
+// distance at which the object can tip, if only C is uncertain and may be off that far; and whether
+// robots may go slack. Empty without a disturbance. O(m).
 std::string uncertainty_in_words(const ModelLoads& loads, const Robustness& robustness,
                                  const Shown& shown);
 
 // How far C may be off before a robot exceeds its capacity, with loads by springs, under the other
-// conditions that are given. Some robot must have a capacity. As model_loads().
+// conditions that are given. Some robot must have a capacity. Costs as much as model_loads().
 std::string uncertainty_for_capacity_in_words(const ModelLoads& loads, const ShownPlacement& of);
 
 // The indispensable robots, the greatest load of a robot if any other fails, the failures that let

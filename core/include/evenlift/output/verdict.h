@@ -27,10 +27,10 @@ struct Judgement {
 std::vector<std::string> misfits_in_words(const ShownPlacement& of);
 
 // A placement is good if all requested teams are placed, every robot fits (misfits() of
-// placed_robots.h), no robot exceeds its capacity, the object does not tip within the C uncertainty,
-// the coverage is at least good_coverage (words.h), and the object is held (is_held()). The loads
-// are as planned, with their ranges if C is uncertain. O(m log n + m^2) for supports of a size,
-// otherwise O(m log m).
+// placed_robots.h), no robot exceeds its capacity, the object does not tip within the disturbance
+// (disturbance_of()), the coverage is at least good_coverage (words.h), and the object is held
+// (is_held()). The loads are as planned, with their ranges if there is a disturbance. O(m log n +
+// m^2) for supports of a size, otherwise O(m log m).
 Judgement judge(const ShownPlacement& of);
 
 // The same, if the robustness and the loads to compare with the capacities are known: those of the

@@ -1,6 +1,6 @@
 // Numbers and results in words. The program, the page, pictures, lessons and experiments all use
-// these functions and so agree. Texts are plain English, or in the reader's language
-// (wording.h), in UTF-8, and the same bytes on every platform.
+// these functions and so agree. Texts are in plain English or in the reader's language (wording.h).
+// They are in UTF-8, with the same bytes on every platform.
 //
 // Numbers are rounded from the decimal that shortest() prints: to the nearest, and a half away from
 // zero. So 2.345 is 2.35 with two decimals, although its double is slightly less. The minus sign is
@@ -55,8 +55,9 @@ std::string load_in_words(LoadModel model, const LoadRange& load, double largest
 // unit: "2.5".
 std::string with_weight_unit(const std::string& number, const Units& units);
 
-// A weight or capacity that the user gave, with its unit: its whole part, and at most six
-// significant digits, since a value converted from another unit has many: "100 kg", "22.6796 kg".
+// A weight or capacity that the user gave, with its unit: at most six significant digits, or its
+// whole part if that has more, since a value converted from another unit has many: "100 kg",
+// "22.6796 kg".
 std::string given_weight(double weight, const Units& units);
 std::string with_length_unit(const std::string& number, const Units& units);
 
@@ -156,9 +157,8 @@ std::string limit_in_words(const ShownPlacement& of);
 std::string capacity_in_words(const ShownPlacement& of, const CapacityPlan* plan,
                               const FailurePlan* if_one_fails = nullptr);
 
-// The text if the overloaded robots differ from the plan: those by this load model, or those among
-// the others while the robot `failed` (from 0) fails. The plan covers neither case, and the text
-// states this.
+// The same for robots that are overloaded by this load model, or among the others while the robot
+// `failed` (from 0) fails. `plan` covers neither case, and the text states this.
 std::string capacity_in_words(const ShownPlacement& of, const CapacityPlan* plan,
                               const std::vector<std::size_t>& overloaded, LoadModel model,
                               const std::optional<std::size_t>& failed = std::nullopt,
