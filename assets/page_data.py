@@ -3,6 +3,7 @@
 
   page_data.py samples FOLDER samples.json [opening_sample.inc]
   page_data.py lessons FOLDER POLYGONS lessons.json polygons.json
+  page_data.py translated-lessons FOLDER POLYGONS LANGUAGE lessons-LANGUAGE.json
 
 FOLDER/index.txt lists its files by name and title; headings, after the comment at its top, are groups.
 opening_sample.inc is the first polygon as a C++ string literal: the page opens on it.
@@ -48,8 +49,7 @@ def samples(folder, target, opening=None):
         opening.write_text(f'R"polygon({entries[0]["text"]})polygon"\n', encoding="utf-8")
 
 
-def lesson(folder, polygons, name, title, group):
-    text = read(folder / f"{name}.txt")
+def lesson(polygons, name, title, group, text):
     polygon = re.search(r"^polygon:\s*([a-z0-9-]+)", text, re.MULTILINE)
     return {"name": name, "title": title, "session": group,
             "stops": len(re.findall(r"^\[(?!(?:task|question|answer)\])", text, re.MULTILINE)),
@@ -58,11 +58,23 @@ def lesson(folder, polygons, name, title, group):
 
 
 def lessons(folder, polygons, target, polygons_target):
-    write_lines(target, "[]", (text_of(lesson(folder, polygons, *entry)) for entry in listed(folder)))
+    write_lines(target, "[]", (text_of(lesson(polygons, *entry, read(folder / f"{entry[0]}.txt")))
+                               for entry in listed(folder)))
     # All samples by name, for lessons that come from elsewhere.
     files = sorted(file for file in polygons.glob("*.txt") if file.name != "index.txt")
     write_lines(polygons_target, "{}", (f"{text_of(file.stem)}: {text_of(read(file))}" for file in files))
 
 
+def translated_lessons(folder, polygons, language, target):
+    """The same lessons in the same order; the texts of FOLDER/LANGUAGE have their own titles."""
+    entries = []
+    for name, _, group in listed(folder):
+        text = read(folder / language / f"{name}.txt")
+        title = re.search(r"^title:\s*(.*)$", text, re.MULTILINE)[1]
+        entries.append(text_of(lesson(polygons, name, title, group, text)))
+    write_lines(target, "[]", entries)
+
+
 if __name__ == "__main__":
-    {"samples": samples, "lessons": lessons}[sys.argv[1]](*map(Path, sys.argv[2:]))
+    commands = {"samples": samples, "lessons": lessons, "translated-lessons": translated_lessons}
+    commands[sys.argv[1]](*map(Path, sys.argv[2:]))

@@ -9,6 +9,7 @@ import { unreadable } from "../page/lesson_text.js";
 import { underWay } from "../page/under_way.js";
 import { noSample, openLessonText, titleOf } from "./lesson_source.js";
 import { openLessonOf, standing, watch } from "./lesson_watch.js";
+import { fetchLessons } from "./ready_made.js";
 
 const draftKey = "evenlift.lesson-draft";
 const pause = 350; // ms after the last letter
@@ -72,7 +73,7 @@ export async function show(page) {
   if (document.getElementById("editor")) return;
   const samples = await fetchJson("polygons.json").catch(() => ({}));
   const gallery = await fetchJson("samples.json").catch(() => []);
-  const lessons = await fetchJson("lessons.json").catch(() => []);
+  const lessons = await fetchLessons().catch(() => []);
   const editor = new Editor(page, samples, lessons, gallery);
   const root = await openWindow({
     name: "editor",

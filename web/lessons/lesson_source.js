@@ -6,6 +6,7 @@ import { say, translated } from "../words/words.js";
 import { isLessonLink } from "../page/address.js";
 import { unreadable } from "../page/lesson_text.js";
 import { openLesson, watch } from "./lesson_watch.js";
+import { fetchLessons } from "./ready_made.js";
 
 const mostBytes = 65536; // core/include/evenlift/lesson.h
 const patience = 15000; // ms
@@ -73,7 +74,7 @@ export async function openNamedLesson(page, name, how) {
     return problem ?? openLessonText(page, text, "", how); // the link may have been found among other words
   }
   if (readyMade.test(name)) {
-    const lesson = (await fetchJson("lessons.json")).find((l) => l.name === name);
+    const lesson = (await fetchLessons()).find((l) => l.name === name);
     return lesson ? openLesson(page, lesson, how) : "there is no ready-made lesson with that name";
   }
   if (!besideThePage.test(name) || name.length > 200)

@@ -2,12 +2,12 @@
 // next lesson.
 import { closingButton, openCard } from "../kit/card.js";
 import { button, el, paragraphs } from "../kit/elements.js";
-import { fetchJson } from "../kit/fetched.js";
 import { say, translated } from "../words/words.js";
 import { isLessonLink } from "../page/address.js";
 import { lasting, read, write } from "../page/storage.js";
 import { underWay } from "../page/under_way.js";
 import { show as showTask } from "./task.js";
+import { fetchLessons } from "./ready_made.js";
 
 const seenKey = "evenlift.lessons";
 
@@ -162,7 +162,7 @@ function scoreOf({ guesses, right, told, passed }) {
 }
 
 async function showEnd(page, lesson, now, of) {
-  const all = lesson.name ? await fetchJson("lessons.json").catch(() => []) : [];
+  const all = lesson.name ? await fetchLessons().catch(() => []) : [];
   const index = all.findIndex(({ name }) => name === lesson.name);
   const next = index >= 0 ? all[index + 1] : undefined;
   const { score, further } = scoreOf(now);

@@ -1,7 +1,6 @@
 // The window of lessons: a walkthrough of the open polygon, the ready-made lessons, and one from a file.
 import { buttonTo, fadeFoot, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, icon, lowered } from "../kit/elements.js";
-import { fetchJson } from "../kit/fetched.js";
 import { say, translated } from "../words/words.js";
 import { show as showGlossary } from "./glossary.js";
 import { show as showHandout } from "./handout.js";
@@ -9,6 +8,7 @@ import { show as showEditor } from "./lesson_editor.js";
 import { openLessonText } from "./lesson_source.js";
 import { openLesson, openLessonOf, seenLessons, watch } from "./lesson_watch.js";
 import { underWay } from "../page/under_way.js";
+import { fetchLessons } from "./ready_made.js";
 
 export async function show(page) {
   const problem = problemLine();
@@ -118,7 +118,7 @@ async function load(page, list, choose) {
   list.replaceChildren(el("p", { class: "second", role: "status" }, "Loading …"));
   let lessons;
   try {
-    lessons = await fetchJson("lessons.json");
+    lessons = await fetchLessons();
   } catch (error) {
     const line = problemLine();
     list.replaceChildren(line, button("Try again", { onclick: () => load(page, list, choose) }));

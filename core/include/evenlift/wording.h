@@ -6,7 +6,6 @@
 
 #include <concepts>
 #include <cstddef>
-#include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -30,18 +29,19 @@ std::string_view translated(std::string_view english);
 // text, so it must not outlive the call for which it is made.
 class Value {
  public:
-  Value(const char* text) : text_(text) {}
-  Value(std::string_view text) : text_(text) {}
-  Value(const std::string& text) : text_(text) {}
+  Value(const char* text) : Value(std::string_view(text)) {}
+  Value(std::string_view text) : text_(text.data() ? text.data() : ""), size_(text.size()) {}
+  Value(const std::string& text) : text_(text.data()), size_(text.size()) {}
   template <std::unsigned_integral Number>
-  Value(Number number) : number_(number), is_text_(false) {}
+    requires(sizeof(Number) <= sizeof(std::size_t))
+  Value(Number number) : size_(number) {}
 
   std::string written() const;
 
  private:
-  std::string_view text_;
-  std::uint64_t number_ = 0;
-  bool is_text_ = true;
+  // Small, since the page has a thousand of them.
+  const char* text_ = nullptr;  // null for a number
+  std::size_t size_;            // of the text, or the number
 };
 
 // The pattern in the reader's language with the values in their places. Each new {name} of the

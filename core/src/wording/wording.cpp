@@ -56,7 +56,7 @@ std::string_view translated(std::string_view english) {
 }
 
 std::string Value::written() const {
-  return is_text_ ? std::string(translated(text_)) : std::to_string(number_);
+  return text_ ? std::string(translated({text_, size_})) : std::to_string(size_);
 }
 
 std::string say(std::string_view english, std::initializer_list<Value> values) {

@@ -1,0 +1,7 @@
+// The ready-made lessons, in the language of the page (assets/lessons).
+import { fetchJson } from "../kit/fetched.js";
+
+export function fetchLessons() {
+  const { lang } = document.documentElement;
+  return fetchJson(lang === "en" ? "lessons.json" : `lessons-${lang}.json`);
+}
