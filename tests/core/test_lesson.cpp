@@ -289,7 +289,17 @@ TEST_CASE("every ready-made lesson opens and has its steps", "[lesson]") {
     }
   }
   for (const auto& file : std::filesystem::directory_iterator(lessons_folder()))
-    CHECK(listed.count(file.path().stem().string()) == 1);
+    if (file.is_regular_file()) CHECK(listed.count(file.path().stem().string()) == 1);
+}
+
+// tests/words/check_lessons.py compares them with the English ones.
+TEST_CASE("every lesson in another language is a lesson", "[lesson][words]") {
+  for (const auto& [name, title] : index()) {
+    INFO(name);
+    const Lesson german = ready_made("de/" + name);
+    CHECK(german.steps.size() == ready_made(name).steps.size());
+    CHECK(german.title != title);
+  }
 }
 
 TEST_CASE("the example in docs/lessons.md is a lesson", "[lesson]") {
