@@ -109,10 +109,15 @@ std::vector<std::string> CommandLine::joined(const std::vector<std::string>& arg
 
 // What to do about an unknown option.
 std::string CommandLine::advice_for(const std::string& option) const {
-  std::vector<std::string_view> known(value_options_.begin(), value_options_.end());
-  known.insert(known.end(), flags_.begin(), flags_.end());
-  const std::string_view similar = closest_name(option.substr(0, option.find('=')), known);
-  if (!similar.empty()) return "did you mean " + std::string(similar) + "?";
+  const auto without_dashes = [](std::string_view name) {
+    return name.substr(std::min(name.find_first_not_of('-'), name.size()));
+  };
+  std::vector<std::string_view> known;
+  for (const auto& options : {value_options_, flags_})
+    for (const std::string& name : options) known.push_back(without_dashes(name));
+  const std::string typed = option.substr(0, option.find('='));
+  const std::string_view similar = closest_name(without_dashes(typed), known);
+  if (!similar.empty()) return "did you mean --" + std::string(similar) + "?";
   return "`" + app_->get_name() + " --help` lists them";
 }
 
