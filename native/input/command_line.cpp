@@ -113,8 +113,8 @@ std::string CommandLine::advice_for(const std::string& option) const {
     return name.substr(std::min(name.find_first_not_of('-'), name.size()));
   };
   std::vector<std::string_view> known;
-  for (const auto& options : {value_options_, flags_})
-    for (const std::string& name : options) known.push_back(without_dashes(name));
+  for (const auto* options : {&value_options_, &flags_})
+    for (const std::string& name : *options) known.push_back(without_dashes(name));
   const std::string typed = option.substr(0, option.find('='));
   const std::string_view similar = closest_name(without_dashes(typed), known);
   if (!similar.empty()) return "did you mean --" + std::string(similar) + "?";
