@@ -33,8 +33,7 @@ class Value {
   Value(std::string_view text) : text_(text.data() ? text.data() : ""), size_(text.size()) {}
   Value(const std::string& text) : text_(text.data()), size_(text.size()) {}
   template <std::unsigned_integral Number>
-    requires(sizeof(Number) <= sizeof(std::size_t))
-  Value(Number number) : size_(number) {}
+  requires(sizeof(Number) <= sizeof(std::size_t)) Value(Number number) : size_(number) {}
 
   std::string written() const;
 
