@@ -58,6 +58,14 @@ test("a refused text says why in German, and a typed German word is understood",
   await page.done();
 });
 
+test("the filter of the keys finds German words", async () => {
+  const page = await browser.open({ address: "?lang=de" });
+  const window = await openWindow(page, "keys");
+  await window.getByRole("searchbox").fill("rückgängig");
+  assert.deepEqual(await window.locator("dt:visible").allTextContents(), ["Rückgängig"]);
+  await page.done();
+});
+
 test("the menu changes the language of this browser, and the work stays", async () => {
   const page = await browser.open({ locale: "de-DE" });
   assert.equal(await page.evaluate(() => document.documentElement.lang), "de");
