@@ -307,6 +307,10 @@ EMSCRIPTEN_KEEPALIVE void page_resume_drawing(const char* text) {
 
 EMSCRIPTEN_KEEPALIVE const char* page_summary() { return hand_over(summary(app().state)); }
 
+EMSCRIPTEN_KEEPALIVE const char* page_percentage(double share) {
+  return hand_over(evenlift::percentage(share));
+}
+
 EMSCRIPTEN_KEEPALIVE const char* page_link_lacks() {
   return hand_over(link_lacks_in_words(app().state));
 }

@@ -1,7 +1,6 @@
 // The result in numbers, each with its meaning.
 #include "evenlift/output/robustness_words.h"
 #include "evenlift/output/words.h"
-#include "evenlift/wording.h"
 #include "panels/panels.h"
 #include "ui/controls.h"
 #include "widgets/text.h"
@@ -20,7 +19,7 @@ void fact(const Ui& ui, const char* label, const std::string& value, const char*
   const ImVec2 size = text_size(Face::strong_label, value);
   draw_text(list, Face::strong_label, ImVec2(low.x + width - size.x, low.y + 2), ui.theme.text,
             value);
-  list_text(label, std::string(translated(value)));
+  list_text(label, value);
   if (ImGui::IsItemHovered()) tip(ui, about);
 }
 

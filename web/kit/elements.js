@@ -79,9 +79,3 @@ export const number = (value) => value.toLocaleString("en");
 export function typedNumber(text) {
   return text.trim() ? Number(text.trim().replace(",", ".")) : NaN;
 }
-
-// The sentence as it follows a colon: in English with a small letter.
-export function lowered(sentence) {
-  const said = translated(sentence);
-  return document.documentElement.lang === "en" ? said.charAt(0).toLowerCase() + said.slice(1) : said;
-}

@@ -1,9 +1,9 @@
 // The editor of lessons: the text in a window beside the canvas, and on the canvas the lesson, at the step of the
 // cursor. Mistakes are reported with their line while the text is typed.
 import { makeRoom, openWindow, problemLine } from "../kit/dialogs.js";
-import { button, download, el, lowered, number } from "../kit/elements.js";
+import { button, download, el, number } from "../kit/elements.js";
 import { fetchJson } from "../kit/fetched.js";
-import { say, translated } from "../words/words.js";
+import { lowered, say, translated } from "../words/words.js";
 import { lasting, ofThisTab, read, write } from "../page/storage.js";
 import { unreadable } from "../page/lesson_text.js";
 import { underWay } from "../page/under_way.js";

@@ -1,8 +1,7 @@
 // Opens lessons: the page's own, texts, and files beside the page that an address names. A function that opens a lesson
 // returns why it was refused, or undefined.
-import { lowered } from "../kit/elements.js";
 import { ask, fetchJson } from "../kit/fetched.js";
-import { say, translated } from "../words/words.js";
+import { lowered, say, translated } from "../words/words.js";
 import { isLessonLink } from "../page/address.js";
 import { unreadable } from "../page/lesson_text.js";
 import { openLesson, watch } from "./lesson_watch.js";

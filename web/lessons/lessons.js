@@ -1,7 +1,7 @@
 // The window of lessons: a walkthrough of the open polygon, the ready-made lessons, and one from a file.
 import { buttonTo, fadeFoot, openWindow, problemLine } from "../kit/dialogs.js";
-import { button, el, icon, lowered } from "../kit/elements.js";
-import { say, translated } from "../words/words.js";
+import { button, el, icon } from "../kit/elements.js";
+import { lowered, say, translated } from "../words/words.js";
 import { show as showGlossary } from "./glossary.js";
 import { show as showHandout } from "./handout.js";
 import { show as showEditor } from "./lesson_editor.js";

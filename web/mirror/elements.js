@@ -1,5 +1,4 @@
 // An element for each kind of control. Its entry, { element, control }, links it to that control.
-import { translated } from "../words/words.js";
 import { plainValue } from "./typed.js";
 
 function button(entry, actions) {
@@ -33,7 +32,7 @@ function field(entry, actions) {
     previewed = false;
   const begin = () => {
     previewed = false;
-    before = element.value = entry.control.exact || plainValue(translated(entry.control.value));
+    before = element.value = entry.control.exact || plainValue(entry.control.value);
     element.removeAttribute("aria-invalid");
     element.select();
   };
@@ -70,7 +69,7 @@ function field(entry, actions) {
   });
   element.addEventListener("blur", () => {
     commit();
-    element.value = translated(entry.control.value);
+    element.value = entry.control.value;
   });
   element.addEventListener("keydown", (event) => {
     const way = { ArrowUp: "+", ArrowDown: "-" }[event.key];
@@ -152,11 +151,11 @@ export function showControl(entry, control) {
   entry.control = control;
   for (const side of ["left", "top", "width", "height"]) element.style[side] = `${control.place[side]}px`;
   if (control.kind === "text") {
-    const words = `${translated(control.label)}: ${translated(control.value)}`;
+    const words = `${control.label}: ${control.value}`;
     if (element.textContent !== words) element.textContent = words;
     return;
   }
-  setAttribute(element, "aria-label", translated(control.label));
+  setAttribute(element, "aria-label", control.label);
   showEnabled(entry);
   element.classList.toggle("unseen", !control.seen);
   if (control.kind === "toggle") setAttribute(element, "aria-pressed", String(control.on));
@@ -164,10 +163,10 @@ export function showControl(entry, control) {
   if (control.kind === "slider") {
     Object.assign(element, { min: control.low, max: control.high, step: control.step });
     if (element.valueAsNumber !== control.at) element.value = control.at;
-    if (control.value) setAttribute(element, "aria-valuetext", translated(control.value));
+    if (control.value) setAttribute(element, "aria-valuetext", control.value);
   }
   if (control.kind !== "number") return;
-  if (element !== document.activeElement) element.value = translated(control.value);
+  if (element !== document.activeElement) element.value = control.value;
   else if (entry.renew && changed) {
     entry.renew();
     entry.renew = undefined;

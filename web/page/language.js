@@ -1,14 +1,14 @@
 // The reader's language: the one that the address asks for (`?lang=de`), that the reader chose here, or the browser's.
-import { addTranslations } from "../words/words.js";
+import { addTranslations, translated } from "../words/words.js";
 import { lasting, read, write } from "./storage.js";
 
-const translated = ["de"]; // each with a file words-….json (assets/words)
+const others = ["de"]; // each with a file words-….json (assets/words)
 const kept = "evenlift.language";
 
 function language() {
   const asked = new URLSearchParams(location.search).get("lang") || read(lasting, kept) || navigator.language;
   const name = asked.slice(0, 2).toLowerCase();
-  return translated.includes(name) ? name : "en";
+  return others.includes(name) ? name : "en";
 }
 
 // Loads the words of the reader's language, and puts them into the page's own texts. Without the file the page speaks
@@ -22,17 +22,16 @@ export async function speak() {
   if (!words) return;
   addTranslations(words);
   document.documentElement.lang = name;
-  translateElements(words);
+  translateElements();
 }
 
-function translateElements(words) {
+function translateElements() {
   const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
   while (texts.nextNode()) {
     const english = texts.currentNode.data.trim();
-    if (words[english]) texts.currentNode.data = words[english];
+    if (english) texts.currentNode.data = translated(english);
   }
-  for (const element of document.querySelectorAll("[aria-label]"))
-    element.ariaLabel = words[element.ariaLabel] ?? element.ariaLabel;
+  for (const element of document.querySelectorAll("[aria-label]")) element.ariaLabel = translated(element.ariaLabel);
 }
 
 // Reads the page again in the other language. An address that asks for a language no longer does.

@@ -1,6 +1,6 @@
 // Starts the page: checks whether it can run, loads the program, and connects it to the browser.
 import { lessonLinkIn, linkIn, readAddress } from "./address.js";
-import { say, translated, translations } from "../words/words.js";
+import { lowered, say, translated, translations } from "../words/words.js";
 import { createApi } from "./api.js";
 import { Bindings } from "./bindings.js";
 import { connectInput } from "./input.js";
@@ -65,11 +65,9 @@ function refusedAtStart(problem, { work } = {}) {
   return `${refused(problem)} ${translated(instead)}`;
 }
 
-// The reason may name its place, which is the link. After the colon English has a small letter.
+// The reason may name its place, which is the link.
 function refused(problem) {
-  const first = document.documentElement.lang === "en" ? (letter) => letter.toLowerCase() : (letter) => letter;
-  const why = problem.replace(/^Link, /, "").replace(/^./u, first);
-  return say("This link cannot be opened: {problem}.", { problem: why });
+  return say("This link cannot be opened: {problem}.", { problem: lowered(problem.replace(/^Link, /, "")) });
 }
 
 // Loads the module.

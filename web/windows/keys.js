@@ -55,7 +55,7 @@ export async function show(page) {
             .map(({ key, label }) =>
               el(
                 "div",
-                { "data-words": `${translated(label)} ${key} ${translated(group)}`.toLowerCase() },
+                { "data-words": `${label} ${key} ${translated(group)}`.toLowerCase() },
                 el("dt", {}, label),
                 el("dd", {}, ...keyed(key)),
               ),

@@ -1,8 +1,8 @@
 // Opens texts, files and links from outside. A function that opens something returns why it was refused, or undefined.
 import { closeWindows, openWindow, problemLine } from "../kit/dialogs.js";
-import { button, el, lowered, number } from "../kit/elements.js";
+import { button, el, number } from "../kit/elements.js";
 import { readShapes } from "../kit/import.js";
-import { say, translated } from "../words/words.js";
+import { lowered, say, translated } from "../words/words.js";
 import { nameOpened, openedName, stemOf } from "./document_name.js";
 import { openLessonText, openLinkedLesson } from "../lessons/lesson_source.js";
 import { linkedLesson } from "../page/address.js";

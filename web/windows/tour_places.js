@@ -82,14 +82,6 @@ export function reveal({ program }, { controls: names = [] }) {
   }
 }
 
-// A share as the verdict writes it; undefined for all or nothing. The exponent shifts its decimals exactly.
-function shareInWords(share) {
-  if (!(share > 1e-9 && share < 1 - 1e-9)) return undefined;
-  if (share < 0.005) return "less than 1\u00a0%";
-  if (share >= 0.995) return "more than 99\u00a0%";
-  return `${Math.round(Number(`${share}e2`))}\u00a0%`;
-}
-
 // The present state of the page, as the stops need it.
 export function look({ program }) {
   const screen = ([x, y]) => [program.number("page_screen_x", x, y), program.number("page_screen_y", x, y)];
@@ -104,7 +96,11 @@ export function look({ program }) {
     free: state.closure.free,
     heldByCurvature: state.closure.second_order,
     baseHasArea: hull(robots).length > 2,
-    coverage: state.stands && !state.failures ? shareInWords(state.coverage) : undefined,
+    // As the verdict writes it; nothing of all or nothing.
+    coverage:
+      state.stands && !state.failures && state.coverage > 1e-9 && state.coverage < 1 - 1e-9
+        ? program.text("page_percentage", state.coverage)
+        : undefined,
     discs: (some = robots) => some.map((at) => ({ circle: [...at, ring] })),
     team: teams[0],
     hasSheet: controls(program, ["handle"]).length > 0,

@@ -23,3 +23,9 @@ export function say(english, values = {}) {
     Object.hasOwn(values, name) ? translated(String(values[name])) : whole,
   );
 }
+
+// The sentence as it follows a colon: in English with a small letter.
+export function lowered(sentence) {
+  const said = translated(sentence);
+  return document.documentElement.lang === "en" ? said.charAt(0).toLowerCase() + said.slice(1) : said;
+}
