@@ -1,5 +1,6 @@
 // The places that name settings and that no compiler reads. A message reports each missing name,
 // and each name that does not belong there. CONTRIBUTING.md, "Add a setting", lists these places.
+// The target update_expected adds what is missing in docs and packages, from the setting's row.
 #include <map>
 #include <regex>
 #include <set>
@@ -18,15 +19,24 @@ using Names = std::set<std::string>;
 
 fs::path root() { return fs::path(EVENLIFT_TESTS_DIR).parent_path(); }
 
-// The part of the file between the two texts.
-std::string part_of(const std::string& file, const std::string& begins, const std::string& ends) {
+// A file as what stands before a part of it, the part, and what stands after it.
+struct Parts {
+  std::string before, part, after;
+};
+
+// The part between the two texts.
+Parts parts_of(const std::string& file, const std::string& begins, const std::string& ends) {
   const std::string text = corpus::read_file(root() / file);
   INFO(file << " has nothing between \"" << begins << "\" and \"" << ends << "\"");
-  const std::size_t begin = text.find(begins);
-  REQUIRE(begin != std::string::npos);
-  const std::size_t end = text.find(ends, begin + begins.size());
+  const std::size_t found = text.find(begins);
+  REQUIRE(found != std::string::npos);
+  const std::size_t begin = found + begins.size(), end = text.find(ends, begin);
   REQUIRE(end != std::string::npos);
-  return text.substr(begin + begins.size(), end - begin - begins.size());
+  return {text.substr(0, begin), text.substr(begin, end - begin), text.substr(end)};
+}
+
+std::string part_of(const std::string& file, const std::string& begins, const std::string& ends) {
+  return parts_of(file, begins, ends).part;
 }
 
 // The rows of the tables in a text, each without the characters before its first cell.
@@ -67,7 +77,8 @@ std::string as_member(const SettingRow& row) {
 struct Door {
   std::string file, begins, ends;  // the part of the file; in tables, the first cells count
   std::string name;                // a pattern, whose first group is a name
-  std::string lacks;               // the message for a missing name, which replaces %
+  std::string entry;               // what update_expected adds; with \n, on a line of its own
+  std::string lacks;               // the message if it is missing
   bool (*goes_through)(const SettingRow&);
   std::string (*called)(const SettingRow&) = as_is;
   Names others = {};  // names there that are not settings
@@ -79,7 +90,8 @@ const Door lists[] = {
      "## `evenlift place`\n",
      "\n### ",
      "`(--[a-z-]+)",
-     "has no row for %",
+     "\n| `{name} {value}` | {default} | {help} |",
+     "has no row for {name}",
      is_option,
      as_option,
      {"--loads", "--failures", "--json", "--candidates", "--svg", "--poses", "--frame",
@@ -88,7 +100,8 @@ const Door lists[] = {
      "## Settings\n",
      "\n## ",
      "`(\\w+)`",
-     "has no row for %",
+     "\n| `{name}` | {help} |",
+     "has no row for {name}",
      is_asked,
      as_is,
      {"method"}},
@@ -96,7 +109,8 @@ const Door lists[] = {
      "interface Settings {",
      "\n}",
      "\n  (\\w+)\\?:",
-     "has no % in Settings",
+     "\n  /** {sentence} */\n  {name}?: {javascript};",
+     "has no {name} in Settings",
      is_asked,
      as_is,
      {"centre_of_mass", "holes", "method"}},
@@ -104,7 +118,8 @@ const Door lists[] = {
      "class Settings(",
      "\n\n\n",
      "\n    (\\w+):",
-     "has no % in Settings",
+     "\n    {name}: Optional[{python}]",
+     "has no {name} in Settings",
      is_asked,
      as_is,
      {"method"}},
@@ -113,20 +128,115 @@ const Door lists[] = {
 // These also contain other names.
 const Door mentions[] = {
     {"docs/cli.md", "### The JSON object\n", "\n## ", "`(\\w+)`",
-     "has no row for % of the JSON object", is_in_result, as_member},
-    {"npm/evenlift.d.ts", "interface Placement {", "\n}",
-     "\n  (\\w+)\\??:", "has no % in Placement", is_in_result, as_member},
+     "\n| `{name}` | only if it is set: as given |", "has no row for {name} of the JSON object",
+     is_in_result, as_member},
+    {"npm/evenlift.d.ts", "interface Placement {", "\n}", "\n  (\\w+)\\??:",
+     "\n  {name}?: {javascript};", "has no {name} in Placement", is_in_result, as_member},
     {"python/src/evenlift/types.py", "class _PlacementDict(", "class PlacementArrays",
-     "\n    (\\w+):", "has no % in PlacementDict", is_in_result, as_member},
+     "\n    (\\w+):", "\n    {name}: {python}", "has no {name} in PlacementDict", is_in_result,
+     as_member},
     {"python/src/evenlift/_members.pyi", "class PlacementMembers", "class ExperimentMembers",
-     "\"(\\w+)\"", "has no % in PlacementMembers", is_in_result, as_member},
+     "\"(\\w+)\"", ", \"{name}\"", "has no {name} in PlacementMembers", is_in_result, as_member},
 };
+
+// The records of links; their test checks more than names.
+bool is_record(const SettingRow& row) { return row.record != 0; }
+const Door described_record{"docs/link-format.md",
+                            "| tag |",
+                            "\n\n",
+                            "\n\\| \\d+ \\| (\\w+)",
+                            "\n| {record} | {name} | {needed} | it is {default} |",
+                            "has no row for record {record}, {name}",
+                            is_record};
+const Door read_record{"docs/link_reader.py",
+                       "RECORDS = {",
+                       "}",
+                       "\\d+: .\"(\\w+)\", \\w+.",
+                       ", {record}: (\"{name}\", {python})",
+                       "has no {record}: (\"{name}\", ...) in RECORDS",
+                       is_record};
 
 Names names_at(const Door& door) {
   const std::string part = part_of(door.file, door.begins, door.ends);
   std::string cells;
   for (const std::string& row : table_rows(part)) cells += first_cell(row) + '\n';
   return found(cells.empty() ? part : cells, door.name);
+}
+
+std::string replaced(std::string text, const std::string& old, const std::string& by) {
+  for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += by.size())
+    text.replace(at, old.size(), by);
+  return text;
+}
+
+// The pattern of an entry or message with what the row says.
+std::string filled(std::string pattern, const Door& door, const SettingRow& row) {
+  const std::string help(row.option.help.empty() ? row.subject : row.option.help);
+  std::string sentence = help, needed = requirement(row.setting);
+  sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+  needed.erase(0, needed.find("must be ") + 8);
+  const bool is_number = row.access.is_number;
+  const std::pair<const char*, std::string> values[] = {
+      {"{name}", door.called(row)},
+      {"{default}", row.access.text({}, row.range)},
+      {"{value}", std::string(row.option.value)},
+      {"{help}", help},
+      {"{sentence}", sentence + "."},
+      {"{needed}", needed},
+      {"{record}", std::to_string(row.record)},
+      {"{javascript}", is_number ? "number" : "string"},
+      {"{python}", is_number ? "float" : "str"}};
+  for (const auto& [name, value] : values) pattern = replaced(pattern, name, value);
+  return pattern;
+}
+
+// The setting before this one that has an entry, and a value of the same kind.
+const SettingRow& one_before(const SettingRow& row, const Door& door) {
+  const SettingRow* before = nullptr;
+  for (const SettingRow& other : all_settings()) {
+    if (&other == &row) break;
+    if (door.goes_through(other) && other.access.is_number == row.access.is_number) before = &other;
+  }
+  INFO(door.file << " has no entry after which " << row.name << " could stand");
+  REQUIRE(before != nullptr);
+  return *before;
+}
+
+// Finds the setting's entries at the door; in tables, only in the first cells.
+std::regex entries_of(const SettingRow& row, const Door& door) {
+  const std::size_t begin = door.name.find('('), end = door.name.find(')') + 1;
+  const std::string name = door.name.substr(0, begin) + door.called(row) + door.name.substr(end);
+  return std::regex(name.starts_with('`') ? "\n\\| [^|]*" + name + "(?![a-z_-])" : name);
+}
+
+// Adds an entry after each entry of the setting before; on a line of its own, only once.
+void add_entry(const Door& door, const SettingRow& row) {
+  auto [text_before, part, text_after] = parts_of(door.file, door.begins, door.ends);
+  const std::regex entries = entries_of(one_before(row, door), door);
+  const std::string entry = filled(door.entry, door, row);
+  const bool is_line = entry.starts_with('\n');
+  std::string with_it;
+  std::smatch match;
+  while (std::regex_search(part, match, entries)) {
+    std::size_t at = static_cast<std::size_t>(match.position() + match.length());
+    if (is_line) at = std::min(part.find('\n', at), part.size());
+    with_it += part.substr(0, at) + entry;
+    part.erase(0, at);
+    if (is_line) break;
+  }
+  INFO(door.file << " has no place for " << row.name);
+  REQUIRE_FALSE(with_it.empty());
+  corpus::write_file(root() / door.file, text_before + with_it + part + text_after);
+  WARN(door.file << " has a new entry for " << row.name << ": read it, and say more if needed");
+}
+
+// Reports what the place lacks of a setting, or adds it if the expected files are renewed.
+void report_lack(const Door& door, const SettingRow& row) {
+  static const bool renew = std::getenv("EVENLIFT_UPDATE_EXPECTED") != nullptr;
+  if (renew)
+    add_entry(door, row);
+  else
+    FAIL_CHECK(door.file << " " << filled(door.lacks, door, row));
 }
 
 // The names that should be there; reports the missing ones.
@@ -136,9 +246,7 @@ Names check_names_of_settings(const Door& door, const Names& there) {
     if (!door.goes_through(row)) continue;
     const std::string name = door.called(row);
     due.insert(name);
-    std::string lack = door.lacks;
-    if (!there.contains(name))
-      FAIL_CHECK(door.file << " " << lack.replace(lack.find('%'), 1, name));
+    if (!there.contains(name)) report_lack(door, row);
   }
   return due;
 }
@@ -244,10 +352,9 @@ TEST_CASE("every record of a setting is described under its number, and none tha
     numbers.insert(number);
     const auto held = said.held.find(row.record);
     if (held == said.held.end() || !std::regex_search(held->second, std::regex("^" + name + "\\b")))
-      FAIL_CHECK("docs/link-format.md has no row for record " << number << ", " << name);
+      report_lack(described_record, row);
     if (reader.find(number + ": (\"" + name + "\"") == std::string::npos)
-      FAIL_CHECK("docs/link_reader.py has no " << number << ": (\"" << name
-                                               << "\", ...) in RECORDS");
+      report_lack(read_record, row);
   }
   for (const auto& [number, what] : said.held)
     if (!numbers.contains(std::to_string(number)) && !is_of_no_setting(number))
