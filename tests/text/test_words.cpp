@@ -7,6 +7,7 @@
 #include "evenlift/output/json.h"
 #include "evenlift/random.h"
 #include "evenlift/settings.h"
+#include "evenlift/swaps.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/polygons.h"
@@ -196,6 +197,13 @@ TEST_CASE("a capacity names the robots that are overloaded and the robots that a
         "No robot carries more than 20 kg. Even all 18 robots that can be placed are too few.");
   plan.tried = most_teams_for_capacity;
   CHECK(words(20, &plan) == "No robot carries more than 20 kg. Even 1024 robots are too few.");
+  // More teams may find room, but no more can be swapped for a hold.
+  placement.settings.goal = Goal::hold;
+  placement.candidates.assign(most_swaps / 10 + 1, Candidate{});
+  plan.tried = 9;
+  CHECK(words(20, &plan) == "No robot carries more than 20 kg. Even 18 robots are too few.");
+  placement.candidates.clear();
+  placement.settings.goal.reset();
   placement.teams.resize(12, bearing(30, 30));
   CHECK(words(17) ==
         "19 of 24 robots are overloaded, with more than 17 kg: robots 4, 7, 8, 9, 10, 11, 12 and "

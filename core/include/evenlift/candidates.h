@@ -23,7 +23,7 @@ struct Candidate {
   Chord chord;
   CandidateKind kind = CandidateKind::bisecting;
   bool between_vertices = false;  // both ends are vertices
-  std::uint32_t source = 0;       // set by trace_candidates() only: see there
+  std::uint32_t source = 0;       // set by the functions that return TracedCandidates: see there
   Vec2 direction =
       Vec2::Zero();   // from r1 to r2, not normalized; exactly the same for chords from one vertex
   double length = 0;  // |r1 r2|
@@ -122,12 +122,12 @@ Result<TracedCandidates> trace_candidates(const Polygon& polygon, const Vec2& ce
 
 // The candidates of robots with a size: the chords at whose ends a team's two robots can stand
 // outside the object and lift beneath it. Two facing edges, moved inward by the hand's depth, give
-// the chord with the best load ratio and each chord both of whose ends are ends of usable intervals
-// (docs/stands.md). With positions anywhere in the range there is also one at each of range_places
-// in the longest of the standing_ranges(). The two robots of a chord do not collide, and its ends
-// are usable lifting points. If a source has several candidates, `of_source` is the best; it is
-// no_index if the edges do not face each other on the outline itself. The cost is that of
-// find_candidates(), plus O(usable intervals of a times those of b) for each pair.
+// the chord with the best load ratio, and each chord from an end of a usable interval to an end of
+// another (docs/stands.md). With positions anywhere in the range there is also one at each of
+// range_places in the longest of the standing_ranges(). The two robots of a chord do not collide,
+// and its ends are usable lifting points. If a source has several candidates, `of_source` is the
+// best; it is no_index if the edges do not face each other on the outline itself. The cost is that
+// of find_candidates(), plus O(usable intervals of a times those of b) for each pair.
 class Stands;
 Result<TracedCandidates> standing_candidates(const Polygon& polygon, const Vec2& centre,
                                              double min_ratio, const Stands& stands,

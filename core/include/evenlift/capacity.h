@@ -57,8 +57,9 @@ struct CapacityPlan {
   bool possible = false;     // whether some number of teams keeps every robot within the capacity
   std::uint32_t teams = 0;   // if possible, the least such number with the placement's method
   double greatest_load = 0;  // if possible, the greatest load of a robot with that number
-  std::uint32_t tried = 0;   // the most teams that were tried; if not possible and below
-                             // most_teams_tried(), the method found no place for more
+  std::uint32_t tried = 0;   // the most teams that were tried; for teams of two, a number below
+                             // most_teams_tried() without success means that there is no place for
+                             // more, or that check_swaps() (swaps.h) refuses more
   // The number of robots in a team. Balanced robots form one team: of the least number of robots
   // if the plan is possible, otherwise of most_robots.
   std::uint32_t team_size = 2;
@@ -66,9 +67,9 @@ struct CapacityPlan {
 };
 
 // Finds the plan for the object of a placement, which must come from place(). Each robot carries up
-// to `capacity` > 0, in the unit of the weight. The plan depends on the placement's polygon and
-// centre of mass, and on all settings that affect the loads except the number of teams or robots;
-// same_plan() compares exactly these inputs. The candidates of the placement are reused.
+// to `capacity` > 0, in the unit of the weight. The plan depends on the placement's polygon, holes
+// and centre of mass, and on all settings that affect the loads except the number of teams or
+// robots; same_plan() compares exactly these inputs. The candidates of the placement are reused.
 //
 // The methods area, circle, distance and random choose teams one after another, so the first k
 // teams of a selection are a placement of k teams. Such a plan costs as much as selecting the teams

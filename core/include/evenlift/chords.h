@@ -42,8 +42,8 @@ inline constexpr std::uint32_t inside_edge = ~std::uint32_t{0};
 // Two non-radial edges that face each other across C: for an open range of directions u, the ray
 // from C along u meets a and the ray along -u meets b. Counter-clockwise, the range begins where an
 // edge begins: at the vertex `begin_a` of a, at `begin_b` of b, or at both. It ends where an edge
-// ends, at `end_a`, `end_b` or both. The vertex is inside_edge if the edge is met in its interior
-// there.
+// ends, at `end_a`, `end_b` or both. Each of these four vertices is inside_edge where its edge is
+// met in the interior.
 struct EdgePair {
   std::uint32_t a = 0, b = 0;
   std::uint32_t begin_a = inside_edge, begin_b = inside_edge;

@@ -44,11 +44,11 @@ struct Contact {
 Vec2 inward_normal(const Polygon& polygon, std::uint32_t edge);
 Vec2 inward_normal(const Vec2& from, const Vec2& to, bool counter_clockwise);
 
-// The contacts of lifting points; a robot beneath the object has none. A robot has one contact inside an edge, two at a reflex vertex,
-// one at a straight vertex. At a convex vertex its push has no definite direction, so it is not
-// counted; this can only enlarge the free regions, which errs on the safe side. A robot is at a
-// vertex if it is within tau L of it. O((m + n) log n) for m points, if few vertices lie within
-// tau L of one another.
+// The contacts of lifting points; a robot beneath the object has none. A robot has one contact
+// inside an edge, two at a reflex vertex, one at a straight vertex. At a convex vertex its push has
+// no definite direction, so it is not counted; this can only enlarge the free regions, which errs
+// on the safe side. A robot is at a vertex if it is within tau L of it. O((m + n) log n) for m
+// points, if few vertices lie within tau L of one another.
 std::vector<Contact> contacts(const Polygon& polygon, const std::vector<LiftingPoint>& points);
 
 // The contacts at least `clear` from every corner, within tau L. O(contacts).

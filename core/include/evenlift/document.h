@@ -106,7 +106,8 @@ std::optional<Positions> positions_from_name(std::string_view text);
 std::string_view name(Method method);
 std::optional<Method> method_from_name(std::string_view text);
 
-// Units are labels: they are shown, exported and kept, but change no number.
+// Units are labels: they are shown, exported and kept, but change no number except in robot poses
+// for ROS 2, which are in metres.
 enum class LengthUnit : std::uint8_t { none, m, cm, mm, in };
 enum class WeightUnit : std::uint8_t { kg, t, N, lb };
 inline constexpr LengthUnit all_length_units[] = {LengthUnit::none, LengthUnit::m, LengthUnit::cm,
@@ -132,9 +133,9 @@ struct Overlays {
   bool lifting_base = true;      // the lifting base H and coverage
   bool clockwise = true;         // region of free clockwise rotation centres
   bool counterclockwise = true;  // region of free counter-clockwise rotation centres
-  bool tipping = false;          // heat map of the force that tips
+  bool tipping = false;          // heat map of the force that tips the object
   bool halo = false;             // the tipping distance (uncertainty.h)
-  bool tilt = false;             // the slopes at which it tips, in each direction (tilt.h)
+  bool tilt = false;             // the slopes at which the object tips, in each direction (tilt.h)
   bool load = false;             // where a further load may stand (extra_load.h)
   bool operator==(const Overlays&) const = default;
 };
@@ -201,7 +202,7 @@ struct Settings {
 };
 
 // The conditions under which the object is carried. They change what loads may become and whether
-// it tips, but not where robots stand (tilt.h, extra_load.h).
+// the object tips, but not where robots stand (tilt.h, extra_load.h).
 struct Carrying {
   double com_height = 0;  // of C above the plane of the lifting points, 0 .. max_length
   double slope = 0;  // greatest slope of the ground in any direction, as a ratio, 0 .. max_slope
@@ -257,8 +258,8 @@ struct MovedTeam {
 };
 
 // Robots moved by hand from where the method puts them. All balanced robots are listed, by the
-// points that they touch; of teams of two only the moved ones, in ascending order. At most one of
-// the two lists has entries. moved.h defines where the robots may stand.
+// points that they touch. Of teams of two, only the moved ones are listed, in ascending order. At
+// most one of the two lists has entries. moved.h defines where the robots may stand.
 struct Moved {
   std::vector<EdgePoint> robots;  // at most most_robots
   std::vector<MovedTeam> teams;   // at most most_moved_teams
@@ -270,7 +271,7 @@ struct Document {
   Points vertices;  // in the given order, either orientation
   std::optional<Vec2>
       centre_of_mass;  // of the object without cargo; none means the centroid of the
-                       // area without holes
+                       // area that the holes leave
   Settings settings = {};
   Shown shown = {};
   Moved moved = {};

@@ -14,9 +14,9 @@ struct Equilibrium {
   bool stands = false;  // C is in H, within tolerance (tau L); false without robots
   // If it stands, the tipping distance (uncertainty.h); if not, minus the distance of C from H.
   double com_margin = 0;
-  // If it falls, the numbers of the two robots at the ends of the edge of H that C lies beyond by
-  // the greatest distance, in ascending order; one robot if H is a point, or if H is a segment and
-  // C lies on its line beyond that robot.
+  // If it falls, the numbers of the two robots at the ends of one edge of H, in ascending order:
+  // the edge that C lies beyond by the greatest distance. There is only one robot if H is a point,
+  // or if H is a segment and C lies on its line beyond that robot.
   std::vector<std::uint32_t> tips_over;
 };
 

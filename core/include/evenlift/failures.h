@@ -29,10 +29,10 @@ namespace evenlift {
 int failures_carried(const Points& robots, const Vec2& centre, double diameter);
 
 // The number of robots that may fail at once, whichever they are, with the object still steady:
-// robots within tolerance of the line do not count. Never more than failures_carried(). -1 if the
-// object is not steady even with all robots, as with a single team of two. With `inside`, C counts
-// as inside the hull only if it is at least that far from its boundary, within tolerance: robots
-// nearer to the line do not count. O(m log m).
+// again the depth minus one, but robots within tolerance of the line do not count. Never more than
+// failures_carried(). -1 if the object is not steady even with all robots, as with a single team of
+// two. With `inside`, C counts as inside the hull only if it is at least that far from its
+// boundary, within tolerance: robots nearer to the line do not count. O(m log m).
 int failures_steady(const Points& robots, const Vec2& centre, double diameter, double inside = 0);
 
 // The remaining robots, if they still carry the object.
@@ -57,9 +57,10 @@ struct RestOfRobots {
 
 // The effect of each robot's failure, in the order of the robots; nothing where the rest does not
 // carry the object. The teams must be those of a placement on the polygon. `inside` is as for
-// failures_steady(), and the disturbance as for load_changes() (uncertainty.h). For m robots O(n log n + m n + m^2 log m), O(h n + m h n') for the coverage
-// (stability.h), O(m^3) for the margin, and for the least greatest load O(m^4) up to 65 robots, or
-// O(m^2) for each of about a hundred steps.
+// failures_steady(), and the disturbance as for load_changes() (uncertainty.h). For m robots it
+// costs O(n log n + m n + m^2 log m), plus O(h n + m h n') for the coverage (stability.h), O(m^3)
+// for the margin and, for the least greatest load, O(m^4) up to 65 robots, and beyond that O(m^2)
+// for each of about a hundred steps.
 std::vector<std::optional<RestOfRobots>> single_failures(const PolygonWithHoles& object,
                                                          const Vec2& centre, double weight,
                                                          const std::vector<Team>& teams,

@@ -9,15 +9,16 @@ namespace evenlift {
 // Andrew's monotone chain (A. M. Andrew, Another efficient algorithm for convex hulls in two
 // dimensions, 1979) with exact orientations.
 //
-// With `flat` above 0, corners that only rounding creates are omitted: corners within `flat` of
-// another corner, and each run of corners between the ends of a side if none of them is farther
-// from that side than tau times its length. If all points lie within `flat` of one line, the result
-// is the two ends; if all are equal, one point. O(m log m), plus O(h^2) for h corners if they lie
-// within 4 `flat` of one line, and O(r^2) for each run of r omitted corners.
+// With `flat` above 0, corners that only rounding creates are omitted. These are corners within
+// `flat` of another corner, and each run of corners that one straight side can replace because none
+// of them is farther from that side than tau times the side's length. If all points lie within
+// `flat` of one line, the result is the two ends; if all are equal, one point. O(m log m), plus
+// O(h^2) for h corners if they lie within 4 `flat` of one line, and O(r^2) for each run of r
+// omitted corners.
 Points convex_hull(Points points, double flat = 0);
 
-// The convex hull of the corners of a hull, which must come from convex_hull, and two more points.
-// O(m), plus the cost of omitting corners in convex_hull.
+// The convex hull of the points p and q and the corners of `hull`, which must come from
+// convex_hull. O(m), plus the cost of omitting corners in convex_hull.
 Points widen_hull(const Points& hull, const Vec2& p, const Vec2& q, double flat = 0);
 
 // The greatest distance between two corners of a hull, by rotating calipers (M. I. Shamos,

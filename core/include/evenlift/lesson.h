@@ -21,10 +21,10 @@
 //
 // The settings come first, one per line. `title` and one of `polygon` (the name of a sample),
 // `link` (a share link) and `generate` (a family of generate.h) are required. The options of
-// `evenlift place` (settings.h) and `overlays` override the link; `predict: yes` asks the learner to
-// guess, `loads` names the model of the shown loads, and `failed` the robot that fails. The steps
-// follow in the order in which they are shown, each with its address in brackets and its words.
-// Addresses count from 1, as captions do:
+// `evenlift place` (settings.h) and `overlays` override the link; `predict: yes` asks the learner
+// to guess, `loads` names the model of the shown loads, and `failed` the robot that fails. The
+// steps follow in the order in which they are shown, each with its address in brackets and its
+// words. Addresses count from 1, as captions do:
 //   KIND or KIND N   a step's kind as in `evenlift trace --json`, and its number: "team 2"
 //   vertex N         the ray from that vertex
 //   pair N           the outcome of that edge pair

@@ -1,6 +1,6 @@
 // Links to lessons (docs/link-format.md, "Lessons"): the text of a lesson, compressed, as
-// `L1.PAYLOAD` in characters that a URL need not escape. An address holds it after its `#`, alone or
-// after the link of a document and an `&`.
+// `L1.PAYLOAD` in characters that a URL need not escape. An address holds it after its `#`, alone
+// or after the link of a document and an `&`.
 #pragma once
 
 #include <cstddef>

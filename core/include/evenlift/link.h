@@ -12,11 +12,12 @@ namespace evenlift {
 
 // The link of a document, without the `#`. It holds every coordinate bit for bit, and omits
 // settings that have their defaults. It is an error if there are more than max_link_vertices
-// vertices, if a number is not finite, if a coordinate exceeds max_coordinate, if a setting is
-// outside its range (a weight only if it is not above 0), or if the link would be longer than
-// max_link_bytes; nothing else is checked. A document that version 1 can hold is written as version
-// 1. Settings that only version 2 has are omitted if the method does not use them. Every platform
-// makes the same link. O(n).
+// vertices or max_holes holes, if a hole has no vertices, if a number is not finite, if a
+// coordinate exceeds max_coordinate, if a setting is outside its range, if the moved robots are not
+// as Moved (document.h) requires, or if the link would be longer than max_link_bytes. The object's
+// weight, the common capacity, `apart` and `com_radius` may have any value above 0. Nothing else is
+// checked. A document that version 1 can hold is written as version 1. Settings that only version 2
+// has are omitted if the method does not use them. Every platform makes the same link. O(n).
 Result<std::string> encode_link(const Document& document);
 
 // The document of a link. The text is the link, optionally with a leading `#`, or a whole address

@@ -16,8 +16,9 @@ struct Robot {
   double load = 0;  // in the unit of the weight
 };
 
-// Two or more robots that carry a part of the weight together. All teams of a placement have the
-// same number of robots. The methods of the thesis make teams of two, at the ends of a chord.
+// Two or more robots that carry a part of the weight together; only a given support may be alone.
+// All teams of a placement have the same number of robots. The methods of the thesis make teams of
+// two, at the ends of a chord.
 struct Team {
   std::vector<Robot> robots;  // r1 before r2 of a chord
   // The least load divided by the greatest, in (0, 1]; 0 only if a robot carries nothing, which

@@ -32,7 +32,8 @@ std::vector<std::uint32_t> main_steps(const Trace& trace);
 // The number of steps like this main step that main_steps() omits. For `ray` and `outcome` these
 // are the other rays and pairs; for `range`, the other ranges; for the third `cargo`, all later
 // items; for the third `team`, the teams between the third and the last; for `start`, the smaller
-// sets; for the last `swap` or `exchange` included, all others. 0 for any other step. O(1); for `exchange` the cost of main_steps().
+// sets; for the last `swap` or `exchange` included, all others. 0 for any other step. O(1); for
+// `exchange` the cost of main_steps().
 std::uint32_t further_like(const Trace& trace, const Step& step);
 
 }  // namespace evenlift

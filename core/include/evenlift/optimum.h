@@ -28,12 +28,12 @@ struct Optimum {
   bool proved = false;               // whether it is proved that no choice covers more
 };
 
-// Called from time to time; true ends the computation, and the bound is then the coverage of all
-// candidates.
+// Called from time to time. If it returns true, the computation ends, and the bound is then the
+// coverage of all candidates.
 using Stop = std::function<bool()>;
 
-// The greatest numbers of candidates for which a choice is proved to be the best, and for which
-// there is a better bound than the convex hull of all ends.
+// The greatest number of candidates for which the dynamic programme is exact, and the greatest
+// number for which it gives a bound. Beyond that, the bound is the coverage of all candidates.
 inline constexpr std::size_t most_candidates_proved = 160, most_candidates_bounded = 600;
 
 // The choice of `teams` teams (or of all candidates, if there are fewer) with the greatest
@@ -41,9 +41,9 @@ inline constexpr std::size_t most_candidates_proved = 160, most_candidates_bound
 // returned if nothing better is found. With `stands`, choices whose robots collide do not count,
 // but the bound includes them. For K candidates O(n K^2 + K^4 teams) up to most_candidates_proved.
 // With more, the two sides of a ring are treated separately, as if each could use `teams` - 1
-// chords of its own, in O(n K^2 + K^3 teams). This gives a bound, and the best choice if the ends
-// belong to few enough chords. Beyond most_candidates_bounded the bound is the coverage of all
-// candidates, in O(n K) at worst.
+// chords of its own, in O(n K^2 + K^3 teams). This gives a bound, and also the best choice if the
+// ends that it uses belong to at most `teams` chords. Beyond most_candidates_bounded it costs O(n
+// K) at worst.
 Optimum widest_choice(const PolygonWithHoles& object, const Vec2& centre,
                       const std::vector<Candidate>& candidates, std::size_t teams,
                       const std::vector<std::uint32_t>& start, const Stop& stop = {},
@@ -55,7 +55,8 @@ inline constexpr std::uint64_t most_choices = std::uint64_t{1} << 22;
 struct FirmestChoice {
   std::vector<std::uint32_t> taken;
   HoldKeys keys;
-  // No choice reaches a higher level or covers more, up to rounding.
+  // No choice reaches a higher level than most_level, and none of this level covers more than
+  // most_coverage, up to rounding.
   std::uint32_t most_level = 3;
   double most_coverage = 1;
   bool compared = false;  // whether all choices were compared

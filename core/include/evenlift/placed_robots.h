@@ -24,8 +24,8 @@ struct PlacedRobot {
                                 // contact and stand are then the lifting point
   std::uint32_t team = 0;
   double load = 0;  // as planned
-  // The direction of the inward normal there, in (-180, 180]; at a vertex, the middle between the
-  // normals of its two edges; 0 beneath the object.
+  // The direction of the inward normal at the contact, in degrees in (-180, 180]; at a vertex, the
+  // direction halfway between the normals of its two edges; 0 beneath the object.
   double heading_deg = 0;
   Vec2 direction = Vec2(1, 0);  // the same direction as a unit vector, up to rounding
 };
@@ -45,9 +45,9 @@ bool loads_are_determined(const Placement& placement);
 // find places produce none. O(m log n + m^2).
 std::vector<Misfit> misfits(const Placement& placement);
 
-// The loads by the models of load_models.h, in the order of the robots, and by how much a disturbance may
-// change them. Nothing if there are no teams, or if the object falls. O(m log m), and O(m^3) up to
-// 64 robots; with a disturbance O(m h), or O(m^2) if heights are off.
+// The loads by the models of load_models.h, in the order of the robots, and by how much a
+// disturbance may change them. Nothing if there are no teams, or if the object falls. O(m log m),
+// and O(m^3) up to 64 robots; with a disturbance O(m h), or O(m^2) if heights are off.
 struct ModelLoads {
   SpringLoads springs;
   double best = 0;
@@ -58,9 +58,9 @@ struct ModelLoads {
 std::optional<ModelLoads> model_loads(const Placement& placement,
                                       const Disturbance& disturbance = {});
 
-// The load of each robot by a model, for display: a range if there is a disturbance and the model has ranges
-// (uncertainty.h), otherwise one value. The model `best` yields only the greatest load, so every
-// robot gets that. Without `models` the loads are as planned. O(m).
+// The load of each robot by a model, for display: a range if there is a disturbance and the model
+// has ranges (uncertainty.h), otherwise one value. The model `best` yields only the greatest load,
+// so every robot gets that. Without `models` the loads are as planned. O(m).
 std::vector<LoadRange> loads_by(LoadModel model, const Placement& placement,
                                 const std::optional<ModelLoads>& models);
 
@@ -88,15 +88,15 @@ Robustness robustness(const Placement& placement);
 // height of C is 0. O(m log m).
 std::optional<Tilt> tilt_of(const ShownPlacement& of);
 
-// Whether the weight may act outside the lifting base, by more than the tolerance (tau L), under the
-// given conditions. False without robots. O(h).
+// Whether the weight may act outside the lifting base, by more than the tolerance (tau L), under
+// the given conditions. False without robots. O(h).
 bool tips_when_disturbed(const ShownPlacement& of);
 
-// The circles about C that a picture shows for slopes: where one leaves the lifting base, the object
-// tips on that slope, if that direction is downhill. They are sorted from small to large and, at
-// `scale` pixels to a unit of length, far enough apart to see. A circle whose label would cover C
-// has none. None without a height of C, if the lifting base has no area, or if the object falls.
-// O(h).
+// The circles about C that a picture shows, one for each of some slopes. On such a slope the object
+// tips, under the assumptions of tilt.h, if downhill is a direction in which the circle lies
+// outside the lifting base. They are sorted from small to large and, at `scale` pixels to a unit of
+// length, far enough apart to see. A circle whose label would cover C has no label. There are no
+// circles without a height of C, if the lifting base has no area, or if the object falls. O(h).
 struct TiltCircle {
   double degrees = 0, radius = 0;  // the radius in units of length, with the C uncertainty
   bool is_labelled = true;
@@ -111,9 +111,9 @@ std::vector<std::optional<RestOfRobots>> single_failures(const Placement& placem
 std::optional<RestOfRobots> single_failure(const Placement& placement, std::size_t robot,
                                            const Disturbance& disturbance = {});
 
-// The loads by springs if the robot with this number fails, as ranges if there is a disturbance. All robots
-// are listed, the failed one with load 0. Nothing if the others do not carry the object. O(m log m);
-// with a disturbance as model_loads().
+// The loads by springs if the robot with this number fails, as ranges if there is a disturbance.
+// All robots are listed, the failed one with load 0. Nothing if the others do not carry the object.
+// O(m log m); with a disturbance as model_loads().
 std::optional<std::vector<LoadRange>> ranges_without(const Placement& placement, std::size_t robot,
                                                      const Disturbance& disturbance);
 

@@ -71,10 +71,10 @@ bool hold_clearly(const Placement& placement);
 
 // Checks the document and computes everything that is reported about it. The same document gives
 // the same bits on every platform. The errors are those of check_settings(), Polygon::create(),
-// PolygonWithHoles::create(), check_centre_of_mass(), make_stands(), place_supports(), find_candidates() and check_swaps().
-// O(n log n + K log K) for K edge pairs, plus the cost of the stands (stands.h), the selection
-// (selection.h), the swaps (swaps.h) or the search for balanced robots (balanced.h), and O(n h)
-// for the coverage.
+// PolygonWithHoles::create(), check_centre_of_mass(), make_stands(), place_supports(),
+// find_candidates() and check_swaps(). O(n log n + K log K) for K edge pairs, plus the cost of the
+// stands (stands.h), the selection (selection.h), the swaps (swaps.h) or the search for balanced
+// robots (balanced.h), and O(n h) for the coverage.
 Result<Placement> place(const Document& document, Effort effort = Effort::whole);
 
 // Places robots around an object that is already checked, for example after C or settings change.

@@ -71,10 +71,10 @@ class Polygon {
 // Whether the vertices of a valid polygon are in counter-clockwise order; exact. O(n).
 bool is_counter_clockwise(const Points& vertices);
 
-// The centre of mass of a polygon without cargo: the given one, or else the polygon's centroid. An
-// error if a coordinate is not finite, if its absolute value exceeds max_coordinate or, unless it is
-// 0, is below min_coordinate, or if the point is not strictly inside the polygon's convex hull, which
-// is decided exactly. O(h) for h corners of the hull.
+// The centre of mass of a polygon without cargo: the given one, or else the polygon's centroid. It
+// is an error if a coordinate is not finite, if its absolute value exceeds max_coordinate, if that
+// value is below min_coordinate but not 0, or if the point is not strictly inside the polygon's
+// convex hull. The last of these is decided exactly. O(h) for h corners of the hull.
 Result<Vec2> check_centre_of_mass(const Polygon& polygon, const std::optional<Vec2>& given);
 
 // R, the greatest distance of a vertex from C. O(n).

@@ -1,6 +1,6 @@
-// The object: a simple polygon and the holes in it, valid by construction. What counts material (the
-// area, the centroid, the coverage) takes one of these. What robots stand around or push against
-// (chords, candidates, contacts) takes its outline, and cannot see the holes.
+// The object: a simple polygon and the holes in it, valid by construction. What counts material
+// (the area, the centroid, the coverage) takes one of these. What robots stand around or push
+// against (chords, candidates, contacts) takes its outline, and cannot see the holes.
 #pragma once
 
 #include <cstddef>
@@ -40,8 +40,8 @@ class PolygonWithHoles {
 
   // The boundary as one closed ring, in the orientation of the outline: the outline, and then each
   // hole the other way round. From the outline's first vertex a way leads from one hole to another
-  // near it, and back along the same lines. So signed areas of the ring, and of what clipping leaves
-  // of it, are those of the object.
+  // near it, and back along the same lines. So signed areas of the ring, and of what clipping
+  // leaves of it, are those of the object.
   const Points& boundary() const { return holes_.empty() ? outline_.vertices() : boundary_; }
 
   // Whether a point is strictly inside a hole, and in which; exact. O(n).
@@ -58,8 +58,8 @@ class PolygonWithHoles {
   Vec2 centroid_ = Vec2::Zero();
 };
 
-// The object of a document: its polygon with its holes. The errors are those of Polygon::create() and
-// PolygonWithHoles::create(). O(n log n).
+// The object of a document: its polygon with its holes. The errors are those of Polygon::create()
+// and PolygonWithHoles::create(). O(n log n).
 Result<PolygonWithHoles> object_of(const Document& document);
 
 // Whether a point is strictly inside a polygon; exact. O(n).

@@ -158,9 +158,9 @@ InputError setting_error(Setting setting, std::string why);
 // returns the allowed values. Numbers have the syntax of read_number(), whole numbers that of
 // read_whole(): no spaces and no hexadecimal. Only the comma of `com` may have spaces and tabs
 // around it. Any other text, and any value out of range, is an error and changes nothing. The error
-// for `no_go`, `supports` or `cargo` quotes the first wrong part if it is short. Any setting that changes
-// where robots stand also discards moves by hand. Supports also set the method `given`, and the
-// capacities that follow an @, such as "0,0@30 160,0". O(bytes).
+// for `no_go`, `supports` or `cargo` quotes the first wrong part if it is short. Any setting that
+// changes where robots stand also discards moves by hand. Supports also set the method `given`, and
+// the capacities that follow an @, such as "0,0@30 160,0". O(bytes).
 std::optional<InputError> read_setting(Setting setting, std::string_view text, Document& document);
 
 // The setting's value as text that read_setting() accepts; empty if the setting is not set and,

@@ -17,7 +17,7 @@ namespace evenlift {
 Points lifting_base(const Polygon& polygon, const std::vector<LiftingPoint>& points);
 
 // The share of the object that lies in H, area(A and H) / area(A), in [0, 1]; 0 if H has no area. A
-// is the polygon without its holes. `hull` must come from convex_hull. O(n h) for h corners.
+// is the polygon minus its holes. `hull` must come from convex_hull. O(n h) for h corners.
 double coverage(const PolygonWithHoles& object, const Points& hull);
 
 // Computes the coverage of hulls that all lie within one outer hull. The object is clipped by the

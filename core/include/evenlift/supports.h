@@ -2,15 +2,15 @@
 // places. Everything that is computed for other robots is computed for them.
 //
 // A support within the snap distance of the outline stands *at the edge*: its contact is the
-// nearest point of the outline (of those as near within tau L the first along the vertex list), and
-// exactly the vertex if one is within tau L. A support that is on the outline up to the
-// rounding of its coordinates stays as given. A support farther inside stands *beneath* the object:
-// it lifts, and touches nothing sideways. If robots have a size, a support at the edge is the
-// contact of its robot (stands.h).
+// nearest point of the outline. If several points are as near within tau L, it is the first of them
+// along the vertex list. If a vertex is within tau L of the contact, the contact is exactly that
+// vertex. A support that is on the outline up to the rounding of its coordinates stays as given. A
+// support farther inside stands *beneath* the object: it lifts, and touches nothing sideways. If
+// robots have a size, a support at the edge is the contact of its robot (stands.h).
 //
 // All supports are one team. Their loads are not planned, so those of springs count as planned
-// (load_models.h). The object stands on them if C is in H (equilibrium.h); otherwise it falls, and no
-// robot has a load.
+// (load_models.h). The object stands on them if C is in H (equilibrium.h); otherwise it falls, and
+// no robot has a load.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +34,7 @@ inline constexpr double usual_snap = 1e-6;
 // The snap distance for these settings, in units of length. O(1).
 double snap_distance(const Polygon& polygon, const Settings& settings);
 
-// Finds the place of supports one by one.
+// Finds the places of supports, one by one.
 class SupportPlacer {
  public:
   // The object must outlive it. O(1).
@@ -53,22 +53,24 @@ class SupportPlacer {
   double snap_;
 };
 
-// The places of all supports in the settings, in order. An error if a support is outside the object or in a hole,
-// or a coordinate is below min_coordinate in size and not 0; the error's place names the support,
-// counted from 0, as "supports[3]". O(n) for each.
+// The places of all supports in the settings, in order. It is an error if a support is outside the
+// object or in a hole, or if a coordinate is below min_coordinate in size but not 0. The error's
+// place names the support, counted from 0, as "supports[3]". O(n) for each.
 Result<std::vector<LiftingPoint>> place_supports(const PolygonWithHoles& object,
                                                  const Settings& settings);
 
-// Places for robots that the user is about to move: beneath the object, like the legs of a small
-// table between its middle and its farthest corner, at short coordinates; where they would hide each
-// other there, on another side of the centre of mass. 1 <= robots <= most_supports. The settings
-// give the snap distance. O(n robots).
+// Places for robots that the user is about to move. They are beneath the object, on the sides of a
+// small square that contains the centre of mass, like the legs of a table, and their coordinates
+// have few digits. The middle of the square is on the way from the centre of mass to the farthest
+// vertex; if the square would have to be so small there that robots hide each other, its middle may
+// be on another side of the centre of mass. If no square fits, all places are at the first vertex.
+// 1 <= robots <= most_supports. The settings give the snap distance. O(n robots).
 Points supports_to_place(const PolygonWithHoles& object, const Vec2& centre, std::size_t robots,
                          const Settings& settings);
 
-// The place on the outline where one more robot adds most to the area of the lifting base: a vertex,
-// the first of equal ones. If none adds anything, the middle of the edge that is farthest from all
-// robots. O(n m log m).
+// The place on the outline where one more robot adds most to the area of the lifting base: a
+// vertex, and the first if several add equally. If no vertex adds anything, it is the middle of an
+// edge, of all such middles the one farthest from its nearest robot. O(n m log m).
 Vec2 widest_addition(const Polygon& polygon, const Points& robots);
 
 // A support at which a robot of the given size does not fit, or that is too near to another.
@@ -94,17 +96,17 @@ struct Misfit {
 std::vector<Misfit> misfits(const Polygon& polygon, const Stands* stands,
                             const std::vector<LiftingPoint>& robots);
 
-// "outside", "arm", "hand", "no-go", or "too near robot 2", counted from 1.
+// "outside", "arm", "hand", "hole", "no-go", or "too near robot 2", with robots counted from 1.
 std::string misfit_in_words(const Misfit& misfit);
 
 // The nearest places with equal loads: two robots move to the ends of a chord that makes C the
-// centroid of all. Of all choices of two robots, a chord and which robot takes which end, the first
-// with the least sum of squared moves wins. Robots whose centroid is C already, within
-// tau L, stay. If no two robots will do, three move: the third to a trial point (balanced.h); for
-// more than most_evened_by_three robots this is not tried. If robots have a size, the moved ones
-// fit and collide with no other. Nothing if there are no such places, or fewer than two robots.
-// `robots` are lifting points, at most most_evened. O(m^2) completions (balanced.h), or O(s m^3)
-// for s trial points.
+// centroid of all. All pairs of robots, all such chords, and both ways to give the two ends to the
+// two robots are compared; the first choice with the least sum of squared moves wins. Robots whose
+// centroid is C already, within tau L, stay. If no two robots will do, three move: the third to a
+// trial point (balanced.h); for more than most_evened_by_three robots this is not tried. If robots
+// have a size, the moved ones fit and collide with no other. Nothing if there are no such places,
+// or fewer than two robots. `robots` are lifting points, at most most_evened. O(m^2) completions
+// (balanced.h), or O(s m^3) for s trial points.
 inline constexpr std::size_t most_evened = 64, most_evened_by_three = 16;
 std::optional<std::vector<LiftingPoint>> even_out(const BalancedProblem& problem,
                                                   const std::vector<LiftingPoint>& robots);

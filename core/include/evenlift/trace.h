@@ -534,7 +534,8 @@ std::vector<Number> numbers(const Trace& trace, const StepDetail& detail);
 enum class QuestionKind : std::uint8_t {
   nearer_end,     // outcome: which end is nearer to even? 0 or 1, an index of pair->ends
   winning_chord,  // scores: which candidate wins? an index of placement.candidates
-  even_chord,  // completion, `exchange`: which chord do two robots take? an index of balanced->chords
+  even_chord,     // completion, `exchange`: which chord do two robots take?
+                  // an index of balanced->chords
   // swap of one team: the first question for swaps 0, 2, 4 ... if there are several teams,
   // otherwise the second:
   leaving_team,      // which team moves? its number from 0

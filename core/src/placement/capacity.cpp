@@ -79,7 +79,8 @@ CapacityPlan plan_by_swap(const Placement& placement, double capacity) {
   const auto& candidates = placement.candidates;
   const std::uint32_t most = most_with_room(placement);
   for (std::uint32_t teams = least_teams(weight, capacity); teams <= most; ++teams) {
-    if (check_swaps(candidates.size(), teams)) return {false, 0, 0, teams - 1, 2};
+    if (check_swaps(candidates.size(), teams, placement.stands.get()))
+      return {false, 0, 0, teams - 1, 2};
     const std::vector<std::uint32_t> chosen =
         choose_candidates(placement.object, placement.centre_of_mass, candidates,
                           placement.settings, teams, placement.stands.get());

@@ -15,12 +15,12 @@ namespace evenlift {
 std::string slope_in_words(double ratio);
 std::string degrees_in_words(double degrees);
 
-// Each condition of the disturbance: "with a C uncertainty of 3 cm, on slopes up to 8 %, braked at up to
-// 0.1 g, with heights off by up to 2 mm". Empty without a disturbance. O(1).
+// Each condition of the disturbance: "with a C uncertainty of 3 cm, on slopes up to 8 %, braked at
+// up to 0.1 g, with heights off by up to 2 mm". Empty without a disturbance. O(1).
 std::string disturbance_in_words(const Shown& shown);
 
-// The same as a clause: "C is off by up to 3 cm, the ground slopes by up to 8 % and heights are off by
-// up to 2 mm". O(1).
+// The same as a clause: "C is off by up to 3 cm, the ground slopes by up to 8 % and heights are off
+// by up to 2 mm". O(1).
 std::string disturbance_as_clause(const Shown& shown);
 
 // Which of the given conditions change nothing because another number is missing: "The acceleration
@@ -31,8 +31,8 @@ std::string without_effect_in_words(const Shown& shown);
 // "On a slope of 8 % it tips." Empty if it stays upright under the given conditions. O(1).
 std::string tipping_in_words(const Robustness& robustness, const ShownPlacement& of);
 
-// "In the worst direction it tips at a slope of 14° (25 %) or when it is braked at 0.25 g." Empty if
-// the height of C is 0. O(1).
+// "In the worst direction it tips at a slope of 14° (25 %) or when it is braked at 0.25 g." Empty
+// if the height of C is 0. O(1).
 std::string tilt_in_words(const Robustness& robustness, const ShownPlacement& of);
 
 // "Another 80 kg may stand on 62 % of the object without lifting a robot off or overloading one, if
@@ -40,16 +40,16 @@ std::string tilt_in_words(const Robustness& robustness, const ShownPlacement& of
 std::string extra_in_words(const ExtraLoad& extra, const ShownPlacement& of);
 
 // What a further load would do at a place: "80 kg here: robots carry 12.1–54.2 kg",
-// and whether all robots keep carrying within their capacities. If some do not, the text says so; or
-// "80 kg here tips it". O(m log m).
+// and whether all robots keep carrying within their capacities. If some do not, the text says so;
+// or "80 kg here tips it". O(m log m).
 struct LoadHere {
   std::string words;
   bool is_fine = false;
 };
 LoadHere extra_here_in_words(const ExtraLoad& extra, const Vec2& at, const ShownPlacement& of);
 
-// "Downhill this way it tips at 14° (25 %)", for the direction from C to a place other than C. Empty
-// without a height of C, or without an area of H. O(h).
+// "Downhill this way it tips at 14° (25 %)", for the direction from C to a place other than C.
+// Empty without a height of C, or without an area of H. O(h).
 std::string tilt_towards_in_words(const Vec2& at, const ShownPlacement& of);
 
 }  // namespace evenlift

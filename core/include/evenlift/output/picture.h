@@ -51,7 +51,8 @@ std::vector<double> cargo_radii(const Placement& placement);
 
 // The mark by which one sees which robots form a team: as many strokes as the number of the team
 // (from 1) tells, side by side, where a broad one counts five. `at` is the robot's place on the
-// picture, `outward` any direction away from C; the strokes begin at the distance `radius`. O(team).
+// picture, `outward` any direction away from C; the strokes begin at the distance `radius`.
+// O(team).
 struct TallyStroke {
   Segment line;
   bool five = false;

@@ -16,8 +16,8 @@ namespace evenlift {
 //
 //   held               the robots hold the object (is_held() of words.h)
 //   stands             C is in the lifting base (equilibrium.h)
-//   steady             any one robot may fail, and the object does not tip (failures_clear), on level ground and
-//                      under the given conditions
+//   steady             any one robot may fail, and the object does not tip (failures_clear), on
+//                      level ground and under the given conditions
 //   capacity           no robot carries more than its capacity
 //   coverage           0 to 1
 //   max, min           the greatest and the least planned load
@@ -45,8 +45,9 @@ inline constexpr std::size_t most_conditions = 100;
 Result<std::vector<Condition>> read_conditions(std::string_view text);
 
 // A condition with the value that it is about: a number, or 0 or 1. No value if the placement has
-// none, such as a load of an object that falls; then the condition is not kept. Numbers are compared
-// within tolerance: tau of the weight for loads, tau L for distances, tau for coverage and margin.
+// none, such as a load of an object that falls; then the condition is not kept. Numbers are
+// compared within tolerance: tau of the weight for loads, tau L for distances, tau for coverage and
+// margin.
 struct Requirement {
   Condition condition;
   std::optional<double> value;

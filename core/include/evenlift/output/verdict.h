@@ -22,8 +22,8 @@ struct Judgement {
   std::vector<std::string> reasons;  // sentences, the most serious first; empty if it is good
 };
 
-// The misfits of given supports (supports.h): a sentence for each of the first three, and one for the
-// number of the others. O(m log n + m^2).
+// The misfits of given supports (supports.h): a sentence for each of the first three, and one for
+// the number of the others. O(m log n + m^2).
 std::vector<std::string> misfits_in_words(const ShownPlacement& of);
 
 // A placement is good if all requested teams are placed, every robot fits (misfits() of

@@ -8,6 +8,7 @@
 
 #include "evenlift/placed_robots.h"
 #include "evenlift/stands.h"
+#include "evenlift/swaps.h"
 #include "evenlift/tolerance.h"
 #include "evenlift/wording.h"
 #include "output/words/listed.h"
@@ -88,7 +89,12 @@ std::string need_in_words(const CapacityPlan& plan, const ShownPlacement& of, Lo
                 count_of(plan.team_size * plan.teams, "robot", "robots"),
                 load_in_words(plan.greatest_load, plan.greatest_load, of.shown.units)});
   const std::uint32_t tried = plan.team_size * plan.tried;
-  if (plan.tried >= most_teams_tried(settings) || plan.team_size == most_robots)
+  // There may be room for more robots, but more were not tried.
+  const bool stopped =
+      plan.tried >= most_teams_tried(settings) || plan.team_size == most_robots ||
+      (swaps_teams(settings) &&
+       check_swaps(of.placement.candidates.size(), plan.tried + 1, of.placement.stands.get()));
+  if (stopped)
     return presumed ? say("{presumed}, even {number} robots are too few.", {presumed, tried})
                     : say("Even {number} robots are too few.", {tried});
   if (plan.tried == 0) return {};
