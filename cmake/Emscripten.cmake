@@ -64,7 +64,7 @@ function(evenlift_computing_module target)
     -sMODULARIZE=1
     -sEXPORT_ES6=1
     -sEXPORTED_FUNCTIONS=_malloc,_free
-    -sEXPORTED_RUNTIME_METHODS=UTF8ToString,stringToUTF8,lengthBytesUTF8
+    -sEXPORTED_RUNTIME_METHODS=UTF8ToString,stringToUTF8,lengthBytesUTF8,HEAPU8
     ${evenlift_stack})
 endfunction()
 

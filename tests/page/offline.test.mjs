@@ -99,7 +99,7 @@ test("every file of the page is kept, as it was built and with the policy", asyn
     "evenlift.wasm",
     "windows.js",
     "search_worker.js",
-    "balanced_core.wasm",
+    "background_core.wasm",
     "charts.js",
     "samples.json",
     "lessons.json",

@@ -1,7 +1,8 @@
 // Clicks, drags, keys and calls take effect in the order in which they were made, however long a frame takes.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { idle, openL, sharedBrowser, state, toScreen } from "./browser.mjs";
+import { idle, load, openL, set, sharedBrowser, state, toScreen } from "./browser.mjs";
+import { coast } from "../shapes/coast.mjs";
 
 const browser = sharedBrowser();
 
@@ -206,3 +207,41 @@ test("a number that is typed at once after the key of its field is all in the fi
   assert.deepEqual([weight, ratio], [231, 0.65]);
   await page.done();
 });
+
+// The page's answer to this polygon, without a drag.
+async function answerTo(text) {
+  const page = await browser.open();
+  await load(page, text);
+  await set(page, { teams: 10 });
+  const answer = await state(page);
+  await page.done();
+  return answer;
+}
+
+for (const [name, script] of [
+  ["in a worker", undefined],
+  ["on the page, where there are no workers", () => delete globalThis.Worker],
+])
+  test(`a large object that is dragged is placed meanwhile ${name}, and at the end as it lies there`, async () => {
+    const page = await browser.open({ script });
+    await load(page, coast(20034));
+    await set(page, { teams: 10 });
+    const before = await state(page);
+    const [x, y] = await toScreen(page, before.polygon[0]);
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (let i = 1; i <= 20; ++i) await page.mouse.move(x + i, y - i / 4);
+    await idle(page);
+    const during = await state(page);
+    assert.notDeepEqual(during.polygon, before.polygon);
+    assert.equal(during.polygon.filter(([u, v], i) => [u, v].join() !== before.polygon[i].join()).length, 1);
+    for (let i = 20; i <= 30; ++i) await page.mouse.move(x + i, y - i / 4);
+    await page.mouse.up();
+    await idle(page);
+    const after = await state(page);
+    assert.notDeepEqual(after.polygon, during.polygon);
+    const expected = await answerTo(await page.evaluate(() => evenlift.text()));
+    for (const member of ["polygon", "centre_of_mass", "teams", "coverage", "form_closure", "margin"])
+      assert.deepEqual(after[member], expected[member], member);
+    await page.done();
+  });

@@ -66,4 +66,10 @@ void conclude(AppState& state) {
   scale_screen(state);
 }
 
+void place_now(AppState& state) {
+  if (!state.derived().elsewhere.under_way) return;
+  state.given.at_once = true;
+  conclude(state);
+}
+
 }  // namespace evenlift::view

@@ -9,4 +9,8 @@ namespace evenlift::view {
 // for larger robots, and the announcement of a refusal. Call it once after each batch.
 void conclude(AppState& state);
 
+// Places the document here if a worker is choosing its teams. Call it before anything that builds on
+// the placement of the document, as it is after a drag.
+void place_now(AppState& state);
+
 }  // namespace evenlift::view

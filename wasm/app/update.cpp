@@ -53,6 +53,7 @@ struct Applier {
   }
   void operator()(const SetMethod& c) const {
     if (c.method == Method::given) {
+      place_now(state);
       if (state.derived().placement)
         (*this)(SetSettings{taken_over(settings(state), *state.derived().placement)});
       return;
@@ -92,18 +93,31 @@ struct Applier {
       state.view.fit_due = true;
   }
   void operator()(const MoveRobot& c) const {
+    if (lags(state)) return;  // the robot is one of an older shape
     const auto& placement = state.derived().placement;
     if (placement && stands_freely(*placement))
       move_support(state, c.robot, c.to);
     else
       move_robot(state, c.robot, c.to);
   }
-  void operator()(const PlaceYourself& c) const { place_yourself(state, c.robots); }
+  void operator()(const PlaceYourself& c) const {
+    place_now(state);
+    place_yourself(state, c.robots);
+  }
   void operator()(const CloseTask&) const { leave_task(state); }
   void operator()(const SetChallenge& c) const { state.view.challenge = c.on; }
-  void operator()(const AddRobot& c) const { add_support(state, c.at); }
-  void operator()(const PutRobot& c) const { put_support(state, c.robot, c.at); }
-  void operator()(const RemoveRobot& c) const { remove_support(state, c.robot); }
+  void operator()(const AddRobot& c) const {
+    place_now(state);
+    add_support(state, c.at);
+  }
+  void operator()(const PutRobot& c) const {
+    place_now(state);
+    put_support(state, c.robot, c.at);
+  }
+  void operator()(const RemoveRobot& c) const {
+    place_now(state);
+    remove_support(state, c.robot);
+  }
   void operator()(const EvenOut&) const { even_out_supports(state); }
   void operator()(const ResetRobots&) const { put_robots_back(state); }
   void operator()(TakeRobots& c) const {
@@ -114,6 +128,7 @@ struct Applier {
             "The search for better places stopped: a part of the page could not be loaded."});
     state.given.found = {c.number, std::move(c.robots), c.ended};
   }
+  void operator()(TakeChoice& c) const { state.given.chosen = {c.number, std::move(c.choice)}; }
   void operator()(const Undo&) const { undo(state); }
   void operator()(const Redo&) const { redo(state); }
 

@@ -204,6 +204,16 @@ void draw_refused(const Painter& painter, const AppState& state, const Theme& th
     painter.list().AddCircle(painter.at(ring[place.index]), 11, theme.amber.packed(), 32, 3);
 }
 
+// While the picture lags behind a drag, the outline is already the new one.
+void draw_outline(const Painter& painter, const CanvasView& view) {
+  const Colour colour = view.theme.object_outline;
+  const Document& document = view.state.work.document();
+  if (lags(view.state))
+    painter.outlines(document.vertices, document.holes, colour, 2);
+  else
+    painter.outlines(view.placement->vertices(), view.scene.holes, colour, 2);
+}
+
 void draw_view(ImDrawList& list, const CanvasView& view) {
   const ImVec2 low(static_cast<float>(view.window.left), static_cast<float>(view.window.top));
   const ImVec2 high(static_cast<float>(view.window.right), static_cast<float>(view.window.bottom));
@@ -214,8 +224,7 @@ void draw_view(ImDrawList& list, const CanvasView& view) {
   } else if (view.placement) {
     const Painter painter(list, view.camera, view.window, view.current() ? 1.0f : 0.35f);
     draw_picture(painter, view);
-    if (view.current())
-      painter.outlines(view.placement->vertices(), view.scene.holes, view.theme.object_outline, 2);
+    if (view.current()) draw_outline(painter, view);
   }
   const Painter painter(list, view.camera, view.window);
   if (view.state.derived().refusal) draw_refused(painter, view.state, view.theme);

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "derive/elsewhere.h"
 #include "derive/offer.h"
 #include "derive/outlook.h"
 #include "derive/placing.h"
@@ -36,6 +37,7 @@ class Derivation {
   // Each stage considers the changes of the preceding stages.
   void run() {
     const bool untraced = facts_.trace == nullptr;
+    take_chosen();
     place();
     take_found();
     trace();
@@ -63,6 +65,8 @@ class Derivation {
                                    now.support_capacities != before.support_capacities));
   }
 
+  void take_chosen();
+  bool is_chosen_elsewhere();
   void place();
   void take_found();
   void trace();
@@ -88,10 +92,48 @@ class Derivation {
   bool fails_ = false;   // another robot fails, or no robot does any more
 };
 
+// The worker has finished a document of the drag, unless the drag has ended.
+void Derivation::take_chosen() {
+  Elsewhere& elsewhere = facts_.elsewhere;
+  if (!given_.chosen || !elsewhere.under_way || given_.chosen->number != elsewhere.number) return;
+  elsewhere.under_way = false;
+  elsewhere.possible = given_.chosen->choice.has_value();
+  if (at_rest() || !elsewhere.possible) return;
+  const Document document = std::exchange(elsewhere.document, {});
+  auto choice = read_choice(*given_.chosen->choice, document.vertices.size());
+  // A refused document is placed here, for the reason of its refusal.
+  adopt(facts_, document,
+        choice ? compute_as_chosen(document, *facts_.placement, *std::move(choice))
+               : compute_placement(document, facts_.placement, now_.haste));
+  before_.edits = elsewhere.edits;
+  placed_ = robots_ = true;
+}
+
+// Whether a worker chooses the teams of this document, or will do so once it has finished the
+// present one.
+bool Derivation::is_chosen_elsewhere() {
+  Elsewhere& elsewhere = facts_.elsewhere;
+  const Document& document = state_.work.document();
+  const bool wanted = !at_rest() && elsewhere.possible && !given_.at_once && !given_.placement &&
+                      facts_.placement && !now_.second_method && !now_.shown.step &&
+                      !swaps_in_a_drag(*facts_.placement) &&
+                      is_for_a_worker(document, *facts_.placement);
+  if (!wanted) elsewhere.under_way = false;
+  if (!wanted || elsewhere.under_way) return wanted;
+  elsewhere = {elsewhere.number + 1, true, true, document, now_.edits};
+  effects_.push_back(ChooseElsewhere{elsewhere.number, rings_as_numbers(document),
+                                     settings_as_selected(document)});
+  return true;
+}
+
 void Derivation::place() {
   const bool waits =
       comes_to_rest() && facts_.placement && !facts_.refusal && waits_for_swap(*facts_.placement);
   if (now_.edits == before_.edits && !waits) return;
+  if (is_chosen_elsewhere()) {
+    now_.edits = before_.edits;
+    return;
+  }
   placed_ = robots_ = true;
   drop_search(facts_, effects_);
   const Document& document = state_.work.document();
@@ -209,7 +251,8 @@ void Derivation::search() {
 // Balanced robots and teams that wait for swaps are still being improved. A walkthrough and an
 // article show what there is.
 void Derivation::offer() {
-  facts_.offer_due |= robots_ || now_.challenge != before_.challenge ||
+  facts_.offer_due |= robots_ || facts_.elsewhere.under_way ||
+                      now_.challenge != before_.challenge ||
                       now_.shown.capacity != before_.shown.capacity ||
                       disturbance_of(now_.shown) != disturbance_of(before_.shown);
   const bool shown = at_rest() && facts_.placement && facts_.placement->search_ended &&

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "derive/robots_text.h"
+#include "derive/settings_text.h"
 #include "evenlift/formats.h"
-#include "evenlift/settings.h"
 
 namespace evenlift::view {
 namespace {
@@ -24,22 +24,10 @@ std::optional<Placement>* balanced(Derived& facts) {
   return nullptr;
 }
 
-// In the form that read_setting() reads; empty for a setting without a text.
-std::string line(Setting setting, const Document& document) {
-  const std::string text = text_of(setting, document);
-  return text.empty() ? text : std::string(name(setting)) + '=' + text + '\n';
-}
-
-// The settings on which robots and their loads depend, for the placed object; the goal is the
-// effective one.
-std::string settings_text(const Derived& facts, Settings settings) {
+// The settings of the placed object; the goal is the effective one.
+std::string settings_of(const Derived& facts, Settings settings) {
   settings.goal = goal_of(settings);
-  const Document document{{}, facts.placed.centre_of_mass, std::move(settings)};
-  std::string text;
-  for (const SettingRow& row : all_settings())
-    if (row.changes == Changes::stands || row.changes == Changes::loads)
-      text += line(row.setting, document);
-  return text;
+  return settings_text({{}, facts.placed.centre_of_mass, std::move(settings)});
 }
 
 Taken take_count(Derived& facts, const std::string& text) {
@@ -70,7 +58,7 @@ void begin_search(Derived& facts, Effects& effects) {
   const Placement& start = **shown;
   facts.search = {facts.search.number + 1, false, true};
   effects.push_back(BeginSearch{facts.search.number, write_thesis(facts.placed),
-                                settings_text(facts, start.settings),
+                                settings_of(facts, start.settings),
                                 robots_text(lifting_points(start.teams))});
 }
 
@@ -82,10 +70,11 @@ void begin_count(Derived& facts, const std::optional<double>& capacity, Effects&
   if (now.method != Method::balanced || !facts.placement->search_ended) return;
   search = {search.number + 1, false, false, true};
   const Document with_capacity{{}, {}, {}, {.capacity = capacity}};
-  effects.push_back(BeginSearch{search.number,
-                                write_thesis(facts.placed),
-                                settings_text(facts, now) + line(Setting::capacity, with_capacity),
-                                {}});
+  effects.push_back(
+      BeginSearch{search.number,
+                  write_thesis(facts.placed),
+                  settings_of(facts, now) + setting_line(Setting::capacity, with_capacity),
+                  {}});
 }
 
 void drop_count(Derived& facts, Effects& effects) {

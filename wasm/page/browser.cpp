@@ -36,6 +36,12 @@ EM_JS(void, evenlift_begin_search,
                                           UTF8ToString(robots));
       })
 EM_JS(void, evenlift_end_search, (), { Module["bindings"]["endSearch"](); })
+EM_JS(void, evenlift_choose_elsewhere,
+      (double number, const double* rings, std::size_t size, const char* settings), {
+        const at = rings >>> 0;
+        Module["bindings"]["chooseElsewhere"](number, HEAPU8.slice(at, at + 8 * size),
+                                              UTF8ToString(settings));
+      })
 EM_JS(void, evenlift_end_notice_after, (double seconds),
       { Module["bindings"]["endNoticeAfter"](seconds); })
 EM_JS(void, evenlift_drop_frame_after, (), { Module["bindings"]["dropFrameAfter"](); })
@@ -66,6 +72,10 @@ struct CarryOut {
                           e.robots.c_str());
   }
   void operator()(const EndSearch&) const { evenlift_end_search(); }
+  void operator()(const ChooseElsewhere& e) const {
+    evenlift_choose_elsewhere(static_cast<double>(e.number), e.rings.data(), e.rings.size(),
+                              e.settings.c_str());
+  }
   void operator()(const NextFrame&) const { request_frame(); }
   void operator()(const FrameAfter& e) const { evenlift_frame_after(e.seconds); }
   void operator()(const DropFrameAfter&) const { evenlift_drop_frame_after(); }

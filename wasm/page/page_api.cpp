@@ -157,6 +157,10 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_link(const char* fragment) {
 // why.
 EMSCRIPTEN_KEEPALIVE const char* page_set(const char* changes) {
   AppState& state = app().state;
+  if (state.derived().elsewhere.under_way) {
+    place_now(state);
+    carried_out();
+  }
   const Result<Changeable> changed =
       with_settings({last_good(state), state.view.load_model}, changes);
   if (!changed) return hand_over(sentence(changed.error()));

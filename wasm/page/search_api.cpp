@@ -1,8 +1,13 @@
-// The results of the search for balanced robots, which runs in the background (web/page/search.js).
+// The results of what runs in the background: of the search for balanced robots (web/page/search.js),
+// and of the choice of teams while a large object is dragged (web/page/choosing.js).
 #include <emscripten/emscripten.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "page/page_api.h"
 
@@ -19,6 +24,22 @@ EMSCRIPTEN_KEEPALIVE void page_take_robots(double number, const char* robots, in
 // The search with this number cannot continue.
 EMSCRIPTEN_KEEPALIVE void page_search_failed(double number) {
   carry_out({TakeRobots{static_cast<std::uint64_t>(number), std::nullopt}});
+}
+
+// Takes over the choice for the document with this number, as so many bytes of doubles: none if the
+// document is refused.
+EMSCRIPTEN_KEEPALIVE void page_take_choice(double number, const unsigned char* bytes,
+                                           std::size_t size) {
+  std::vector<double> choice(size / sizeof(double));
+  if (!choice.empty()) std::memcpy(choice.data(), bytes, choice.size() * sizeof(double));
+  Commands commands;  // an initializer list would copy the choice
+  commands.push_back(TakeChoice{static_cast<std::uint64_t>(number), std::move(choice)});
+  carry_out(std::move(commands));
+}
+
+// Nothing can choose for the document with this number.
+EMSCRIPTEN_KEEPALIVE void page_choice_failed(double number) {
+  carry_out({TakeChoice{static_cast<std::uint64_t>(number), std::nullopt}});
 }
 
 }  // extern "C"

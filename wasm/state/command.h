@@ -92,6 +92,12 @@ struct TakeRobots {
   bool ended = true;
 };
 
+// What the worker chose for the document with this number (Given::Chosen).
+struct TakeChoice {
+  std::uint64_t number;
+  std::optional<std::vector<double>> choice;
+};
+
 // The other commands change neither the polygon nor its placement. SetShown changes what is shown:
 // one step of undo, unless only overlays differ.
 struct SetShown {
@@ -309,8 +315,8 @@ using AnyCommand = std::variant<
     LeaveScript, ShowAllSteps, SetPresenting, SelectVertex, SetHover, SetHeld, SetCamera, FitView,
     ZoomView, SetPanelOpen, SetSectionOpen, SetErases, ListIsOpen, CloseList, SetSheet,
     MeasureSheet, MeasureNotice, CopyLink, TypeValue, OpenDialog, OpenPage, LayOutAgain, TakeRobots,
-    ShowNotice, EndNotice, SetCanvas, SetPreferences, SetTouch, CoverScreen, MakeRoom, LayPicture,
-    TakePictureAway, SetMeasuring, KeepMotion, KeepComparison, ForgetSteps, AddStep>;
+    TakeChoice, ShowNotice, EndNotice, SetCanvas, SetPreferences, SetTouch, CoverScreen, MakeRoom,
+    LayPicture, TakePictureAway, SetMeasuring, KeepMotion, KeepComparison, ForgetSteps, AddStep>;
 // One command of any kind. Its special members are compiled once (command.cpp): written out in every
 // file that makes a command, they were half of the time of compiling the panels.
 class Command {

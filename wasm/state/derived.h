@@ -48,6 +48,16 @@ struct Search {
   bool counting = false;
 };
 
+// During a drag of a large object, a worker chooses its teams, one document after another; documents
+// that are overtaken meanwhile are left out (derive/elsewhere.h).
+struct Elsewhere {
+  std::uint64_t number = 0;  // of the last document that the worker got
+  bool under_way = false;
+  bool possible = true;     // false once the worker has failed during a drag
+  Document document;        // the one that is under way
+  std::uint64_t edits = 0;  // Work::edits() of that document
+};
+
 // Other settings that would mend what is amiss, and the words of the button that takes them.
 struct Offer {
   Settings settings;
@@ -56,7 +66,7 @@ struct Offer {
 
 // The inputs of the last derive(), by which it sees what is out of date.
 struct Basis {
-  std::uint64_t edits = 0;  // Work::edits()
+  std::uint64_t edits = 0;  // Work::edits() of the document that was placed or refused
   Haste haste = Haste::at_rest;
   std::optional<Method> second_method;
   LoadModel load_model = LoadModel::plan;
@@ -90,6 +100,7 @@ struct Derived {
   std::optional<Failure> failure;                     // the robot that the user let fail
   std::optional<Explanation> explanation;             // the card beside a robot or chord
   Search search;
+  Elsewhere elsewhere;
 
   std::uint64_t revision = 0;  // grows with every change to the pictures
   Basis basis;
@@ -113,6 +124,14 @@ struct Given {
     bool ended;
   };
   std::optional<Found> found;
+  // The choice that the worker made for the document with this number, as numbers
+  // (derive/elsewhere.h); empty if the document is refused, nothing if the worker failed.
+  struct Chosen {
+    std::uint64_t number;
+    std::optional<std::vector<double>> choice;
+  };
+  std::optional<Chosen> chosen;
+  bool at_once = false;  // the document is placed now, even if a worker is choosing its teams
 };
 
 }  // namespace evenlift::view

@@ -93,6 +93,14 @@ struct BeginSearch {
 };
 struct EndSearch {};
 
+// Lets a worker choose the teams of the document with this number: its rings and settings
+// (derive/elsewhere.h). The choice arrives through page_take_choice().
+struct ChooseElsewhere {
+  std::uint64_t number;
+  std::vector<double> rings;
+  std::string settings;
+};
+
 // Requests another frame, now or after this number of seconds. Only the last request for a later
 // frame counts, and it can be dropped.
 struct NextFrame {};
@@ -110,7 +118,7 @@ struct EndNoticeAfter {
 using Effect =
     std::variant<DocumentChanged, SummaryChanged, PreferencesChanged, Announce, CopyAddress,
                  ShowDialog, FocusField, ShowFullScreen, ShowPage, BeginSearch, EndSearch,
-                 NextFrame, FrameAfter, DropFrameAfter, EndNoticeAfter>;
+                 ChooseElsewhere, NextFrame, FrameAfter, DropFrameAfter, EndNoticeAfter>;
 using Effects = std::vector<Effect>;
 
 }  // namespace evenlift::view

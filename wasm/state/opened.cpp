@@ -17,10 +17,14 @@ Result<Opened> opened(Result<Document> document) {
   return view::opened(std::move(document).value());
 }
 
+bool is_of(const PolygonWithHoles& object, const Document& document) {
+  return object.outline().vertices() == document.vertices &&
+         object.rings_of_holes() == document.holes;
+}
+
 // Skips the check of a known object.
 Result<Placement> placed(const Document& document, const PolygonWithHoles* known) {
-  if (known && known->outline().vertices() == document.vertices &&
-      known->rings_of_holes() == document.holes)
+  if (known && is_of(*known, document))
     return place(*known, document.centre_of_mass, document.settings, Effort::start, document.moved);
   return place(document, Effort::start);
 }
@@ -66,9 +70,30 @@ Result<Placement> compute_placement(const Document& document,
   return placed_in(haste, document, before ? &before->object : nullptr);
 }
 
+Result<Placement> compute_as_chosen(const Document& document, const Placement& before,
+                                    Choice choice) {
+  ++so_far.placements;
+  Result<PolygonWithHoles> object =
+      is_of(before.object, document) ? before.object : object_of(document);
+  if (!object) return object.error();
+  Settings as_selected = document.settings;
+  if (swaps_teams(as_selected)) as_selected.goal = Goal::cover;
+  Result<Placement> placement =
+      place_as_chosen(*std::move(object), document.centre_of_mass, as_selected, std::move(choice));
+  if (!placement || !swaps_teams(document.settings)) return placement;
+  if (auto error =
+          check_swaps(placement->candidates.size(), document.settings.teams.value_or(max_teams)))
+    return *error;
+  return not_swapped(std::move(placement).value(), document.settings);
+}
+
 Result<Placement> try_placement(const Document& document, const Placement& before) {
   ++so_far.tries;
   return placed_in(Haste::drag, document, &before.object);
+}
+
+bool swaps_in_a_drag(const Placement& placement) {
+  return swaps_teams(placement.settings) && swap_cost(placement) <= most_in_a_drag;
 }
 
 bool waits_for_swap(const Placement& placement) {

@@ -47,8 +47,15 @@ Result<Placement> compute_placement(const Document& document,
                                     const std::optional<Placement>& before = std::nullopt,
                                     Haste haste = Haste::at_rest);
 
+// The same with a choice that was made elsewhere (place_as_chosen()), without swaps.
+Result<Placement> compute_as_chosen(const Document& document, const Placement& before,
+                                    Choice choice);
+
 // The same in the haste of a drag, for a placement that is only offered; counted separately.
 Result<Placement> try_placement(const Document& document, const Placement& before);
+
+// Whether its teams are few enough to be swapped even during a drag. O(1).
+bool swaps_in_a_drag(const Placement& placement);
 
 // Whether its teams should be swapped until they hold, but are as the metric selects them. O(1).
 bool waits_for_swap(const Placement& placement);

@@ -74,7 +74,14 @@ inline bool by_hand(const AppState& state) {
 inline const Settings& settings(const AppState& state) { return state.work.document().settings; }
 inline const Shown& shown(const AppState& state) { return state.work.document().shown; }
 
-// The last document that was not refused, with what is shown. Links, files and storage hold it.
+// Whether the picture is older than the document, whose teams a worker is choosing; false for the
+// picture of a refused document. O(1).
+inline bool lags(const AppState& state) {
+  return state.derived().elsewhere.under_way && !state.derived().refusal;
+}
+
+// The last document that was placed, with what is shown. Links, files and storage hold it. During a
+// drag it may be older than the present one (lags()).
 // O(n).
 inline Document last_good(const AppState& state) {
   Document document = state.derived().placed;

@@ -1,6 +1,7 @@
 // The browser functions that the program calls (wasm/page/browser.cpp), and the page functions that its windows call.
 import { say, translated } from "../words/words.js";
 import { isLessonLink, linkIn, readAddress, withLesson, withPlaces } from "./address.js";
+import { createChoosing } from "./choosing.js";
 import { copy } from "./clipboard.js";
 import { connectDropAndPaste } from "./drop_and_paste.js";
 import { createSearch } from "./search.js";
@@ -43,6 +44,7 @@ export class Bindings {
   #field;
   #onFrame;
   #search;
+  #choose;
   #program;
   #screen;
   #page; // the page as its windows get it
@@ -55,9 +57,11 @@ export class Bindings {
     this.#publisher = publisher;
     this.#field = field;
     this.#onFrame = onFrame;
-    this.#search = createSearch((name, ...given) => {
+    const call = (name, ...given) => {
       if (!this.#program.stopped) this.#program.call(name, ...given);
-    });
+    };
+    this.#search = createSearch(call);
+    this.#choose = createChoosing(call);
   }
 
   // Call this before the first call into the program.
@@ -212,6 +216,10 @@ export class Bindings {
 
   endSearch() {
     this.#search.end();
+  }
+
+  chooseElsewhere(...given) {
+    this.#choose(...given);
   }
 
   // --- Links and windows ---------------------------------------------------------------------------------------------

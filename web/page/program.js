@@ -26,7 +26,7 @@ export class Program {
       const texts = [];
       const passed = args.flatMap((arg) => {
         if (arg instanceof Uint8Array) {
-          const at = module._malloc(arg.length);
+          const at = module._malloc(arg.length || 1);
           if (!at) throw new Error("There is not enough memory");
           module.HEAPU8.set(arg, at);
           texts.push(at);
@@ -52,6 +52,12 @@ export class Program {
 
   text(name, ...args) {
     return this.#module.UTF8ToString(this.call(name, ...args));
+  }
+
+  // The bytes at the address that a function returns, as a copy.
+  bytes(name, size) {
+    const at = this.call(name);
+    return this.#module.HEAPU8.slice(at, at + size);
   }
 
   // Returns null for an empty text.

@@ -43,7 +43,7 @@ export function createSearch(call) {
     if (/^capacity=/m.test(problem.settings)) return over();
     const goesOn = () => wanted === number;
     try {
-      const { default: createModule } = await import("./balanced_core.js");
+      const { default: createModule } = await import("./background_core.js");
       const program = new Program(await createModule());
       if (goesOn()) await search(program, problem, { slice, goesOn, found: (...given) => found(number, ...given) });
     } catch {

@@ -1,4 +1,4 @@
-// Continues a search for balanced robots (wasm/modules/balanced_api.cpp), slice by slice. Other tasks run between
+// Continues a search for balanced robots (wasm/modules/searching_api.cpp), slice by slice. Other tasks run between
 // slices. Calls `found(robots, ended)` when there are better robots, at most once in `betweenNews` milliseconds, and at
 // the end. `goesOn()` returns whether the result is still needed. Throws if the problem cannot be read.
 const betweenNews = 100;

@@ -1,5 +1,5 @@
 // A worker that continues the search for balanced robots, so that the page stays responsive (search.js).
-import createModule from "./balanced_core.js";
+import createModule from "./background_core.js";
 import { Program } from "./program.js";
 import { search } from "./search_loop.js";
 

@@ -1,7 +1,7 @@
 // Sine, cosine and arctangent, computed with + - x / and square roots only. So they give the same
 // bits on every platform, unlike the functions of the C library. Errors are below 4 units in the
 // last place of 1. In a placement, only the method of equal angles needs angles; the rest is
-// algebra. Generators, imports, headings and labels also use angles.
+// algebra. Generators, imports, slopes, labels and the headings of robots also use angles.
 #pragma once
 
 namespace evenlift {

@@ -1,24 +1,26 @@
-// Balanced robots: m robots whose centroid is C. Forces of W / m each then add up to W, and their
-// moments about C cancel, so all robots can carry the same load. They do if forces are controlled,
-// or if all robots are equally stiff and level and the object does not bend; three robots that are
-// not on one line always do. Two robots with equal arms are the smallest case. This is beyond the
-// thesis, which calls for such methods in 6.2; algorithm.md, Balanced robots, gives the definition.
+// Balanced robots: m robots whose centroid is C. If W is the weight, forces of W / m each add up to
+// W, and their moments about C cancel, so all robots can carry the same load. They do if forces are
+// controlled, or if all robots are equally stiff and level and the object does not bend; three
+// robots that are not on one line always do. Two robots with equal arms are the smallest case. This
+// is beyond the thesis, which calls for such methods in 6.2; algorithm.md, Balanced robots, gives
+// the definition.
 //
 // A local search finds the robots among sets whose centroid is C. The outline of P begins at v*,
 // the vertex farthest from C (if several are farthest within tau L, the leftmost of them, then the
 // lowest), runs once round counter-clockwise and has the length Lambda. The trial points are the 64
-// points at (j + 1/2) Lambda / 64 (16 points if P has more than 1,000 vertices), followed by the
-// reflex vertices unless these outnumber them. Robots Q are completed to m = |Q| + 2 robots by the
-// ends of an even candidate about (m C - sum Q) / 2, if that point is strictly inside the convex
-// hull of P. They are completed to m = |Q| + 3 robots by a trial point b and the ends of an even
-// candidate for Q and b.
+// points at (j + 1/2) Lambda / 64, followed by the reflex vertices if there are at most 64 of them.
+// If P has more than 1,000 vertices, both numbers are 16. Robots Q are completed to m = |Q| + 2
+// robots by the ends of an even candidate about (m C - sum Q) / 2, if that point is strictly inside
+// the convex hull of P. They are completed to m = |Q| + 3 robots by a trial point b and the ends of
+// an even candidate for Q and b.
 //
 // The better of two sets is ahead in the first key in which they differ:
 // 1. fewer pairs of robots nearer to each other than `apart`;
 // 2. with survive = F > 0: the larger min(F, number of failures that leave C at least `clear`
 //    inside the hull of the rest);
-// 3. for the goal hold: the larger number of thresholds among 0.001, 0.4 mu and mu that the margin
-//    of the contacts at least `clear` from every corner reaches, mu being min_margin;
+// 3. for the goal hold: the larger number of thresholds reached by the margin of the contacts that
+//    are at least `clear` from every corner (the thresholds are 0.001, 0.4 mu and mu, where mu is
+//    min_margin);
 // 4. the larger coverage, by more than 1e-9;
 // 5. the larger sum of |p - C|^2, by more than 1e-9 of it;
 // 6. the robots' places along the outline, compared in order: where two of them first differ by
@@ -46,9 +48,9 @@ class Rules;
 }
 
 // The object, C and the settings robots, goal, min_margin, apart, clear, survive, robot and no_go,
-// and everything computed from them once. With sized robots or no-go parts, the trial points are
-// spread over the usable parts of the outline, and the search considers only sets in which every
-// robot can stand. Immutable; copies share the data.
+// with everything that is computed from them only once. If robots have a size or there are no-go
+// parts, the trial points are spread over the usable parts of the outline, and the search considers
+// only sets in which every robot can stand. Immutable; copies share the data.
 class BalancedProblem {
  public:
   // The settings must be in their ranges. O(n log n), plus the cost of Stands (stands.h).
@@ -85,7 +87,7 @@ struct BalancedSearch {
   bool changed = false;              // whether the current round has swapped anything
   bool finished = false;             // after a round without a change, or after most_rounds
   bool restarted = false;            // whether the search has looked for a second start
-  std::uint64_t work = 0;            // the cost of the triples so far, in units of most_work
+  std::uint64_t work = 0;            // the cost of the triples so far, in the units of most_work
   bool cut_short = false;            // whether the search finished because of most_work
 };
 inline constexpr std::uint32_t most_rounds = 8;
@@ -117,15 +119,15 @@ struct BalancedSwap {
 
 // One step of a search. A search goes through the triples i < j < k of robots; with more than 12
 // robots only triples that contain two neighbours along the outline, with more than 24 only three
-// in a row. The best of the current set and of all sets that complete the other robots by three
-// becomes the current set (of ties, the first in this order), and the robots are renumbered. A
-// round that changes nothing is the last: then no swap makes the set better. A triple costs one
-// completion for each trial point.
+// in a row. For each triple, the search compares the current set and then all sets that complete
+// the other robots by three more. The best becomes the current set (if several are best, the first
+// of them). After each swap the robots are renumbered. A round that changes nothing is the last:
+// then no swap makes the set better. A triple costs one completion for each trial point.
 //
 // A search restarts, at most once, if that leads to a better set (docs/algorithm.md). If the robots
 // should hold the object and do not, it restarts with S_4 also chosen among trial points with three
-// more robots, as for m = 4. For robots with a size, which fit in few places, it restarts from the
-// best sets on usable intervals.
+// more robots, as for m = 4. For robots with a size, which fit in few places, it tries the best
+// sets on usable intervals, and restarts from the one that leads to the best result.
 struct BalancedStep {
   BalancedSearch search;             // after the step
   std::optional<BalancedSwap> swap;  // the swap, if there was one

@@ -65,7 +65,7 @@ struct FreeRegion {
 };
 
 // The regions of rotation centres that contacts leave free. O(n + m log m) for m contacts on e
-// edges, and O(e^2) to clip a region at worst, or if it has no area.
+// edges, plus at worst O(e^2) to clip a region or to find one that has no area.
 struct FreeRegions {
   FreeRegion clockwise, counterclockwise;
 };

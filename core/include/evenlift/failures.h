@@ -3,10 +3,10 @@
 //
 // The robots *carry* the object if C lies in their convex hull within tolerance (tau L): they can
 // balance its weight. The object is *steady* if C lies inside that hull by more than the tolerance:
-// then it also withstands a small press down anywhere, as long as the robots keep their height and
-// none is overloaded. Without the tolerance, rounding would decide both: the two robots of a team
-// and C lie on one line only up to rounding. Far from the origin, where coordinates are rounded by
-// more than tau L, the tolerance is that rounding.
+// then it also withstands a light downward press anywhere, as long as the robots keep their height
+// and none is overloaded. Without the tolerance, rounding would decide both: the two robots of a
+// team and C lie on one line only up to rounding. Far from the origin, where coordinates are
+// rounded by more than tau L, the tolerance is that rounding.
 #pragma once
 
 #include <optional>
@@ -57,10 +57,10 @@ struct RestOfRobots {
 
 // The effect of each robot's failure, in the order of the robots; nothing where the rest does not
 // carry the object. The teams must be those of a placement on the polygon. `inside` is as for
-// failures_steady(), and the disturbance as for load_changes() (uncertainty.h). For m robots it
-// costs O(n log n + m n + m^2 log m), plus O(h n + m h n') for the coverage (stability.h), O(m^3)
-// for the margin and, for the least greatest load, O(m^4) up to 65 robots, and beyond that O(m^2)
-// for each of about a hundred steps.
+// failures_steady(), and the disturbance as for load_changes() (uncertainty.h). For m robots the
+// function costs O(n log n + m n + m^2 log m), plus O(h n + m h n') for the coverage (stability.h),
+// O(m^3) for the margin and, for the least greatest load, O(m^4) up to 65 robots, and beyond that
+// O(m^2) for each of about a hundred steps.
 std::vector<std::optional<RestOfRobots>> single_failures(const PolygonWithHoles& object,
                                                          const Vec2& centre, double weight,
                                                          const std::vector<Team>& teams,

@@ -48,11 +48,11 @@ struct Import {
   std::vector<std::string> notes;     // omissions and decisions, as sentences without full stops
   std::string unit;       // in words, such as "millimetres"; empty if the text names none
   bool doubtful = false;  // what was left out is larger than any shape, so a person should choose
-  // The lines of a drawing that close no shape, for a picture, from the first line on. A line that
-  // would bring them above most_open_points points in all is left out. Curves have the default
+  // The lines of a drawing that do not close, in order, so that a picture can show them. A line
+  // that would bring them above most_open_points points in all is left out. Curves have the default
   // tolerance.
   std::vector<Points> left_open;
-  bool has_settings = false;  // the shape has the text's settings: evenlift wrote it
+  bool has_settings = false;  // evenlift wrote the text, and the shape has its settings
   bool in_degrees = false;    // the text says so, and its coordinates were not converted
 };
 
@@ -74,35 +74,35 @@ struct Import {
 //              viewBox and preserveAspectRatio or, without a viewBox, with 96 user units to the
 //              inch. They stay as they are if a user unit already is 1 mm, cm, m or in, which is
 //              then the unit. Without a size on paper they are user units. A curve that ends where
-//              it began is dropped if its control points are no farther from there than the
-//              tolerance or 1/200 of its outline's larger side. Bounded by 64 MiB for all copies
-//              together
+//              it began is dropped if its control points are no farther from there than 1/200 of
+//              its outline's larger side or, if `tolerance` is given and larger, than `tolerance`,
+//              but never more than 1/10 of that side. Bounded by 64 MiB for all copies together
 //   DXF        as text: the model space. LWPOLYLINE and POLYLINE (with bulges), ELLIPSE and SPLINE
-//              are outlines if they are closed, and CIRCLE always is one. LINE, ARC and the open
-//              ones of the others are pieces, which are joined as described below. A SPLINE is any
-//              B-spline or NURBS curve of degree 1 to 10 with control points. INSERT draws its
-//              block: scaled, mirrored, turned, in columns and rows, and within other blocks up to
-//              32 deep; the text of all copies together has at most 128 MiB. A block's objects on
-//              layer 0 are on the layer of the INSERT. Objects that are invisible, on a layer that
-//              is off or frozen, or on Defpoints are left out. $INSUNITS gives the unit; if
-//              evenlift has this unit, it is also the label of lengths
+//              are outlines if they are closed, and CIRCLE always is one. LINE, ARC and every
+//              LWPOLYLINE, POLYLINE, ELLIPSE or SPLINE that is open are pieces, which are joined as
+//              described below. A SPLINE is any B-spline or NURBS curve of degree 1 to 10 with
+//              control points. INSERT draws its block: scaled, mirrored, turned, in columns and
+//              rows, and within other blocks up to 32 deep; the text of all copies together has at
+//              most 128 MiB. A block's objects on layer 0 are on the layer of the INSERT. Objects
+//              that are invisible, on a layer that is off or frozen, or on Defpoints are left out.
+//              $INSUNITS gives the unit; if evenlift has this unit, it is also the label of lengths
 //   columns    x and y in lines, separated by tabs, semicolons, bars, commas or spaces: by the
 //              first of these, in this order, that the first line with two numbers contains.
-//              A comma may precede the decimals unless commas or spaces separate the columns. If
-//              commas separate them, a comma may still precede the decimals of numbers in quotes,
-//              provided that one of the first lines has such a number in which the comma cannot
-//              separate thousands. A heading may name the columns in any case, with a unit: x (mm),
-//              X-Coordinate, POINT_X, Position X, Easting, E, lon, and the same for y. x and y take
-//              precedence over easting and northing, and these over longitude and latitude.
-//              Otherwise x and y are the first two columns with numbers. Columns that number the
-//              lines, stay the same, or have a heading such as "Point No." or "Elevation" are
-//              passed over as long as two others remain. If there are more than two columns with
-//              numbers, a note says which were taken. Lines that begin with # are comments; before
-//              the first row, such a line may be the heading. Up to 100 lines before the first row
-//              are headings; blank lines separate shapes, and a line of words before a shape is its
-//              name. A row is refused if its columns do not fit the heading or the first row, or if
-//              the first two rows begin with the same word and this row begins with another. The
-//              two surfaces of an airfoil are joined
+//              Numbers may have a decimal comma unless commas or spaces separate the columns. If
+//              commas separate them, numbers in quotes may still have a decimal comma, provided
+//              that one of the first lines has such a number in which the comma cannot separate
+//              thousands. A heading may name the columns, in upper or lower case and perhaps with a
+//              unit: x (mm), X-Coordinate, POINT_X, Position X, Easting, E, lon, and the same for
+//              y. x and y take precedence over easting and northing, and these over longitude and
+//              latitude. Otherwise x and y are the first two columns with numbers. Columns that
+//              number the lines, stay the same, or have a heading such as "Point No." or
+//              "Elevation" are passed over as long as two others remain. If there are more than two
+//              columns with numbers, a note says which were taken. Lines that begin with # are
+//              comments; before the first row, such a line may be the heading. Up to 100 lines
+//              before the first row are headings; blank lines separate shapes, and a line of words
+//              before a shape is its name. A row is refused if its columns do not fit the heading
+//              or the first row, or if the first two rows begin with the same word and this row
+//              begins with another. The two surfaces of an airfoil are joined
 //   WKT        POLYGON, MULTIPOLYGON and those in a GEOMETRYCOLLECTION, one geometry or several,
 //              each perhaps preceded by `SRID=...;`. The geometries may also be a column of a
 //              table; another column may then give the names or numbers of the shapes. Rings after

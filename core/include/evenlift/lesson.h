@@ -129,7 +129,7 @@ struct Lesson {
   std::vector<GivenSetting> settings;         // each at most once; as read_setting() reads them
   bool predict = false;
   std::optional<LoadModel> loads;     // the model of the loads that are shown
-  std::optional<std::size_t> failed;  // the robot that fails, from 0; shown where no step is
+  std::optional<std::size_t> failed;  // the robot that fails, from 0; shown while no step is shown
   std::vector<LessonStep> steps;      // at least one, unless there is a task
   std::optional<Task> task;
   std::string question, answer;  // at the end, formatted like `words`; both empty or neither

@@ -24,8 +24,8 @@ Result<std::string> encode_lesson_link(std::string_view lesson);
 // O(bytes + max_lesson_bytes).
 Result<std::string> decode_lesson_link(std::string_view text);
 
-// Whether a text contains a link to a lesson, perhaps a damaged one or one of a later version:
-// after an address's `#` or `&`, or at its beginning, an L, digits and a full stop. O(bytes).
+// Whether a text contains a link to a lesson, perhaps a damaged one or one of a later version: an
+// L, digits and a full stop, at the beginning of the text or after a `#` or `&`. O(bytes).
 bool has_lesson_link(std::string_view text);
 
 }  // namespace evenlift

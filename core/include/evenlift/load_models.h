@@ -19,8 +19,9 @@
 // also bound the loads under an object that bends.
 //
 // Robots only push up, so no model gives loads if C is outside the robots' convex hull H by more
-// than tolerance (tau L). If H is flat within tolerance, or C is within tolerance of an edge of H,
-// the robots on that line share the weight, and all others carry nothing.
+// than tolerance (tau L). If H is a segment within tolerance, or C is within tolerance of an edge
+// of H, the robots on the line of that segment or edge share the weight, and all others carry
+// nothing.
 //
 // In all functions, `robots` are the positions of the robots in any order, some perhaps at the same
 // place; `diameter` is L of the object; loads are in the unit of the weight, in the order of the
@@ -50,8 +51,8 @@ struct SpringLoads {
   // The greatest change of each load per unit of length that C moves, as long as the same robots
   // carry load. If the robots stand on one line, C moves along it.
   std::vector<double> per_length;
-  // The distance that C can move in any direction (along the line) while the same robots carry
-  // load, so that loads change linearly.
+  // The distance that C can move in any direction (or, if the robots stand on one line, along it)
+  // while the same robots carry load, so that loads change linearly.
   double same_within = 0;
 };
 

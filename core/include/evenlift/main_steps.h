@@ -12,13 +12,13 @@ namespace evenlift {
 // The greatest number of main steps, for any polygon and any number of teams.
 inline constexpr std::uint32_t most_main_steps = 25;
 
-// Step numbers, increasing; the first is the polygon, the last the result. One example represents
-// each kind of repeated step:
+// Step numbers, increasing; the first is the polygon, the last the result. Of the steps that are
+// repeated, only these are included:
 // - the first ray;
 // - of the first 200 edge pairs that led to a candidate, the one with the longest sections, so that
 //   they can be seen (if none did, the first pair; without any pair, the first opposite vertices);
 // - the first range;
-// - the first three items of cargo;
+// - the first three items of cargo, and the first four supports;
 // - the scores and choices of the first three teams, then the last team and the lifting base that
 //   it completes;
 // - the first three swaps of teams;
@@ -32,8 +32,8 @@ std::vector<std::uint32_t> main_steps(const Trace& trace);
 // The number of steps like this main step that main_steps() omits. For `ray` and `outcome` these
 // are the other rays and pairs; for `range`, the other ranges; for the third `cargo`, all later
 // items; for the third `team`, the teams between the third and the last; for `start`, the smaller
-// sets; for the last `swap` or `exchange` included, all others. 0 for any other step. O(1); for
-// `exchange` the cost of main_steps().
+// sets; for the last `swap` or `exchange` that main_steps() includes, all swaps that it omits. 0
+// for any other step. O(1); for `exchange` the cost of main_steps().
 std::uint32_t further_like(const Trace& trace, const Step& step);
 
 }  // namespace evenlift

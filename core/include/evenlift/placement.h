@@ -29,7 +29,8 @@ struct Placement {
   Settings settings;                     // as given
   std::shared_ptr<const Stands> stands;  // null if robots are points that may stand anywhere
   std::vector<Candidate> candidates;     // in candidate order; found with every method
-  std::uint32_t requested_teams = 0;     // as given; all candidates for "max"; 1 for one team
+  std::uint32_t requested_teams = 0;     // as given; all candidates for "max"; 1 for
+                                         // balanced robots and for supports
   std::vector<Team> teams;               // in the order of choice; perhaps fewer than requested.
                                          // Balanced robots and supports act as one team
   std::vector<std::uint32_t> team_candidates;  // the index of each team's candidate; empty if the
@@ -51,41 +52,55 @@ struct Placement {
 // methods always run to their end.
 enum class Effort : std::uint8_t { whole, start };
 
-// Checks that settings are in their ranges (settings.h) and compatible: "max" needs a method that
-// chooses among candidates; the goal `hold`, a robot's size and no-go edges need such a method or
-// balanced robots; failures to survive need enough balanced robots; the method `given` needs
-// supports, and as many capacities as supports if any are given. The error's place names the
-// setting. O(parts of no_go and supports).
+// Checks that settings are in their ranges (settings.h) and compatible: the methods `distributed`
+// and `random` do not permit "max" teams, the goal `hold`, a robot's size or no-go edges; failures
+// to survive need enough balanced robots; the method `given` needs supports, and as many capacities
+// as supports if any capacities are given. The error's place names the setting. O(parts of no_go
+// and supports).
 std::optional<InputError> check_settings(const Settings& settings, const Shown& shown = {});
 
-// The boundary points that the robots of all teams touch, in the order of the robots. Hands beneath
-// the object lift farther inside; otherwise contacts are lifting points. O(robots).
+// The boundary points that the robots of all teams touch, in the order of the robots. If robots
+// have hands that reach beneath the object, they lift farther inside; without such hands, the
+// contacts are the lifting points. O(robots).
 std::vector<LiftingPoint> contact_points(const Placement& placement);
 
 // The margin and the clearance that the settings require of a hold (closure.h). O(n).
 HoldRequirements hold_requirements(const Placement& placement);
 
-// Whether the robots hold the object without relying on a contact nearer to a corner than the
-// setting `clear`: in form closure with that clearance (closure.h). O(n).
+// Whether the robots hold the object in form closure without relying on a contact that is nearer to
+// a corner than the setting `clear` (closure.h). O(n).
 bool hold_clearly(const Placement& placement);
 
 // Checks the document and computes everything that is reported about it. The same document gives
 // the same bits on every platform. The errors are those of check_settings(), Polygon::create(),
-// PolygonWithHoles::create(), check_centre_of_mass(), make_stands(), place_supports(),
-// find_candidates() and check_swaps(). O(n log n + K log K) for K edge pairs, plus the cost of the
-// stands (stands.h), the selection (selection.h), the swaps (swaps.h) or the search for balanced
-// robots (balanced.h), and O(n h) for the coverage.
+// PolygonWithHoles::create(), centre_of_mass(), make_stands(), place_supports(), find_candidates()
+// and check_swaps(). O(n log n + K log K) for K edge pairs, plus the cost of the stands (stands.h),
+// the selection (selection.h), the swaps (swaps.h) or the search for balanced robots (balanced.h),
+// and O(n h) for the coverage.
 Result<Placement> place(const Document& document, Effort effort = Effort::whole);
 
 // Places robots around an object that is already checked, for example after C or settings change.
-// The check takes two thirds of the time for a coastline of 20,000 vertices.
 Result<Placement> place(PolygonWithHoles object, const std::optional<Vec2>& own_centre,
                         const Settings& settings, Effort effort = Effort::whole,
                         const Moved& moved = {});
 
+// The candidates of an object, and the teams that were chosen among them. place() spends most of
+// its time on these.
+struct Choice {
+  std::vector<Candidate> candidates;
+  std::vector<std::uint32_t> teams;  // indices into the candidates, in the order of choice
+};
+
+// The placement with a choice that place() made elsewhere for the same object and settings, for
+// example in another thread; it has the same bits. The method must choose among candidates, robots
+// must be points that may stand anywhere, and every index must be one of a candidate. The errors
+// are those of check_settings() and centre_of_mass(). O(n log n), plus O(n h) for the coverage.
+Result<Placement> place_as_chosen(PolygonWithHoles object, const std::optional<Vec2>& own_centre,
+                                  const Settings& settings, Choice choice);
+
 // The document with its supports moved to the nearest places with equal loads (even_out() of
-// supports.h). An error if there are none, if the method is not `given`, or if place() refuses the
-// document.
+// supports.h). It is an error if there are no such places, if there are more than most_evened
+// supports, if the method is not `given`, or if place() refuses the document.
 Result<Document> with_even_supports(const Document& document);
 
 // Only the candidates among which place() would choose: those for the document's positions, robots

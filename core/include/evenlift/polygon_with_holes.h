@@ -1,6 +1,6 @@
-// The object: a simple polygon and the holes in it, valid by construction. What counts material
-// (the area, the centroid, the coverage) takes one of these. What robots stand around or push
-// against (chords, candidates, contacts) takes its outline, and cannot see the holes.
+// The object: a simple polygon and the holes in it, valid by construction. Functions that measure
+// the material (the area, the centroid, the coverage) take one of these. Functions about where
+// robots stand and push (chords, candidates, contacts) take its outline, and cannot see the holes.
 #pragma once
 
 #include <cstddef>
@@ -39,9 +39,9 @@ class PolygonWithHoles {
   bool convex() const { return holes_.empty() && outline_.convex(); }
 
   // The boundary as one closed ring, in the orientation of the outline: the outline, and then each
-  // hole the other way round. From the outline's first vertex a way leads from one hole to another
-  // near it, and back along the same lines. So signed areas of the ring, and of what clipping
-  // leaves of it, are those of the object.
+  // hole the other way round. A path leads from the outline's first vertex to a hole near it, from
+  // each hole to another near it, and from the last hole back along the same lines. So signed areas
+  // of the ring, and of what clipping leaves of it, are those of the object.
   const Points& boundary() const { return holes_.empty() ? outline_.vertices() : boundary_; }
 
   // Whether a point is strictly inside a hole, and in which; exact. O(n).

@@ -1,6 +1,6 @@
 // The table of settings: their names, allowed values and meanings, and where they can be given. The
-// program's options, JSON both ways, share links, lessons, scripts, undo and the page's panels are
-// made from its rows. So a new setting needs a member (document.h), a row
+// program's options, the reading and writing of JSON, share links, lessons, scripts, undo and the
+// page's panels are made from its rows. So a new setting needs a member (document.h), a row
 // (core/src/document/settings.cpp) and, if users type it in the page, a row of a panel.
 #pragma once
 
@@ -100,7 +100,7 @@ struct SettingRow {
   std::string_view name;        // in JSON, scripts and requests, such as "min_ratio"
   std::string_view alias = {};  // a second name that is also read, if there is one
   std::string_view subject;     // "the minimum load ratio"
-  std::string_view edit = {};   // the words for this change in undo, if undo tells it from others
+  std::string_view edit = {};   // the name of this change in undo; empty if it has none
   Changes changes = Changes::stands;
   CountsFor counts_for = CountsFor::all;
   SettingRange range = {};

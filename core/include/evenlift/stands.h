@@ -28,7 +28,7 @@ enum class WhyUnusable : std::uint8_t {
   hand,        // the object is not deep or wide enough for the hand
   hole,        // the hand would reach into a hole
   near_no_go,  // the hand would reach sideways onto a no-go part
-  narrow,      // what remains between two other parts is shorter than the tolerance; it stays last
+  narrow,      // what remains between two other parts is shorter than the tolerance; keep this last
 };
 
 inline constexpr std::size_t why_unusable_count = static_cast<std::size_t>(WhyUnusable::narrow) + 1;
@@ -61,7 +61,9 @@ struct EdgeFrame {
 //      next to the edge, lies within the object, up to tau L; and the corners (Polygon::is_corner)
 //      at which the edge ends are at least w / 2 away, where edges joined by straight vertices
 //      count as one,
-//   4. no part of the hand's width, from t - w / 2 to t + w / 2, is in a no-go part of the edge.
+//   4. no part of the hand's width, from t - w / 2 to t + w / 2, is in a no-go part of the edge, or
+//      in a no-go part of another edge where that edge is at most w / 10 beneath the line of the
+//      first, as on a curve.
 // A robot without a body (has_body()) may stand at a vertex, unless a no-go part includes the
 // vertex. A robot with a body cannot: the usable intervals end 2 tau L before it, so that a
 // contact counts as inside the edge.

@@ -2,11 +2,11 @@
 // places. Everything that is computed for other robots is computed for them.
 //
 // A support within the snap distance of the outline stands *at the edge*: its contact is the
-// nearest point of the outline. If several points are as near within tau L, it is the first of them
-// along the vertex list. If a vertex is within tau L of the contact, the contact is exactly that
-// vertex. A support that is on the outline up to the rounding of its coordinates stays as given. A
-// support farther inside stands *beneath* the object: it lifts, and touches nothing sideways. If
-// robots have a size, a support at the edge is the contact of its robot (stands.h).
+// nearest point of the outline. If several points are equally near within tau L, the contact is the
+// first of them along the vertex list. If a vertex is within tau L of the contact, the contact is
+// exactly that vertex. A support that is on the outline up to the rounding of its coordinates stays
+// as given. A support farther inside stands *beneath* the object: it lifts, and touches nothing
+// sideways. If robots have a size, a support at the edge is the contact of its robot (stands.h).
 //
 // All supports are one team. Their loads are not planned, so those of springs count as planned
 // (load_models.h). The object stands on them if C is in H (equilibrium.h); otherwise it falls, and
@@ -54,8 +54,8 @@ class SupportPlacer {
 };
 
 // The places of all supports in the settings, in order. It is an error if a support is outside the
-// object or in a hole, or if a coordinate is below min_coordinate in size but not 0. The error's
-// place names the support, counted from 0, as "supports[3]". O(n) for each.
+// object or in a hole, or if the absolute value of a coordinate is below min_coordinate but not 0.
+// The error's place names the support, counted from 0, as "supports[3]". O(n) for each.
 Result<std::vector<LiftingPoint>> place_supports(const PolygonWithHoles& object,
                                                  const Settings& settings);
 
@@ -70,7 +70,7 @@ Points supports_to_place(const PolygonWithHoles& object, const Vec2& centre, std
 
 // The place on the outline where one more robot adds most to the area of the lifting base: a
 // vertex, and the first if several add equally. If no vertex adds anything, it is the middle of an
-// edge, of all such middles the one farthest from its nearest robot. O(n m log m).
+// edge: the middle that is farthest from its nearest robot. O(n m log m).
 Vec2 widest_addition(const Polygon& polygon, const Points& robots);
 
 // A support at which a robot of the given size does not fit, or that is too near to another.
@@ -104,9 +104,10 @@ std::string misfit_in_words(const Misfit& misfit);
 // two robots are compared; the first choice with the least sum of squared moves wins. Robots whose
 // centroid is C already, within tau L, stay. If no two robots will do, three move: the third to a
 // trial point (balanced.h); for more than most_evened_by_three robots this is not tried. If robots
-// have a size, the moved ones fit and collide with no other. Nothing if there are no such places,
-// or fewer than two robots. `robots` are lifting points, at most most_evened. O(m^2) completions
-// (balanced.h), or O(s m^3) for s trial points.
+// have a size, the moved ones fit and collide with no other. Nothing if there are no such places. A
+// single robot is never moved: for it the function returns its place if that is C, and otherwise
+// nothing. `robots` are lifting points, at most most_evened. O(m^2) completions (balanced.h), or
+// O(s m^3) for s trial points.
 inline constexpr std::size_t most_evened = 64, most_evened_by_three = 16;
 std::optional<std::vector<LiftingPoint>> even_out(const BalancedProblem& problem,
                                                   const std::vector<LiftingPoint>& robots);

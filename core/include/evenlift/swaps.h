@@ -3,8 +3,9 @@
 //
 // A local search begins with the teams that a metric selects. The better of two choices of the same
 // number of teams is ahead in the first key in which they differ:
-// 1. `level`, the number of thresholds among 0.001, 0.4 mu and mu that the margin of the contacts
-//    at least `clear` from every corner reaches, mu being the minimum margin;
+// 1. `level`, the number of thresholds reached by the margin of the contacts that are at least
+//    `clear` from every corner (the thresholds are 0.001, 0.4 mu and mu, where mu is the minimum
+//    margin);
 // 2. the coverage, larger by more than 1e-9;
 // 3. the sum of the load ratios, larger by more than tau.
 //

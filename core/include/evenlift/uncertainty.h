@@ -30,7 +30,7 @@ struct Disturbance {
   bool operator==(const Disturbance&) const = default;
 };
 
-// Whether the object stays upright wherever within the reach the weight acts: the reach is at most
+// Whether the object stays upright wherever the weight acts within the reach: the reach is at most
 // the tipping distance, within tolerance (tau L). O(1).
 bool is_within_base(double reach, double tipping_distance, double diameter);
 
@@ -74,11 +74,11 @@ bool may_let_go(const std::vector<double>& loads, const LoadChanges& changes);
 std::vector<LoadRange> load_ranges(const std::vector<double>& loads, const LoadChanges& changes);
 
 // The greatest radius within which C may lie so that, by springs, no robot carries more than its
-// capacity; robots without one can carry any load. At most springs.same_within, since no bound
-// holds beyond it, and at most the tipping distance, each less `reach`. `besides` are the changes
-// of load for reasons other than C, and `reach` is how far the weight may act from C for such
-// reasons; by default there are no such reasons. Nothing if a robot may be overloaded even with C
-// at its assumed place. O(m).
+// capacity; robots without one can carry any load. It is at most springs.same_within minus `reach`,
+// since no bound holds beyond same_within, and at most the tipping distance minus `reach`, but
+// never below 0. `besides` are the changes of load for reasons other than C, and `reach` is how far
+// the weight may act from C for such reasons; by default there are no such reasons. Nothing if a
+// robot may be overloaded even with C at its assumed place. O(m).
 std::optional<double> radius_within_capacity(const SpringLoads& springs, double tipping_distance,
                                              const std::vector<std::optional<double>>& capacities,
                                              const LoadChanges& besides = {}, double reach = 0);

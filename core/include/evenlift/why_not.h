@@ -11,7 +11,7 @@
 namespace evenlift {
 
 enum class Why : std::uint8_t {
-  no_chord,             // no boundary on both sides of C in that direction
+  no_chord,             // the boundary is not on both sides of C in that direction
   not_by_candidates,    // the method does not choose among candidates
   no_pair,              // its ends lie on edges that do not face each other (radial edges)
   too_uneven,           // no chord of its pair meets the minimum ratio
@@ -65,10 +65,10 @@ struct SetComparison {
 // Why no balanced robot stands at a place, or why one does.
 struct WhyNoRobot {
   enum class Why : std::uint8_t {
-    no_set,             // no set of three robots has been found yet
+    no_set,             // there is no set of three or more robots
     stands_from_start,  // a robot has stood there since the last set of the start
     stands,             // a robot came there by a swap
-    no_completion,      // no swap of three robots brings one there and keeps the centroid C
+    no_completion,      // no swap of three robots brings one there and keeps C the centroid
     other_set,          // some swaps do: `set` is the best result
   };
   Why why = Why::no_set;

@@ -29,9 +29,9 @@ std::string_view translated(std::string_view english);
 // text, so it must not outlive the call for which it is made.
 class Value {
  public:
-  Value(const char* text) : Value(std::string_view(text)) {}
-  Value(std::string_view text) : text_(text.data() ? text.data() : ""), size_(text.size()) {}
-  Value(const std::string& text) : text_(text.data()), size_(text.size()) {}
+  Value(const char* text);
+  Value(std::string_view text);
+  Value(const std::string& text);
   template <std::unsigned_integral Number>
   requires(sizeof(Number) <= sizeof(std::size_t)) Value(Number number) : size_(number) {}
 

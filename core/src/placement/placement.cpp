@@ -249,6 +249,20 @@ Result<Placement> place(PolygonWithHoles object, const std::optional<Vec2>& own_
   return placement;
 }
 
+Result<Placement> place_as_chosen(PolygonWithHoles object, const std::optional<Vec2>& own_centre,
+                                  const Settings& settings, Choice choice) {
+  if (auto error = check_settings(settings)) return *error;
+  const auto centre = centre_of_mass(object, own_centre, settings);
+  if (!centre) return centre.error();
+  Placement placement(std::move(object));
+  placement.own_centre = centre->own;
+  placement.centre_of_mass = centre->all;
+  placement.settings = settings;
+  placement.candidates = std::move(choice.candidates);
+  placement.requested_teams = requested_teams(placement);
+  return with_choice(std::move(placement), std::move(choice.teams));
+}
+
 Result<std::vector<Candidate>> candidates_of(const Document& document) {
   if (auto error = check_settings(document.settings, document.shown)) return *error;
   const auto object = object_of(document);

@@ -55,6 +55,11 @@ std::string_view translated(std::string_view english) {
   return found == all.end() ? english : found->second;
 }
 
+// Not inline, since the page has a thousand of them.
+Value::Value(std::string_view text) : text_(text.data() ? text.data() : ""), size_(text.size()) {}
+Value::Value(const char* text) : Value(std::string_view(text)) {}
+Value::Value(const std::string& text) : Value(std::string_view(text)) {}
+
 std::string Value::written() const {
   return text_ ? std::string(translated({text_, size_})) : std::to_string(size_);
 }

@@ -95,12 +95,12 @@ int coordinate_decimals(const Points& vertices);  // O(n)
 
 // "6 robots carry 15.2–18.1 kg each (100 kg in all).", for balanced robots "6 robots carry equal
 // loads of 16.7 kg (100 kg in all).", with cargo "… (120 kg with its cargo of 24 kg).", or "No team
-// can be placed." The loads are as planned; if another model is `shown`, the text begins with "As planned". If there is a disturbance and the
-// `ranges` of the planned loads are given (loads_by), the text contains these: "6 robots carry
-// 14.9–18.4 kg each, with a C uncertainty of 3 cm, on slopes up to 8 % (100 kg in all)." For given
-// supports the text says that the loads are those of equally stiff robots, unless equilibrium alone
-// determines them; or "It falls: the centre of mass is 12 mm outside the lifting base, beyond
-// robots 2 and 3." O(m log m).
+// can be placed." The loads are as planned; if another model is `shown`, the text begins with "As
+// planned". If there is a disturbance and the `ranges` of the planned loads are given (loads_by),
+// the text contains these: "6 robots carry 14.9–18.4 kg each, with a C uncertainty of 3 cm, on
+// slopes up to 8 % (100 kg in all)." For given supports the text says that the loads are those of
+// equally stiff robots, unless equilibrium alone determines them; or "It falls: the centre of mass
+// is 12 mm outside the lifting base, beyond robots 2 and 3." O(m log m).
 std::string loads_in_words(const ShownPlacement& of, LoadModel shown = LoadModel::plan,
                            const std::vector<LoadRange>& ranges = {});
 

@@ -2,18 +2,17 @@
 // in a worker or, without workers, between frames. It uses the core and nothing of the view.
 #include <emscripten/emscripten.h>
 
-#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include "derive/robots_text.h"
+#include "derive/settings_text.h"
 #include "evenlift/balanced.h"
 #include "evenlift/capacity.h"
 #include "evenlift/centre_of_mass.h"
 #include "evenlift/formats.h"
 #include "evenlift/placement.h"
-#include "evenlift/settings.h"
 #include "page/hand_over.h"
 
 namespace evenlift {
@@ -35,23 +34,10 @@ std::optional<Task>& task() {
   return the_task;
 }
 
-// Whether every line `name=value` is a setting.
-bool read_lines(std::string_view lines, Document& document) {
-  while (!lines.empty()) {
-    const std::string_view line = lines.substr(0, lines.find('\n'));
-    lines.remove_prefix(std::min(lines.size(), line.size() + 1));
-    const std::size_t equals = line.find('=');
-    const auto setting = setting_from_name(line.substr(0, equals));
-    if (!setting || equals == std::string_view::npos) return false;
-    if (read_setting(*setting, line.substr(equals + 1), document)) return false;
-  }
-  return true;
-}
-
 std::optional<Task> read_task(std::string_view text, std::string_view settings,
                               std::string_view robots) {
   Result<Document> document = read_polygon(text);
-  if (!document || !read_lines(settings, *document)) return std::nullopt;
+  if (!document || !view::read_lines(settings, *document)) return std::nullopt;
   document->settings.method = Method::balanced;
   const Result<PolygonWithHoles> object = object_of(*document);
   if (!object) return std::nullopt;
