@@ -227,7 +227,7 @@ for (const [name, script] of [
     await load(page, coast(20034));
     await set(page, { teams: 10 });
     const before = await state(page);
-    const [x, y] = await toScreen(page, before.polygon[0]);
+    const [x, y] = await toScreen(page, before.polygon[5000]);
     await page.mouse.move(x, y);
     await page.mouse.down();
     for (let i = 1; i <= 20; ++i) await page.mouse.move(x + i, y - i / 4);

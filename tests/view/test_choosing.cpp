@@ -27,6 +27,13 @@ std::vector<double> answer(const ChooseElsewhere& task) {
 
 std::string result(const Placement& placement) { return placement_json(placement, true); }
 
+// Whether the last commands change the address and the storage.
+bool tells_of_a_document(const AppState& state) {
+  return std::any_of(
+      state.session.effects.begin(), state.session.effects.end(),
+      [](const Effect& effect) { return std::holds_alternative<DocumentChanged>(effect); });
+}
+
 // A page with a star whose placement takes longer than a frame.
 struct LargePage {
   LargePage() { begin(state, placed(generated(Family::star, 9000, 1))); }
@@ -156,11 +163,13 @@ TEST_CASE("a drag of a large object places nothing itself, and skips what is ove
   // Then there is nothing more to ask, and the end of the drag places nothing.
   CHECK_FALSE(page.take(second->number, answer(*second)));
   CHECK_FALSE(lags(page.state));
+  CHECK_FALSE(tells_of_a_document(page.state));
   const std::string newest = result(placed(page.document()).placement);
   CHECK(result(page.shown_now()) == newest);
   const std::uint64_t at_end = computed().placements;
   CHECK_FALSE(page.asked_by(EndEdit{}));
   CHECK(computed().placements == at_end);
+  CHECK(tells_of_a_document(page.state));
   CHECK(result(page.shown_now()) == newest);
 }
 

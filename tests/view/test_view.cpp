@@ -1096,6 +1096,7 @@ TEST_CASE("very large polygons are drawn, in outline and filled, and as what is 
     CHECK(vertices < 600000);
   }
   page.app.commands.push_back(MoveVertex{0, Vec2(-6e5, 3)});
+  page.app.commands.push_back(EndEdit{});
   settle(page.app);
   REQUIRE(page.app.state.derived().refusal);
   for (const double ratio : {1.0, 3.0}) CHECK(drawn(ratio) > 10000);

@@ -48,7 +48,7 @@ class Derivation {
     offer();
     let_fail();
     explain();
-    if (placed_ || now_.shown != before_.shown) effects_.push_back(DocumentChanged{});
+    tell_of_change();
     if (robots_ || second_ || fails_ || (facts_.trace == nullptr) != untraced) ++facts_.revision;
     facts_.basis = std::move(now_);
   }
@@ -79,6 +79,7 @@ class Derivation {
   void let_fail();
   void explain();
   void explain_again();
+  void tell_of_change();
 
   const AppState& state_;
   Given given_;
@@ -299,6 +300,16 @@ void Derivation::explain_again() {
   const auto [team, end] = find_robot(facts_.placement->teams, *robot);
   const Vec2& at = facts_.placement->teams[team].robots[end].point.position;
   facts_.explanation = view::explain(state_, {Pick::Kind::robot, team, static_cast<int>(end), at});
+}
+
+// Addresses and storage get the document once a drag has ended: writing a large one takes longer than
+// a frame.
+void Derivation::tell_of_change() {
+  const bool changed = placed_ || now_.shown != before_.shown;
+  if (comes_to_rest() || (changed && at_rest()))
+    effects_.push_back(DocumentChanged{});
+  else if (changed)
+    effects_.push_back(SummaryChanged{});
 }
 
 }  // namespace
