@@ -53,7 +53,6 @@ struct Applier {
   }
   void operator()(const SetMethod& c) const {
     if (c.method == Method::given) {
-      place_now(state);
       if (state.derived().placement)
         (*this)(SetSettings{taken_over(settings(state), *state.derived().placement)});
       return;
@@ -100,24 +99,12 @@ struct Applier {
     else
       move_robot(state, c.robot, c.to);
   }
-  void operator()(const PlaceYourself& c) const {
-    place_now(state);
-    place_yourself(state, c.robots);
-  }
+  void operator()(const PlaceYourself& c) const { place_yourself(state, c.robots); }
   void operator()(const CloseTask&) const { leave_task(state); }
   void operator()(const SetChallenge& c) const { state.view.challenge = c.on; }
-  void operator()(const AddRobot& c) const {
-    place_now(state);
-    add_support(state, c.at);
-  }
-  void operator()(const PutRobot& c) const {
-    place_now(state);
-    put_support(state, c.robot, c.at);
-  }
-  void operator()(const RemoveRobot& c) const {
-    place_now(state);
-    remove_support(state, c.robot);
-  }
+  void operator()(const AddRobot& c) const { add_support(state, c.at); }
+  void operator()(const PutRobot& c) const { put_support(state, c.robot, c.at); }
+  void operator()(const RemoveRobot& c) const { remove_support(state, c.robot); }
   void operator()(const EvenOut&) const { even_out_supports(state); }
   void operator()(const ResetRobots&) const { put_robots_back(state); }
   void operator()(TakeRobots& c) const {
@@ -329,11 +316,25 @@ struct Applier {
   }
 };
 
+template <class... Kinds>
+bool is_one_of(Command& command) {
+  return (std::holds_alternative<Kinds>(command.kind()) || ...);
+}
+
+// Whether a command may take places from the robots on the screen, which must then be those of the
+// present shape.
+bool builds_on_robots(Command& command) {
+  return is_one_of<SetMethod, PlaceYourself, AddRobot, PutRobot, RemoveRobot>(command);
+}
+
 }  // namespace
 
 bool apply(AppState& state, Commands& commands) {
   if (commands.empty()) return false;
-  for (Command& command : commands) std::visit(Applier{state}, command.kind());
+  for (Command& command : commands) {
+    if (builds_on_robots(command)) place_now(state);
+    std::visit(Applier{state}, command.kind());
+  }
   commands.clear();
   conclude(state);
   return true;

@@ -1,5 +1,5 @@
-// The search for balanced robots, as a separate WebAssembly module. web/page/search_loop.js runs it
-// in a worker or, without workers, between frames. It uses the core and nothing of the view.
+// The search for balanced robots. web/page/search_loop.js runs it in a worker or, without workers,
+// between frames. It uses the core and nothing of the view.
 #include <emscripten/emscripten.h>
 
 #include <optional>
