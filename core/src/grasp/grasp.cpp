@@ -16,8 +16,10 @@ bool points_up(const Grasp::Touch& touch) {
          (touch.to.y() == touch.from.y() && touch.to.x() > touch.from.x());
 }
 
+// Most touches of a large team share their edge, for which the exact predicate would take its
+// longest way to its zero.
 double turn_of(const Grasp::Touch& a, const Grasp::Touch& b) {
-  return cross_of_differences(a.from, a.to, b.from, b.to);
+  return a.edge == b.edge ? 0 : cross_of_differences(a.from, a.to, b.from, b.to);
 }
 
 bool same_direction(const Grasp::Touch& a, const Grasp::Touch& b) {
@@ -62,6 +64,7 @@ Grasp make_grasp(const Polygon& polygon, const Vec2& centre, double radius,
   Grasp grasp{
       centre, polygon.diagonal(), polygon.diameter(), near_distance(polygon.diameter()), radius,
       {}};
+  grasp.touches.reserve(contacts.size());
   for (const Contact& contact : contacts) {
     Vec2 from = polygon.edge_start(contact.edge), to = polygon.edge_end(contact.edge);
     if (!polygon.counter_clockwise()) std::swap(from, to);
