@@ -1,6 +1,7 @@
 #include "grasp/grasp.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "evenlift/predicates.h"
@@ -10,47 +11,79 @@
 namespace evenlift {
 namespace {
 
+using Touch = Grasp::Touch;
+
 // Whether a touch's edge has a direction in [0, 180) degrees. Comparing coordinates is exact.
-bool points_up(const Grasp::Touch& touch) {
+bool points_up(const Touch& touch) {
   return touch.to.y() > touch.from.y() ||
          (touch.to.y() == touch.from.y() && touch.to.x() > touch.from.x());
 }
 
-// Most touches of a large team share their edge, for which the exact predicate would take its
-// longest way to its zero.
-double turn_of(const Grasp::Touch& a, const Grasp::Touch& b) {
+// The two touches of one edge do without the exact predicate, which takes longest for a zero.
+double turn_of(const Touch& a, const Touch& b) {
   return a.edge == b.edge ? 0 : cross_of_differences(a.from, a.to, b.from, b.to);
 }
 
-bool same_direction(const Grasp::Touch& a, const Grasp::Touch& b) {
+bool same_direction(const Touch& a, const Touch& b) {
   return points_up(a) == points_up(b) && turn_of(a, b) == 0;
 }
 
-// Among touches whose edges have the same direction, decided exactly, keeps only the touches
-// farthest back and farthest along it.
-void keep_extremes(Grasp& grasp) {
-  const std::vector<Grasp::Touch>& touches = grasp.touches;
-  std::vector<double> place(touches.size());
-  for (std::size_t i = 0; i < touches.size(); ++i)
-    place[i] = along(grasp, touches[i]) / length(touches[i].direction());
+struct PlacedTouch {
+  Touch touch;
+  double place = 0;  // along the direction of its edge
+  std::size_t contact = 0;
+};
+
+// The first and the last contact along each edge, in the order of the contacts. Of a large team
+// they are few, so what follows costs little.
+std::vector<PlacedTouch> extremes_of_edges(const Polygon& polygon, const Grasp& grasp,
+                                           const std::vector<Contact>& contacts) {
+  struct Extremes {
+    PlacedTouch first, last;
+  };
+  std::map<std::uint32_t, Extremes> of_edge;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const std::uint32_t edge = contacts[i].edge;
+    Vec2 from = polygon.edge_start(edge), to = polygon.edge_end(edge);
+    if (!polygon.counter_clockwise()) std::swap(from, to);
+    PlacedTouch placed{{from, to, contacts[i].position, edge}, 0, i};
+    placed.place = along(grasp, placed.touch) / length(placed.touch.direction());
+    const auto [found, is_new] = of_edge.try_emplace(edge, Extremes{placed, placed});
+    auto& [first, last] = found->second;
+    if (placed.place < first.place) first = placed;
+    if (placed.place >= last.place) last = placed;
+  }
+  std::vector<PlacedTouch> extremes;
+  for (const auto& [edge, ends] : of_edge) {
+    extremes.push_back(ends.first);
+    if (ends.last.contact != ends.first.contact) extremes.push_back(ends.last);
+  }
+  std::sort(extremes.begin(), extremes.end(),
+            [](const PlacedTouch& a, const PlacedTouch& b) { return a.contact < b.contact; });
+  return extremes;
+}
+
+// Among touches whose edges have the same direction, decided exactly, only those farthest back and
+// farthest along it.
+std::vector<Touch> extremes_of_directions(const std::vector<PlacedTouch>& touches) {
   const auto order = sorted_indices(touches.size(), [&](std::uint32_t i, std::uint32_t j) {
-    const Grasp::Touch &a = touches[i], &b = touches[j];
+    const Touch &a = touches[i].touch, &b = touches[j].touch;
     if (points_up(a) != points_up(b)) return points_up(a);
     if (const double turn = turn_of(a, b); turn != 0) return turn > 0;
-    return place[i] < place[j];
+    return touches[i].place < touches[j].place;
   });
   std::vector<std::uint32_t> kept;
   for (std::size_t k = 0; k < order.size(); ++k) {
-    const Grasp::Touch& touch = touches[order[k]];
-    const bool is_first = k == 0 || !same_direction(touches[order[k - 1]], touch);
-    const bool is_last = k + 1 == order.size() || !same_direction(touches[order[k + 1]], touch);
-    if (is_first || is_last) kept.push_back(order[k]);
+    const auto like = [&](std::size_t other) {
+      return same_direction(touches[order[other]].touch, touches[order[k]].touch);
+    };
+    if (k == 0 || !like(k - 1) || k + 1 == order.size() || !like(k + 1)) kept.push_back(order[k]);
   }
   std::sort(kept.begin(), kept.end());
-  std::vector<Grasp::Touch> extremes;
+  std::vector<Touch> extremes;
   extremes.reserve(kept.size());
-  for (const std::uint32_t i : kept) extremes.push_back(touches[i]);
-  grasp.touches = std::move(extremes);
+  for (const std::uint32_t i : kept) extremes.push_back(touches[i].touch);
+  return extremes;
 }
 
 }  // namespace
@@ -64,13 +97,7 @@ Grasp make_grasp(const Polygon& polygon, const Vec2& centre, double radius,
   Grasp grasp{
       centre, polygon.diagonal(), polygon.diameter(), near_distance(polygon.diameter()), radius,
       {}};
-  grasp.touches.reserve(contacts.size());
-  for (const Contact& contact : contacts) {
-    Vec2 from = polygon.edge_start(contact.edge), to = polygon.edge_end(contact.edge);
-    if (!polygon.counter_clockwise()) std::swap(from, to);
-    grasp.touches.push_back({from, to, contact.position, contact.edge});
-  }
-  keep_extremes(grasp);
+  grasp.touches = extremes_of_directions(extremes_of_edges(polygon, grasp, contacts));
   return grasp;
 }
 

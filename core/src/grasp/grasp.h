@@ -29,7 +29,7 @@ struct Grasp {
 
 // The grasp with these contacts; among contacts on edges of one direction, only the first and the
 // last. The wrenches and normal lines of the others lie between theirs and add nothing. `radius` is
-// R. O(m log m).
+// R. O(m log e) for m contacts on e edges.
 Grasp make_grasp(const Polygon& polygon, const Vec2& centre, double radius,
                  const std::vector<Contact>& contacts);
 
