@@ -16,10 +16,9 @@
 namespace evenlift::view {
 namespace {
 
-// If the number of teams is "max", one step down begins at the number placed.
+// With "max" teams, one step down begins at the number placed.
 std::uint32_t teams_now(const AppState& s) { return settings(s).teams.value_or(placed_teams(s)); }
 
-// More teams, or more balanced robots.
 template <int by>
 void change_number(const AppState& s, Commands& out) {
   Settings changed = settings(s);
@@ -152,7 +151,7 @@ void snap(const AppState& s, Commands& out) {
   out.push_back(SetSnap{changed});
 }
 
-// The next method to compare with; none after the last one.
+// The next method to compare with, or none after the last.
 void next_second_method(const AppState& s, Commands& out) {
   const Method own = settings(s).method;
   const auto from =
@@ -171,8 +170,7 @@ void take_all_teams(const AppState& s, Commands& out) {
   out.push_back(SetSettings{changed});
 }
 
-// Opens the panel if it is closed, then the field of a value (the names are those of the panels'
-// controls).
+// Opens the panel, then the field of a value. The names are those of the panels' controls.
 constexpr char typed_ratio[] = "min ratio", typed_weight[] = "weight", typed_seed[] = "seed",
                typed_centre[] = "com", typed_capacity[] = "capacity",
                typed_uncertainty[] = "com radius", typed_radius[] = "robot radius";
@@ -182,8 +180,8 @@ void type_value(const AppState& s, Commands& out) {
   if (s.view.sheet == Sheet::closed) out.push_back(SetSheet{Sheet::half});
   out.push_back(TypeValue{control});
 }
-// The fields of the next edge are in the bar of the tool, or else on the closed sheet. The page
-// begins with the pressed key.
+// The next edge's fields are in the tool's bar or on the closed sheet. The page begins with the
+// pressed key.
 void type_edge(const AppState& s, Commands& out) {
   if (s.view.sheet != Sheet::closed) out.push_back(SetSheet{Sheet::closed});
   out.push_back(TypeValue{"edge length"});
@@ -193,7 +191,7 @@ void type_uncertainty(const AppState& s, Commands& out) {
   type_value<typed_uncertainty>(s, out);
 }
 
-// The robot with the open card, or else the next one; none after the last.
+// The robot with the open card, or the next one; none after the last.
 void fail_next(const AppState& s, Commands& out) {
   const std::optional<std::size_t> asked =
       s.derived().explanation ? s.derived().explanation->robot : std::nullopt;
@@ -336,7 +334,7 @@ const std::vector<Action> table = {
     {ActionId::about, Group::help, Icon::about, "About evenlift", "Shift+A", {{"A"}}, when::editing, show<Dialog::about>},
     {ActionId::glossary, Group::help, Icon::book, "Glossary", "Shift+G", {{"G"}}, when::always, show<Dialog::glossary>},
     {ActionId::welcome, Group::help, Icon::none, "How to begin, and the tour", "Shift+W", {{"W"}}, when::editing, show<Dialog::welcome>},
-    // Named in the other language, for whoever does not read this one.
+    // Named in the other language, for its readers.
     {ActionId::language, Group::help, Icon::none, "Deutsch", "", {}, when::editing, show<Dialog::language>},
     {ActionId::dismiss, Group::help, Icon::close, "Close, or select nothing", "Esc", {{"Escape"}}, when::anything_open, dismiss},
 };
@@ -345,7 +343,7 @@ const std::vector<Action> table = {
 bool same(const Key& wanted, const Key& pressed) {
   if (wanted.name.empty() || wanted.command != pressed.command) return false;
   if (wanted.command) {
-    // With Shift, the letter is a capital; with Caps Lock, it may be one without Shift.
+    // Shift makes the letter a capital, but so may Caps Lock.
     return wanted.shift == pressed.shift && wanted.name.size() == pressed.name.size() &&
            (wanted.name[0] | 0x20) == (pressed.name[0] | 0x20);
   }

@@ -1,5 +1,4 @@
-// All actions of keys and buttons, in one table. The toolbar, the keyboard and the list of keys use
-// it.
+// The one table of actions, for the toolbar, the keyboard and the list of keys.
 #pragma once
 
 #include <string>
@@ -25,14 +24,14 @@ enum class ActionId : std::uint8_t {
 };
 // clang-format on
 
-// The heading of the action in the list of keys, in the order of the window (web/windows/keys.js).
+// The headings in the list of keys, in the order of the window (web/windows/keys.js).
 enum class Group : std::uint8_t { files, editing, teams, view, lesson, help };
 
 // A key as KeyboardEvent.key names it; `command` is Ctrl, or Cmd on a Mac.
 struct Key {
   std::string_view name;
   bool command = false;
-  bool shift = false;  // compared only if set in the table, or together with `command`
+  bool shift = false;  // compared only if set in the table, or with `command`
 };
 
 struct Action {
@@ -40,7 +39,7 @@ struct Action {
   Group group;
   Icon icon;
   const char* label;
-  const char* shown;  // its key in words; "" without a key of its own
+  const char* shown;  // its key in words; "" without one
   Key keys[12];       // any of these
   bool (*enabled)(const AppState&);
   void (*run)(const AppState&, Commands&);
@@ -49,10 +48,10 @@ struct Action {
 const std::vector<Action>& actions();
 const Action& action(ActionId id);
 
-// The action's present effect, with its key: "Undo: moved a vertex (Ctrl+Z)".
+// The present effect, with its key: "Undo: moved a vertex (Ctrl+Z)".
 std::string tip(const Action& action, const AppState& state);
 
-// The enabled action of a key; null if there is none, in which case the browser handles the key.
+// The enabled action of a key. If it is null, the browser handles the key.
 const Action* action_for(const AppState& state, const Key& key);
 
 }  // namespace evenlift::view

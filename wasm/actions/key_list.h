@@ -1,4 +1,3 @@
-// The readable list of keys, from the table of actions.
 #pragma once
 
 #include <vector>
@@ -7,8 +6,7 @@
 
 namespace evenlift::view {
 
-// The actions with a key of their own, group after group. With `embed`, only actions that work in
-// an <iframe>.
+// The actions with a key, by group. With `embed`, only those that work in an <iframe>.
 std::vector<const Action*> key_list(bool embed);
 
 }  // namespace evenlift::view

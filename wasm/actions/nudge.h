@@ -6,12 +6,11 @@
 
 namespace evenlift::view {
 
-// Moves the drawing cursor to the next dots of the grid, or by a pixel. x and y are -1, 0 or 1, and
-// one of them is 0.
+// By the next dots of the grid, or by a pixel. x and y are -1, 0 or 1, and one is 0.
 void move_cursor(const AppState& s, Commands& out, int x, int y, bool finely);
 
-// Moves the drawing cursor, the whole polygon, the robot with the open card, or the selected
-// vertex, by a grid dot or a tenth of one.
+// Moves the drawing cursor, the polygon, the robot with the open card, or the selected vertex, by a
+// grid dot or a tenth of one.
 void nudge(const AppState& s, Commands& out, int x, int y);
 
 }  // namespace evenlift::view

@@ -13,15 +13,15 @@
 namespace evenlift::view {
 namespace {
 
-constexpr double still = 3;  // pixels of movement that still count as a click
+constexpr double still = 3;  // pixels that a click may move
 
 Vec2 neighbour(const Points& points, std::size_t i, bool next) {
   if (next) return points[i + 1 == points.size() ? 0 : i + 1];
   return points[i == 0 ? points.size() - 1 : i - 1];
 }
 
-// Whether the drawing answers for each point of the object: what a load there does, or the slope at
-// which the object tips in that direction (marks/carrying.h).
+// Whether the drawing answers for each point: the effect of a load, or the slope at which the
+// object tips that way (marks/carrying.h).
 bool answers_for_points(const AppState& state) {
   const Overlays& overlays = shown(state).overlays;
   return (overlays.load && shown_outlook(state).extra) ||
@@ -30,24 +30,24 @@ bool answers_for_points(const AppState& state) {
 
 void press_parts(const AppState& state, const Pointer& pointer, Commands& commands) {
   Pick under = pick_to_hold(state, pointer.at, pointer.second);
-  // While a question waits, a press selects a choice, not a vertex at its end.
+  // During a question, a press selects a choice, not a vertex at its end.
   if (under.kind == Pick::Kind::vertex && walkthrough_is_open(state) &&
       choice_at(state, pointer.at))
     under = {};
   if (under.kind == Pick::Kind::edge && pointer.double_pressed && !state.session.screen.embed) {
     const Vec2 at = rounded_to_pixels(state.view.camera, under.at);
     commands.push_back(InsertVertex{under.index, at});
-    under = {Pick::Kind::vertex, under.index + 1, 0, at};  // the user can drag it at once
+    under = {Pick::Kind::vertex, under.index + 1, 0, at};  // it can be dragged at once
   }
-  // A finger cannot hover, so a press also counts as hovering.
+  // A finger cannot hover, so its press also hovers.
   if (pointer.touch) commands.push_back(SetHover{under});
   const bool grip = under.kind == Pick::Kind::vertex || under.kind == Pick::Kind::centre ||
                     under.kind == Pick::Kind::cargo || under.kind == Pick::Kind::uncertainty ||
                     can_take_robot(state, under);
-  // A finger cannot hover, so it drags the point in question, where a mouse would pan.
+  // A finger drags the point in question, where a mouse pans.
   const bool asks = pointer.touch && under.kind == Pick::Kind::object && answers_for_points(state);
   if (!grip && !asks) under.kind = Pick::Kind::ground;
-  // From now on `at` is the offset from the pointer to the held part, so that nothing jumps.
+  // `at` becomes the offset from the pointer to the held part, so that nothing jumps.
   under.at = grip ? Vec2(state.view.camera.to_screen(under.at) - pointer.at) : pointer.at;
   commands.push_back(SetHeld{under});
   if (under.kind == Pick::Kind::vertex) commands.push_back(SelectVertex{under.index});
@@ -65,7 +65,7 @@ void press_robot(const AppState& state, const Pointer& pointer, Commands& comman
   commands.push_back(SetHeld{under});
 }
 
-// A press on a weight grabs it; elsewhere a click adds one.
+// The same for a weight.
 void press_weight(const AppState& state, const Pointer& pointer, Commands& commands) {
   Pick under = weight_at(state, pointer.at);
   if (under.kind != Pick::Kind::cargo)
@@ -116,7 +116,7 @@ void drag_brush(const AppState& state, const Pointer& pointer, Commands& command
 
 void drag_ground(const AppState& state, const Pointer& pointer, Commands& commands) {
   const Pick& held = state.view.held;
-  // A slightly shaky click still places a vertex or a robot.
+  // A shaky click still places a vertex or a robot.
   if ((draws(state.view.tool) || adds_by_click(state.view.tool)) && pointer.moved < still) return;
   if (!(length(pointer.at - held.at) > 0)) return;
   commands.push_back(SetCamera{pan(state.view.camera, pointer.at - held.at)});
@@ -187,7 +187,7 @@ void click_drawing(const AppState& state, const Pointer& pointer, Commands& comm
   }
 }
 
-// A click answers the question; without a question, it asks why the chord there was not chosen.
+// Answers the question, or asks why the chord there was not chosen.
 void click_walkthrough(const AppState& state, const Pointer& pointer, Commands& commands) {
   commands.push_back(SelectVertex{});
   if (state.view.walkthrough.ask) {
@@ -201,7 +201,7 @@ void release(const AppState& state, const Pointer& pointer, Commands& commands) 
   const bool still_there = pointer.moved < still;
   const Pick::Kind held = state.view.held.kind;
   const bool clicked = (held == Pick::Kind::ground || held == Pick::Kind::object) && still_there;
-  // A click on a vertex also asks about a robot there, if the vertex was not dragged.
+  // A click on a vertex, without a drag, also asks about a robot there.
   const bool asks = still_there && state.view.tool == Tool::parts && !walkthrough_is_open(state);
   const Pick asked = asks ? pick_explained(state, pointer.at, pointer.second) : Pick{};
   if (asked.kind != Pick::Kind::none)
@@ -222,7 +222,7 @@ void release(const AppState& state, const Pointer& pointer, Commands& commands) 
              still_there)
     commands.push_back(
         SetSettings{with_whole_edge(state, static_cast<std::uint32_t>(state.view.held.index))});
-  // A click on the ground clears the selection; a pan does not.
+  // A click on the ground, unlike a pan, clears the selection.
   else if (clicked && walkthrough_is_open(state))
     click_walkthrough(state, pointer, commands);
   else if (clicked)
@@ -238,7 +238,7 @@ void pinch(const AppState& state, const Pointer& pointer, Commands& commands) {
   commands.push_back(ZoomView{pointer.pinch_factor, pointer.pinch_at});
 }
 
-// Over a panel, the panel's rows determine what is hovered (panels.cpp).
+// Over a panel, its rows determine the hovered part (panels.cpp).
 void hover_over(const AppState& state, const Pointer& pointer, const Pick& over,
                 Commands& commands) {
   const bool over_rows = pointer.over_panel && !pointer.touch;
@@ -268,7 +268,7 @@ void hover_drawing(const AppState& state, const Pointer& pointer, bool none, Com
 void hover(const AppState& state, const Pointer& pointer, Commands& commands) {
   const bool none = !pointer.present || pointer.over_panel;
   if (draws(state.view.tool)) return hover_drawing(state, pointer, none || pointer.touch, commands);
-  // The part that a finger pressed counts as hovered until the finger presses another.
+  // A part that a finger pressed stays hovered until the finger presses another.
   if (pointer.touch && !none) return;
   if (none && pointer.touch && state.view.hover.kind == Pick::Kind::object) return;
   Pick under;

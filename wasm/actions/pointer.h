@@ -1,4 +1,4 @@
-// The pointer and fingers in one frame, and the resulting commands.
+// The pointer and fingers in one frame, and their commands.
 #pragma once
 
 #include "state/command.h"
@@ -13,7 +13,7 @@ struct Pointer {
   bool second = false;      // over the picture of the second method
   bool over_panel = false;  // over a panel or popup
   bool pressed = false, down = false, released = false, double_pressed = false;
-  double moved = 0;  // greatest distance from where it was pressed, in pixels
+  double moved = 0;  // greatest distance from the press, in pixels
   double wheel = 0;  // steps, > 0 to zoom in
   // Two fingers, or a trackpad's pinch.
   bool pinching = false;

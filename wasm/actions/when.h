@@ -15,7 +15,7 @@ bool in_walkthrough(const AppState& s);
 bool on_parts(const AppState& s);
 bool on_vertex(const AppState& s);     // or on a weight
 bool on_ring(const AppState& s);       // on a vertex of the outline or of a hole
-bool on_robot(const AppState& s);      // a robot that the user can move, with its card open
+bool on_robot(const AppState& s);      // a movable robot, with its card open
 bool by_own_hand(const AppState& s);   // the robots are placed by hand
 bool can_even_out(const AppState& s);  // not in a challenge
 bool on_own_robot(const AppState& s);  // and the card of one is open

@@ -11,22 +11,21 @@ namespace evenlift::view {
 struct App {
   AppState state;
   Scene scene, second_scene;
-  bool over_second = false;  // the pointer hovers over the second picture, or was pressed there
+  bool over_second = false;  // the pointer is over the second picture, or was pressed there
   Commands commands;
 };
 
-// A frame has three parts, in this order; only the first and the last change the state.
+// The three parts of a frame, in order. Only the first and the last change the state.
 
-// Applies the effects of the pointer and of time before anything is drawn. `now` is in seconds.
-// Costs at most one placement.
+// Applies the effects of the pointer and of time. `now` is in seconds. Costs at most one placement.
 void advance(App& app, const Pointer& pointer, double now);
 
 // Draws the state, between ImGui::NewFrame() and ImGui::Render(). The panels' requests become
-// commands. Without a `picture` only the panels are laid out, to process input before a frame is
-// due; that costs the same for every polygon.
+// commands. Without a `picture`, only lays out the panels, to process input before a frame is due,
+// at the same cost for every polygon.
 void draw_frame(App& app, bool picture = true);
 
-// Applies the commands. Returns whether there were any, in which case another frame is due.
+// Applies the commands. Returns whether there were any: then another frame is due.
 bool settle(App& app);
 
 }  // namespace evenlift::view

@@ -14,8 +14,8 @@
 namespace evenlift::view {
 namespace {
 
-// Two pictures of one method would show no difference: if the document changes to the second
-// method, the two methods are swapped.
+// If the document changes to the second method, the two methods are swapped: two pictures of one
+// method would not differ.
 void part_methods(AppState& state) {
   const Method now = settings(state).method, former = state.derived().placed.settings.method;
   std::optional<Method>& second = state.work.second_method;
@@ -27,8 +27,7 @@ std::string refusal_in_words(const AppState& state) {
   return refusal ? sentence(*refusal) : std::string();
 }
 
-// The end of a refusal is not announced; it only withdraws the refusal's announcement before others
-// follow.
+// The end of a refusal only withdraws its announcement, before others follow.
 void tell_of_refusal(AppState& state, const std::string& before) {
   const std::string now = refusal_in_words(state);
   if (now == before) return;
@@ -36,7 +35,7 @@ void tell_of_refusal(AppState& state, const std::string& before) {
   effects.insert(now.empty() ? effects.begin() : effects.end(), Announce{now});
 }
 
-// Reports at rest that the teams were not swapped, since the user would not wait for that.
+// Reports at rest that the teams are not swapped, because that takes too long.
 void tell_of_no_swap(AppState& state) {
   const Derived& facts = state.derived();
   if (!facts.placement || facts.refusal || state.work.edit_open) return;

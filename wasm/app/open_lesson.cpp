@@ -17,8 +17,7 @@
 namespace evenlift::view {
 namespace {
 
-// Begins a script for the open document, or joins its walkthrough at the present step; otherwise
-// returns an error.
+// Begins a script for the open document, or joins its walkthrough at the present step.
 std::optional<InputError> join(AppState& state, Script script) {
   if (state.derived().refusal || !state.derived().placement ||
       state.work.document().vertices != script.of.vertices)
@@ -33,7 +32,7 @@ std::optional<InputError> join(AppState& state, Script script) {
   return std::nullopt;
 }
 
-// Opens the document; a preview takes the place of the last one.
+// A preview replaces the last one.
 void open_anew(AppState& state, Opened of_it, bool preview) {
   const std::optional<Script>& script = state.view.walkthrough.script;
   const std::optional<OpenTask>& task = state.view.task;
@@ -46,7 +45,7 @@ void open_anew(AppState& state, Opened of_it, bool preview) {
   conclude(state);
 }
 
-// The settings of a lesson that are no part of a document.
+// The lesson's settings that no document contains.
 void show_as(AppState& state, const Lesson& lesson) {
   if (lesson.loads) state.view.load_model = *lesson.loads;
   if (lesson.failed) state.view.fails.ask(lesson.failed);
@@ -58,8 +57,8 @@ void begin_task(AppState& state, OpenTask task) {
   state.view.task = std::move(task);
 }
 
-// A lesson without steps: its object and its task. A task that is joined must be about the open
-// document's shape, unless that may be changed.
+// A lesson without steps: its object and its task. A joined task must be about the open document's
+// shape, unless that may be changed.
 std::optional<InputError> open_task(AppState& state, OpenTask task, Opened of_it,
                                     LessonStart start) {
   const std::vector<Movable>& may = task.lesson.task->may;

@@ -10,13 +10,13 @@
 
 namespace evenlift::view {
 
-// How a lesson opens. `anew`: as a step of undo, leaving any other lesson. `join`: for the open
-// document, which must have the lesson's polygon, and keeps its settings and its step. `preview`:
-// while the user writes it, in place of the last preview.
+// `anew`: as a step of undo, leaving any other lesson. `join`: for the open document, which must
+// have the lesson's polygon and keeps its settings and step. `preview`: while it is written, in
+// place of the last preview.
 enum class LessonStart : std::uint8_t { anew, join, preview };
 
-// `polygon` is the text of the sample that the lesson names, if any; `number` is the learner's
-// (evenlift/task.h). If the lesson cannot be opened, returns why and changes nothing.
+// `polygon` is the text of the sample that the lesson names; `number` is the learner's
+// (evenlift/task.h). On an error, changes nothing.
 std::optional<InputError> open_lesson(AppState& state, const std::string& text,
                                       const std::string& polygon,
                                       LessonStart start = LessonStart::anew,

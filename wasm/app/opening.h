@@ -1,4 +1,4 @@
-// The first content of the page: a link, the work of the last visit, or a sample.
+// The first content of the page: a link, the last visit's work, or a sample.
 #pragma once
 
 #include <string>
@@ -8,16 +8,16 @@
 
 namespace evenlift::view {
 
-// The contents of the address and the browser's storage. Each may be empty or damaged.
+// From the address and the browser's storage. Each may be empty or damaged.
 struct LastVisit {
   std::string_view link;   // the address's fragment
   std::string_view work;   // the last placed document, as a link or a text
-  std::string_view draft;  // a link of a document that was refused while being edited
+  std::string_view draft;  // a link of a document that was refused while edited
 };
 
-// Opens the link. Without a readable link, opens the work, with its draft as a further step of
-// undo; without readable work, the sample. Undo leads from a link back to the work, which is placed
-// only then. Returns why the link could not be read, or an empty text. Costs one placement.
+// Opens a readable link, or else the work, with its draft as a further step of undo, or else the
+// sample. Undo leads from a link back to the work, which is placed only then. Returns why the link
+// could not be read, or an empty text. Costs one placement.
 std::string open_page(AppState& state, const LastVisit& visit, std::string_view sample);
 
 }  // namespace evenlift::view

@@ -9,7 +9,6 @@
 namespace evenlift::view {
 namespace {
 
-// Takes over the value that was read, if valid.
 template <class Value, class Read>
 std::optional<InputError> take(Setting setting, const Read& read, Value& value) {
   if (!read) return setting_error(setting);
@@ -17,7 +16,6 @@ std::optional<InputError> take(Setting setting, const Read& read, Value& value) 
   return std::nullopt;
 }
 
-// Reads one setting into `changed`.
 std::optional<InputError> read(Setting setting, std::string_view text, Changeable& changed) {
   switch (setting) {
     case Setting::loads:

@@ -11,22 +11,20 @@
 
 namespace evenlift::view {
 
-// The values that set() can change.
+// What set() can change.
 struct Changeable {
   Document document;
-  LoadModel load_model = LoadModel::plan;  // the model of the shown loads
+  LoadModel load_model = LoadModel::plan;  // of the shown loads
   std::optional<std::uint64_t> failed =
-      {};  // the robot that fails, from 1, or 0 for none; unchanged without a value
+      {};  // the failing robot, from 1, or 0 for none; unchanged without a value
 };
 
-// Applies the changes in `lines`, each a line `name=value` in the syntax of settings.h. Returns an
-// error for the first line that cannot be read. Checks that need place() are not made here.
-// O(bytes).
+// Applies lines `name=value` in the syntax of settings.h. Returns an error for the first unreadable
+// line. Makes no checks that need place(). O(bytes).
 Result<Changeable> with_settings(Changeable given, std::string_view lines);
 
-// The preferences that the browser keeps apart from the document, as `name=value` lines; and back.
-// A line that cannot be read keeps its default, since another version of the page may have written
-// it. O(bytes).
+// The preferences that the browser keeps apart from the document, as lines `name=value`. An
+// unreadable line keeps its default: another version of the page may have written it. O(bytes).
 struct Kept {
   bool motion = true;
 };

@@ -33,7 +33,6 @@
 namespace evenlift::view {
 namespace {
 
-// Opens the object's own steps, if none are open.
 void open_own_steps(AppState& state, std::optional<std::uint32_t> at = std::nullopt) {
   if (!walkthrough_is_open(state)) state.view.walkthrough.of_lesson = false;
   open_walkthrough(state, at);
@@ -92,7 +91,7 @@ struct Applier {
       state.view.fit_due = true;
   }
   void operator()(const MoveRobot& c) const {
-    if (lags(state)) return;  // the robot is one of an older shape
+    if (lags(state)) return;  // the robot belongs to an older shape
     const auto& placement = state.derived().placement;
     if (placement && stands_freely(*placement))
       move_support(state, c.robot, c.to);
@@ -201,7 +200,7 @@ struct Applier {
     begin_edit(state, false, Edit::comparison);
     state.work.second_method = second;
     state.view.hover = state.view.held = {};
-    emit(state, DocumentChanged{});  // there is another step of undo to keep
+    emit(state, DocumentChanged{});  // another step of undo to keep
   }
   void operator()(const Fail& c) const {
     const Derived& facts = state.derived();
@@ -308,8 +307,8 @@ struct Applier {
   void operator()(const AddStep& c) const {
     state.work.history.add(c.redo, c.step);
     if (c.redo || !is_other_object(c.step.edit)) return;
-    // The last step that opened something determines whether a lesson is open, and how far undo
-    // must go to leave it.
+    // The last step that opened something tells whether a lesson is open, and how far undo must go
+    // to leave it.
     Walkthrough& walk = state.view.walkthrough;
     walk.of_lesson = walk.trace && (walk.script || c.step.edit == Edit::lesson_opened);
     if (walk.script) walk.script->depth = state.work.history.depth();
@@ -321,7 +320,7 @@ bool is_one_of(Command& command) {
   return (std::holds_alternative<Kinds>(command.kind()) || ...);
 }
 
-// Whether a command may take places from the robots on the screen, which must then be those of the
+// Whether a command may take places from the robots on the screen: they must be those of the
 // present shape.
 bool builds_on_robots(Command& command) {
   return is_one_of<SetMethod, PlaceYourself, AddRobot, PutRobot, RemoveRobot>(command);

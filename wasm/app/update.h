@@ -1,4 +1,4 @@
-// Applies commands to the state. Longer commands are in the folder `edits`.
+// Applies commands to the state. The folder `edits` has the longer ones.
 #pragma once
 
 #include "state/command.h"
@@ -6,8 +6,8 @@
 
 namespace evenlift::view {
 
-// Applies the commands in order and empties the list. Returns whether there were any, in which case
-// another frame is due. When a document is refused, the last good placement stays.
+// Applies the commands in order and empties the list. Returns whether there were any: then another
+// frame is due. If a document is refused, the last good placement stays.
 bool apply(AppState& state, Commands& commands);
 
 }  // namespace evenlift::view

@@ -20,7 +20,7 @@
 namespace evenlift::view {
 namespace {
 
-// The grid of dots, at 1, 2 or 5 times a power of ten units.
+// The dots are at 1, 2 or 5 times a power of ten units.
 void draw_ground(ImDrawList& list, const AppState& state, const Theme& theme) {
   const Camera& camera = state.view.camera;
   const double step = grid_step(camera);
@@ -47,7 +47,7 @@ bool named(const CanvasView& view, std::optional<std::uint32_t> team) {
          hover.second == view.second && team == hover.index;
 }
 
-// The lifting base. After a change, the old one fades out while the new one fades in.
+// After a change, the old lifting base fades out while the new one fades in.
 void draw_hull(const Painter& painter, const CanvasView& view, const Shape& shape) {
   const Theme& theme = view.theme;
   const float come = view.scene.progress;
@@ -55,12 +55,11 @@ void draw_hull(const Painter& painter, const CanvasView& view, const Shape& shap
     painter.fill_around(view.scene.holes, view.scene.hull_before, theme.hull.at(1 - come));
     painter.outline(view.scene.hull_before, theme.hull_outline.at(1 - come), 2);
   }
-  // If the remaining robots cannot carry the object, it falls even without a press.
+  // If the remaining robots cannot carry the object, it falls without a press.
   const bool holds = view.placement->loads.has_value();
   const Colour fill = holds ? theme.hull : theme.amber_on_object.at(0.16f),
                outline = holds ? theme.hull_outline : theme.amber_on_object;
-  // Under the heat map the lifting base is only outlined: its own green would mix with the map's
-  // colours.
+  // Under the heat map, only its outline: its green would mix with the map's colours.
   if (!view.scene.shows_heat()) painter.fill_around(view.scene.holes, shape.points, fill.at(come));
   painter.outline(shape.points, outline.at(come), 2);
 }
@@ -69,7 +68,7 @@ void draw_object(const Painter& painter, const CanvasView& view, const Shape& sh
   const Scene& scene = view.scene;
   const RowFill rows =
       scene.triangles.empty() ? painter.rows(shape.points, scene.holes) : RowFill{};
-  // A traced picture is visible through the object.
+  // A traced picture shows through the object.
   const Colour object = view.theme.object.at(view.state.work.backdrop ? 0.6f : 1);
   painter.fill(scene.corners, scene.triangles, object);
   painter.fill(rows, object);
@@ -79,10 +78,10 @@ void draw_object(const Painter& painter, const CanvasView& view, const Shape& sh
 
 void draw_chord(const Painter& painter, const CanvasView& view, const Shape& shape) {
   const Theme& theme = view.theme;
-  // More chords than this are thin and faint, since they would hide the object.
+  // More chords than this are thin and faint: they would hide the object.
   constexpr std::size_t many = 60;
   const std::size_t teams = view.placement->teams.size();
-  // A line between a balanced robot and C is not a chord.
+  // A balanced robot's line to C is not a chord.
   const bool balanced = is_one_team(view.placement->settings.method),
              thin = balanced || teams > many;
   const float width = thin ? 1.0f : 2.0f;
@@ -122,7 +121,7 @@ void draw_shape(const Painter& painter, const CanvasView& view, const Shape& sha
     case Role::cargo:
     case Role::cargo_lever:
     case Role::own_centre:
-      break;  // marks: they are drawn on top, and do not grow with the zoom
+      break;  // marks are drawn on top, and do not grow with the zoom
   }
 }
 
@@ -135,7 +134,7 @@ std::optional<Chord> pointed_chord(const CanvasView& view) {
   return chord_of_part(placement, named);
 }
 
-// Its robots' ranges: a soft double wedge from C to both edges.
+// The robots' ranges: a soft double wedge from C to both edges.
 void draw_range(const Painter& painter, const CanvasView& view) {
   const std::optional<Chord> chord = pointed_chord(view);
   if (!chord) return;
@@ -143,7 +142,6 @@ void draw_range(const Painter& painter, const CanvasView& view) {
   const Vec2& c = placement.centre_of_mass;
   for (const PairRange& range : ranges_of(placement, *chord)) {
     const Chord first = chord_at(c, range, range.first), last = chord_at(c, range, range.last);
-    // The ends on edge a, and those on edge b.
     const auto end_on = [](const Chord& each, std::uint32_t edge) {
       return each.r1.edge == edge ? each.r1.position : each.r2.position;
     };
@@ -157,7 +155,7 @@ void draw_range(const Painter& painter, const CanvasView& view) {
   }
 }
 
-// Among many candidates the marked one is a solid line, like a marked chord.
+// Among many candidates, the marked one is solid, like a marked chord.
 void draw_marked_candidate(const Painter& painter, const CanvasView& view) {
   const Pick marked = marked_part(view.state);
   if (marked.kind != Pick::Kind::candidate || marked.second != view.second) return;
@@ -175,7 +173,6 @@ void draw_picture(const Painter& painter, const CanvasView& view) {
   draw_marked_candidate(painter, view);
 }
 
-// The two edges at fault, with their numbers.
 void draw_refused_edges(const Painter& painter, const Document& document, const Place& place,
                         const Theme& theme) {
   std::vector<NumberedEdge> numbered;
@@ -189,7 +186,6 @@ void draw_refused_edges(const Painter& painter, const Document& document, const 
   draw_edge_numbers(painter, theme, theme.amber, numbered);
 }
 
-// The outlines of a refused document, and the place of its fault.
 void draw_refused(const Painter& painter, const AppState& state, const Theme& theme) {
   const Document& document = state.work.document();
   painter.outlines(document.vertices, document.holes, theme.amber, 2);
@@ -204,7 +200,7 @@ void draw_refused(const Painter& painter, const AppState& state, const Theme& th
     painter.list().AddCircle(painter.at(ring[place.index]), 11, theme.amber.packed(), 32, 3);
 }
 
-// While the picture lags behind a drag, the outline is already the new one.
+// While the picture lags behind a drag, the outline is already new.
 void draw_outline(const Painter& painter, const CanvasView& view) {
   const Colour colour = view.theme.object_outline;
   const Document& document = view.state.work.document();
@@ -232,7 +228,7 @@ void draw_view(ImDrawList& list, const CanvasView& view) {
   list.PopClipRect();
 }
 
-// The two pictures of a comparison, and a line between them.
+// With a line between them.
 void draw_both(ImDrawList& list, const CanvasView& first, const Scene& second,
                const Layout& layout) {
   CanvasView left = first;

@@ -7,8 +7,7 @@
 
 namespace evenlift::view {
 
-// Draws into Dear ImGui's background, under every panel. `second` is the scene of the compared
-// method.
+// Draws into Dear ImGui's background, under every panel. `second` is the compared method's scene.
 void draw_canvas(const AppState& state, const Scene& scene, const Scene& second,
                  const Layout& layout);
 

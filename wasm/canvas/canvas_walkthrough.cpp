@@ -54,8 +54,7 @@ void draw_candidates(const Painter& painter, const CanvasView& view) {
   }
 }
 
-// Writes a text on a chord, at the first place along it that is clear of the texts `before`, if
-// there is one.
+// Writes a text at the first place along a chord that is clear of the texts `before`, if any.
 void draw_value(const Painter& painter, const CanvasView& view, const Figure& figure,
                 const std::string& text, std::vector<Rect>& before) {
   constexpr SharesOfLine off_middle = {0.75, 0.25, 0.87, 0.13, 0.63, 0.37};
@@ -71,7 +70,7 @@ void draw_value(const Painter& painter, const CanvasView& view, const Figure& fi
             text);
 }
 
-// The text beside a chord: its load ratio, or its number among several even chords.
+// A chord's load ratio, or its number among several even chords.
 std::string value_of(const Figure& figure, bool balanced) {
   if (figure.points.size() != 2) return {};
   if (figure.kind == FigureKind::even_chord) return std::to_string(figure.item.value_or(0) + 1);
@@ -82,7 +81,7 @@ std::string value_of(const Figure& figure, bool balanced) {
 
 void draw_values(const Painter& painter, const CanvasView& view, Occupied& occupied) {
   const Walkthrough& walk = view.state.view.walkthrough;
-  if (walk.ask && walk.trace->balanced()) return;  // the choices have numbers of their own
+  if (walk.ask && walk.trace->balanced()) return;  // the choices have other numbers
   std::vector<std::pair<const Figure*, std::string>> valued;
   const auto has_value = [&](const Figure& figure) {  // the chosen end is drawn twice
     return std::any_of(valued.begin(), valued.end(), [&](const auto& before) {
@@ -95,14 +94,14 @@ void draw_values(const Painter& painter, const CanvasView& view, Occupied& occup
         !text.empty() && !has_value(figure))
       valued.emplace_back(&figure, std::move(text));
   if (valued.size() > most_valued) return;
-  constexpr double mark = 13;  // pixels from C to slightly beyond the rim of its mark
+  constexpr double mark = 13;  // pixels from C to just beyond its mark's rim
   const Vec2 c = view.camera.to_screen(view.placement->centre_of_mass);
   std::vector<Rect> before = {{c.x() - mark, c.y() - mark, c.x() + mark, c.y() + mark}};
   for (const auto& [figure, text] : valued) draw_value(painter, view, *figure, text, before);
   for (const Rect& taken : before) occupied.box(taken);
 }
 
-// The step's own drawings, which the names of its parts should not cover.
+// The step's own drawings, which names should not cover.
 void add_lines_of_step(const CanvasView& view, Occupied& occupied) {
   for (const Figure& figure : view.state.view.walkthrough.figures)
     if (figure.points.size() == 2)
@@ -118,7 +117,7 @@ void draw_asked_completion(const Painter& painter, const CanvasView& view, const
   draw_middle(painter, view, balanced.middle);
 }
 
-// The places that the robots would take if one stood at the place in question.
+// The robots' places if one stood at the place in question.
 void draw_asked_places(const Painter& painter, const CanvasView& view) {
   for (const Vec2& place : view.state.view.walkthrough.asked_places)
     draw_ring(painter, place, view.theme.amber_on_object);
@@ -129,7 +128,7 @@ std::string name_of_choice(const Ask& ask, std::uint32_t choice) {
   return choice == 0 ? "first" : "second";
 }
 
-// The numbers of the choices, beyond their ends, clear of robots and of each other.
+// The choices' numbers, beyond their ends, clear of robots and of each other.
 void draw_names_of_choices(const Painter& painter, const CanvasView& view, const Ask& ask,
                            double reach, Occupied& occupied) {
   const Vec2 middle = view.camera.to_screen(view.placement->centre_of_mass);
@@ -141,7 +140,7 @@ void draw_names_of_choices(const Painter& painter, const CanvasView& view, const
     const ImVec2 text = text_size(Face::strong_label, name_of_choice(ask, choice));
     requests.push_back({at, away / std::max(away.norm(), 1e-9), Vec2(text.x + 10, text.y + 4)});
   }
-  if (ask.question.kind == QuestionKind::even_chord)  // it concerns M, which has a name beside it
+  if (ask.question.kind == QuestionKind::even_chord)  // it concerns M, whose name is beside it
     occupied.disc(view.camera.to_screen(ask.detail.balanced->middle), 24);
   const auto places = place_labels(requests, occupied, reach + 3, 1000);
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -154,7 +153,6 @@ void draw_names_of_choices(const Painter& painter, const CanvasView& view, const
   }
 }
 
-// The user's wrong guess.
 void draw_wrong_guess(const Painter& painter, const CanvasView& view) {
   const std::optional<Answered>& answered = view.state.view.walkthrough.answered;
   if (!answered || answered->guess == answered->ask.question.answer) return;
@@ -164,12 +162,12 @@ void draw_wrong_guess(const Painter& painter, const CanvasView& view) {
              view.theme.amber_on_object, 3);
 }
 
-// After a guess the numbers stay, so that the user finds the answer and the guess.
+// The numbers stay after a guess, so that the user finds the answer and the guess.
 void draw_answered(const Painter& painter, const CanvasView& view, double reach,
                    Occupied& occupied) {
   const std::optional<Answered>& answered = view.state.view.walkthrough.answered;
   if (!answered) return;
-  // If the step itself draws no even chords, the numbers would refer to nothing.
+  // If the step draws no even chords, the numbers would refer to nothing.
   if (answered->ask.question.kind == QuestionKind::even_chord)
     for (const std::uint32_t choice : answered->ask.choices)
       draw_chord(painter,
@@ -179,8 +177,7 @@ void draw_answered(const Painter& painter, const CanvasView& view, double reach,
   draw_names_of_choices(painter, view, answered->ask, reach, occupied);
 }
 
-// Where the words refer to candidates by number, the best of them have these numbers in the
-// drawing.
+// Where the words refer to candidates by number, the best of them have numbers.
 void draw_ranked(const Painter& painter, const CanvasView& view, double reach, Occupied& occupied) {
   const Walkthrough& walk = view.state.view.walkthrough;
   const std::optional<TeamScores>& scores = walk.detail.scores;
@@ -192,7 +189,7 @@ void draw_ranked(const Painter& painter, const CanvasView& view, double reach, O
   draw_names_of_choices(painter, view, ranked, reach, occupied);
 }
 
-// The choices of a question; the one selected by the buttons is stronger.
+// The one selected by the buttons is stronger.
 void draw_choices(const Painter& painter, const CanvasView& view, double reach,
                   Occupied& occupied) {
   const std::optional<Ask>& ask = view.state.view.walkthrough.ask;
@@ -257,8 +254,7 @@ void draw_walkthrough(const Painter& painter, const CanvasView& view) {
   if (walk.asked) draw_chord(painter, *walk.asked, view.theme.amber_on_object, 4);
   draw_wrong_guess(painter, view);
   draw_asked_places(painter, view);
-  // As far out as if a robot stood at each end: numbers nearer to some ends would give the answer
-  // away.
+  // As far out as if a robot stood at each end: nearer numbers would give the answer away.
   const double reach = static_cast<double>(mark_radius(view.placement->teams));
   Occupied occupied = occupied_by_marks(view, reach);
   draw_values(painter, view, occupied);

@@ -1,5 +1,4 @@
-// The picture of a step of the walkthrough: everything known after it and, on top, the step's
-// figures.
+// A step of the walkthrough: everything known after it and, on top, its figures.
 #pragma once
 
 #include "picture/canvas_view.h"

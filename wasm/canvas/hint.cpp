@@ -23,7 +23,7 @@ std::string hint_of_walkthrough(const AppState& state) {
   return "Click a chord, or anywhere in the object: why not this one?";
 }
 
-// A drag moves the vertex even if a robot stands on it, unless the robot's card is open.
+// A drag moves the vertex, even under a robot, unless the robot's card is open.
 std::string hint_of_vertex(const AppState& state, std::size_t i) {
   const Document& document = state.work.document();
   if (i >= count_vertices(document)) return {};
@@ -80,7 +80,6 @@ std::string hint_of_uncertainty(const AppState& state) {
                     : "The centre of mass is known exactly · drag outwards to set an uncertainty";
 }
 
-// The hint while a robot fails.
 std::string hint_of_failing(const Failure& failure, const Pick& at, const Units& units) {
   const std::size_t team = failure.placement.teams.front().robots.size(),
                     robot = at.index * team + static_cast<std::size_t>(at.end);
@@ -188,8 +187,7 @@ std::string hint(const AppState& state) {
 }
 
 std::string shown_hint(const AppState& state, const Layout& layout) {
-  // A phone has neither the room for the hint nor the wheel that it mentions; a notice appears in
-  // its place.
+  // A phone has neither room for the hint nor the wheel that it mentions; a notice takes its place.
   if (!state.session.notice.text.empty() || state.session.screen.foot > 0 ||
       state.session.screen.window_left > 0 || state.session.screen.window_right > 0 ||
       state.session.screen.window_foot > 0 || !layout.wide || state.session.screen.finger ||

@@ -1,4 +1,4 @@
-// The line at the foot of the canvas: the part under the pointer, and its possible uses.
+// The line at the foot of the canvas: the part under the pointer and its uses.
 #pragma once
 
 #include <string>
@@ -10,11 +10,9 @@ namespace evenlift::view {
 // Empty without a hint.
 std::string hint(const AppState& state);
 
-// The hint as far as there is room beside the view tools; its last parts are dropped first.
+// The hint without the last parts that have no room beside the view tools.
 std::string shown_hint(const AppState& state, const Layout& layout);
 
 void draw_hint(ImDrawList& list, const AppState& state, const Layout& layout, const Theme& theme);
-
-// The text with a capital at its beginning, if that is a letter from a to z.
 
 }  // namespace evenlift::view

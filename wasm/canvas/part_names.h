@@ -1,4 +1,3 @@
-// The names of the parts in a step of the walkthrough.
 #pragma once
 
 #include "picture/canvas_view.h"
@@ -7,8 +6,8 @@
 
 namespace evenlift::view {
 
-// Writes "edge 4" or "vertex 1" beside each part of the step, outside the polygon, and "C" beside
-// the centre of mass, all clear of occupied places. O(vertices) for each of them.
+// Writes "edge 4" or "vertex 1" beside each part, outside the polygon, and "C" beside the centre of
+// mass, all clear of occupied places. O(vertices) each.
 void draw_part_names(const Painter& painter, const CanvasView& view, Occupied& occupied);
 
 }  // namespace evenlift::view

@@ -19,7 +19,6 @@ void draw_area(const Painter& painter, const Points& points, Colour fill, Colour
   if (width > 0) painter.outline(points, line, width);
 }
 
-// Everything for drawing a figure.
 struct Brush {
   const Painter& painter;
   const CanvasView& view;
@@ -42,7 +41,7 @@ void draw_outline(const Brush& brush, const Figure& figure) {
   brush.painter.outline(figure.points, brush.colour, brush.width);
 }
 
-// An area in the same colour as its outline, if any, but light enough to show what is below.
+// In its outline's colour, but light enough to show what is below.
 template <int percent>
 void draw_light_area(const Brush& brush, const Figure& figure) {
   draw_area(brush.painter, figure.points, brush.colour.at(percent / 100.0f), brush.colour,
@@ -93,7 +92,7 @@ void draw_circle_gained(const Brush& brush, const Figure& figure) {
   brush.painter.list().AddCircle(middle, radius, brush.colour.packed(), 64, brush.width);
 }
 
-// The lifting base before or after a team: a polygon, or a segment after the first team.
+// A polygon, or a segment after the first team.
 void draw_base_line(const Brush& brush, const Figure& figure) {
   const Points& base = figure.points;
   if (base.size() >= 2) brush.painter.outline(base, brush.colour, brush.width, base.size() > 2);
@@ -111,7 +110,7 @@ void draw_free_turns(const Brush& brush, const Figure& figure) {
                        brush.colour, clockwise);
 }
 
-// An arrow that ends this number of pixels before its end, to spare what is drawn there.
+// An arrow that ends this number of pixels early, to spare what is drawn there.
 void draw_way(const Brush& brush, const Points& p, double before_end) {
   const Vec2 tail = brush.view.camera.to_screen(p[0]),
              way = brush.view.camera.to_screen(p[1]) - tail;
@@ -122,7 +121,7 @@ void draw_way(const Brush& brush, const Points& p, double before_end) {
 
 void draw_way(const Brush& brush, const Figure& figure) { draw_way(brush, figure.points, 15); }
 
-// From the centre of mass in a direction in which the object can slide.
+// From C in a direction in which the object can slide.
 void draw_slide(const Brush& brush, const Figure& figure) {
   if (figure.points.size() < 2) return;
   constexpr double arrow_length = 62;  // pixels
@@ -132,7 +131,7 @@ void draw_slide(const Brush& brush, const Figure& figure) {
     brush.painter.arrow(tail, tail + way / length(way) * arrow_length, brush.colour, brush.width);
 }
 
-// From C to a robot: an arrow if the step is about the arms, otherwise a thin line.
+// From C to a robot: an arrow if the step is about the arms, else a thin line.
 void draw_arm(const Brush& brush, const Figure& figure) {
   const Points& p = figure.points;
   if (brush.view.state.view.walkthrough.detail.step.kind == StepKind::many)
@@ -141,7 +140,7 @@ void draw_arm(const Brush& brush, const Figure& figure) {
     brush.painter.line(p[0], p[1], brush.colour, 1);
 }
 
-// The arms laid end to end, each with an arrowhead.
+// The arms end to end, each with an arrowhead.
 void draw_sum(const Brush& brush, const Figure& figure) {
   const Points& p = figure.points;
   for (std::size_t i = 0; i < p.size(); ++i)
@@ -154,7 +153,7 @@ void draw_middle(const Brush& brush, const Figure& figure) {
   draw_middle(brush.painter, brush.view, figure.points[0]);
 }
 
-// For a robot that fits, or that does not.
+// The robot fits, or does not.
 Brush for_robot(const Brush& brush, const Figure& figure) {
   Brush own = brush;
   if (figure.item) own.colour = brush.theme().amber;
@@ -173,7 +172,7 @@ void draw_body(const Brush& brush, const Figure& figure) {
   brush.painter.list().AddCircle(middle, radius, colour.packed(), 64, brush.width);
 }
 
-// The figure is drawn with the rest of the picture.
+// Drawn with the rest of the picture.
 void draw_elsewhere(const Brush&, const Figure&) {}
 
 struct Look {
@@ -241,7 +240,7 @@ constexpr Look looks[] = {
 };
 // clang-format on
 
-// Each kind has its row, at its number.
+// Each kind's row is at its number.
 constexpr bool in_order() {
   for (std::size_t i = 0; i < std::size(looks); ++i)
     if (looks[i].kind != static_cast<FigureKind>(i)) return false;

@@ -1,4 +1,3 @@
-// The figures of a step of the walkthrough.
 #pragma once
 
 #include "picture/canvas_view.h"
@@ -7,7 +6,7 @@ namespace evenlift::view {
 
 void draw_figure(const Painter& painter, const CanvasView& view, const Figure& figure);
 
-// A ring around a place that the text mentions.
+// Around a place that the text mentions.
 void draw_ring(const Painter& painter, const Vec2& at, Colour colour);
 
 // The point M, with its name.

@@ -34,7 +34,7 @@ class Derivation {
             state.view.card.number};
   }
 
-  // Each stage considers the changes of the preceding stages.
+  // Each stage considers the changes of the preceding ones.
   void run() {
     const bool untraced = facts_.trace == nullptr;
     take_chosen();
@@ -90,10 +90,10 @@ class Derivation {
   bool robots_ = false;  // the robots of the first picture may have changed
   bool second_ = false;  // and those of the second picture
   bool told_ = false;    // the loads were computed again
-  bool fails_ = false;   // another robot fails, or no robot does any more
+  bool fails_ = false;   // another robot fails, or none does
 };
 
-// The worker has finished a document of the drag, unless the drag has ended.
+// The worker's choice for a document of the drag, unless the drag has ended.
 void Derivation::take_chosen() {
   Elsewhere& elsewhere = facts_.elsewhere;
   if (!given_.chosen || !elsewhere.under_way || given_.chosen->number != elsewhere.number) return;
@@ -102,7 +102,7 @@ void Derivation::take_chosen() {
   if (at_rest() || !elsewhere.possible) return;
   const Document document = std::exchange(elsewhere.document, {});
   auto choice = read_choice(*given_.chosen->choice, document.vertices.size());
-  // A refused document is placed here, for the reason of its refusal.
+  // A refused document is placed here for the reason of its refusal.
   adopt(facts_, document,
         choice ? compute_as_chosen(document, *facts_.placement, *std::move(choice))
                : compute_placement(document, facts_.placement, now_.haste));
@@ -110,8 +110,7 @@ void Derivation::take_chosen() {
   placed_ = robots_ = true;
 }
 
-// Whether a worker chooses the teams of this document, or will do so once it has finished the
-// present one.
+// Whether a worker chooses this document's teams, or will do so after the present one.
 bool Derivation::is_chosen_elsewhere() {
   Elsewhere& elsewhere = facts_.elsewhere;
   const Document& document = state_.work.document();
@@ -178,8 +177,7 @@ void Derivation::trace() {
   }
   ++facts_.traces;
   facts_.trace = std::make_shared<const Trace>(std::move(trace).value());
-  // For balanced robots, the trace has completed the search, so no other search needs to continue
-  // it.
+  // The trace of balanced robots completes their search, so no other needs to continue it.
   const Placement& found = facts_.trace->placement;
   if (!facts_.trace->balanced() || !found.search_ended || facts_.placement->search_ended) return;
   end_search(facts_, effects_);
@@ -209,7 +207,7 @@ void Derivation::place_second() {
   second_ = true;
 }
 
-// During a drag, the number of teams for a capacity and the best ratio can wait.
+// During a drag, the number of teams for a capacity and the best ratio wait.
 void Derivation::plan() {
   facts_.plan_due |= now_.shown.capacity != before_.shown.capacity;
   if (facts_.refusal || !facts_.placement) return;
@@ -249,8 +247,8 @@ void Derivation::search() {
   begin_count(facts_, now_.shown.capacity, effects_);
 }
 
-// Balanced robots and teams that wait for swaps are still being improved. A walkthrough and an
-// article show what there is.
+// Balanced robots and teams that wait for swaps still improve. A walkthrough and an article show
+// what there is.
 void Derivation::offer() {
   facts_.offer_due |= robots_ || facts_.elsewhere.under_way ||
                       now_.challenge != before_.challenge ||
@@ -275,8 +273,7 @@ void Derivation::let_fail() {
   effects_.push_back(SummaryChanged{});
 }
 
-// The card stays with a robot that is moved by hand, and otherwise disappears when the robots
-// change.
+// The card stays with a robot moved by hand, and otherwise disappears when the robots change.
 void Derivation::explain() {
   const std::optional<Pick>& of = state_.view.card.of;
   if (now_.card != before_.card) {
@@ -302,8 +299,8 @@ void Derivation::explain_again() {
   facts_.explanation = view::explain(state_, {Pick::Kind::robot, team, static_cast<int>(end), at});
 }
 
-// Addresses and storage get the document once a drag has ended: writing a large one takes longer than
-// a frame.
+// Addresses and storage get the document after a drag: writing a large one takes longer than a
+// frame.
 void Derivation::tell_of_change() {
   const bool changed = placed_ || now_.shown != before_.shown;
   if (comes_to_rest() || (changed && at_rest()))

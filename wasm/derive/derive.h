@@ -1,16 +1,15 @@
-// Derives everything that follows from the document and the view. No other code writes
-// AppState::derived().
+// Derives AppState::derived(), which no other code writes.
 #pragma once
 
 #include "state/state.h"
 
 namespace evenlift::view {
 
-// Brings the facts up to date, once after each batch of commands: derives again only what differs
-// from the last basis (state/derived.h), and what follows from it. During a drag, slow work waits
-// for the end of the drag. Uses the values that the commands passed on (AppState::given), and asks
-// the browser to search or to announce; changes nothing else. Costs at most one placement for the
-// document and one for the second method; O(overlays) if nothing is out of date.
+// Brings the facts up to date, once after each batch of commands: derives only what differs from
+// the last basis (state/derived.h), and what follows from it. During a drag, slow work waits for
+// its end. Uses the values that commands passed on (AppState::given), and asks the browser to
+// search or to announce; changes nothing else. Costs at most one placement for the document and one
+// for the second method; O(overlays) if nothing is out of date.
 void derive(AppState& state);
 
 }  // namespace evenlift::view

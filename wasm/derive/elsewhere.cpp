@@ -11,11 +11,11 @@
 namespace evenlift::view {
 namespace {
 
-// A placement takes about a microsecond for each vertex and candidate (docs/performance.md), and
-// drawing takes half of a frame.
+// A placement takes about a microsecond per vertex and candidate (docs/performance.md), and drawing
+// takes half of a frame.
 constexpr std::size_t most_within_a_frame = 8000;
 
-// Reads numbers in order. After a wrong one, all that follow are 0, and ok() is false.
+// After a wrong number, all that follow are 0, and ok() is false.
 class Reader {
  public:
   explicit Reader(std::span<const double> numbers) : rest_(numbers) {}

@@ -17,7 +17,7 @@ namespace {
 
 // Another document for the same object. They are tried in this order.
 struct Alternative {
-  const char* verb;  // the beginning of the button's words, in English
+  const char* verb;  // the button's first words, in English
   bool says_held;    // the verb promises a hold
   bool (*suits)(const Placement&);
   Document (*document)(const Derived&);
@@ -55,7 +55,7 @@ bool is_short(const Placement& placement) {
          placement.teams.size() < placement.requested_teams;
 }
 
-// What the alternative gives that the placement lacks: ": held, at least 93 % covered".
+// What the alternative adds: ": held, at least 93 % covered".
 std::string gains(const Placement& before, const Placement& after, bool says_held) {
   std::string text;
   const auto add = [&](const std::string& gain) { text += (text.empty() ? ": " : ", ") + gain; };

@@ -39,7 +39,7 @@ Outlook outlook_of(const Placement& placement, const Failure& failure, const Sho
   return outlook;
 }
 
-// Whether it takes a millisecond or two at most, so that each frame of a drag can do it.
+// A millisecond or two at most, for each frame of a drag.
 bool is_quick(const Placement& placement) {
   return count_robots(placement.teams) <= 16 && placement.vertices().size() <= 2000;
 }

@@ -11,7 +11,7 @@
 namespace evenlift::view {
 namespace {
 
-// The candidates if any load ratio met the minimum.
+// The candidates of any load ratio.
 Result<std::vector<Candidate>> all_candidates(const Placement& placement) {
   const Polygon& polygon = placement.polygon();
   if (!placement.stands) return find_candidates(polygon, placement.centre_of_mass, 0);
@@ -20,7 +20,7 @@ Result<std::vector<Candidate>> all_candidates(const Placement& placement) {
   return std::move(found->candidates);
 }
 
-// The number of balanced robots to compare with: that of the placement, made even for teams.
+// For a comparison: the number of robots of the placement, made even for teams.
 std::uint32_t robots_beside(const Derived& facts, std::uint32_t teams) {
   return facts.placed.settings.method == Method::given
              ? static_cast<std::uint32_t>(facts.placed.settings.supports.size())
@@ -48,7 +48,7 @@ std::optional<double> best_ratio_if_none(const Placement& placement) {
   if (!any || any->empty()) return std::nullopt;
   double best = 0;
   for (const Candidate& c : *any) best = std::max(best, c.chord.ratio);
-  // Rounded down to two decimals, like the slider's values.
+  // To two decimals, like the slider's values.
   return std::floor(best * 100) / 100;
 }
 

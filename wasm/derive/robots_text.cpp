@@ -8,7 +8,7 @@
 namespace evenlift::view {
 namespace {
 
-// Removes the next word from the text and returns it.
+// Removes the word that it returns.
 std::string_view next_word(std::string_view& text) {
   const std::size_t end = text.find(' ');
   const std::string_view word = text.substr(0, end);
@@ -41,7 +41,7 @@ std::optional<std::vector<LiftingPoint>> read_robots(std::string_view text, std:
     if (!edge || *edge >= polygon.vertices().size() || !x || !y) return std::nullopt;
     robots.push_back({Vec2(*x, *y), static_cast<std::uint32_t>(*edge)});
   }
-  // A text that robots_text() would not write is invalid.
+  // Any text that robots_text() would not write is invalid.
   if (robots.size() != number || robots_text(robots) != given) return std::nullopt;
   return robots;
 }

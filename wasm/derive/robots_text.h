@@ -1,6 +1,6 @@
 // Robots as text, bit for bit, between the page and the search for balanced robots: an edge and two
-// coordinates for each robot, all separated by spaces. Also the text of a plan for failures: the
-// number of robots and the greatest load of one of them, or only the number of robots tried.
+// coordinates each, separated by spaces. Also the text of a plan for failures: the number of robots
+// and the greatest load of one, or only the number tried.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,8 @@ namespace evenlift::view {
 
 std::string robots_text(const std::vector<LiftingPoint>& robots);
 
-// The robots; nothing if there are not exactly `number` of them, if one is not on an edge of the
-// polygon, or if the text has another form. O(bytes).
+// Nothing unless the text has this form and exactly `number` robots, each on an edge of the
+// polygon. O(bytes).
 std::optional<std::vector<LiftingPoint>> read_robots(std::string_view text, std::size_t number,
                                                      const Polygon& polygon);
 

@@ -10,21 +10,21 @@
 namespace evenlift::view {
 namespace {
 
-// Ends a search that found no robots at all. Returns false if there were robots before.
+// Ends a search that found no robots. Returns false if there were robots before.
 bool find_none(Placement& placement) {
   if (!placement.teams.empty()) return false;
   placement.search_ended = true;
   return true;
 }
 
-// The balanced placement on the screen: the first, the second, or null.
+// The balanced placement on the screen, or null.
 std::optional<Placement>* balanced(Derived& facts) {
   for (std::optional<Placement>* placement : {&facts.placement, &facts.second})
     if (*placement && (*placement)->settings.method == Method::balanced) return placement;
   return nullptr;
 }
 
-// The settings of the placed object; the goal is the effective one.
+// The placed object's settings, with the effective goal.
 std::string settings_of(const Derived& facts, Settings settings) {
   settings.goal = goal_of(settings);
   return settings_text({{}, facts.placed.centre_of_mass, std::move(settings)});

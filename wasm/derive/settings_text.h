@@ -1,4 +1,4 @@
-// The settings on which robots and their loads depend, as text between the page and its workers.
+// The settings on which robots and their loads depend, as text for the page's workers.
 #pragma once
 
 #include <string>
@@ -9,14 +9,13 @@
 
 namespace evenlift::view {
 
-// The line `name=value` of a setting, as read_lines() reads it; empty for a setting without a text.
+// A setting's line `name=value`, as read_lines() reads it; empty for one without a text.
 std::string setting_line(Setting setting, const Document& document);
 
-// The lines of all settings on which robots or their loads depend, including the centre of mass.
+// The lines of all these settings, including the centre of mass.
 std::string settings_text(const Document& document);
 
-// Whether every line is `name=value` with a valid value; if so, changes the document accordingly.
-// O(bytes).
+// Reads lines `name=value` into the document. Returns false at the first invalid one. O(bytes).
 bool read_lines(std::string_view lines, Document& document);
 
 }  // namespace evenlift::view

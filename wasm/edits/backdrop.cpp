@@ -15,10 +15,9 @@ namespace {
 
 void show_all_of_it(AppState& state) {
   state.view.camera = fitting_camera(state);
-  state.view.camera_follows = true;  // cards appear and disappear beside it
+  state.view.camera_follows = true;  // cards come and go beside it
 }
 
-// Maps a point of the picture when the picture is scaled.
 struct Scaled {
   Vec2 low;
   double factor;

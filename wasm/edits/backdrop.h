@@ -8,15 +8,14 @@
 
 namespace evenlift::view {
 
-// Puts a picture with these corners behind the drawing in place of any other, shows all of it and
+// Puts a picture with these corners behind the drawing in place of any other, shows it whole and
 // begins to draw.
 void lay_behind(AppState& state, const Vec2& low, const Vec2& high);
 void take_picture_away(AppState& state);
 
-// Gives the picture this width; its lower left corner becomes the origin. Everything traced on it
-// is scaled with it: the vertices placed so far, or the polygon drawn on it, which is one step of
-// undo. Does nothing without a picture. Returns why the width is impossible, or an empty text. O(n)
-// and a placement.
+// Gives the picture this width; its lower left corner becomes the origin. Also scales what is
+// traced on it: the placed vertices, or the drawn polygon, which is one step of undo. Does nothing
+// without a picture. Returns why the width is impossible, or an empty text. O(n) and a placement.
 std::string scale_picture(AppState& state, double width);
 
 }  // namespace evenlift::view

@@ -23,14 +23,14 @@ LiftingPoint nearest_on_outline(const Points& vertices, const Vec2& to) {
   return nearest;
 }
 
-// A team's left end has the lower number, so the held robot's number may change.
+// A team's left end has the lower number, so the held robot's may change.
 void follow_grip(AppState& state, const Placement& placement, std::size_t now) {
   const auto [team, robot] = find_robot(placement.teams, now);
   if (state.view.held.kind == Pick::Kind::robot && state.view.held.index == team)
     state.view.held.end = static_cast<int>(robot);
 }
 
-// A moved team keeps the edge of one robot: that robot's number.
+// Of a moved team, one robot keeps its edge: that robot's number.
 std::size_t number_of(const Placement& placement, const MovedTeam& team) {
   const std::vector<Robot>& robots = placement.teams[team.team].robots;
   return team.team * robots.size() + (robots[0].point.edge == team.end.edge ? 0 : 1);
@@ -42,7 +42,7 @@ const MovedTeam* find_team(const Moved& moved, std::size_t team) {
   return nullptr;
 }
 
-// Notes that the held robot cannot go there; for a robot moved by keys, shows a notice. O(n).
+// Notes that the held robot cannot go there; for keys, shows a notice. O(n).
 void refuse_by_hand(AppState& state, std::size_t robot, const Vec2& to) {
   if (state.view.held.kind == Pick::Kind::robot)
     state.view.closed_to = nearest_on_outline(state.derived().placement->vertices(), to);
@@ -50,9 +50,8 @@ void refuse_by_hand(AppState& state, std::size_t robot, const Vec2& to) {
     show(state, {Notice::Kind::info, closed_in_words(*state.derived().placement, robot)});
 }
 
-// The robots after one of the first picture moves; see move_robot(). Nothing if they stay. If the
-// others cannot follow, the state notes where a held robot should go; for a robot moved by keys, a
-// notice appears. O(n log n).
+// The robots after a move of one in the first picture, as move_robot() says; nothing if they stay.
+// O(n log n).
 std::optional<Moved> moved_by_hand(AppState& state, std::size_t robot, const Vec2& to) {
   state.view.closed_to.reset();
   if (state.derived().refusal || !state.derived().placement ||
@@ -66,7 +65,6 @@ std::optional<Moved> moved_by_hand(AppState& state, std::size_t robot, const Vec
   return moved;
 }
 
-// The number of the robot after the move.
 std::size_t number_after(const Placement& placement, std::size_t robot) {
   const MovedTeam* moved = find_team(placement.moved, find_robot(placement.teams, robot).team);
   return moved ? number_of(placement, *moved) : robot;

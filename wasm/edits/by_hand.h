@@ -9,14 +9,14 @@ namespace evenlift::view {
 
 // Moves a robot of the first picture. A balanced robot moves to the point of the outline nearest to
 // `to`, and its two neighbours so that all loads stay equal; a team's robot moves along its range
-// towards `to`. If the others cannot follow, the state notes where a held robot should go; for a
-// robot moved by keys, a notice appears. O(n log n).
+// towards `to`. If the others cannot follow, the state notes where a held robot should go; for
+// keys, a notice appears. O(n log n).
 void move_robot(AppState& state, std::size_t robot, const Vec2& to);
 
-// Moves all robots back to their original places: one step of undo, unless no robot was moved.
+// Moves all robots back to their original places: one step of undo, unless none was moved.
 void put_robots_back(AppState& state);
 
-// The same for teams only: a lesson's steps show teams at their original places.
+// For teams only: a lesson's steps show teams at their original places.
 void put_teams_back(AppState& state);
 
 }  // namespace evenlift::view

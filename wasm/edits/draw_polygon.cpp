@@ -19,7 +19,7 @@
 namespace evenlift::view {
 namespace {
 
-// Moves the last point to the end of others. Returns false if there is none.
+// Returns false if `from` is empty.
 bool move_last(Points& from, Points& to) {
   if (from.empty()) return false;
   to.push_back(from.back());
@@ -27,7 +27,7 @@ bool move_last(Points& from, Points& to) {
   return true;
 }
 
-// The document with the drawn hole as its last, or why there can be none.
+// With the drawn hole as its last, or why there can be none.
 Result<Document> with_hole(const Document& document, const Points& hole) {
   Document with = document;
   with.holes.push_back(hole);
@@ -88,7 +88,7 @@ void add_point(AppState& state, const Vec2& at) {
   Points& points = state.view.drawing.points;
   if (!points.empty() && points.back() == at) return;
   points.push_back(at);
-  // The next edge begins here, wherever the cursor was: a finger has no cursor between two taps.
+  // The next edge begins here, even without a cursor: a finger has none between two taps.
   state.view.drawing.last_cursor = at;
   if (state.view.drawing.cursor) state.view.drawing.cursor = at;
   state.view.drawing.undone.clear();

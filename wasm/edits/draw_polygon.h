@@ -10,10 +10,10 @@
 
 namespace evenlift::view {
 
-// Switches to another tool, and forgets the drawn points.
+// Also forgets the drawn points.
 void take_tool(AppState& state, Tool tool);
 
-// After a change of the placed vertices: forgets the typed values of the next edge, and whether the
+// After the placed vertices change: forgets the typed values of the next edge, and whether the
 // shape can be closed.
 void renew_drawing(AppState& state);
 
@@ -26,10 +26,10 @@ void set_draw_cursor(AppState& state, const SetDrawCursor& cursor);
 // Takes over the typed values of the next edge, and moves the cursor there.
 void type_edge(AppState& state, const TypeEdge& typed);
 
-// Forgets the typed values of the next edge: it ends at the pointer again, or has not begun.
+// Forgets the typed values: the edge ends at the pointer again, or has not begun.
 void withdraw_edge(AppState& state);
 
-// Opens the drawn polygon with the present settings.
+// With the present settings.
 void finish_drawing(AppState& state);
 
 }  // namespace evenlift::view

@@ -6,14 +6,14 @@
 
 namespace evenlift::view {
 
-// Records the work for undo before a change. Consecutive live edits are one step.
+// Records the work for undo. Consecutive live edits are one step.
 void begin_edit(AppState& state, bool live, Edit edit);
 
-// Begins an edit and returns the document to change. The document will be placed again, so the last
-// notice ends, and robots that were moved by hand go back.
+// Begins an edit of the document, which will be placed again: the last notice ends, and robots
+// moved by hand go back.
 Document& edit(AppState& state, bool live, Edit edit);
 
-// Applies the difference between two values of Shown, except the step. This is an edit, unless only
+// Applies the difference between two values of Shown, except the step: an edit, unless only
 // overlays differ.
 void change_shown(AppState& state, const Shown& before, const Shown& after, bool live = false);
 

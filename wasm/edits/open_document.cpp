@@ -9,7 +9,6 @@
 namespace evenlift::view {
 namespace {
 
-// Forgets everything about the former document.
 void forget_former(AppState& state) {
   if (draws(state.view.tool)) state.view.tool = Tool::parts;
   state.view.drawing = {};

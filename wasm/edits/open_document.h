@@ -9,17 +9,17 @@
 
 namespace evenlift::view {
 
-// Opens a document as one step of undo.
+// As one step of undo.
 void open(AppState& state, Opened opened, Edit edit = Edit::opened);
 
-// Opens a document without a step of undo, such as a lesson that is being written.
+// Without a step of undo, such as for a lesson that is being written.
 void show_opened(AppState& state, Opened opened);
 
-// Opens the first document of the page. There is nothing to undo, unless `work` is given: an older
-// document, which undo opens, and which is placed only then.
+// The page's first document. There is nothing to undo, unless `work` is given: an older document,
+// which undo opens and only then places.
 void start_with(AppState& state, Opened opened, const std::optional<Document>& work);
 
-// Continues with a document that was refused while it was edited; this is one step of undo.
+// Continues with a document that was refused while edited, as one step of undo.
 void resume_draft(AppState& state, Document draft);
 
 }  // namespace evenlift::view

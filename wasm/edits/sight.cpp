@@ -7,8 +7,7 @@
 namespace evenlift::view {
 namespace {
 
-// As multiples of the fitting scale. A larger zoom would make screen coordinates too large for
-// floats.
+// Multiples of the fitting scale. A larger zoom would make screen coordinates too large for floats.
 constexpr double largest_zoom = 1000, smallest_zoom = 0.25;
 
 }  // namespace
@@ -43,8 +42,7 @@ void zoom_view(AppState& state, const Vec2& about, double factor) {
 }
 
 void frame_view(AppState& state) {
-  // A polygon must not move while the user draws it; a picture may move until its first vertex is
-  // traced.
+  // A polygon must not move while it is drawn; a picture may until its first vertex is traced.
   const bool drawn =
       draws(state.view.tool) && !(state.work.backdrop && state.view.drawing.points.empty());
   if (!state.view.camera_follows || state.work.edit_open || drawn) return;

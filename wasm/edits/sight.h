@@ -5,18 +5,18 @@
 
 namespace evenlift::view {
 
-// The view fits its window again, until the user pans or zooms.
+// Fits the window again, until the user pans or zooms.
 void fit_view(AppState& state);
 
-// Fits the view to the polygon if that is due: for a new document and, until the user pans or
-// zooms, also after the window or its panels changed. Never during a drag.
+// Fits the view to the polygon if due: for a new document and, until the user pans or zooms, after
+// the window or its panels changed. Never during a drag.
 void frame_view(AppState& state);
 
-// Uses this camera, within the smallest and the largest zoom.
+// Within the smallest and the largest zoom.
 void look_through(AppState& state, const Camera& camera);
 void zoom_view(AppState& state, const Vec2& about, double factor);
 
-// Keeps a cursor that is moved by keys visible: the drawing moves along.
+// Moves the drawing so that a cursor moved by keys stays visible.
 void keep_in_sight(AppState& state, const Vec2& at);
 
 }  // namespace evenlift::view

@@ -30,7 +30,7 @@ std::string way_back(Method method) {
   return say("Back to {method}", {name});
 }
 
-// Begins an edit of the supports and returns the document with the method `given`.
+// Returns the document, with the method `given`.
 Document& edit_supports(AppState& state, bool live) {
   const Placement& placement = *state.derived().placement;
   const Method before = settings(state).method;
@@ -45,7 +45,6 @@ Document& edit_supports(AppState& state, bool live) {
   return document;
 }
 
-// Removes the capacity of a support, or inserts one.
 void remove_capacity(Capacities& capacities, std::size_t robot) {
   if (robot < capacities.size())
     capacities.erase(capacities.begin() + static_cast<std::ptrdiff_t>(robot));
@@ -54,7 +53,7 @@ void remove_capacity(Capacities& capacities, std::size_t robot) {
     capacities.clear();
 }
 
-// Places the document here, and says which robot moved, so that its card stays open.
+// Places the document here and notes the moved robot, so that its card stays open.
 void hand_over(AppState& state, std::size_t robot) {
   const Document& document = state.work.document();
   Result<Placement> placed =
@@ -71,7 +70,7 @@ Settings taken_over(Settings settings, const Placement& placement) {
   const auto teams = static_cast<std::uint32_t>(placement.teams.size());
   settings = with_method(std::move(settings), Method::given, std::max(teams, 1u));
   settings.supports = positions(contact_points(placement));
-  // Without any robot, one at each of the first corners.
+  // Without robots, one at each of the first corners.
   const Points& hull = placement.polygon().hull();
   for (std::size_t i = 0; settings.supports.empty() || (placement.teams.empty() && i < 3); ++i)
     settings.supports.push_back(hull[i]);
@@ -89,7 +88,7 @@ void move_support(AppState& state, std::size_t robot, const Vec2& to) {
   if (!has_robots(state) || state.derived().placement->teams.empty()) return;
   const bool was_away = state.view.away.has_value();
   const auto spot = support_spot(state, to, was_away ? std::nullopt : std::optional(robot));
-  // In a challenge all robots stay: one that is dragged out waits where it last could stand.
+  // In a challenge all robots stay: one dragged out waits where it last could stand.
   if (!spot && state.view.challenge && !state.view.task) return;
   if (!spot && (was_away || count_robots(state.derived().placement->teams) == 1)) {
     if (was_away) state.view.away->at = to;

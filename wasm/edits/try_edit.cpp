@@ -15,7 +15,6 @@
 namespace evenlift::view {
 namespace {
 
-// Whether the edit leaves the placement unchanged.
 bool places_nothing(const AppState& state, const Document& edited) {
   return !state.derived().refusal && edited.vertices == state.work.document().vertices &&
          edited.holes == state.work.document().holes &&
@@ -23,7 +22,7 @@ bool places_nothing(const AppState& state, const Document& edited) {
          edited.settings == settings(state);
 }
 
-// Opens the walkthrough at this step, with the teams at their original places.
+// With the teams at their original places.
 std::optional<InputError> try_to_open(AppState& state, std::uint32_t step, const Units& units) {
   Result<Placement> found = *state.derived().placement;
   if (!state.work.document().moved.teams.empty()) {
@@ -42,7 +41,7 @@ std::optional<InputError> try_to_open(AppState& state, std::uint32_t step, const
   return std::nullopt;
 }
 
-// Goes to another step of the open document's walkthrough, or closes the walkthrough.
+// Goes to a step of the open document's walkthrough, or closes it.
 std::optional<InputError> try_step(AppState& state, const Shown& wanted) {
   const std::optional<std::uint32_t> step = wanted.step;
   if (!step) {
@@ -72,7 +71,7 @@ std::optional<InputError> try_edit(AppState& state, const Document& edited, std:
   if (places_nothing(state, edited)) {
     if (auto problem = check_robot(*state.derived().placement, failed)) return problem;
     const Shown before = shown(state);
-    // This may leave a lesson, and so restore other settings.
+    // This may leave a lesson, which restores other settings.
     if (auto problem = try_step(state, edited.shown)) return problem;
     change_shown(state, before, edited.shown);
     return std::nullopt;
@@ -81,7 +80,7 @@ std::optional<InputError> try_edit(AppState& state, const Document& edited, std:
   if (!placement) return placement.error();
   if (auto problem = check_robot(*placement, failed)) return problem;
   std::optional<Trace> trace;
-  // An open step follows the edit; any other step must exist.
+  // An open step follows the edit; any other must exist.
   if (edited.shown.step && edited.shown.step != shown(state).step) {
     Result<Trace> made = compute_trace(*placement, edited.shown.units);
     if (!made) return made.error();

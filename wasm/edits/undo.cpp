@@ -15,7 +15,7 @@
 namespace evenlift::view {
 namespace {
 
-// Undoing a change of the picture's scale also undoes its effect on everything traced on it.
+// Undoing a change of the picture's scale also undoes its effect on what is traced on it.
 void recall_backdrop(AppState& state, const std::optional<Backdrop>& picture) {
   if (state.work.backdrop && picture && picture->picture == state.work.backdrop->picture)
     state.work.backdrop = picture;
@@ -23,7 +23,6 @@ void recall_backdrop(AppState& state, const std::optional<Backdrop>& picture) {
     state.work.backdrop->traced = false;
 }
 
-// Whether a lesson or its task is open.
 bool is_open(const AppState& state) { return in_lesson(state) || state.view.task; }
 
 void close_task(AppState& state) {
@@ -31,7 +30,6 @@ void close_task(AppState& state) {
   state.view.challenge = false;
 }
 
-// Shows a document of the history in place of the open one.
 void show_recalled(AppState& state, History::Recalled recalled) {
   const bool other_shape = count_handles(recalled.document) != count_handles(state.work.document());
   state.work.edit_open = false;
@@ -47,7 +45,7 @@ void show_recalled(AppState& state, History::Recalled recalled) {
   state.work.second_method = shown(state).step ? std::nullopt : recalled.beside.second_method;
 }
 
-// Undo and redo, announced as `what` for users who cannot see the change.
+// `what` is announced for users who cannot see the change.
 void step_back(AppState& state, History::Recalled recalled, const char* what) {
   Walkthrough& walk = state.view.walkthrough;
   Shown& former = recalled.document.shown;
@@ -60,8 +58,8 @@ void step_back(AppState& state, History::Recalled recalled, const char* what) {
     walk.aside.reset();
     walk.of_lesson = false;
   } else {
-    // The walkthrough's step and the overlays are not undone, unless that leaves a lesson: then the
-    // former ones return.
+    // The step and the overlays are not undone, unless that leaves a lesson: then the former ones
+    // return.
     former = seen_as(former, shown(state));
   }
   // A lesson would show the teams at other places.
@@ -70,14 +68,12 @@ void step_back(AppState& state, History::Recalled recalled, const char* what) {
   announce(state, say(what, {in_words(edit)}));
 }
 
-// The document before the lesson or task, if one is open.
 std::optional<History::Recalled> before_lesson(AppState& state) {
   if (!is_open(state) || state.session.screen.embed) return std::nullopt;
   return state.work.history.leave_lesson(state.work.document(), beside(state.work));
 }
 
-// Announces that what was open before the lesson is back. After an edit in the lesson, the message
-// explains how to return to it.
+// After an edit in the lesson, the message explains how to return to it.
 void tell_of_return(AppState& state, bool edited) {
   if (edited)
     show(state, {Notice::Kind::info,

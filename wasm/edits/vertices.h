@@ -1,5 +1,5 @@
-// Moves, adds and removes what the user grabs on the object: vertices of the outline and of holes, and
-// weights. Numbers are those of handles (handles.h).
+// Moves, adds and removes vertices of the outline and of holes, and weights. Numbers are those of
+// handles (handles.h).
 #pragma once
 
 #include <cstddef>
@@ -11,19 +11,19 @@ namespace evenlift::view {
 
 void move_handle(AppState& state, std::size_t number, const Vec2& to);
 
-// Inserts a vertex on an edge, and selects it.
+// Also selects it.
 void insert_vertex(AppState& state, std::size_t edge, const Vec2& at);
 
-// Removes a vertex or a weight; a hole of three vertices goes with any of them.
+// A hole of three vertices goes with any of them.
 void remove_handle(AppState& state, std::size_t number);
 
-// Puts a weight of a tenth of the object's own on the object, and selects it.
+// A tenth of the object's own weight; also selects it.
 void add_weight(AppState& state, const Vec2& at);
 
 // Remembers everything that moves with the polygon. O(n).
 void grip_polygon(AppState& state);
 
-// Why a weight is refused, as a sentence without a full stop; empty if it is not. O(bytes).
+// Why a weight is refused, as a sentence without a full stop, or empty. O(bytes).
 std::string problem_of(const Cargo& item);
 
 // Replaces one weight, or says why not.

@@ -22,7 +22,6 @@ const std::vector<Cargo>& cargo_of(const CanvasView& view) {
   return view.state.work.document().settings.cargo;
 }
 
-// The radius for an item that is all the weight.
 double whole_radius(const CanvasView& view) {
   if (!view.placement) return most_radius;
   const double size = std::sqrt(view.placement->polygon().area()) * view.camera.scale;

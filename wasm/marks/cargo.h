@@ -1,4 +1,4 @@
-// Draws the weights on the object and, once there are any, the object's own centre of mass.
+// Draws the weights and, once there are any, the object's own centre of mass.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace evenlift::view {
 
-// A weight's disc, in pixels. Its area tells the share of the total weight, as far as the least and
-// greatest size allow.
+// In pixels. The area tells the share of the total weight, as far as the least and greatest size
+// allow.
 struct CargoDisc {
   Vec2 middle;
   double radius;
@@ -23,18 +23,16 @@ struct CargoLabel {
   std::string text;
 };
 
-// The labels that have room beside their discs, clear of all that is `occupied`, to which the boxes
-// are added. O(items).
+// The labels that have room beside their discs, clear of all that is `occupied`, to which they are
+// added. O(items).
 std::vector<CargoLabel> cargo_labels(const CanvasView& view, Occupied& occupied);
 
-// Occupies the discs, the object's own centre of mass, and the line from it to C.
+// The discs, the object's own centre of mass, and the line from it to C.
 void occupy_by_cargo(const CanvasView& view, Occupied& occupied);
 
-// The discs with their labels.
 void draw_cargo(const Painter& painter, const CanvasView& view);
 
-// The object's own centre of mass and the line from it to C, if there is cargo, which moves C along
-// this lever.
+// The object's own centre of mass and the line from it to C, the lever along which cargo moves C.
 void draw_own_centre(const Painter& painter, const CanvasView& view);
 
 }  // namespace evenlift::view

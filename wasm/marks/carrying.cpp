@@ -21,7 +21,7 @@ bool shows_tilt(const CanvasView& view) {
   return shown(view.state).overlays.tilt && view.current() && view.placement;
 }
 
-// The rows cut into stripes at 45 degrees.
+// Stripes at 45 degrees.
 RowFill stripes_of(const RowFill& rows) {
   constexpr float period = 9, width = 2.5f;
   RowFill stripes{{}, rows.height};
@@ -35,7 +35,7 @@ RowFill stripes_of(const RowFill& rows) {
   return stripes;
 }
 
-// A person, or what else stands there: a head and shoulders above a point.
+// A person, or another load: a head and shoulders above a point.
 void draw_figure(ImDrawList& list, ImVec2 foot, Colour colour, Colour halo) {
   const ImVec2 head(foot.x, foot.y - 20);
   const auto body = [&](float more, Colour of) {

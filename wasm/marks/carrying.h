@@ -1,4 +1,3 @@
-// Where a further load may stand, and on which slopes the object tips.
 #pragma once
 
 #include "picture/canvas_view.h"
@@ -6,16 +5,16 @@
 
 namespace evenlift::view {
 
-// The part of the object in which a further load may stand, in green; the rest is striped. Nothing
-// if the overlay is hidden, or if no load is asked about.
+// Where a further load may stand, in green; the rest is striped. Nothing if the overlay is hidden,
+// or if no load is asked about.
 void draw_load_region(const Painter& painter, const CanvasView& view);
 
-// Circles about C for slopes: where one reaches the edge of the lifting base, the object tips on that
-// slope, if that direction is downhill.
+// Circles about C for slopes: where one reaches the edge of the lifting base, the object tips on
+// that slope, if that direction is downhill.
 void draw_tilt(const Painter& painter, const CanvasView& view);
 
-// What the load does at the pointer, or the slope at which it tips that way. Returns whether there
-// is anything to say.
+// The load's effect at the pointer, or the slope at which the object tips that way. Returns whether
+// it says anything.
 bool draw_carrying_here(const Painter& painter, const CanvasView& view);
 
 }  // namespace evenlift::view

@@ -17,7 +17,7 @@ void draw_tip(const Painter& painter, const ImVec2& tip, const Theme& theme, Col
   painter.list().AddTriangleFilled(tip, left, right, colour.packed());
 }
 
-// A circle of dashes with the length of candidates' dashes.
+// With dashes as long as those of candidates.
 void draw_dashed_circle(ImDrawList& list, ImVec2 at, float radius, Colour colour) {
   const int dashes = std::clamp(static_cast<int>(radius * 0.6f), 12, 120);
   const float turn = 2 * 3.14159265f / static_cast<float>(dashes);

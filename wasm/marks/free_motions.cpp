@@ -12,7 +12,7 @@
 namespace evenlift::view {
 namespace {
 
-// The meaning of an arrow, written in direction `along` from the point.
+// An arrow's meaning, in direction `along` from the point.
 void draw_name(const Painter& painter, const CanvasView& view, const Vec2& at, const Vec2& along,
                Colour colour, const std::string& name, Occupied& occupied) {
   const ImVec2 text = text_size(Face::strong_label, name);
@@ -30,8 +30,8 @@ void keep_clear(const Segment& arrow, Occupied& occupied) {
     occupied.disc(arrow.from + share * (arrow.to - arrow.from), 6);
 }
 
-// From the middle of the window to the nearest point of a convex region, in pixels; nothing if a
-// part of it is visible.
+// From the window's middle to the nearest point of a convex region, in pixels; nothing if part of
+// it is visible.
 std::optional<Vec2> way_out_of_sight(const CanvasView& view, const Rect& window,
                                      const Points& region) {
   Points seen;
@@ -46,8 +46,7 @@ std::optional<Vec2> way_out_of_sight(const CanvasView& view, const Rect& window,
   return clip(std::move(seen), box).empty() ? std::optional(way) : std::nullopt;
 }
 
-// The part of the window that is also clear of the view tools, which are at the foot, or on a phone
-// at the right.
+// Also clear of the view tools, which are at the foot or, on a phone, at the right.
 Rect without_tools(const CanvasView& view) {
   Rect window = view.uncovered();
   const Rect& tools = view.layout.tools;
@@ -58,8 +57,7 @@ Rect without_tools(const CanvasView& view) {
   return window;
 }
 
-// An arrow at the edge of the window that points to a region beyond it; nothing without such a
-// region or without room.
+// At the window's edge, to a region beyond it; nothing without one or without room.
 std::optional<Segment> arrow_to_region(const CanvasView& view, const Rect& window,
                                        const Points& region) {
   constexpr double from_edge = 22, arrow = 44;

@@ -1,4 +1,4 @@
-// Arrows for free motions of the object that the picture's regions do not show.
+// Arrows for free motions that the picture's regions do not show.
 #pragma once
 
 #include "picture/canvas_view.h"
@@ -6,12 +6,12 @@
 
 namespace evenlift::view {
 
-// An arrow from the centre of mass in a direction in which the object can slide, with its name if
-// there is room.
+// From the centre of mass in a direction in which the object can slide, with its name if there is
+// room.
 void draw_slide(const Painter& painter, const CanvasView& view, Occupied* occupied);
 
-// For each region of free rotation that should be shown but is outside the window, an arrow at the
-// window's edge that points to it, with its meaning if there is room. O(corners of the regions).
+// An arrow at the window's edge to each region of free rotation that should be shown but is
+// outside, with its meaning if there is room. O(corners of the regions).
 void draw_far_regions(const Painter& painter, const CanvasView& view, Occupied* occupied);
 
 }  // namespace evenlift::view

@@ -18,14 +18,13 @@
 namespace evenlift::view {
 namespace {
 
-// The part of the picture that nothing covers.
 Rect free_window(const CanvasView& view) {
   const Rect uncovered = view.uncovered();
   return {uncovered.left + 4, uncovered.top + view.layout.caption + 4, uncovered.right - 4,
           uncovered.bottom - 4};
 }
 
-// The box of the coverage's text, in pixels; nothing if it is hidden or has no room.
+// In pixels; nothing if the text is hidden or has no room.
 std::optional<Rect> coverage_box(const CanvasView& view) {
   const CoveragePlace& place = view.scene.coverage;
   const bool wanted = shown(view.state).overlays.lifting_base && view.placement->loads;
@@ -44,13 +43,13 @@ Rect about(const Vec2& middle, double reach) {
   return {middle.x() - reach, middle.y() - reach, middle.x() + reach, middle.y() + reach};
 }
 
-// The radius of a sized robot, in pixels.
+// Of a sized robot, in pixels.
 double body_radius(const CanvasView& view) {
   return view.placement->stands->robot().radius * view.camera.scale;
 }
 
-// The chord of the hovered team or candidate. Balanced robots have no chords, and a failed robot
-// leaves its partner alone.
+// Of the hovered team or candidate. Balanced robots have no chords, and a failed robot leaves its
+// partner alone.
 std::optional<Chord> pointed_chord(const CanvasView& view) {
   const Pick at = marked_part(view.state);
   const Placement& placement = *view.placement;
@@ -70,7 +69,7 @@ void draw_coverage(const Painter& painter, const CanvasView& view) {
 
 namespace {
 
-// The edges of a ring, and its vertices if they have grips.
+// The edges, and the vertices if they have grips.
 void occupy_by_ring(const CanvasView& view, const Points& ring, bool grips, Occupied& occupied) {
   Vec2 last = view.camera.to_screen(ring.back());
   for (const Vec2& vertex : ring) {
@@ -81,7 +80,7 @@ void occupy_by_ring(const CanvasView& view, const Points& ring, bool grips, Occu
   }
 }
 
-// The places of all marks but the labels of cargo.
+// All marks but the labels of cargo.
 Occupied occupied_by_unlabelled(const CanvasView& view, double reach) {
   const Placement& placement = *view.placement;
   Occupied occupied(free_window(view));
@@ -90,7 +89,7 @@ Occupied occupied_by_unlabelled(const CanvasView& view, double reach) {
       view.state.session.screen.window_foot == 0)  // the hint is beside the tools (canvas/hint.cpp)
     occupied.box({view.layout.tools.right, view.layout.tools.top, view.layout.free.right,
                   view.layout.tools.bottom});
-  // The temporary cards over the drawing, at their places of the last frame.
+  // Temporary cards over the drawing, at their places of the last frame.
   for (const Control& control : controls())
     if (control.card == "tool bar" || control.card == "notice") occupied.box(control.window);
   for (const Team& team : placement.teams) {
@@ -168,7 +167,7 @@ std::vector<LoadLabel> load_labels(const CanvasView& view, const RobotSize& size
                           body ? body_radius(view) + 4 : 0});
     }
   }
-  // Among few lines, a label may cross one; among many, only labels that fit are shown.
+  // Among few lines, a label may cross one; among many, only labels that fit appear.
   const auto places = place_labels(requests, occupied, mark_reach(size) + 2, few ? 60 : 8);
   std::vector<LoadLabel> labels;
   for (std::size_t i = 0; i < places.size(); ++i)

@@ -13,12 +13,11 @@ namespace evenlift::view {
 
 void draw_coverage(const Painter& painter, const CanvasView& view);
 
-// The places that labels avoid: robots, the centre of mass, cargo with its labels, vertices that can
-// be dragged, the coverage, and lines.
+// What labels avoid: robots, the centre of mass, cargo with its labels, vertices that can be
+// dragged, the coverage, and lines.
 Occupied occupied_by_marks(const CanvasView& view, double reach);
 
-// The labels of the cargo, which avoid all these places. They do not depend on other labels: these
-// avoid them.
+// The labels of cargo avoid all this. They do not depend on other labels, which avoid them.
 std::vector<CargoLabel> labels_of_cargo(const CanvasView& view);
 
 // The text beside a robot.
@@ -28,18 +27,18 @@ struct LoadLabel {
   bool over;  // the load exceeds the capacity
 };
 
-// The loads beside the robots, except for a failed robot and if no robot carries anything. The
+// The loads beside the robots, except a failed robot's; none if no robot carries anything. The
 // boxes are added to `occupied`. O(robots).
 std::vector<LoadLabel> load_labels(const CanvasView& view, const RobotSize& size,
                                    const Outlook& outlook, Occupied& occupied);
 
-// The same for the planned loads, without uncertainty: the loads of the walkthrough.
+// The planned loads, without uncertainty, for the walkthrough.
 std::vector<LoadLabel> planned_load_labels(const CanvasView& view, const RobotSize& size);
 
 void draw_loads(const Painter& painter, const CanvasView& view,
                 const std::vector<LoadLabel>& labels);
 
-// The load ratio of the hovered chord, on it, if there is room.
+// The hovered chord's load ratio, on it, if there is room.
 void draw_ratio(const Painter& painter, const CanvasView& view);
 
 }  // namespace evenlift::view

@@ -30,8 +30,8 @@
 namespace evenlift::view {
 namespace {
 
-// The vertices of the outline or of a hole: each a ring as a grip, or a dot; nothing if they would be
-// so close that they hide the shape.
+// Each vertex is a ring as a grip, or a dot; nothing where they are so close that they hide the
+// shape.
 void draw_ring(const Painter& painter, const CanvasView& view, const Points& ring,
                std::size_t first) {
   const AppState& state = view.state;
@@ -78,7 +78,7 @@ void draw_edge_offer(const Painter& painter, const CanvasView& view) {
   painter.list().AddCircle(at, 5, theme.accent.packed(), 24, 1.5f);
 }
 
-// The path that is closed to the dragged robot, up to where it should go.
+// The path closed to the dragged robot, up to where it should go.
 void draw_closed_stretch(const Painter& painter, const CanvasView& view) {
   const AppState& state = view.state;
   const auto robot = static_cast<std::size_t>(state.view.held.end);
@@ -97,8 +97,8 @@ void draw_closed_stretch(const Painter& painter, const CanvasView& view) {
             closed_in_words(placement, team * placement.teams[team].robots.size() + robot));
 }
 
-// While a robot is placed by hand: a ghost where it would be even with another robot, and outside
-// the object the robot that letting go takes away.
+// While a robot is placed by hand: a ghost where it would be even with another, and outside the
+// object the robot that letting go takes away.
 void draw_support_help(const Painter& painter, const CanvasView& view) {
   const AppState& state = view.state;
   const Theme& theme = view.theme;
@@ -146,12 +146,12 @@ void draw_push(const Painter& painter, const CanvasView& view) {
       safe ? "A press down here does not tip it"
            : say("Tips under a press down of {force}",
                  {load_in_words(force, placement.weight(), shown(view.state).units)});
-  // The box has the panel's colour, on which the lifting base's dark green would be illegible.
+  // On the box, which has the panel's colour, the lifting base's dark green would be illegible.
   draw_word(painter.list(), Vec2(static_cast<double>(at.x), static_cast<double>(at.y)),
             view.uncovered(), view.theme, safe ? view.theme.text : view.theme.amber, text);
 }
 
-// Writes why a polygon is refused at the place of the fault.
+// Writes the reason at the place of the fault.
 void draw_reason(const Painter& painter, const CanvasView& view) {
   const InputError& error = *view.state.derived().refusal;
   const Document& document = view.state.work.document();
@@ -188,7 +188,7 @@ void draw_reason(const Painter& painter, const CanvasView& view) {
 
 constexpr float gap_in_caption = 10;
 
-// The result of a method: its loads and, by `further`, its coverage and whether the object is held.
+// A method's result: its loads and, by `further`, its coverage and whether the object is held.
 std::string result_in_words(const Placement& placement, const Units& units, std::size_t further) {
   if (!placement.loads) return "no team";
   const LoadSummary& loads = *placement.loads;
@@ -205,8 +205,7 @@ std::string name_in_caption(const Placement& placement) {
          count_of(count_robots(placement.teams), "robot", "robots");
 }
 
-// The number of further facts that fit in both captions: a fact in only one of them could not be
-// compared.
+// A fact in only one of the captions could not be compared, so both must have room for it.
 std::size_t further_in_captions(const CanvasView& view, float room) {
   const Units& units = shown(view.state).units;
   const auto fits = [&](const Placement& placement, std::size_t further) {
@@ -223,8 +222,8 @@ std::size_t further_in_captions(const CanvasView& view, float room) {
   return further;
 }
 
-// The method's name and result over its picture, while two methods are compared: two lines, or one
-// on a narrow screen.
+// The method's name and result over its picture in a comparison: two lines, or one on a narrow
+// screen.
 void draw_caption(const Painter& painter, const CanvasView& view) {
   if (!view.placement) return;
   const bool wide = view.layout.wide;
@@ -252,8 +251,7 @@ void draw_caption(const Painter& painter, const CanvasView& view) {
   draw_text(painter.list(), Face::label, result_at, view.theme.second_text, result);
 }
 
-// The numbers of edges while the user marks no-go edges, for typing them. A short edge has no room
-// for one.
+// While the user marks no-go edges, for typing them. A short edge has no room for a number.
 void draw_numbers_to_type(const Painter& painter, const CanvasView& view) {
   constexpr double least = 44, reach = 14;  // pixels: of an edge, and of a robot's mark
   const Points& vertices = view.state.work.document().vertices;

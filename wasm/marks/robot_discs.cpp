@@ -113,7 +113,7 @@ void draw_swarm(const Painter& painter, const CanvasView& view, std::size_t team
     painter.list().AddRectFilled(vec(at.x() - 2, at.y() - 2), vec(at.x() + 2, at.y() + 2),
                                  colour.packed());
   };
-  // Overloaded robots come first, so that no other hides them.
+  // Overloaded robots come first, so that none hides them.
   for (const bool over : {true, false}) {
     std::size_t number = 0;
     for (std::size_t i = 0; i < teams; ++i) {

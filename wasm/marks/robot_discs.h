@@ -8,7 +8,7 @@
 
 namespace evenlift::view {
 
-// With many robots the marks are smaller.
+// Smaller for many robots.
 struct RobotSize {
   float disc, ring;
   bool numbered;
@@ -16,44 +16,43 @@ struct RobotSize {
 inline constexpr std::size_t most_labelled = 50;
 RobotSize robot_size(std::size_t teams);
 
-// The radius of a robot's mark, in pixels.
+// In pixels.
 float mark_radius(const std::vector<Team>& teams);
 
-// The distance from a robot to the end of all that is drawn around it: its body and the mark of its
-// team.
+// From a robot to the end of all that is drawn around it: its body and its team's mark.
 double mark_reach(const RobotSize& size);
 
-// The pale body of a robot without a size: not to scale. It lies beneath the discs of all robots.
+// The pale body of a robot without a size: not to scale, and beneath the discs of all robots.
 void draw_small_body(const Painter& painter, const Theme& theme, const RobotSize& size,
                      const Vec2& world);
 
-// The number of teams of two, or the number of such teams that the balanced robots would make.
+// The number of teams of two, or of those that the balanced robots would make.
 std::size_t pairs_of(const std::vector<Team>& teams);
 
-// The number of robots in the first `teams` of the teams.
+// In the first `teams` of the teams.
 std::size_t robots_of(const std::vector<Team>& all, std::size_t teams);
 
-// The size of each robot: near another one it is smaller, and without a number if the number would
-// touch the other. O(m^2) for m robots, of which at most most_labelled pairs are examined.
+// Near another robot, one is smaller, and has no number if that would touch the other. O(m^2) for m
+// robots, of which at most most_labelled pairs are examined.
 std::vector<RobotSize> robot_sizes(const CanvasView& view, const std::vector<Team>& all,
                                    std::size_t teams);
 
-// The look of a robot apart from its size; a failed robot is hollow. The robots of a team of two
-// have a common mark (evenlift::tally) on the side away from C.
+// A failed robot is hollow. The robots of a team of two have a common mark (evenlift::tally) on the
+// side away from C.
 struct RobotLook {
   std::size_t number = 1;
   std::size_t team = 0;         // from 1; 0 without a mark
   Vec2 outward = Vec2::Zero();  // away from C, in polygon coordinates
   double share = 1;             // of the greatest load
   bool over = false, failed = false;
-  bool marked = false;   // its card is open, or somebody points at it
-  bool beneath = false;  // it stands beneath the object, and touches nothing sideways
+  bool marked = false;   // its card is open, or it is pointed at
+  bool beneath = false;  // stands beneath the object, and touches nothing sideways
 };
 void draw_robot(const Painter& painter, const Theme& theme, const RobotSize& size,
                 const Vec2& world, const RobotLook& look);
 
-// Draws thousands of robots as dots, with one dot for all in the same spot, so that the window
-// bounds the cost of a frame.
+// Thousands of robots as dots, with one for all in the same spot: the window bounds the cost of a
+// frame.
 void draw_swarm(const Painter& painter, const CanvasView& view, std::size_t teams);
 
 }  // namespace evenlift::view

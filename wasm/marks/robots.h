@@ -1,4 +1,4 @@
-// Draws the robots of a placement and their loads.
+// A placement's robots and their loads.
 #pragma once
 
 #include "picture/canvas_view.h"

@@ -25,7 +25,7 @@ bool has_few_bodies(const Placement& placement) {
   return draws_sizes(placement) && count_robots(placement.teams) <= most;
 }
 
-// A body smaller than the robot's mark would be hidden behind it.
+// The robot's mark would hide a smaller body.
 bool is_drawn(const CanvasView& view) {
   const double radius = view.placement->stands->robot().radius * view.camera.scale;
   return radius >= static_cast<double>(mark_radius(view.placement->teams));
@@ -37,8 +37,8 @@ void draw_body(const Painter& painter, const CanvasView& view, const PlacedRobot
   const Theme& theme = view.theme;
   const Vec2 inward = robot.contact - robot.stand;
   const double way = length(inward);
-  // In the dark theme a robot is as dark as the background, so the ring around its disc also
-  // surrounds its body.
+  // In the dark theme a robot is as dark as the background, so its disc's ring also surrounds its
+  // body.
   if (way > 0 && size.reach > 0) {
     painter.line(robot.stand, robot.contact, theme.robot_ring, 4);
     painter.line(robot.stand, robot.contact, theme.robot, 2);

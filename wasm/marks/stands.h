@@ -9,26 +9,25 @@
 
 namespace evenlift::view {
 
-// The unusable parts of the boundary: grey, or amber for no-go parts. For placements of robots with
-// a size, or with no-go parts. O(parts).
+// Grey, or amber for no-go parts. For robots with a size, or with no-go parts. O(parts).
 void draw_unusable(const Painter& painter, const Placement& placement, const Theme& theme);
 
-// The robots with a drawn body, because it is larger than a robot's mark; empty for very many
-// robots. O(robots).
+// The robots whose body is drawn, because it is larger than the mark; empty for very many robots.
+// O(robots).
 std::vector<PlacedRobot> drawn_bodies(const CanvasView& view);
 
-// Whether the robots have a size, which is drawn to scale.
+// Whether the robots have a size, drawn to scale.
 bool draws_sizes(const Placement& placement);
 
-// The unusable parts, then the bodies, arms and hands of the robots to scale, beneath their marks.
-// Without a size, no bodies. O(parts + robots).
+// The unusable parts, then the robots' bodies, arms and hands to scale, beneath their marks. Bodies
+// need a size. O(parts + robots).
 void draw_stands(const Painter& painter, const CanvasView& view);
 
 // Why no robot can stand at the hovered place of an edge; nothing if one can, or if the placement
 // is not the document's. O(log n).
 std::optional<WhyUnusable> why_unusable(const AppState& state, const Pick& at);
 
-// Writes that reason at the pointer.
+// At the pointer.
 void draw_why_unusable(const Painter& painter, const CanvasView& view);
 
 }  // namespace evenlift::view

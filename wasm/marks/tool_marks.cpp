@@ -16,8 +16,7 @@
 namespace evenlift::view {
 namespace {
 
-// The chain with its unfinished edge. While the pointer is in the fields of the bar, the edge that
-// they describe stays.
+// While the pointer is in the fields of the bar, the edge that they describe stays.
 Points chain_with_cursor(const AppState& state, bool closing) {
   const Drawing& drawing = state.view.drawing;
   const std::optional<Vec2>& end =
@@ -39,7 +38,6 @@ void draw_first_cursor(const Painter& painter, const AppState& state, const Them
             theme.second_text, given_point(*cursor));
 }
 
-// The edges of the chain that cross another one.
 std::set<std::size_t> crossed_edges(const Points& chain) {
   std::set<std::size_t> crossed;
   for (const auto& [i, j] : crossings(chain)) {
@@ -60,7 +58,7 @@ void draw_chain(const Painter& painter, const AppState& state, const Theme& them
   }
 }
 
-// The placed vertices; a press on the first one would close the shape.
+// A press on the first vertex would close the shape.
 void draw_placed(const Painter& painter, const AppState& state, const Theme& theme, bool closing) {
   const Drawing& drawing = state.view.drawing;
   const Pick& named =
@@ -79,7 +77,7 @@ void draw_placed(const Painter& painter, const AppState& state, const Theme& the
   }
 }
 
-// The first edge that the chain's last one crosses.
+// The first one.
 std::optional<std::size_t> edge_crossed_by_last(const Points& chain) {
   for (const auto& [i, j] : crossings(chain))
     if (j + 2 == chain.size()) return i;
@@ -94,7 +92,7 @@ std::string closing_words(const AppState& state) {
   return hole ? "Click to close the hole" : "Click to close the shape";
 }
 
-// The centre of mass of the shape if it were closed now.
+// The centroid of the shape, if it were closed now.
 void draw_centroid(const Painter& painter, const Theme& theme, const Points& chain) {
   if (const std::optional<Vec2> centroid = centroid_of(chain))
     draw_centre_mark(painter.list(), painter.at(*centroid), 8, theme.second_text, theme.panel);
@@ -130,7 +128,7 @@ void draw_drawing(const Painter& painter, const AppState& state, const Theme& th
   draw_placed(painter, state, theme, closing);
   std::set<std::size_t> named = crossed;
   if (drawing.refusal && drawing.refusal->place.kind == Place::Kind::edge) {
-    // Of a hole, the other edge may be one of the object's.
+    // A hole's other edge may be one of the object's.
     const Place& place = drawing.refusal->place;
     named.insert(place.index);
     if (place.other_ring == place.ring) named.insert(place.other);
@@ -167,7 +165,7 @@ void draw_frame_grips(const Painter& painter, const AppState& state, const Theme
   const ImVec2 low = vec(frame.left, frame.top), high = vec(frame.right, frame.bottom);
   const bool held = state.view.held.kind == Pick::Kind::frame && state.work.edit_open;
   if (held && state.view.held.index == static_cast<std::size_t>(FrameGrip::turn)) {
-    // The frame turns with the polygon; it is upright again after the knob is released.
+    // The frame turns with the polygon until the knob is released.
     const Points corners = turned_frame(state);
     for (std::size_t i = 0; i < 4; ++i)
       list.AddLine(vec(corners[i]), vec(corners[(i + 1) % 4]), theme.accent.at(0.6f).packed(),

@@ -1,5 +1,4 @@
-// The drawings of the tools: the polygon that is being drawn, and the frame for moving, turning and
-// scaling.
+// The tools' drawings: the polygon being drawn, and the frame for moving, turning and scaling.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +11,12 @@ namespace evenlift::view {
 void draw_drawing(const Painter& painter, const AppState& state, const Theme& theme);
 void draw_frame_grips(const Painter& painter, const AppState& state, const Theme& theme);
 
-// An edge and its index.
 struct NumberedEdge {
   Vec2 a, b;
   std::size_t edge;
 };
-// The numbers of edges, on them, counted from 1 as in messages and settings. They cover neither
-// each other nor, if their edges have room, the boxes `before`, in pixels.
+// From 1, as in messages and settings. The numbers cover neither each other nor, if their edges
+// have room, the boxes `before`, in pixels.
 void draw_edge_numbers(const Painter& painter, const Theme& theme, Colour colour,
                        const std::vector<NumberedEdge>& edges, std::vector<Rect> before = {});
 

@@ -12,7 +12,7 @@
 namespace evenlift::view {
 namespace {
 
-// A former place of a robot: its disc, hollow and with its number.
+// A robot's former place: its disc, hollow and with its number.
 void draw_left(const Painter& painter, const CanvasView& view, const Figure& figure) {
   const ImVec2 at = painter.at(figure.points[0]);
   painter.list().AddCircleFilled(at, 11, view.theme.object.packed(), 32);
@@ -23,8 +23,8 @@ void draw_left(const Painter& painter, const CanvasView& view, const Figure& fig
             view.theme.amber_on_object, number);
 }
 
-// The robots that stay while a question concerns the others. A ring marks a possible place of the
-// others (canvas_walkthrough.cpp).
+// The robots that stay while a question concerns the others, whose possible places have rings
+// (canvas_walkthrough.cpp).
 void draw_rest_of_question(const Painter& painter, const CanvasView& view) {
   const BalancedDetail& balanced = *view.state.view.walkthrough.ask->detail.balanced;
   const RobotSize size = robot_size((balanced.robots.size() + 1) / 2);
@@ -41,7 +41,6 @@ void draw_rest_of_question(const Painter& painter, const CanvasView& view) {
   }
 }
 
-// The balanced robots of the current step.
 void draw_balanced_of_walkthrough(const Painter& painter, const CanvasView& view) {
   const Walkthrough& walk = view.state.view.walkthrough;
   if (asks_of_other_robots(view.state)) return draw_rest_of_question(painter, view);
@@ -69,13 +68,13 @@ std::vector<LoadLabel> loads_of_walkthrough(const CanvasView& view) {
   if (asks_of_other_robots(view.state) || !walk.detail.balanced ||
       (chapter != Chapter::loads && chapter != Chapter::grasp))
     return {};
-  // The user may have moved the document's robots by hand.
+  // The document's robots may have been moved by hand.
   CanvasView found = view;
   found.placement = &walk.trace->placement;
   return planned_load_labels(found, robot_size((walk.detail.balanced->robots.size() + 1) / 2));
 }
 
-// The given supports that the steps have shown.
+// As far as the steps have shown them.
 void draw_supports_of_walkthrough(const Painter& painter, const CanvasView& view) {
   const std::vector<Robot>& robots = view.placement->teams[0].robots;
   const std::uint32_t known = view.state.view.walkthrough.known.robots;

@@ -1,4 +1,3 @@
-// The robots of a step of the walkthrough.
 #pragma once
 
 #include <vector>
@@ -8,11 +7,10 @@
 
 namespace evenlift::view {
 
-// The text beside the robots once all loads are known. Names keep clear of it
-// (canvas_walkthrough.cpp).
+// The loads, once all are known. Names keep clear of them (canvas_walkthrough.cpp).
 std::vector<LoadLabel> loads_of_walkthrough(const CanvasView& view);
 
-// The robots placed up to the current step.
+// Those placed up to the current step.
 void draw_robots_of_walkthrough(const Painter& painter, const CanvasView& view);
 
 }  // namespace evenlift::view

@@ -1,5 +1,4 @@
-// The choice of teams while a large object is dragged, for a worker (web/page/choosing_worker.js). It
-// uses the core and nothing of the view.
+// The choice of teams while a large object is dragged, for a worker (web/page/choosing_worker.js).
 #include <emscripten/emscripten.h>
 
 #include <cstddef>
@@ -20,8 +19,8 @@ std::vector<double>& choice() {
 
 extern "C" {
 
-// Places the object with these rings, as so many bytes of doubles, and settings
-// (derive/elsewhere.h). Returns the number of bytes of the choice: 0 if the object is refused.
+// Places the object with these rings, `size` bytes of doubles, and settings (derive/elsewhere.h).
+// Returns the choice's size in bytes: 0 if the object is refused.
 EMSCRIPTEN_KEEPALIVE std::size_t choosing_place(const unsigned char* rings, std::size_t size,
                                                 const char* settings) {
   std::vector<double> numbers(size / sizeof(double));
@@ -33,7 +32,7 @@ EMSCRIPTEN_KEEPALIVE std::size_t choosing_place(const unsigned char* rings, std:
   return choice().size() * sizeof(double);
 }
 
-// The choice, until the next call of choosing_place().
+// Until the next call of choosing_place().
 EMSCRIPTEN_KEEPALIVE const double* choosing_choice() { return choice().data(); }
 
 }  // extern "C"

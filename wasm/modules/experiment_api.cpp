@@ -1,5 +1,5 @@
-// The experiment for the page, as a separate WebAssembly module that
-// web/experiment/experiment_worker.js loads. It uses the core and nothing of the view.
+// The experiment for the page: a separate WebAssembly module, which
+// web/experiment/experiment_worker.js loads.
 #include <emscripten/emscripten.h>
 
 #include <algorithm>
@@ -19,13 +19,12 @@ using view::hand_over;
 
 namespace {
 
-// Results collected so far.
 std::vector<experiment::PolygonResult>& collected() {
   static std::vector<experiment::PolygonResult> results;
   return results;
 }
 
-// The settings of the experiment, once experiment_begin has checked them.
+// Once experiment_begin has checked them.
 experiment::ExperimentSettings& settings() {
   static experiment::ExperimentSettings given;
   return given;
@@ -46,7 +45,7 @@ experiment::PolygonResult refused(const std::string& set, const std::string& nam
   return result;
 }
 
-// The result of a polygon, or why there is none; for one method if one is given.
+// A polygon's result, or why there is none; for one method if one is given.
 experiment::PolygonResult measured(const std::string& set, const std::string& name,
                                    const char* text, std::optional<Method> only) {
   const Result<Import> import = read_shapes(text);
@@ -78,8 +77,7 @@ std::uint32_t whole_or_none(double value, std::uint32_t most) {
   return value >= 1 && value <= most ? static_cast<std::uint32_t>(value) : 0;
 }
 
-// The results by set and polygon. Results of one polygon that were measured method by method are
-// merged.
+// By set and polygon. Results of one polygon that were measured method by method are merged.
 std::vector<experiment::PolygonResult> take_collected() {
   std::vector<experiment::PolygonResult> parts = std::exchange(collected(), {}), whole;
   experiment::sort_results(parts);
@@ -104,8 +102,8 @@ std::vector<experiment::PolygonResult> take_collected() {
 
 extern "C" {
 
-// Sets the settings of all later measurements. Returns the name of the setting that is out of
-// range, or an empty text.
+// The settings of all later measurements. Returns the name of the one that is out of range, or an
+// empty text.
 EMSCRIPTEN_KEEPALIVE const char* experiment_begin(double min_ratio, double samples, double weight,
                                                   const char* weight_unit, double most_teams,
                                                   double most_balanced) {
@@ -120,7 +118,7 @@ EMSCRIPTEN_KEEPALIVE const char* experiment_begin(double min_ratio, double sampl
   return hand_over(error ? error->message : "");
 }
 
-// Measures a polygon, with all methods or the named one, and returns its part as text
+// With all methods or the named one. Returns the polygon's part as text
 // (evenlift/experiment/results.h).
 EMSCRIPTEN_KEEPALIVE const char* experiment_measure(const char* set, const char* name,
                                                     const char* text, const char* method) {
@@ -135,15 +133,15 @@ EMSCRIPTEN_KEEPALIVE const char* experiment_refuse(const char* set, const char* 
   return hand_over(part_of(refused(set, name, problem)));
 }
 
-// Adds a part to the results. Returns 0 if the text is not a part.
+// Returns 0 if the text is not a part.
 EMSCRIPTEN_KEEPALIVE int experiment_add(const char* text) {
   std::optional<evenlift::experiment::Part> part = evenlift::experiment::read_part(text);
   if (part) evenlift::collected().push_back(std::move(part->result));
   return part ? 1 : 0;
 }
 
-// The results of the added parts, as JSON (outputs_json): averages over sets, or the results of a
-// single polygon. Clears the parts.
+// Of the added parts, as JSON (outputs_json): averages over sets, or the results of a single
+// polygon. Clears the parts.
 EMSCRIPTEN_KEEPALIVE const char* experiment_results(int one_polygon) {
   using namespace evenlift;
   std::vector<experiment::PolygonResult> results = take_collected();

@@ -1,4 +1,4 @@
-// Steps of the algorithm as plain data for a printed page (web/lessons/handout.js), as a separate
+// Steps of the algorithm as plain data for a printed page (web/lessons/handout.js): a separate
 // WebAssembly module, loaded on first use.
 #include <emscripten/emscripten.h>
 
@@ -31,7 +31,7 @@ namespace {
 // More would be neither printed nor visible.
 constexpr std::size_t most_candidates = 400, most_figures = 400;
 
-// The steps of a lesson, with the teacher's words, without steps that this trace lacks.
+// The lesson's steps that this trace has, with the teacher's words.
 struct Stop {
   std::uint32_t step;
   std::string words;
@@ -78,7 +78,6 @@ Known known_at(const Paper& paper, const Trace& trace, const StepDetail& detail)
   return all;
 }
 
-// The figures of the step.
 std::vector<Figure> figures_on_paper(const Trace& trace, const StepDetail& detail) {
   std::vector<Figure> shown = figures(trace, detail);
   std::erase_if(shown, [](const Figure& figure) {
@@ -119,7 +118,6 @@ std::string step_json(const Paper& paper, const Trace& trace, const Stop& stop) 
                        {"words", json::array(words)}});
 }
 
-// Everything that the pictures show.
 Points shown_points(const Placement& placement) {
   Points all = placement.vertices();
   for (const Cargo& item : placement.settings.cargo) all.push_back(item.at);
@@ -171,16 +169,16 @@ std::string handout(std::string_view link, std::string_view lesson_text) {
 
 extern "C" {
 
-// The steps of the lesson with this text, for a link's document; without a lesson, the main steps.
-// Places are on the paper:
+// The steps of this lesson, for a link's document; without a lesson, the main steps. Places are on
+// the paper:
 //   width, height, disc     of a picture; the radius of a robot
 //   polygon, holes, centre
 //   cargo                   for each weight: at, radius of its disc
 //   own_centre              of the object without its cargo
 //   steps                   chapter, caption, formula, in_words (the teacher's), and the picture:
 //     base, candidates, teams   known at this step
-//     figures                   of the step: kind, number, points; a radius is `value` long
-//     robots, words             the robots known at this step; the text in the picture: text, at
+//     figures                   kind, number, points; a radius is `value` long
+//     robots, words             known at this step; the text in the picture: text, at
 //   question, answer        of a lesson that has them
 //   problem                 a sentence, instead of all the above
 EMSCRIPTEN_KEEPALIVE const char* handout_steps(const char* link, const char* lesson) {

@@ -31,7 +31,7 @@ std::size_t letters(const std::string& text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-// Collects the words to write and the obstacles.
+// The words to write, and the obstacles.
 class Words {
  public:
   Words(const Paper& paper, const Trace& trace)
@@ -76,7 +76,7 @@ class Words {
     add_ratios(figures);
   }
 
-  // The numbers of the candidates that the caption compares, beyond their ends.
+  // The numbers of the compared candidates, beyond their ends.
   void add_ranked(const TeamScores& scores) {
     for (const std::uint32_t c : best_ranked(scores)) {
       const Vec2 end = paper_(placement_.candidates[c].chord.r2.position);
@@ -115,8 +115,7 @@ class Words {
     add(std::move(name), around(middle, 1), away);
   }
 
-  // Adds the ratios of the chords that a step compares. The chosen end of the sections is among the
-  // figures twice.
+  // Of the chords that a step compares. The chosen end of the sections is among the figures twice.
   void add_ratios(const std::vector<Figure>& figures) {
     std::vector<const Figure*> chords;
     for (const Figure& figure : figures) {

@@ -1,5 +1,4 @@
-// The pictures of a handout: the mapping from polygon coordinates to the paper, and the places of
-// words on it.
+// The pictures of a handout: the mapping to the paper, and the places of words on it.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +10,8 @@
 
 namespace evenlift {
 
-// The area of a picture, in the units of its SVG, with y down. The points that it shows, the polygon
-// and its cargo, are in its middle.
+// A picture's area, in the units of its SVG, with y down. The polygon and its cargo are in its
+// middle.
 class Paper {
  public:
   static constexpr double width = 320, height = 220, margin = 34;
@@ -20,7 +19,7 @@ class Paper {
   static constexpr double text = 10;  // height of the letters
 
   explicit Paper(const Points& points);
-  // Rounded to tenths, which is invisible and keeps the handout short.
+  // Rounded to tenths: invisible, and shorter.
   Vec2 operator()(const Vec2& p) const;
   Points operator()(const Points& points) const;
   double length(double in_polygon_units) const { return in_polygon_units * scale_; }
@@ -30,8 +29,8 @@ class Paper {
   Vec2 middle_;
 };
 
-// A weight on the object: its disc, whose area tells its share of the total weight, and its name or,
-// without one, its weight.
+// A weight's disc, whose area tells its share of the total weight, and its name or, without one,
+// its weight.
 struct PaperCargo {
   Vec2 middle;  // on the paper
   double radius;
@@ -39,7 +38,6 @@ struct PaperCargo {
 };
 std::vector<PaperCargo> cargo_on_paper(const Paper& paper, const Trace& trace);
 
-// A robot in the picture of a step.
 struct PaperRobot {
   Vec2 middle;                 // on the paper
   std::uint32_t number;        // on its disc, from 1
@@ -54,9 +52,9 @@ struct PaperWords {
   std::string text;
 };
 
-// The text in the picture of a step: C, the names of cargo, the names of parts in the caption, load ratios of the
-// compared chords, and the loads of robots once known. Words without room are left out. O(words (n
-// + words + lines)).
+// The text in a step's picture: C, the names of cargo and of the caption's parts, load ratios of
+// the compared chords, and the robots' loads once known. Words without room are left out. O(words
+// (n + words + lines)).
 std::vector<PaperWords> words_on_paper(const Paper& paper, const Trace& trace,
                                        const StepDetail& detail,
                                        const std::vector<Figure>& figures);

@@ -1,6 +1,5 @@
-// Drawings and tables as polygons, for the page: a separate WebAssembly module, which
-// web/kit/import.js loads when the user opens a text that the program itself does not read. It uses
-// the core and nothing of the view.
+// Drawings and tables as polygons: a separate WebAssembly module, which web/kit/import.js loads for
+// a text that the program itself does not read.
 #include <emscripten/emscripten.h>
 
 #include <algorithm>
@@ -20,10 +19,9 @@ namespace {
 using namespace evenlift;
 using view::hand_over;
 
-// This number of points shows a shape in a small picture.
+// Enough for a small picture.
 constexpr std::size_t most_points = 512;
 
-// The last import.
 Import& imported() {
   static Import last;
   return last;
@@ -36,7 +34,7 @@ const ImportedShape& shape(int index) {
   return at < imported().shapes.size() ? imported().shapes[at] : none;
 }
 
-// The vertices as [[x, y], …], thinned for a small picture.
+// [[x, y], …], thinned for a small picture.
 std::string thinned(const Points& vertices) {
   const std::size_t step = (vertices.size() + most_points - 1) / most_points;
   std::vector<std::string> points;
@@ -49,9 +47,8 @@ std::string thinned(const Points& vertices) {
 
 extern "C" {
 
-// Reads a text. `tolerance` is the distance between curves and edges, or 0 for the default. Returns
-// why the text was refused, or an empty text; then the functions below return its contents, until
-// the next text.
+// `tolerance` is the distance between curves and edges, or 0 for the default. Returns why the text
+// was refused, or an empty text; then the functions below return its contents.
 EMSCRIPTEN_KEEPALIVE const char* import_read(const char* text, double tolerance) {
   ImportOptions options;
   if (tolerance != 0) options.tolerance = tolerance;
@@ -65,14 +62,14 @@ EMSCRIPTEN_KEEPALIVE const char* import_read(const char* text, double tolerance)
 EMSCRIPTEN_KEEPALIVE const char* import_format() { return hand_over(imported().format); }
 EMSCRIPTEN_KEEPALIVE const char* import_unit() { return hand_over(imported().unit); }
 
-// The notes, as an array.
+// As an array.
 EMSCRIPTEN_KEEPALIVE const char* import_notes() {
   std::vector<std::string> notes;
   for (const std::string& note : imported().notes) notes.push_back(json::text(note));
   return hand_over(json::array(notes));
 }
 
-// Whether what was left out is larger than any shape, so that a person should choose.
+// Whether something larger than any shape was left out, so that a person should choose.
 EMSCRIPTEN_KEEPALIVE int import_is_doubtful() { return imported().doubtful ? 1 : 0; }
 
 // The lines that close no shape, each as [[x, y], …].
@@ -85,8 +82,8 @@ EMSCRIPTEN_KEEPALIVE const char* import_left_open() {
 EMSCRIPTEN_KEEPALIVE int import_count() { return static_cast<int>(imported().shapes.size()); }
 
 // For the shape with this index, from 0: its name, its description, the distance between its edges
-// and its curves (0 without curves), and for a small picture its outline as [[x, y], …] and a list of
-// its holes, each in the same form.
+// and its curves (0 without curves), and for a small picture its outline as [[x, y], …] and its
+// holes, each in the same form.
 EMSCRIPTEN_KEEPALIVE const char* import_name(int index) { return hand_over(shape(index).name); }
 EMSCRIPTEN_KEEPALIVE const char* import_describe(int index) {
   return hand_over(describe(shape(index)));
@@ -103,8 +100,8 @@ EMSCRIPTEN_KEEPALIVE const char* import_holes(int index) {
   return hand_over(json::array(holes));
 }
 
-// The text that the program opens: a link if the import has settings or a unit of length, these are
-// requested, and they fit into one; otherwise the polygon in the thesis's format.
+// The text to open: a link if the import has settings or a unit of length, these are requested, and
+// they fit into one; otherwise the polygon in the thesis's format.
 EMSCRIPTEN_KEEPALIVE const char* import_text(int index, int with_settings) {
   const Document& document = shape(index).document;
   const bool has_unit = document.shown.units.length != LengthUnit::none;

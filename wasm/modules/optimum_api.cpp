@@ -1,5 +1,5 @@
-// Compares the greedy choice of teams with the best one, for the window in web/windows/optimum.js.
-// Part of the experiment's module, which runs in a worker.
+// Compares the greedy choice of teams with the best one (web/windows/optimum.js). Part of the
+// experiment's module, which runs in a worker.
 #include <emscripten/emscripten.h>
 
 #include <algorithm>
@@ -145,10 +145,9 @@ std::string as_json(const Compared& compared, Method asked, const std::string& b
 
 extern "C" {
 
-// Compares the teams of a link with the best choice of the same number, within this number of
-// seconds. Returns {"rows", "said"}: rows with a name, the coverage, the loads, whether the robots
-// hold the object, and the chosen candidates; and sentences; or {"problem"} with the reason if
-// there is nothing to compare.
+// Compares the teams of a link with the best choice of the same number, within this time. Returns
+// {"rows", "said"}: rows with a name, the coverage, the loads, whether the object is held, and the
+// chosen candidates; and sentences. Or returns {"problem"}: why there is nothing to compare.
 EMSCRIPTEN_KEEPALIVE const char* optimum_compare(const char* link, double seconds) {
   using namespace evenlift;
   last().reset();
@@ -163,8 +162,7 @@ EMSCRIPTEN_KEEPALIVE const char* optimum_compare(const char* link, double second
   return hand_over(as_json(*last(), document->settings.method, balanced_beside(in_teams, *last())));
 }
 
-// The picture of the greedy choice, or of the best one, as SVG. Precondition: optimum_compare()
-// returned rows.
+// Of the greedy choice, or of the best one, as SVG. Precondition: optimum_compare() returned rows.
 EMSCRIPTEN_KEEPALIVE const char* optimum_picture(int best) {
   using namespace evenlift;
   const std::optional<Compared>& compared = last();

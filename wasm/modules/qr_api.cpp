@@ -1,4 +1,4 @@
-// QR codes (web/windows/qr.js), as a separate WebAssembly module, loaded on first use.
+// QR codes (web/windows/qr.js): a separate WebAssembly module, loaded on first use.
 #include <emscripten/emscripten.h>
 #include <qrcodegen.h>
 
@@ -11,9 +11,9 @@
 
 extern "C" {
 
-// A text as a QR code: a line of 0 and 1 (dark) for each row of modules, without the quiet zone.
-// Empty if the text is too long. The generator chooses the version, the mask, and the strongest
-// error correction that fits that version.
+// A line of 0 and 1 (dark) for each row of modules, without the quiet zone; empty if the text is
+// too long. The generator chooses the version, the mask, and the strongest error correction that
+// fits that version.
 EMSCRIPTEN_KEEPALIVE const char* qr_code(const char* text) {
   static std::array<std::uint8_t, qrcodegen_BUFFER_LEN_MAX> code, work;
   if (!qrcodegen_encodeText(text, work.data(), code.data(), qrcodegen_Ecc_LOW,

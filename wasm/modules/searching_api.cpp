@@ -1,5 +1,5 @@
 // The search for balanced robots. web/page/search_loop.js runs it in a worker or, without workers,
-// between frames. It uses the core and nothing of the view.
+// between frames.
 #include <emscripten/emscripten.h>
 
 #include <optional>
@@ -72,10 +72,9 @@ bool has_ended(const Task& task) { return task.started && (!task.search || task.
 
 extern "C" {
 
-// Begins the search for a polygon in the thesis's format, with settings as lines `name=value`, from
-// these robots (derive/robots_text.h), or from its start without robots. If the settings include a
-// capacity, begins instead the count of the robots needed if any one may fail. Returns 0 if one of
-// the texts is invalid.
+// For a polygon in the thesis's format, with settings as lines `name=value`, from these robots
+// (derive/robots_text.h) or, without robots, from its start. With a capacity, begins instead the
+// count of the robots needed if any one may fail. Returns 0 if a text is invalid.
 EMSCRIPTEN_KEEPALIVE int balanced_begin(const char* polygon, const char* settings,
                                         const char* robots) {
   evenlift::task() = evenlift::read_task(polygon, settings, robots);
@@ -98,7 +97,7 @@ EMSCRIPTEN_KEEPALIVE int balanced_go_on(double milliseconds) {
   return evenlift::has_ended(task) ? 1 : 0;
 }
 
-// The present robots, or the number of robots counted; empty without any.
+// Or the number of robots counted; empty without any.
 EMSCRIPTEN_KEEPALIVE const char* balanced_robots() {
   const std::optional<evenlift::Task>& task = evenlift::task();
   if (task && task->plan) return evenlift::hand_over(evenlift::view::plan_text(*task->plan));

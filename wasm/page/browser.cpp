@@ -1,4 +1,4 @@
-// Each function calls the function with its name in web/page/bindings.js.
+// Each function calls its namesake in web/page/bindings.js.
 #include "page/browser.h"
 
 #include <emscripten/emscripten.h>

@@ -1,6 +1,5 @@
-// Functions for the page's own windows (web/windows): samples, coordinates, files. Edits are
-// commands, so each is one step of undo. A function that may refuse returns the reason as a
-// sentence, or an empty text.
+// For the page's windows (web/windows): samples, coordinates, files. Edits are commands, so each is
+// one step of undo. A function that may refuse returns the reason as a sentence, or an empty text.
 #include <emscripten/emscripten.h>
 
 #include <algorithm>
@@ -36,7 +35,6 @@
 namespace evenlift::view {
 namespace {
 
-// Opens a polygon's text with the present settings.
 std::string open_with_these_settings(std::string_view text) {
   Result<Document> read = read_polygon(text);
   if (!read) return sentence(read.error());
@@ -48,7 +46,7 @@ std::string open_with_these_settings(std::string_view text) {
   return {};
 }
 
-// A coordinate as the formats write it; otherwise nothing, with the reason in `problem`.
+// As the formats write it; otherwise nothing, with the reason in `problem`.
 std::optional<double> coordinate(std::string_view text, std::string& problem) {
   constexpr std::string_view blank = " \t\n\r";
   const std::size_t first = text.find_first_not_of(blank);
@@ -93,7 +91,7 @@ int index_of(const std::optional<std::size_t>& vertex) {
   return vertex ? static_cast<int>(*vertex) : -1;
 }
 
-// The part of a list of this size that begins at `first`, from and up to these numbers.
+// The part that begins at `first`: from and up to these numbers.
 std::pair<std::size_t, std::size_t> part_of(std::size_t size, int first, int count) {
   const std::size_t from = std::min(static_cast<std::size_t>(std::max(first, 0)), size);
   return {from, std::min(from + static_cast<std::size_t>(std::max(count, 0)), size)};
@@ -115,19 +113,19 @@ extern "C" {
 
 // --- Samples and text
 
-// Opens a polygon's text; all settings stay.
+// All settings stay.
 EMSCRIPTEN_KEEPALIVE const char* page_open_sample(const char* text) {
   return hand_over(open_with_these_settings(text));
 }
 
-// The outline of a polygon's text for a small picture: {"centre": [x, y], "vertices": [[x, y], …]}
-// and, if it has any, "holes", each like the vertices. Empty if the text cannot be read.
+// For a small picture: {"centre": [x, y], "vertices": [[x, y], …]} and, if it has any, "holes",
+// each like the vertices. Empty if the text cannot be read.
 EMSCRIPTEN_KEEPALIVE const char* page_outline(const char* text) {
   return hand_over(outline_of(read_polygon(text)));
 }
 
-// The outline of the open polygon when it was opened or drawn, before all later edits; empty if it
-// was too large for a link at that time.
+// The outline when the polygon was opened or drawn, before all later edits; empty if it was then
+// too large for a link.
 EMSCRIPTEN_KEEPALIVE const char* page_origin() {
   AppState& state = app().state;
   std::optional<std::string> before;
@@ -152,7 +150,7 @@ EMSCRIPTEN_KEEPALIVE int page_vertex_count() {
   return static_cast<int>(count_vertices(app().state.work.document()));
 }
 
-// The vertices from `first` on: [[x, y], …].
+// From `first` on: [[x, y], …].
 EMSCRIPTEN_KEEPALIVE const char* page_vertices(int first, int count) {
   evenlift::Points vertices;
   for_each_ring(app().state.work.document(), [&](const evenlift::Points& ring, std::size_t) {
@@ -162,7 +160,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_vertices(int first, int count) {
   return hand_over(points_json(vertices, from, to));
 }
 
-// The document in the thesis's format, also while it is refused.
+// In the thesis's format.
 EMSCRIPTEN_KEEPALIVE const char* page_document_text() {
   return hand_over(evenlift::write_thesis(app().state.work.document()));
 }
@@ -175,7 +173,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_vertex_name(int vertex) {
   return hand_over(handle->ring == 0 ? index : say("H{hole} · {vertex}", {handle->ring, index}));
 }
 
-// The centre of mass [x, y]: the given one, or the last centroid; and whether it was given.
+// [x, y]: the given one, or the last centroid; and whether it was given.
 EMSCRIPTEN_KEEPALIVE const char* page_centre() {
   const AppState& state = app().state;
   return hand_over(json::pair(
@@ -191,8 +189,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_refusal() {
   return hand_over(state.derived().refusal ? sentence(*state.derived().refusal) : std::string());
 }
 
-// Sets one coordinate of a vertex, or of the centre of mass if `vertex` is -1. `axis` is 0 for x
-// and 1 for y.
+// Of a vertex, or of the centre of mass if `vertex` is -1. `axis` is 0 for x and 1 for y.
 EMSCRIPTEN_KEEPALIVE const char* page_set_coordinate(int vertex, int axis, const char* text) {
   const AppState& state = app().state;
   const evenlift::Document& document = state.work.document();
@@ -222,21 +219,19 @@ EMSCRIPTEN_KEEPALIVE const char* page_weight_unit() {
   return hand_over(std::string(name(shown(app().state).units.weight)));
 }
 
-// Whether robots are points that may stand anywhere: they have no size, and there are no no-go
-// edges.
+// Whether robots may stand anywhere: they have no size, and there are no no-go edges.
 EMSCRIPTEN_KEEPALIVE int page_robots_are_points() {
   return stands_anywhere(app().state.derived().placed.settings) ? 1 : 0;
 }
 
-// Whether a polygon is being drawn.
 EMSCRIPTEN_KEEPALIVE int page_is_drawing() { return draws(app().state.view.tool) ? 1 : 0; }
 
-// The unit of coordinates and distances; "none" without one.
+// Of coordinates and distances; "none" without one.
 EMSCRIPTEN_KEEPALIVE const char* page_length_unit() {
   return hand_over(std::string(name(shown(app().state).units.length)));
 }
 
-// Inserts a vertex in the middle of the edge that begins at this one.
+// In the middle of the edge that begins at this vertex.
 EMSCRIPTEN_KEEPALIVE void page_insert_vertex(int after) {
   const evenlift::Document& document = app().state.work.document();
   if (after < 0 || after >= static_cast<int>(count_vertices(document))) return;
@@ -269,7 +264,7 @@ EMSCRIPTEN_KEEPALIVE int page_weight_count() {
   return static_cast<int>(settings(app().state).cargo.size());
 }
 
-// The weights from `first` on: [[x, y, weight, name], …].
+// From `first` on: [[x, y, weight, name], …].
 EMSCRIPTEN_KEEPALIVE const char* page_weights(int first, int count) {
   const std::vector<evenlift::Cargo>& cargo = settings(app().state).cargo;
   const auto [from, to] = part_of(cargo.size(), first, count);
@@ -280,7 +275,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_weights(int first, int count) {
   return hand_over(json::array(rows));
 }
 
-// Sets one part of a weight: x, y, the weight or, as `column` 3, the name.
+// Sets x, y, the weight or, as `column` 3, the name.
 EMSCRIPTEN_KEEPALIVE const char* page_set_weight(int item, int column, const char* text) {
   const std::vector<evenlift::Cargo>& cargo = settings(app().state).cargo;
   if (item < 0 || item >= static_cast<int>(cargo.size()))
@@ -330,7 +325,7 @@ EMSCRIPTEN_KEEPALIVE int page_robot_count() {
   return static_cast<int>(supports_now(app().state).size());
 }
 
-// The robots from `first` on: [[x, y, "16.7 kg"], …].
+// From `first` on: [[x, y, "16.7 kg"], …].
 EMSCRIPTEN_KEEPALIVE const char* page_robots(int first, int count) {
   const AppState& state = app().state;
   const evenlift::Points robots = supports_now(state);
@@ -347,7 +342,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_robots(int first, int count) {
   return hand_over(json::array(rows));
 }
 
-// Puts a robot at a place with one other coordinate. Robots of other methods are taken over.
+// Changes one coordinate. Robots of other methods are taken over.
 EMSCRIPTEN_KEEPALIVE const char* page_set_robot(int robot, int axis, const char* text) {
   const AppState& state = app().state;
   evenlift::Points robots = supports_now(state);
@@ -372,7 +367,7 @@ EMSCRIPTEN_KEEPALIVE void page_remove_robot(int robot) {
   if (robot >= 0) carry_out({RemoveRobot{static_cast<std::size_t>(robot)}});
 }
 
-// Rings a robot as if the pointer were over it; and the robot under the pointer, or -1.
+// Rings a robot as if under the pointer; and the robot under the pointer, or -1.
 EMSCRIPTEN_KEEPALIVE void page_point_at_robot(int robot) {
   const AppState& state = app().state;
   if (robot < 0 || robot >= static_cast<int>(supports_now(state).size())) return;
@@ -399,7 +394,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_geojson() {
   return hand_over(evenlift::write_geojson(app().state.derived().placed));
 }
 
-// Why there is no link; empty if there is one.
+// Why there is no link, or empty.
 EMSCRIPTEN_KEEPALIVE const char* page_link_problem() {
   const Result<std::string> link = evenlift::encode_link(last_good(app().state));
   return hand_over(link ? std::string() : sentence(link.error()));
@@ -407,7 +402,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_link_problem() {
 
 // --- Keys
 
-// The actions with a key of their own: [{"group", "key", "label"}, …].
+// The actions with a key: [{"group", "key", "label"}, …].
 EMSCRIPTEN_KEEPALIVE const char* page_keys() {
   std::vector<std::string> keys;
   for (const Action* action : key_list(app().state.session.screen.embed))

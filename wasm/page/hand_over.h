@@ -1,4 +1,3 @@
-// Returns texts to JavaScript.
 #pragma once
 
 #include <string>
@@ -6,7 +5,7 @@
 
 namespace evenlift::view {
 
-// Keeps the text alive for JavaScript until the next call.
+// Keeps the text alive until the next call.
 inline const char* hand_over(std::string text) {
   static std::string kept;
   kept = std::move(text);

@@ -1,4 +1,4 @@
-// Functions for the page's windows about lessons.
+// For the page's windows about lessons.
 #include <emscripten/emscripten.h>
 
 #include <algorithm>
@@ -40,15 +40,15 @@ std::string text_or_problem(const evenlift::Result<std::string>& text) {
 
 extern "C" {
 
-// The sample that a lesson names; the text of its polygon is passed to page_open_lesson(). Empty if
-// the lesson has a link instead, or cannot be read.
+// The sample that a lesson names, whose text page_open_lesson() needs. Empty if the lesson has a
+// link instead, or cannot be read.
 EMSCRIPTEN_KEEPALIVE const char* page_lesson_polygon(const char* text) {
   const evenlift::Result<evenlift::Lesson> lesson = evenlift::parse_lesson(text);
   return hand_over(lesson ? lesson->polygon : std::string());
 }
 
-// Opens a lesson (LessonStart: 0 anew, 1 join, 2 preview) for the learner with this number. Returns
-// why it cannot be opened, or an empty text.
+// For the learner with this number (LessonStart: 0 anew, 1 join, 2 preview). Returns why the lesson
+// cannot be opened, or an empty text.
 EMSCRIPTEN_KEEPALIVE const char* page_open_lesson(const char* text, const char* polygon, int start,
                                                   double number) {
   const auto most = static_cast<double>(evenlift::max_learner);
@@ -60,8 +60,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_lesson(const char* text, const char* 
   return hand_over({});
 }
 
-// The link to a lesson with this text, and the text of the lesson of a link: {"text"}, or {"problem"}
-// if there is none.
+// The link to a lesson, and the lesson of a link: {"text"}, or {"problem"} if there is none.
 EMSCRIPTEN_KEEPALIVE const char* page_lesson_link(const char* text) {
   return hand_over(text_or_problem(evenlift::encode_lesson_link(text)));
 }
@@ -69,8 +68,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_linked_lesson(const char* link) {
   return hand_over(text_or_problem(evenlift::decode_lesson_link(link)));
 }
 
-// For each step of this lesson, whether the algorithm takes it on the open polygon. Empty if there
-// is no trace, or if the lesson cannot be read.
+// For each step of the lesson, whether the algorithm takes it on the open polygon. Empty without a
+// trace, or if the lesson cannot be read.
 EMSCRIPTEN_KEEPALIVE const char* page_steps_that_exist(const char* text) {
   const evenlift::Result<evenlift::Lesson> lesson = evenlift::parse_lesson(text);
   const evenlift::Result<evenlift::Trace> trace =
@@ -82,13 +81,12 @@ EMSCRIPTEN_KEEPALIVE const char* page_steps_that_exist(const char* text) {
   return hand_over(json::array(found));
 }
 
-// Goes to a stop of the open lesson, from 0.
+// Of the open lesson, from 0.
 EMSCRIPTEN_KEEPALIVE void page_go_to_stop(int stop) {
   carry_out({GoToStep{step_of(app().state, static_cast<std::uint32_t>(std::max(stop, 0)))}});
 }
 
-// Opens the walkthrough of the open document at the step where the user left it; or, with
-// `predict`, as a challenge from its first step.
+// At the step where the user left it; or, with `predict`, as a challenge from the first step.
 EMSCRIPTEN_KEEPALIVE void page_begin_walkthrough(int predict) {
   carry_out({OpenWalkthrough{}});
   Commands commands{LeaveScript{}, SetPredict{predict != 0}};
@@ -99,7 +97,7 @@ EMSCRIPTEN_KEEPALIVE void page_begin_walkthrough(int predict) {
   carry_out(std::move(commands));
 }
 
-// Whether presentation mode is on, and its enlargement.
+// And its enlargement.
 EMSCRIPTEN_KEEPALIVE int page_presenting() { return app().state.view.presenting ? 1 : 0; }
 EMSCRIPTEN_KEEPALIVE double page_zoom() { return app().state.session.screen.zoom; }
 
@@ -108,24 +106,23 @@ EMSCRIPTEN_KEEPALIVE void page_end_presenting() {
   if (app().state.view.presenting) carry_out({SetPresenting{false}});
 }
 
-// Asks for a prediction before each choice of the open walkthrough.
+// Asks for a prediction before each choice.
 EMSCRIPTEN_KEEPALIVE void page_predict() { carry_out({SetPredict{true}}); }
 
 EMSCRIPTEN_KEEPALIVE int page_walkthrough_is_open() {
   return walkthrough_is_open(app().state) ? 1 : 0;
 }
 
-// 0 if no lesson is open, 1 if one is open but its polygon was edited since, otherwise 2.
+// 0 without an open lesson, 1 if its polygon was edited since, otherwise 2.
 EMSCRIPTEN_KEEPALIVE int page_script() {
   const AppState& state = app().state;
   return !state.view.walkthrough.script ? 0 : script_is_true(state) ? 2 : 1;
 }
 
 // The progress of the walkthrough: {"at", "count", "guesses", "right", "step", "told", "passed"}:
-// the position from 0; the number of stops; the number of guesses, and of right guesses; the number
-// of the step; the number of choices shown without a question, because three questions of their
-// kind had been asked; and the number of questions without a guess. Empty if no walkthrough is
-// open.
+// the position from 0; the number of stops, of guesses, and of right guesses; the number of the
+// step; the number of choices shown without a question, because three of their kind had been asked;
+// and the number of questions without a guess. Empty without a walkthrough.
 EMSCRIPTEN_KEEPALIVE const char* page_lesson() {
   const AppState& state = app().state;
   if (!walkthrough_is_open(state)) return hand_over({});
@@ -140,8 +137,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_lesson() {
                                  {"passed", std::to_string(guesses.passed_over())}}));
 }
 
-// The question at the end of the open lesson or task, and its answer, in paragraphs separated by
-// "\n". Empty without a question.
+// At the end of the open lesson or task; also the answer, in paragraphs separated by "\n". Empty
+// without a question.
 EMSCRIPTEN_KEEPALIVE const char* page_lesson_question() {
   const evenlift::Lesson* lesson = open_lesson_or_task();
   return hand_over(lesson ? lesson->question : std::string());
@@ -152,9 +149,9 @@ EMSCRIPTEN_KEEPALIVE const char* page_lesson_answer() {
   return hand_over(lesson ? lesson->answer : std::string());
 }
 
-// The open task and what is reached: {"title", "words", "may", "goals": [{"words", "value", "kept"}],
-// "changed", "kept", "number", "numbered"}. `numbered` is whether another number of the learner makes
-// another task. Empty without a task.
+// The open task and what is reached: {"title", "words", "may", "goals": [{"words", "value",
+// "kept"}], "changed", "kept", "number", "numbered"}. If `numbered`, another number of the learner
+// makes another task. Empty without a task.
 EMSCRIPTEN_KEEPALIVE const char* page_task() {
   const AppState& state = app().state;
   if (!state.view.task) return hand_over({});

@@ -1,13 +1,12 @@
 // Starts the page and makes its frames: SDL2 provides the events, Emscripten WebGL 2, and Dear
 // ImGui draws. A frame is drawn only on request. Dear ImGui's own backend for SDL2 is not used: it
-// reads the place of the mouse and not of the press, draws at whole CSS pixels, and contains code
-// for gamepads.
+// reads the place of the mouse, not of the press, draws at whole CSS pixels, and contains code for
+// gamepads.
 //
-// All input is handled in order, however long a frame takes. The pointer's events wait in one queue
-// (sdl_input.h) and are handled in passes: in a pass the pointer acts on the drawing and on the
-// panels, up to its next press or release. A frame makes as many passes as the input needs, and
-// draws the last one. A key or a call is handled at once; the waiting passes come first, without a
-// picture (page_catch_up).
+// All input is handled in order, however long a frame takes. The pointer's events wait in a queue
+// (sdl_input.h) for passes: a pass lets the pointer act on the drawing and the panels, up to its
+// next press or release. A frame makes as many passes as the input needs, and draws the last one. A
+// key or a call first makes the waiting passes, without a picture (page_catch_up).
 #include <SDL.h>
 #include <emscripten/emscripten.h>
 #include <emscripten/html5.h>
@@ -33,8 +32,8 @@
 namespace evenlift::view {
 namespace {
 
-// Dear ImGui needs three frames after an input: whatever a click opens is measured in the second
-// frame, and the pointer hovers over it in the third.
+// Dear ImGui needs three frames after an input: whatever a click opens is measured in the second,
+// and the pointer hovers over it in the third.
 constexpr int frames_after_input = 3;
 
 struct Page {
@@ -46,12 +45,12 @@ struct Page {
   int frames_due = 0;
   bool frame_scheduled = false;
   bool context_lost = false;
-  bool passing = false;  // a pass is under way: its calls to the page may call back
+  bool passing = false;  // a pass is under way, whose calls to the page may call back
   int passes_due = 0;    // until the panels are laid out; no press is handled before
   double fonts_for_ratio = 0;
   double last_frame_at = 0;  // seconds
   double frames = 0;
-  double press_time = 0;  // of the press that the browser is reporting: page_press()
+  double press_time = 0;  // of the press that the browser reports: page_press()
   int press_clicks = 0;
   Cursor cursor = Cursor::arrow;
 };
@@ -68,9 +67,9 @@ void ask_for_frames(int count) {
   schedule();
 }
 
-// SDL_PollEvent() itself puts a sentinel into the queue, which must not cause another frame. SDL
-// gives an event the time of its receipt, which a slow frame delays. So a press keeps its original
-// time and the browser's count of clicks.
+// SDL_PollEvent() itself queues a sentinel, which must not cause another frame. SDL gives an event
+// the time of its receipt, which a slow frame delays, so a press keeps its original time and the
+// browser's count of clicks.
 int SDLCALL on_event(void*, SDL_Event* event) {
   if (event->type == SDL_MOUSEBUTTONDOWN)
     event->button.clicks = static_cast<Uint8>(std::clamp(page.press_clicks, 0, 255));
@@ -87,8 +86,8 @@ void load_fonts_for(double ratio) {
   page.fonts_for_ratio = ratio;
 }
 
-// For characters that a text needs and the fonts lack: fetches larger fonts, once; or rasterises
-// more characters before the next frame, and reports those that no font has.
+// For characters that the fonts lack: fetches larger fonts, once; or rasterises them before the
+// next frame, and reports those that no font has.
 void find_letters() {
   if (!letters_are_due()) return;
   if (letters_are_here()) {
@@ -103,8 +102,7 @@ void find_letters() {
   }
 }
 
-// SDL resizes the canvas to CSS pixels, or not at all; the page knows the exact number of device
-// pixels.
+// SDL resizes the canvas to CSS pixels, or not at all; the page knows the device pixels.
 void fit_canvas() {
   int width = 0, height = 0;
   emscripten_get_canvas_element_size("#canvas", &width, &height);
@@ -145,11 +143,11 @@ void show_cursor() {
   browser::show_cursor(wanted);
 }
 
-// Whatever a press opens is measured in the next pass, and can be pressed in the following one.
+// Whatever a press opens is measured in the next pass, and can be pressed in the one after.
 constexpr int passes_after_change = 2;
 void panels_change() { page.passes_due = passes_after_change; }
 
-// Makes one pass. Draws when no input is left, if allowed. Returns whether it drew.
+// If allowed, draws when no input is left. Returns whether it drew.
 bool pass(bool may_draw) {
   App& a = app();
   page.passing = true;
@@ -182,7 +180,7 @@ void draw() {
   if (!page.window || page.passing || page.context_lost || page.canvas_width <= 0 ||
       !a.state.derived().placement)
     return;
-  // Some browsers report late that the window was moved to another screen.
+  // Some browsers report late that the window is on another screen.
   if (emscripten_get_device_pixel_ratio() != a.state.session.screen.css_ratio)
     browser::measure_screen();
   take_input();
@@ -203,7 +201,7 @@ void catch_up() {
   while (page.input.waiting()) pass(false);
 }
 
-// The canvas's WebGL 2 context, without the buffers that flat drawing does not need.
+// Without the buffers that flat drawing does not need.
 bool make_webgl_context() {
   EmscriptenWebGLContextAttributes attributes;
   emscripten_webgl_init_context_attributes(&attributes);
@@ -215,7 +213,7 @@ bool make_webgl_context() {
   return context > 0 && emscripten_webgl_make_context_current(context) == EMSCRIPTEN_RESULT_SUCCESS;
 }
 
-// Returns whether there is a canvas to draw on. Without one, all calls except those about it still
+// Returns whether there is a canvas to draw on. Without one, all calls but those about it still
 // work.
 bool start() {
   if (!make_webgl_context()) return false;
@@ -246,7 +244,7 @@ using namespace evenlift::view;
 
 extern "C" {
 
-// Sets the size of the canvas in CSS pixels and in device pixels.
+// `width` and `height` are CSS pixels.
 EMSCRIPTEN_KEEPALIVE void page_resize(double width, double height, double ratio, int device_width,
                                       int device_height) {
   carry_out({SetCanvas{width, height, ratio}});
@@ -254,7 +252,7 @@ EMSCRIPTEN_KEEPALIVE void page_resize(double width, double height, double ratio,
   page.canvas_height = device_height;
   SDL_SetWindowSize(page.window, static_cast<int>(std::lround(width)),
                     static_cast<int>(std::lround(height)));
-  // Draws at once, since the browser would show the old frame stretched until the next one.
+  // At once: the browser would show the old frame stretched until the next one.
   if (page.frames > 0) draw();
   ask_for_frames(frames_after_input);
 }
@@ -264,8 +262,7 @@ EMSCRIPTEN_KEEPALIVE void page_pinch(double x, double y, double factor) {
   ask_for_frames(frames_after_input);
 }
 
-// The WebGL context was lost, or has returned. A returned context is empty, so the renderer
-// restarts and receives the fonts again.
+// A returned context is empty, so the renderer restarts and receives the fonts again.
 EMSCRIPTEN_KEEPALIVE void page_context(int lost) {
   if (page.context_lost == (lost != 0)) return;
   page.context_lost = lost != 0;
@@ -279,7 +276,7 @@ EMSCRIPTEN_KEEPALIVE void page_context(int lost) {
   }
 }
 
-// Whether there is a canvas to draw on. If not, the page shows page_svg() after each page_frame().
+// Without a canvas to draw on, the page shows page_svg() after each page_frame().
 EMSCRIPTEN_KEEPALIVE int page_draws() { return page.window ? 1 : 0; }
 
 EMSCRIPTEN_KEEPALIVE double page_frames() { return page.frames; }
@@ -293,43 +290,42 @@ EMSCRIPTEN_KEEPALIVE void page_frame() {
 }
 EMSCRIPTEN_KEEPALIVE void page_wake() { ask_for_frames(1); }
 
-// Handles all input so far. web/page/program.js calls it before each call except page_frame().
+// Handles all input so far. web/page/program.js calls it before each call but page_frame().
 EMSCRIPTEN_KEEPALIVE void page_catch_up() { catch_up(); }
 
-// Announces the press that SDL will receive next: its time in milliseconds, and its count among the
-// presses in one place; 0 if the browser does not count them.
+// The press that SDL will receive next: its time in milliseconds, and its count among the presses
+// in one place; 0 if the browser does not count them.
 EMSCRIPTEN_KEEPALIVE void page_press(double time, int clicks) {
   page.press_time = time;
   page.press_clicks = clicks;
 }
 
-// A finger has rested in one place for a while.
+// A finger has rested in one place.
 EMSCRIPTEN_KEEPALIVE void page_ask() {
   catch_up();
   page.input.ask();
   ask_for_frames(frames_after_input);
 }
 
-// Lays out the panels until nothing changes any more.
+// Until nothing changes any more.
 static void lay_out_panels() {
   if (page.passing || page.frames == 0) return;
   do pass(false);
   while (page.passes_due > 0);
 }
 
-// Carries out the requests to controls and lays all controls out, so that page_controls() has them
+// Carries out the requests to controls and lays all of them out, so that page_controls() has them
 // before the next frame.
 EMSCRIPTEN_KEEPALIVE void page_lay_out() {
   panels_change();
   lay_out_panels();
 }
 
-// All controls of the panels, as JSON.
 EMSCRIPTEN_KEEPALIVE const char* page_controls() {
   return hand_over(controls_json(app().state.session.screen.zoom));
 }
 
-// Takes over the larger fonts (letters.h), each as its bytes and their number.
+// The larger fonts (letters.h), each as its bytes and their number.
 EMSCRIPTEN_KEEPALIVE void page_letters(const unsigned char* regular, int regular_size,
                                        const unsigned char* semibold, int semibold_size) {
   give_fonts({regular, regular + regular_size}, {semibold, semibold + semibold_size});
@@ -337,8 +333,7 @@ EMSCRIPTEN_KEEPALIVE void page_letters(const unsigned char* regular, int regular
   browser::request_frame();
 }
 
-// The place of a control of the panels, as JSON, in CSS pixels; empty if no control with that name
-// is shown.
+// The place of a control, as JSON, in CSS pixels; empty if no control with that name is shown.
 EMSCRIPTEN_KEEPALIVE const char* page_control(const char* name) {
   lay_out_panels();
   const std::vector<Control>& all = controls();
@@ -348,9 +343,9 @@ EMSCRIPTEN_KEEPALIVE const char* page_control(const char* name) {
                                       : place_json(found->place, app().state.session.screen.zoom));
 }
 
-// Does what a pointer would do with a control: 0 presses it, 1 selects the choice number `value`, 2
-// moves it to `value`, 3 scrolls its card until the control is visible, 4 moves it to `value` and
-// confirms that, and 5 withdraws the typed text.
+// As a pointer would: 0 presses the control, 1 selects the choice number `value`, 2 moves it to
+// `value`, 3 scrolls its card until it is visible, 4 moves it to `value` and confirms that, 5
+// withdraws the typed text.
 EMSCRIPTEN_KEEPALIVE void page_ask_control(int what, const char* card, const char* name,
                                            double value) {
   if (what < 0 || what > static_cast<int>(ControlRequest::withdraw)) return;

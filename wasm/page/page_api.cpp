@@ -50,13 +50,13 @@ std::string link_or_nothing(const Document& document) {
   return link ? std::move(link).value() : std::string();
 }
 
-// A method by its number from 1; nothing for 0.
+// From 1; nothing for 0.
 std::optional<Method> method_of(int number) {
   if (number < 1 || number > static_cast<int>(std::size(all_methods))) return std::nullopt;
   return all_methods[number - 1];
 }
 
-// A place on the screen in whole CSS pixels, as JSON.
+// As JSON, in whole CSS pixels.
 std::string in_css_pixels(const Rect& place) {
   const double zoom = app().state.session.screen.zoom;
   const auto whole = [&](double value) { return std::trunc(value * zoom); };
@@ -145,7 +145,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_load(const char* text) {
   return no_error();
 }
 
-// Like page_load(), for the fragment of an address, which is a link or empty.
+// For the fragment of an address, which is a link or empty.
 EMSCRIPTEN_KEEPALIVE const char* page_open_link(const char* fragment) {
   Result<Opened> document = read_link(fragment);
   if (!document) return hand_over(sentence(document.error()));
@@ -153,8 +153,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_open_link(const char* fragment) {
   return no_error();
 }
 
-// `changes` has a line `name=value` for each setting. Makes all changes; or makes none and returns
-// why.
+// `changes` has lines `name=value`. Makes all changes; or makes none and returns why.
 EMSCRIPTEN_KEEPALIVE const char* page_set(const char* changes) {
   AppState& state = app().state;
   if (state.derived().elsewhere.under_way) {
@@ -177,8 +176,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_set(const char* changes) {
 EMSCRIPTEN_KEEPALIVE const char* page_link() {
   return hand_over(link_or_nothing(last_good(app().state)));
 }
-// Removes the step from a link, so that a challenge starts at its beginning; returns any other text
-// unchanged.
+// Removes a link's step, so that a challenge starts at its beginning; returns other text unchanged.
 EMSCRIPTEN_KEEPALIVE const char* page_without_step(const char* text) {
   Result<Document> document = evenlift::decode_link(text);
   if (!document || !document->shown.step) return hand_over(text);
@@ -188,8 +186,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_without_step(const char* text) {
 
 // --- Challenges: the object of a link with robots that the visitor places
 
-// The link (or, without one, that of a sample) with this number of robots to place, unless it already
-// has robots that somebody placed; any other text unchanged.
+// The link (or, without one, that of a sample) with this number of robots to place, unless it has
+// robots placed by hand; any other text unchanged.
 EMSCRIPTEN_KEEPALIVE const char* page_as_challenge(const char* text, int robots) {
   Result<Document> document =
       *text ? evenlift::decode_link(text) : evenlift::read_polygon(opening_sample());
@@ -205,7 +203,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_as_challenge(const char* text, int robots)
   return hand_over(link_or_nothing(*document));
 }
 
-// The link of the object alone: nothing in it tells where robots should stand.
+// Of the object alone: nothing in it tells where robots should stand.
 EMSCRIPTEN_KEEPALIVE const char* page_challenge_link() {
   Document document = last_good(app().state);
   evenlift::Settings settings;
@@ -220,7 +218,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_challenge_link() {
 
 EMSCRIPTEN_KEEPALIVE void page_set_challenge(int on) { carry_out({SetChallenge{on != 0}}); }
 
-// Begins again: the robots beneath the object, and the page's own answer hidden.
+// The robots are beneath the object again, and the page's own answer is hidden.
 EMSCRIPTEN_KEEPALIVE void page_try_again(int robots) {
   if (robots < 1) return;
   carry_out({EndEdit{}, SetChallenge{true}, Compare{},
@@ -230,8 +228,7 @@ EMSCRIPTEN_KEEPALIVE void page_show_answer() {
   carry_out({SetChallenge{false}, Compare{Method::balanced}});
 }
 
-// The scores of the robots and of balanced robots, if these are the second picture: an array of
-// one or two
+// Of the robots and, if they are the second picture, of balanced robots: an array of one or two
 // {"robots", "most", "spread", "covered", "numbers": [most, spread, covered, held]}.
 EMSCRIPTEN_KEEPALIVE const char* page_scores() {
   const AppState& state = app().state;
@@ -259,7 +256,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_svg() {
   return hand_over(evenlift::placement_svg({*state.derived().placement, shown(state)},
                                            link_or_nothing(last_good(state))));
 }
-// The robots' poses, for a file with this ending: ".csv", ".json" or ".yaml".
+// For a file with this ending: ".csv", ".json" or ".yaml".
 EMSCRIPTEN_KEEPALIVE const char* page_poses(const char* ending) {
   const auto format = evenlift::pose_format_of_file(ending);
   const AppState& state = app().state;
@@ -289,14 +286,14 @@ EMSCRIPTEN_KEEPALIVE double page_world_y(double x, double y) {
 
 // --- The page around the canvas
 
-// The link of a refused document; empty if it is not refused.
+// The link of a refused document; otherwise empty.
 EMSCRIPTEN_KEEPALIVE const char* page_draft() {
   const AppState& state = app().state;
   return hand_over(state.derived().refusal ? link_or_nothing(state.work.document())
                                            : std::string());
 }
 
-// The polygon that is being drawn, as text for storage; and back.
+// The polygon being drawn, as text for storage; and back.
 EMSCRIPTEN_KEEPALIVE const char* page_drawing() {
   const evenlift::view::View& view = app().state.view;
   return hand_over(drawing_text(view.drawing, view.tool == Tool::hole));
@@ -334,9 +331,8 @@ EMSCRIPTEN_KEEPALIVE void page_keep(const char* lines) {
   carry_out({KeepMotion{read_kept(lines).motion}});
 }
 
-// A step of the history for storage, as History::kept() counts it: {"edit", "method", "link"},
-// where method 0 means none, and a document that is too large has no link. Empty if there is no
-// such step.
+// A step for storage, as History::kept() counts it: {"edit", "method", "link"}, where method 0
+// means none, and a document that is too large has no link. Empty if there is no such step.
 EMSCRIPTEN_KEEPALIVE const char* page_kept_step(int redo, int index) {
   const std::optional<History::Kept> kept =
       app().state.work.history.kept(redo != 0, static_cast<std::size_t>(std::max(index, 0)));
@@ -348,8 +344,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_kept_step(int redo, int index) {
                     {"link", json::text(kept->link)}}));
 }
 
-// The number of the method that the document is compared with, from 1, or 0 without one, for
-// storage; and back, which is not a step of undo.
+// The number of the second method, from 1, or 0 without one, for storage; and back, without a step
+// of undo.
 EMSCRIPTEN_KEEPALIVE int page_compared() {
   const std::optional<evenlift::Method>& method = app().state.work.second_method;
   return method ? static_cast<int>(*method) + 1 : 0;
@@ -358,29 +354,28 @@ EMSCRIPTEN_KEEPALIVE void page_compare(int method) {
   if (const auto second = method_of(method)) carry_out({KeepComparison{*second}});
 }
 
-// Restores the kept steps: starts a new history, or adds the newest step to undo or redo.
+// Starts a new history, or adds the newest kept step to undo or redo.
 EMSCRIPTEN_KEEPALIVE void page_forget_steps() { carry_out({ForgetSteps{}}); }
 EMSCRIPTEN_KEEPALIVE void page_add_step(int redo, int edit, int method, const char* link) {
   carry_out({AddStep{redo != 0, {static_cast<Edit>(edit), {method_of(method), {}}, link}}});
 }
 
-// The part of the canvas that a window of the page covers at its left, its right and its foot, in
-// CSS pixels.
+// What a window of the page covers of the canvas, in CSS pixels.
 EMSCRIPTEN_KEEPALIVE void page_cover(double left, double right, double foot) {
   carry_out({CoverScreen{left, right, foot}});
 }
 
-// The place for a card at the foot of the drawing. Independent of whether there is a card.
+// For a card at the foot of the drawing, whether or not there is one.
 EMSCRIPTEN_KEEPALIVE const char* page_card_seat() {
   return hand_over(in_css_pixels(card_seat(app().state)));
 }
 
-// The place of the open list, which a card would cover; empty if none is open.
+// A card would cover it. Empty if none is open.
 EMSCRIPTEN_KEEPALIVE const char* page_open_list() {
   return hand_over(open_list() ? in_css_pixels(*open_list()) : std::string());
 }
 
-// Makes room for a card of this height there; 0 undoes that.
+// For a card of this height at the foot of the drawing; 0 undoes that.
 EMSCRIPTEN_KEEPALIVE void page_make_room(double height) {
   const Screen before = app().state.session.screen;
   app().commands.push_back(MakeRoom{height});
@@ -389,7 +384,7 @@ EMSCRIPTEN_KEEPALIVE void page_make_room(double height) {
   if (now.foot != before.foot || now.card != before.card) browser::request_frame();
 }
 
-// Puts a picture behind the canvas at these polygon coordinates; without a width, removes it.
+// Behind the canvas, in polygon coordinates; without a width, removes the picture.
 EMSCRIPTEN_KEEPALIVE void page_backdrop(double left, double bottom, double width, double height) {
   if (width > 0 && height > 0)
     carry_out({LayPicture{{left, bottom}, {left + width, bottom + height}}});
@@ -406,25 +401,25 @@ EMSCRIPTEN_KEEPALIVE const char* page_backdrop_place() {
                                  {"width", json::number(picture->width())}}));
 }
 
-// Gives the picture this width. Returns why that is impossible, or an empty text.
+// Returns why the width is impossible, or an empty text.
 EMSCRIPTEN_KEEPALIVE const char* page_scale_backdrop(double width) {
   const std::string problem = scale_picture(app().state, width);
   carried_out();
   return hand_over(problem);
 }
 
-// Whether presses go to the picture, because its scale is being set.
+// Presses go to the picture while its scale is being set.
 EMSCRIPTEN_KEEPALIVE void page_measuring(int on) { carry_out({SetMeasuring{on != 0}}); }
 
 EMSCRIPTEN_KEEPALIVE void page_notice(const char* text, int problem) {
   carry_out({ShowNotice{{problem ? Notice::Kind::problem : Notice::Kind::info, text}}});
 }
 
-// The notice has been shown long enough to read it.
+// The notice was shown long enough to read it.
 EMSCRIPTEN_KEEPALIVE void page_end_notice() { carry_out({EndNotice{}}); }
 
-// Handles a key, named as in KeyboardEvent.key. Returns whether the page used it; if not, the
-// browser handles it.
+// A key named as in KeyboardEvent.key. Returns whether the page used it; if not, the browser
+// handles it.
 EMSCRIPTEN_KEEPALIVE int page_key(const char* name, int command, int shift) {
   App& a = app();
   const Action* action = action_for(a.state, {name, command != 0, shift != 0});

@@ -6,18 +6,17 @@
 
 namespace evenlift::view {
 
-// The only page.
 App& app();
 
-// Carries out the pending commands, and their requests to the browser. Returns whether there were
-// any, in which case another frame is due.
+// Carries out the pending commands and their requests to the browser. Returns whether there were
+// any.
 bool settle();
 
-// Carries out these commands at once, as if from a button.
+// At once, as if from a button.
 void carry_out(Commands commands);
 
-// Call after a function that changed the state in place of a command because it may refuse: does
-// everything that follows a command.
+// Does everything that follows a command. Call it after a function that changed the state in place
+// of one because it may refuse.
 void carried_out();
 
 }  // namespace evenlift::view

@@ -101,7 +101,7 @@ void SdlInput::pinch(const Vec2& at, double factor) {
   queue_.push_back(pinch);
 }
 
-// The browser counts the clicks of a mouse by the system's settings, but not the taps of a finger.
+// The browser counts clicks by the system's settings, but not a finger's taps.
 bool SdlInput::is_second(const Event& press) const {
   if (!press.touch) return press.clicks > 0 && press.clicks % 2 == 0;
   return pressed_time_ && press.time - *pressed_time_ <= 450 &&

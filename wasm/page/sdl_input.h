@@ -14,21 +14,20 @@ namespace evenlift::view {
 
 class SdlInput {
  public:
-  // Takes over all waiting events.
   void take(const Screen& screen);
 
   // Passes the pointer's next events to Dear ImGui in order, up to the next press, release or wheel
-  // turn, since Dear ImGui would lose a second one in the same pass. A press waits until the panels
-  // are `laid_out`. Dear ImGui's pixels are `zoom` CSS pixels large. Call before ImGui::NewFrame().
+  // turn: Dear ImGui would lose a second one in the same pass. A press waits until the panels are
+  // `laid_out`. Dear ImGui's pixels are `zoom` CSS pixels large. Call before ImGui::NewFrame().
   void feed(bool laid_out, double zoom);
 
   // A trackpad's two fingers, which browsers report as a wheel.
   void pinch(const Vec2& at, double factor);
 
-  // The finger that is down asks what it rests on, until it is lifted or another one comes down.
+  // The finger that is down asks what it rests on, until it is lifted or another comes down.
   void ask() { asks_ = touch_ && down_ && !two_fingers_; }
 
-  // The pointer in this pass, in the same pixels. Call after ImGui::NewFrame().
+  // In this pass, in the same pixels. Call after ImGui::NewFrame().
   Pointer pointer(double zoom);
 
   bool waiting() const { return !queue_.empty(); }
@@ -42,9 +41,9 @@ class SdlInput {
     Vec2 at;
     bool touch = false;
     Uint32 time = 0;            // of a finger's press, in milliseconds
-    int clicks = 0;             // of a mouse's press: the number of presses in one place
+    int clicks = 0;             // of a mouse: its presses in one place
     float wheel = 0;            // steps
-    Vec2 moved = Vec2::Zero();  // of a pinch: the movement of its middle
+    Vec2 moved = Vec2::Zero();  // of a pinch's middle
     double factor = 1;
   };
   struct Finger {
@@ -61,7 +60,7 @@ class SdlInput {
 
   std::vector<Event> queue_;  // short: only events since the last frame
   std::vector<Finger> fingers_;
-  // From here on, all places are in CSS pixels.
+  // The places below are in CSS pixels.
   Vec2 at_ = Vec2(-1e6, -1e6);
   bool down_ = false, touch_ = false, asks_ = false;
   Vec2 pressed_at_ = Vec2::Zero();
@@ -70,7 +69,7 @@ class SdlInput {
   Vec2 pinch_middle_ = Vec2::Zero();
   double pinch_spread_ = 1;
 
-  // The events that this pass has processed.
+  // What this pass has processed.
   bool dragged_ = false, ended_ = false, second_press_ = false;
   std::optional<Event> wheel_, pinch_;  // several in a row count as one
 };

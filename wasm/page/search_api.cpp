@@ -1,5 +1,5 @@
-// The results of what runs in the background: of the search for balanced robots (web/page/search.js),
-// and of the choice of teams while a large object is dragged (web/page/choosing.js).
+// The results of the search for balanced robots (web/page/search.js), and of the choice of teams
+// while a large object is dragged (web/page/choosing.js).
 #include <emscripten/emscripten.h>
 
 #include <cstddef>
@@ -15,8 +15,8 @@ using namespace evenlift::view;
 
 extern "C" {
 
-// Takes over the robots found by the search with this number, and whether they are its last ones;
-// or the number of robots counted.
+// The robots found by the search with this number, and whether they are its last ones; or the
+// number of robots counted.
 EMSCRIPTEN_KEEPALIVE void page_take_robots(double number, const char* robots, int ended) {
   carry_out({TakeRobots{static_cast<std::uint64_t>(number), robots, ended != 0}});
 }
@@ -26,8 +26,8 @@ EMSCRIPTEN_KEEPALIVE void page_search_failed(double number) {
   carry_out({TakeRobots{static_cast<std::uint64_t>(number), std::nullopt}});
 }
 
-// Takes over the choice for the document with this number, as so many bytes of doubles: none if the
-// document is refused.
+// The choice for the document with this number, `size` bytes of doubles: none if the document is
+// refused.
 EMSCRIPTEN_KEEPALIVE void page_take_choice(double number, const unsigned char* bytes,
                                            std::size_t size) {
   std::vector<double> choice(size / sizeof(double));

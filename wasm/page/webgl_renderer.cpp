@@ -6,11 +6,11 @@
 namespace evenlift::view {
 namespace {
 
-// The attributes of a vertex, by their locations in the shader.
+// By their locations in the shader.
 enum : GLuint { position, texture_position, colour, to_clip_space };
 
-// to_clip_space holds a scale (x, y) and an offset (z, w), the same for all vertices. It is an
-// attribute without an array, because the location of a uniform would have to be queried.
+// to_clip_space holds a scale (x, y) and an offset (z, w) for all vertices. It is an attribute
+// without an array, because a uniform's location would have to be queried.
 constexpr const char* vertex_shader = R"(#version 300 es
 precision highp float;
 layout(location = 0) in vec2 position;
@@ -26,7 +26,7 @@ void main() {
 }
 )";
 
-// The texture unit of a sampler is 0 by default.
+// A sampler's texture unit is 0 by default.
 constexpr const char* fragment_shader = R"(#version 300 es
 precision highp float;
 uniform sampler2D image;
@@ -71,7 +71,6 @@ GLuint make_texture() {
   return texture;
 }
 
-// Fills the bound texture with RGBA pixels.
 void upload(int width, int height, const void* pixels) {
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
 }
@@ -84,7 +83,7 @@ void destroy(ImTextureData& texture) {
   texture.SetStatus(ImTextureStatus_Destroyed);  // created again if Dear ImGui still needs it
 }
 
-// Handles a request of Dear ImGui: creates a texture, updates part of one, or removes one.
+// Creates a texture, updates part of one, or removes one, as Dear ImGui requests.
 void answer(ImTextureData& texture) {
   switch (texture.Status) {
     case ImTextureStatus_WantCreate:
@@ -196,7 +195,7 @@ void WebglRenderer::draw(ImDrawData& frame, const Colour& ground) {
   const ImVec4 clear = ground.vec();
   glViewport(0, 0, width, height);
   glDisable(GL_SCISSOR_TEST);
-  // A background that is not opaque needs its colours multiplied by their opacity.
+  // A translucent background needs its colours multiplied by their opacity.
   glClearColor(clear.x * clear.w, clear.y * clear.w, clear.z * clear.w, clear.w);
   glClear(GL_COLOR_BUFFER_BIT);
   glEnable(GL_SCISSOR_TEST);

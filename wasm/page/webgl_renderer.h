@@ -1,7 +1,7 @@
 // Draws a frame of Dear ImGui with WebGL 2.
 //
 // Nothing else draws on the canvas. So constant state is set once, nothing is restored after a
-// frame, and no WebGL state is queried: an answer would have to wait for the graphics processor.
+// frame, and no WebGL state is queried: that would wait for the graphics processor.
 #pragma once
 
 #include <GLES3/gl3.h>
@@ -14,17 +14,17 @@ namespace evenlift::view {
 class WebglRenderer {
  public:
   // Creates the resources in the current WebGL context, and registers the renderer's features with
-  // Dear ImGui. Call it after ImGui::CreateContext(), and again when a lost WebGL context returns.
+  // Dear ImGui. Call it after ImGui::CreateContext(), and again when a lost context returns.
   void start();
 
-  // Drops all resources of the WebGL context. Call it when the context is lost.
+  // Drops all resources. Call it when the context is lost.
   void stop();
 
-  // Uploads the font atlas to the graphics processor. Call it after start() and after every change
-  // of the atlas, before ImGui::NewFrame(). From 1.92 on Dear ImGui requests its textures itself.
+  // Uploads the font atlas. Call it after start() and after every change of the atlas, before
+  // ImGui::NewFrame(). From 1.92 on Dear ImGui requests its textures itself.
   void upload_fonts();
 
-  // Draws a whole frame on the given background. O(vertices + indices).
+  // O(vertices + indices).
   void draw(ImDrawData& frame, const Colour& ground);
 
  private:

@@ -12,7 +12,7 @@ namespace evenlift::view {
 
 namespace {
 
-// Whether the action's tool or state is active; nothing for other actions.
+// Nothing for actions without an active tool or state.
 std::optional<bool> is_on(ActionId id, const AppState& state) {
   if (id == ActionId::draw) return draws(state.view.tool) || state.view.tool == Tool::weight;
   if (id == ActionId::transform) return state.view.tool == Tool::transform;

@@ -1,4 +1,4 @@
-// The button of an enabled action (actions.h): with its icon, and its name and key on hovering; or
+// The button of an enabled action (actions.h), with its icon, and its name and key on hovering; or
 // a row of an open list.
 #pragma once
 
@@ -9,10 +9,10 @@ namespace evenlift::view {
 
 void action_button(const Ui& ui, ActionId id, float size);
 
-// With the action's name beside the icon.
+// With the name beside the icon.
 void named_action_button(const Ui& ui, ActionId id, float size);
 
-// A row of the open list, with the key if there may be a keyboard.
+// With the key if there may be a keyboard.
 void action_row(const Ui& ui, ActionId id);
 
 }  // namespace evenlift::view

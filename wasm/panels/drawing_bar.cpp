@@ -1,4 +1,4 @@
-// The bar of the present tool: the buttons for drawing a polygon, or for transforming it.
+// The present tool's bar: the buttons for drawing a polygon, or for transforming it.
 #include <algorithm>
 #include <initializer_list>
 #include <utility>
@@ -48,21 +48,20 @@ bool word_button(const Ui& ui, const char* label, bool enabled, bool strong = fa
   return flat_button(ui, label, label, word_button_width(ui, label), enabled, strong);
 }
 
-// The width of a row of such buttons.
 float row_width(const Ui& ui, std::initializer_list<const char*> labels) {
   float width = -gap;
   for (const char* label : labels) width += gap + word_button_width(ui, label);
   return width;
 }
 
-// The width for a bar below the toolbar, without its own margins.
+// For a bar below the toolbar, without its own margins.
 float room_of_bar(const Ui& ui) {
   return static_cast<float>(std::min(ui.layout.toolbar.right, ui.layout.free.right) -
                             ui.layout.toolbar.left) -
          16;
 }
 
-// The widths of the next edge's fields, including their names.
+// Of the next edge, including the fields' names.
 struct FieldWidths {
   float length, angle;
 };
@@ -72,7 +71,7 @@ float width_of(const FieldWidths& fields) {
          text_size(Face::label, "Angle").x + 6 + fields.angle;
 }
 
-// Whether buttons with their whole names and the fields of the next edge fit in one row.
+// Whether whole names and the fields of the next edge fit in one row.
 bool is_roomy(const Ui& ui) {
   return ui.layout.wide && row_width(ui, {"Close the shape", "Remove last", "Cancel"}) + 12 +
                                    width_of(roomy_fields) <=
@@ -81,8 +80,8 @@ bool is_roomy(const Ui& ui) {
 
 void run(const Ui& ui, ActionId id) { action(id).run(ui.state, ui.commands); }
 
-// What is drawn: a new shape, a hole in the object, or weights on it. The open object must be good
-// for the latter two.
+// A new shape, a hole in the object, or weights on it. The open object must be good for the latter
+// two.
 constexpr std::pair<const char*, Tool> drawn[] = {
     {"Shape", Tool::draw}, {"Hole", Tool::hole}, {"Weight", Tool::weight}};
 
@@ -94,7 +93,7 @@ float choice_width(const Ui& ui) {
   return can_choose_drawn(ui) ? row_width(ui, {drawn[0].first, drawn[1].first, drawn[2].first}) : 0;
 }
 
-// The buttons stand in the present row, each followed by another item.
+// In the present row, each followed by another item.
 void choose_drawn(const Ui& ui) {
   for (const auto& [label, tool] : drawn) {
     if (toggle_button(ui, label, label, label, word_button_width(ui, label),
@@ -104,7 +103,6 @@ void choose_drawn(const Ui& ui) {
   }
 }
 
-// The selected weight, which can be typed.
 void draw_weight_field(const Ui& ui) {
   const std::optional<Handle> handle =
       ui.state.view.selected ? handle_of(ui.state.work.document(), *ui.state.view.selected)
@@ -131,7 +129,7 @@ void draw_drawing_bar(const Ui& ui) {
   const bool hole = ui.state.view.tool == Tool::hole;
   const bool some = !ui.state.view.drawing.points.empty();
   if (!ui.layout.wide && !some && can_choose_drawn(ui)) {
-    // In place of the buttons that need vertices.
+    // In place of buttons that need vertices.
     choose_drawn(ui);
     if (word_button(ui, "Cancel", true)) ui.push(SetTool{Tool::parts});
     return;
@@ -152,7 +150,7 @@ void draw_drawing_bar(const Ui& ui) {
   if (roomy) ImGui::SameLine(0, 12);
   const FieldWidths fields = roomy ? roomy_fields : small_fields;
   if (some) return draw_edge_fields(ui, fields.length, fields.angle);
-  // The bar has its full size before the first vertex, so that it will not cover that vertex.
+  // The bar has its full size at once, so that it will not cover the first vertex.
   constexpr char hint[] = "Placed vertices can be dragged.";
   const ImVec2 at = ImGui::GetCursorScreenPos(), text = text_size(Face::label, hint);
   ImGui::Dummy(ImVec2(std::max(text.x, width_of(fields)), ui.control()));
@@ -160,7 +158,7 @@ void draw_drawing_bar(const Ui& ui) {
             ImVec2(at.x, at.y + (ui.control() - text.y) / 2), ui.theme.second_text, hint);
 }
 
-// The names of the buttons that turn and scale, as long as there is room for.
+// Of the buttons that turn and scale, as long as there is room.
 struct WholeNames {
   const char *right, *left, *larger, *smaller;
 };
@@ -226,7 +224,7 @@ void draw_edge_fields(const Ui& ui, float length_width, float angle_width) {
                                   angle_width);
   if (length.moved) ui.push(TypeEdge{length.moved, {}, length.pressed});
   if (angle.moved) ui.push(TypeEdge{{}, angle.moved, angle.pressed});
-  // Enter in an empty field places the edge if its other number was typed; otherwise it acts as on
+  // Enter in an empty field places the edge if the other number was typed; otherwise it acts as on
   // the drawing.
   const bool entered = (length.pressed && !length.moved) || (angle.pressed && !angle.moved);
   if (entered && (drawing.length || drawing.degrees))
@@ -243,8 +241,7 @@ bool vertex_is_on_sheet(const AppState& state) {
 
 namespace {
 
-// On a low screen the vertex's buttons below the toolbar would cover robots, so they are at the
-// foot of the panel.
+// On a low screen the vertex's buttons would cover robots, so they are at the foot of the panel.
 bool vertex_is_over_panel(const AppState& state) {
   const Layout places = layout(state);
   return state.view.tool == Tool::parts && state.view.selected && places.wide && places.low &&
@@ -295,7 +292,7 @@ void draw_snap_choices(const Ui& ui) {
 
 void draw_tool_bar(const Ui& ui) {
   const AppState& state = ui.state;
-  // From the next frame on, everything below the panels avoids the bar.
+  // From the next frame on, all below the panels avoids the bar.
   const bool shown = has_tool_bar(state);
   if ((in_last_frame("has tool bar", shown, shown) != 0) != shown) ui.push(LayOutAgain{});
   if (!shown) return;
@@ -321,7 +318,7 @@ void draw_tool_bar(const Ui& ui) {
   const float chips = snap_chips_width() + (chooses ? choice_width(ui) + 2 * gap : 0);
   const double end = static_cast<double>(ImGui::GetItemRectMax().x + chips) + 12 + 8;
   const bool fits = end <= at.right && !over_panel, snaps = fits || !snaps_in_menu(ui);
-  // In a row of their own if there is height for it.
+  // In their own row if there is height for it.
   if (fits) ImGui::SameLine(0, 12);
   if (chooses) choose_drawn(ui);
   if (chooses && snaps) ImGui::SameLine(0, gap);

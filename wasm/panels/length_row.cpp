@@ -14,7 +14,7 @@
 namespace evenlift::view {
 namespace {
 
-// A length one step up or down; below the first step it is 0.
+// Below the first step, a length is 0.
 double stepped_length(const AppState& state, double length, int by) {
   const double first = first_length(size_of_object(state));
   if (by > 0) return length < first ? first : stepped(length, by);

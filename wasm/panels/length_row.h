@@ -12,25 +12,24 @@ namespace evenlift::view {
 struct LengthRow {
   Setting setting;
   const char *label, *about, *spoken;
-  // For a setting with a default: its member, and the name of the default.
+  // For a setting with a default: its member, and the default's name.
   std::optional<double> Settings::*member = nullptr;
   const char* usual = nullptr;
 };
 void draw_length(const Ui& ui, const LengthRow& row);
 
-// A length or a weight that need not be given.
+// A length or a weight that may be missing.
 struct OptionalRow {
   Setting setting;
   const char *label, *about;
   std::string spoken;
-  const char* without;           // what stands there if it is not given
-  const char *unset_id, *unset;  // the button that takes it away
+  const char* without;           // what is there instead
+  const char *unset_id, *unset;  // the button that removes it
 };
 // Returns whether the value is given.
 bool draw_optional(const Ui& ui, const OptionalRow& row);
 
-// The size of the object; and the first step of a length from 0: a round number near a hundredth of
-// the size.
+// Of the object; and a length's first step from 0: a round number near a hundredth of the size.
 double size_of_object(const AppState& state);
 double first_length(double size_of_object);
 

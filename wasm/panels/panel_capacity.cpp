@@ -1,4 +1,4 @@
-// The capacity of one robot, and the number of robots needed for it.
+// The capacity of one robot, and the number of robots needed.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@
 namespace evenlift::view {
 namespace {
 
-// Steps that suit the size of the value: 100 changes by tens, 12 by ones.
+// 100 changes by tens, 12 by ones.
 double step_for(double value, int direction) {
   const double below = value * (direction < 0 ? 0.999999 : 1);
   return std::pow(10.0, std::floor(std::log10(std::max(below, 1e-6))) - 1);
@@ -29,8 +29,7 @@ double stepped(double value, int by) {
 
 namespace {
 
-// The overloaded robots and the number of robots needed, in a constant height, so that nothing
-// below moves.
+// The overloaded robots and the number needed, in a constant height, so that nothing below moves.
 void draw_need(const Ui& ui) {
   const Derived& facts = ui.state.derived();
   const CapacityPlan* plan = facts.plan && !facts.plan_due ? &*facts.plan : nullptr;
@@ -42,8 +41,8 @@ void draw_need(const Ui& ui) {
   Settings changed = now;
   if (plan && now.method == Method::balanced) changed.robots = plan->team_size;
   if (plan && now.method != Method::balanced) changed.teams = plan->teams;
-  // Fewer robots would do for the loads, but may tip or slide; and the number needed while one
-  // fails is unknown.
+  // Fewer robots would do for the loads, but may tip or slide; the number needed while one fails is
+  // unknown.
   const bool can_take =
       plan && plan->possible && !(changed == now) && !failing(ui.state) && is_overloaded(ui.state);
   const float width = ImGui::GetContentRegionAvail().x;

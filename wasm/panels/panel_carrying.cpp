@@ -73,7 +73,7 @@ const OptionalRow extra{Setting::extra,
                         "no extra",
                         "None"};
 
-// Shows or hides one of the two overlays that explain these numbers.
+// One of the two overlays that explain these numbers.
 void draw_show(const Ui& ui, bool Overlays::*overlay, ActionId toggle, const char* show,
                const char* hide) {
   const bool on = shown(ui.state).overlays.*overlay;

@@ -20,7 +20,7 @@ struct Row {
   std::array<std::string, 2> values;
 };
 
-// `failed` is the number of robots in the first placement that carry nothing.
+// `failed` is the number of robots in `a` that carry nothing.
 std::vector<Row> rows(const Placement& a, const Placement& b, std::size_t failed,
                       const std::string& weight_unit) {
   const auto both = [&](auto value) { return std::array<std::string, 2>{value(a), value(b)}; };
@@ -39,7 +39,6 @@ std::vector<Row> rows(const Placement& a, const Placement& b, std::size_t failed
       {"Form closure", both([](const Placement& p) { return form_closure_in_words(p.closure); })}};
 }
 
-// `methods` are the names of both methods.
 void draw_row(const Ui& ui, const Row& row, Face face, Colour colour,
               const std::array<std::string, 2>& methods) {
   const ImVec2 low = ImGui::GetCursorScreenPos();

@@ -1,4 +1,4 @@
-// The effect of each robot's failure: a sign for each robot; a press on it lets the robot fail.
+// The effect of each robot's failure, as a sign; a press on it lets the robot fail.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -14,15 +14,15 @@ namespace evenlift::view {
 namespace {
 
 constexpr float caption_height = 16, least_height = 42, widest_place = 48;
-constexpr float least_for_number = 34;  // the width of a place with room for the robot's number
+constexpr float least_for_number = 34;  // width of a place with room for a robot's number
 
 // A disc if the others carry the object, a triangle if they do so less well, a cross if it falls.
-// With room for a line only, a longer line means a worse result.
+// With room for a line only, a longer line is worse.
 void draw_sign(const Theme& theme, ImDrawList& list, ImVec2 at, float reach, Mood mood) {
   const bool good = mood == Mood::good, falls = mood == Mood::falls;
   const ImU32 colour = (good ? theme.hull_outline : falls ? theme.red : theme.amber).packed();
   if (reach < 3.5f) {
-    // All have the same width: otherwise some would look darker.
+    // Of one width: otherwise some would look darker.
     const float half = good    ? 2.5f
                        : falls ? 9.0f
                                : 5.5f,
@@ -42,7 +42,6 @@ void draw_sign(const Theme& theme, ImDrawList& list, ImVec2 at, float reach, Moo
   }
 }
 
-// A robot with an unknown result.
 void draw_unknown(const Theme& theme, ImDrawList& list, ImVec2 at, float reach) {
   list.AddRectFilled(ImVec2(at.x - std::min(reach, 3.0f), at.y - 1),
                      ImVec2(at.x + std::min(reach, 3.0f), at.y + 1), theme.quiet.packed());
@@ -75,7 +74,7 @@ void draw_signs(const Ui& ui, const RowOfPlaces& row, std::size_t count) {
   }
 }
 
-// The number of robots with a sign: 0 for too many robots, and while the result is not shown.
+// 0 for too many robots, and while the result is not shown.
 std::size_t signs(const AppState& state) {
   if (!state.derived().placement || state.derived().refusal || draws(state.view.tool)) return 0;
   const std::size_t count = count_robots(state.derived().placement->teams);
@@ -89,7 +88,7 @@ const char* caption(const AppState& state, std::size_t count) {
   return many ? "If one robot fails: too many robots to check each" : "";
 }
 
-// For a finger the signs of many robots are too small: these buttons step from one to the next.
+// The signs of many robots are too small for a finger: these buttons step through them.
 void draw_steps(const Ui& ui, ImVec2 at, std::size_t count, std::optional<std::size_t> now) {
   const float size = ui.control();
   ImGui::SetCursorScreenPos(at);

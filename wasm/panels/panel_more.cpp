@@ -1,4 +1,4 @@
-// Seldom-used settings, behind a row that opens them: the teams' free positions and goal, the model
+// Seldom-used settings, behind a row that opens them: free positions and goal of teams, the model
 // of the shown loads, the C uncertainty, units, and the clearance and survival of balanced robots.
 #include <algorithm>
 #include <string>
@@ -22,7 +22,7 @@ constexpr Choice models[] = {{"As planned", "each robot's force is controlled"},
                              {"At worst", "unequal heights, or it bends"}};
 static_assert(std::size(models) == std::size(all_load_models));
 
-// A text in a block of this number of lines, so that nothing below moves when it changes.
+// A text in a constant number of lines, so that nothing below moves.
 void draw_block(const Ui& ui, const std::string& text, std::size_t lines) {
   text_block_of(Face::label, ui.theme.second_text, text, ImGui::GetContentRegionAvail().x, lines);
 }
@@ -94,7 +94,7 @@ void draw_survive(const Ui& ui) {
   ui.push(SetSettings{changed});
 }
 
-// Whether a team stands at the best place of two edges or anywhere in their range.
+// At the best place of two edges, or anywhere in their range.
 void draw_positions(const Ui& ui) {
   Settings changed = settings(ui.state);
   constexpr Choice positions[] = {{"Best", "one place for two edges"},

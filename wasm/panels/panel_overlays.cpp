@@ -1,4 +1,4 @@
-// The overlays: switches that are also the legend of the picture.
+// The overlays: switches, and the legend of the picture.
 #include <algorithm>
 #include <iterator>
 
@@ -46,20 +46,20 @@ constexpr Overlay overlays[] = {
      "Where the extra load may stand: in the striped part it lifts a robot off or overloads one (Shift+L)"},
 };
 
-// Why this overlay is always empty for the method; null if it is not.
+// Null if the method can fill the overlay.
 const char* why_none(Method method, const Overlay& overlay) {
   const bool weighs = !is_one_team(method) || overlay.shown != &Overlays::candidates;
   return weighs ? nullptr : "These robots are not chosen among candidate chords";
 }
 
-// Whether the overlay can show anything: two of them need a setting of *Carrying*.
+// Two overlays need a setting of *Carrying*.
 bool is_offered(const Shown& shown, const Overlay& overlay) {
   if (overlay.shown == &Overlays::tilt) return shown.carrying.com_height > 0;
   if (overlay.shown == &Overlays::load) return shown.carrying.extra.has_value();
   return true;
 }
 
-// Whether the overlay shows the lines of balanced robots in place of chords.
+// Whether it shows the lines of balanced robots, not chords.
 bool shows_lines(Method method, const Overlay& overlay) {
   return overlay.shown == &Overlays::chords && is_one_team(method);
 }
@@ -68,7 +68,6 @@ const char* label_of(Method method, const Overlay& overlay) {
   return shows_lines(method, overlay) ? "Lines" : overlay.label;
 }
 
-// Whether the overlay is shown but empty.
 bool is_empty(const Placement& placement, const Overlay& overlay) {
   const Closure& closure = placement.closure;
   return (overlay.shown == &Overlays::clockwise && !closure.clockwise.exists) ||
@@ -104,7 +103,7 @@ void draw_heat_key(const Ui& ui) {
                                     settings(ui.state).weight;
     const std::string text = last ? "none" : plain(force);
     const ImVec2 size = text_size(Face::tiny, text);
-    // Each level is at the border between two bands; the last one is a word.
+    // Each level is at the border of two bands; the last one is a word.
     const float x = last ? left + (each - size.x) / 2 : left + each - size.x / 2;
     if (i + 2 == bands || x < written + 4) continue;
     written = x + size.x;

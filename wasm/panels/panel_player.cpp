@@ -1,4 +1,4 @@
-// The player of the walkthrough: its timeline, and the buttons that move along it.
+// The walkthrough's timeline, and the buttons that move along it.
 #include <algorithm>
 #include <string>
 
@@ -31,7 +31,7 @@ void draw_play(const Ui& ui, float size) {
   ImGui::SameLine(0, 0);
 }
 
-// Marks over the track where chapters begin.
+// Over the track, where chapters begin.
 void draw_chapters(const Ui& ui, ImVec2 low, ImVec2 high, std::size_t parts) {
   const float knob = knob_radius(ui), from = low.x + knob, to = high.x - knob;
   const float y = (low.y + high.y) / 2;
@@ -43,7 +43,7 @@ void draw_chapters(const Ui& ui, ImVec2 low, ImVec2 high, std::size_t parts) {
   }
 }
 
-// All chapters have the same width; the knob moves within its own.
+// All chapters are equally wide; the knob moves within its own.
 void draw_timeline(const Ui& ui, float width) {
   const Timeline now = timeline(ui.state);
   const std::vector<ChapterPart> parts = chapter_parts(ui.state);
@@ -110,7 +110,6 @@ void draw_switches(const Ui& ui) {
   if (switch_chip(ui, "All steps", shows_all(walk))) ui.push(ShowAllSteps{!shows_all(walk)});
 }
 
-// Everything that does not fit in a row.
 void draw_menu(const Ui& ui) {
   if (!begin_choices(ui, "player menu", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), 0))
     return;
@@ -130,7 +129,7 @@ void draw_menu(const Ui& ui) {
   end_choices(ui);
 }
 
-// The button that leaves, at the right end of the row.
+// At the right end of the row.
 void draw_leave(const Ui& ui, float size) {
   if (ui.state.session.screen.embed) {
     if (icon_button(ui, "out", Icon::open_out, true, "Open in evenlift", size)) ui.push(OpenPage{});
@@ -145,7 +144,7 @@ void draw_leave(const Ui& ui, float size) {
 
 }  // namespace
 
-// One row, for little room: the timeline between the most used buttons, and a menu with the others.
+// For little room: the timeline between the most used buttons, and a menu with the others.
 void draw_player_row(const Ui& ui) {
   const float width = ImGui::GetContentRegionAvail().x;
   const bool leaves = ui.state.session.screen.embed || ui.state.view.presenting || !ui.layout.wide;
@@ -169,7 +168,7 @@ void draw_player_row(const Ui& ui) {
   ImGui::PopStyleVar();
 }
 
-// Timeline, buttons and switches; a menu has those that do not fit.
+// Timeline, buttons and switches. A menu has those that do not fit.
 void draw_player(const Ui& ui) {
   const float width = ImGui::GetContentRegionAvail().x, size = ui.control();
   const float needed = 7 * size + 12 + text_size(Face::label, words_of_place(ui)).x + place_gap +

@@ -1,5 +1,4 @@
-// The settings: method, teams, minimum load ratio, weight, and those that exist only for some
-// methods or shapes.
+// Method, teams, minimum load ratio, weight, and settings of only some methods or shapes.
 #include <algorithm>
 #include <cmath>
 
@@ -31,7 +30,7 @@ void draw_method(const Ui& ui) {
   ui.push(SetMethod{methods[*chosen].method});
 }
 
-// Why the minimum load ratio has no effect; null if it has one.
+// Null if it has an effect.
 const char* why_no_ratio(Method method) {
   if (method == Method::given) return "Robots placed by hand are not chosen by their load ratio";
   if (method == Method::balanced)
@@ -106,8 +105,8 @@ void draw_centre(const Ui& ui) {
     ui.push(ReleaseCentre{});
 }
 
-// One line: the greatest load, its spread, coverage, and whether the object is held. Below it, the
-// button that shows as many balanced robots beside these.
+// One line: the greatest load, its spread, coverage, and whether the object is held. Below it, a
+// button shows as many balanced robots beside these.
 void draw_score(const Ui& ui) {
   if (!ui.state.derived().placement) return;
   text_block_of(Face::label, ui.theme.second_text, score(ui.state),
@@ -119,7 +118,7 @@ void draw_score(const Ui& ui) {
   if (ImGui::IsItemHovered()) tip(ui, "As many balanced robots, in a second picture");
 }
 
-// Moves robots that the user moved by hand back to their original places.
+// Back to the places before they were moved by hand.
 void draw_reset(const Ui& ui, float width) {
   ImGui::SameLine(0, 8);
   if (flat_button(ui, "reset robots", "Reset", width)) ui.push(ResetRobots{});
@@ -143,13 +142,14 @@ void draw_robots_stepper(const Ui& ui) {
   ui.push(SetSettings{changed});
 }
 
-// The number of robots placed by hand, and the button that makes their loads equal.
+// Of robots placed by hand; also the button that makes their loads equal.
 void draw_supports_stepper(const Ui& ui) {
   const std::size_t robots = settings(ui.state).supports.size();
   constexpr float button = 92;
   const float width = labelled(
       ui, "Robots", "One more goes where it adds most to the lifting base; drag any robot");
-  const bool challenge = ui.state.view.challenge;  // its card has the score, and no help
+  const bool challenge = ui.state.view.challenge;  // the challenge's card has the score, and no
+                                                   // help
   const int by =
       stepper(ui, "supports", std::to_string(robots), challenge ? width : width - button - 8,
               {.can_lower = robots > 1,
@@ -166,7 +166,7 @@ void draw_supports_stepper(const Ui& ui) {
 
 }  // namespace
 
-// The robots' goal, and the least margin of a hold.
+// With the least margin of a hold.
 void draw_goal(const Ui& ui) {
   Settings changed = settings(ui.state);
   constexpr Choice goals[] = {{"Cover", "most of the object above the lifting base"},
@@ -229,7 +229,7 @@ void draw_teams_stepper(const Ui& ui) {
 
 namespace {
 
-// Two sections that open below their buttons, which stand in one row.
+// Two sections that open below their buttons, which are in one row.
 void draw_further_settings(const Ui& ui) {
   constexpr float gap = 8;
   const float head = ImGui::GetCursorPosY(), half = (ImGui::GetContentRegionAvail().x - gap) / 2;

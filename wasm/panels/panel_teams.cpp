@@ -1,4 +1,4 @@
-// The teams as a table: each team's two loads as a balance about the middle, and its load ratio.
+// The teams as a table: two loads as a balance about the middle, and the load ratio.
 #include <algorithm>
 
 #include "evenlift/output/words.h"
@@ -20,7 +20,7 @@ struct Columns {
   float numbers;  // the width of the robots' numbers
 };
 
-// The shown load of a robot, without its unit.
+// Without its unit.
 std::string load_text(const Ui& ui, std::size_t number) {
   const Failure* failure = failing(ui.state);
   if (failure && failure->robot == number) return "fails";
@@ -29,7 +29,7 @@ std::string load_text(const Ui& ui, std::size_t number) {
   return amounts(outlook.model, outlook.loads[number], outlook.greatest);
 }
 
-// "5 6", the robots of the third team.
+// "5 6" for the third team.
 std::string numbers_of_team(std::size_t team) {
   return std::to_string(2 * team - 1) + " " + std::to_string(2 * team);
 }
@@ -50,7 +50,7 @@ Columns columns(const Ui& ui, float left, float width) {
       numbers};
 }
 
-// The length of the bar of the greatest load.
+// For the greatest load.
 float full_bar(const Columns& c) { return std::max(12.0f, c.half - c.text); }
 
 void right_aligned(ImDrawList& list, Face face, float right, float middle_y, Colour colour,
@@ -72,7 +72,7 @@ void draw_heading(const Ui& ui, const Columns& c) {
   ImGui::Dummy(ImVec2(1, line_height(Face::label)));
 }
 
-// The load of a robot as a number and a bar, which is fainter beyond the least load of a range.
+// A robot's load as a number and a bar, which is fainter beyond the least load of a range.
 void draw_bar(const Ui& ui, const Columns& c, float y, std::size_t number, int side) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Outlook& outlook = shown_outlook(ui.state);
@@ -96,7 +96,7 @@ void draw_bar(const Ui& ui, const Columns& c, float y, std::size_t number, int s
             text);
 }
 
-// The disc at the beginning of a row, as wide as its numbers need.
+// As wide as the numbers need.
 void draw_numbers(const Ui& ui, float left, float y, float width, const std::string& numbers) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 low(left + 1, y - 10), high(left + 1 + width, y + 10);
@@ -107,8 +107,8 @@ void draw_numbers(const Ui& ui, float left, float y, float width, const std::str
             ui.theme.robot_text, numbers);
 }
 
-// The text of a row for users who cannot see it: "Team 2, robots 3 and 4: loads 15.2 and 18.1 kg,
-// length 320, ratio 0.84. Why here?"
+// For users who cannot see the row: "Team 2, robots 3 and 4: loads 15.2 and 18.1 kg, length 320,
+// ratio 0.84. Why here?"
 std::string team_row_in_words(const Ui& ui, std::size_t index) {
   const Team& team = ui.state.derived().placement->teams[index];
   const double span = team.robots[0].arm + team.robots[1].arm;
@@ -146,7 +146,7 @@ bool draw_row(const Ui& ui, const Columns& c, std::size_t index) {
   return hovered;
 }
 
-// A line through all bars at the mean load: a longer bar exceeds the mean.
+// A line through all bars at the mean load.
 void draw_even_share(const Ui& ui, const Columns& c, float top, float bottom) {
   const Placement& placement = shown_placement(ui.state);
   if (!placement.loads) return;
@@ -163,7 +163,7 @@ void draw_even_share(const Ui& ui, const Columns& c, float top, float bottom) {
   draw_text(list, Face::label, ImVec2(c.middle - size.x / 2, bottom + 3), ui.theme.accent, text);
 }
 
-// A balanced robot: its number, its place and its load.
+// A balanced robot's number, place and load.
 void draw_robot_row(const Ui& ui, const Columns& c, std::size_t index, const TeamInWords& words) {
   const Placement& placement = *ui.state.derived().placement;
   const Robot& robot = placement.teams[0].robots[index];

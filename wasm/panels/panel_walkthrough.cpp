@@ -1,5 +1,4 @@
-// The walkthrough beside the drawing: the step in words, numbers and code, and the questions from
-// and to the learner.
+// The step in words, numbers and code, and the questions from and to the learner.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -30,7 +29,6 @@ float full_width() { return ImGui::GetContentRegionAvail().x; }
 
 void space(float height) { ImGui::Dummy(ImVec2(0, height)); }
 
-// A text on a background of its own.
 void draw_box(Colour ground, Colour colour, Face face, const std::string& text) {
   const float pad = 10, width = full_width();
   const std::vector<std::string_view> lines = broken_lines(face, text, width - 2 * pad);
@@ -42,7 +40,6 @@ void draw_box(Colour ground, Colour colour, Face face, const std::string& text) 
   ImGui::Dummy(ImVec2(width, high.y - at.y));
 }
 
-// The faces for the texts of a step.
 struct Faces {
   Face words, second, strong, formula, label;
 };
@@ -52,7 +49,6 @@ constexpr Faces in_little_room{Face::text, Face::label, Face::strong_label, Face
                                Face::label};
 constexpr Faces for_a_room{Face::large, Face::text, Face::verdict, Face::text, Face::label};
 
-// The button of a choice.
 struct ChoiceName {
   std::string id, words;
 };
@@ -76,7 +72,7 @@ ChoiceName choice_name(const Ask& ask, std::uint32_t choice) {
   return {end, say(end)};
 }
 
-// The buttons are beside each other if height is scarce.
+// Beside each other if height is scarce.
 void draw_choices(const Ui& ui, const Ask& ask, bool beside) {
   const float width = full_width(), gap = 6;
   if (ask.choices.size() <= 3) {
@@ -131,14 +127,14 @@ void draw_words(const Ui& ui, const Faces& faces) {
   const Walkthrough& walk = ui.state.view.walkthrough;
   const std::string words = words_of_stop(ui.state);
   if (!words.empty()) text_block(faces.words, ui.theme.text, words);
-  // Before an audience a step says its sentence once: the lesson's.
+  // Before an audience a step says only one sentence: the lesson's.
   const bool once = ui.state.view.presenting && !words.empty() && !ui.state.view.formal_open;
   if (!walk.caption.empty() && !once)
     text_block(walk.script ? faces.second : faces.words,
                walk.script ? ui.theme.second_text : ui.theme.text, walk.caption);
 }
 
-// The formula, and the meaning of its letters.
+// With the meaning of its letters.
 void draw_formula(const Ui& ui, const Faces& faces) {
   const Walkthrough& walk = ui.state.view.walkthrough;
   if (walk.formula.empty() || !ui.state.view.formal_open) return;
@@ -147,8 +143,8 @@ void draw_formula(const Ui& ui, const Faces& faces) {
     text_block(faces.label, ui.theme.second_text, std::string(letters));
 }
 
-// A step explains itself in words. Its formula and the algorithm are shown only on request: with
-// them, a first step would look like a lecture.
+// A step explains itself in words. The formula and the algorithm are shown on request: with them, a
+// first step would look like a lecture.
 void draw_formal_button(const Ui& ui, const char* show, const char* hide) {
   const bool open = ui.state.view.formal_open;
   if (flat_button(ui, "formula", open ? hide : show, full_width()))
@@ -180,9 +176,9 @@ void draw_walkthrough_step(const Ui& ui) {
   ImGui::PopStyleVar();
 }
 
-// The same in a box of constant height, in which longer text scrolls: in a closed sheet, in an
-// <iframe>, or in presentation mode. A question replaces the words, and its buttons are below the
-// box unless that would leave less than two lines.
+// In a box of constant height, in which longer text scrolls: in a closed sheet, in an <iframe>, or
+// in presentation mode. A question replaces the words; its buttons are below the box unless that
+// would leave less than two lines.
 void draw_walkthrough_briefly(const Ui& ui, float height) {
   const Walkthrough& walk = ui.state.view.walkthrough;
   constexpr float little = 120;
@@ -216,8 +212,7 @@ void draw_walkthrough_briefly(const Ui& ui, float height) {
 
 namespace {
 
-// A bar with the length `share` (0 .. 1) of the width between the two points, which are at the left
-// and right end.
+// Its length is `share` (0 .. 1) of the way between the two points, its left and right end.
 void draw_bar(const Ui& ui, ImVec2 from, ImVec2 to, double share, Colour colour) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float width = (to.x - from.x) * static_cast<float>(std::clamp(share, 0.0, 1.0));
@@ -226,7 +221,7 @@ void draw_bar(const Ui& ui, ImVec2 from, ImVec2 to, double share, Colour colour)
                      3);
 }
 
-// A candidate in the ranking; while it is hovered, the drawing shows its measurement.
+// While a candidate in the ranking is hovered, the drawing shows its measurement.
 void draw_ranked(const Ui& ui, const TeamScores& scores, std::size_t place, double best) {
   const std::uint32_t c = scores.ranking[place];
   const Score& score = scores.of_candidate[c];
@@ -259,7 +254,7 @@ const char* title_of_ranking(Rule rule) {
                                       : "Candidates by load ratio";
 }
 
-// A line of the algorithm, indented by two spaces for each level.
+// Indented by two spaces for each level.
 void draw_code_line(const Ui& ui, std::string_view line, bool current) {
   float indent = 8;
   while (line.substr(0, 2) == "  ") {
@@ -283,7 +278,7 @@ void draw_code_line(const Ui& ui, std::string_view line, bool current) {
 
 }  // namespace
 
-// The eligible candidates with their scores, the best first.
+// The eligible candidates, the best first.
 void draw_walkthrough_ranking(const Ui& ui) {
   const TeamScores& scores = *ui.state.view.walkthrough.detail.scores;
   text_line(Face::strong_label, ui.theme.second_text, title_of_ranking(scores.rule));
@@ -298,7 +293,7 @@ void draw_walkthrough_ranking(const Ui& ui) {
               say("and {candidates} more", {scores.ranking.size() - most_ranked}));
 }
 
-// In a box that scrolls to its current line, so that the caption above does not move.
+// In a box that scrolls to the current line, so that the caption above does not move.
 void draw_walkthrough_code(const Ui& ui) {
   const Walkthrough& walk = ui.state.view.walkthrough;
   const auto lines = pseudo_code(settings(ui.state));

@@ -18,7 +18,7 @@ bool compares(const AppState& s) {
   return s.derived().second.has_value() && s.work.second_method.has_value();
 }
 
-// Top to bottom. Settings are above results, so that no control moves when a result changes.
+// Settings are above results, so that no control moves when a result changes.
 constexpr Panel side_panel[] = {
     {"verdict", draw_verdict, false},   {"settings", draw_settings, false},
     {"overlays", draw_overlays, false}, {"comparison", draw_comparison, true, compares},
@@ -29,7 +29,7 @@ bool ranks(const AppState& s) {
   return scores && !scores->ranking.empty();
 }
 bool has_history(const AppState& s) { return s.view.walkthrough.visited.size() > 1; }
-// Whether the drawing shows the forces that tip, as it does once the last lifting base is there.
+// Whether the drawing shows the forces that tip: once it has the last lifting base.
 bool shows_forces(const AppState& s) { return shown(s).overlays.tipping && knows_base(s); }
 bool is_formal(const AppState& s) { return s.view.formal_open; }
 constexpr Panel walkthrough_panel[] = {
@@ -46,7 +46,7 @@ std::span<const Panel> sections(const AppState& state) {
   return side_panel;
 }
 
-// Dims the last result, which stays while the document is refused.
+// The last result stays while the document is refused.
 void dim(const Ui& ui, ImVec2 from) {
   const float right = from.x + ImGui::GetContentRegionAvail().x + 6;
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(from.x - 6, from.y),
@@ -58,8 +58,7 @@ void draw_sections(const Ui& ui, std::size_t first) {
   const std::span<const Panel> panels = sections(ui.state);
   for (std::size_t i = first; i < panels.size(); ++i) {
     if (panels[i].shown && !panels[i].shown(ui.state)) continue;
-    // Beside a shape that is being drawn, the results of the former one would be mistaken for its
-    // own.
+    // Beside a new shape, the former one's results would be mistaken for its own.
     if (panels[i].of_result && draws(ui.state.view.tool)) continue;
     if (i > first) rule(ui);
     ImGui::PushID(panels[i].name);
@@ -70,7 +69,7 @@ void draw_sections(const Ui& ui, std::size_t first) {
   }
 }
 
-// A button in the corner of the panel, above its content.
+// In the corner of the panel, above its content.
 void draw_fold_button(const Ui& ui, Icon icon, bool open, const char* about) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - ui.control() - 8;
@@ -88,14 +87,13 @@ void draw_close_button(const Ui& ui) {
   ImGui::SetCursorScreenPos(at);
 }
 
-// After the user opens a document, or begins or leaves a lesson, the panel shows its head.
+// When the user opens a document, or begins or leaves a lesson.
 void begin_at_head(const Ui& ui) {
   const int shown = 2 * ui.state.session.opened + (walkthrough_is_open(ui.state) ? 1 : 0);
   if (in_last_frame("shows", shown, shown) != shown) ImGui::SetScrollY(0);
 }
 
-// The verdict stays visible while the rest scrolls, so that the effect of a changed setting is
-// visible.
+// The verdict stays visible while the rest scrolls, to show the effect of a changed setting.
 void draw_verdict_and_rest(const Ui& ui) {
   draw_verdict(ui);
   rule(ui);
@@ -140,8 +138,7 @@ void draw_rail(const Ui& ui) {
 
 constexpr float handle_height = 24;
 
-// The state of the sheet after opening it `by` steps further; without a half-open state, it is
-// closed or fully open.
+// Without a half-open state, the sheet is closed or fully open.
 Sheet opened_further(const AppState& state, int by) {
   auto wanted = static_cast<Sheet>(std::clamp(static_cast<int>(state.view.sheet) + by, 0, 2));
   if (wanted == Sheet::half && !has_half_sheet(state))
@@ -149,8 +146,7 @@ Sheet opened_further(const AppState& state, int by) {
   return wanted;
 }
 
-// The handle of the sheet. A press opens the sheet further or closes it; a drag pulls it up or
-// down.
+// A press opens the sheet further or closes it; a drag pulls it.
 void draw_handle(const Ui& ui) {
   ImGui::SetCursorPosY(4);
   const float width = ImGui::GetContentRegionAvail().x;
@@ -166,7 +162,6 @@ void draw_handle(const Ui& ui) {
   }
 }
 
-// The handle's bar.
 void draw_grip(const Ui& ui) {
   const ImVec2 low = ImGui::GetWindowPos();
   const float middle = low.x + ImGui::GetWindowWidth() / 2;
@@ -175,7 +170,7 @@ void draw_grip(const Ui& ui) {
                      ui.theme.quiet.packed(), 2);
 }
 
-// The step's words in the available space, and below them one row of buttons.
+// The step's words where there is space, and one row of buttons.
 void draw_step_and_row(const Ui& ui) {
   constexpr float gap = 4;
   draw_walkthrough_briefly(ui, ImGui::GetContentRegionAvail().y - ui.control() - gap);
@@ -183,8 +178,8 @@ void draw_step_and_row(const Ui& ui) {
   draw_player_row(ui);
 }
 
-// The selected vertex, or the next edge while drawing, takes the place of the teams: over the
-// drawing its buttons would cover it.
+// Over the drawing, the buttons of the selected vertex or of the next edge would cover it, so they
+// replace the teams.
 void draw_row_below_verdict(const Ui& ui) {
   if (vertex_is_on_sheet(ui.state)) return draw_vertex_buttons(ui);
   if (!draws(ui.state.view.tool) || ui.state.view.drawing.points.empty())
@@ -194,8 +189,8 @@ void draw_row_below_verdict(const Ui& ui) {
   draw_edge_fields(ui, width, width);
 }
 
-// With little height, for example above a keyboard, the row is at the foot, and the failures appear
-// only when the sheet is pulled up.
+// With little height, for example above a keyboard, the row is at the foot, and only a pulled sheet
+// shows the failures.
 void draw_low_sheet(const Ui& ui) {
   draw_verdict_words(ui);
   ImGui::SetCursorPosY(ImGui::GetWindowHeight() - ImGui::GetStyle().WindowPadding.y - ui.control());
@@ -205,7 +200,7 @@ void draw_low_sheet(const Ui& ui) {
 void draw_closed_sheet(const Ui& ui) {
   if (walkthrough_is_open(ui.state))
     return ui.layout.brief ? draw_player_row(ui) : draw_step_and_row(ui);
-  constexpr double too_low = 8;  // number of pixels of the row's margin that may be missing
+  constexpr double too_low = 8;  // pixels of the row's margin that may be missing
   if (!ui.layout.brief && ui.state.session.closed_sheet_height > ui.layout.panel.height() + too_low)
     return draw_low_sheet(ui);
   draw_verdict(ui);
@@ -249,8 +244,7 @@ void draw_sheet(const Ui& ui) {
   end_card(ui);
 }
 
-// The player at the foot of the drawing; in an <iframe> and in presentation mode it also has the
-// step's words.
+// At the foot of the drawing; in an <iframe> and in presentation mode with the step's words.
 void draw_floating_player(const Ui& ui) {
   const bool tells = ui.state.session.screen.embed || presents_steps(ui.state);
   begin_card(ui, "player", ui.layout.player,

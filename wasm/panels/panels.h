@@ -5,7 +5,7 @@
 
 namespace evenlift::view {
 
-// A section of the side panel (or sheet).
+// Of the side panel or sheet.
 struct Panel {
   const char* name;
   void (*draw)(const Ui&);
@@ -26,22 +26,22 @@ void draw_failures(const Ui& ui);  // below the verdict, of constant height
 void draw_settings(const Ui& ui);
 void draw_teams_stepper(const Ui& ui);
 void draw_capacity(const Ui& ui);
-void draw_goal(const Ui& ui);  // for a method that has one
+void draw_goal(const Ui& ui);  // if the method has one
 void draw_robot_size(const Ui& ui);
-// Slopes, uneven ground and a further load, below their button; `head` is where the button begins.
+// Slopes, uneven ground and a further load, below the button, which begins at `head`.
 void draw_carrying_button(const Ui& ui, float width);
 void draw_carrying(const Ui& ui, float head);
 void draw_more_button(const Ui& ui, float width);
-void draw_more(const Ui& ui, float head);  // settings that are seldom needed
+void draw_more(const Ui& ui, float head);  // seldom-used settings
 void draw_compare(const Ui& ui);
 void draw_comparison(const Ui& ui);  // with a second method
-// The heat map's colours, and the forces between them.
+// The heat map's colours, and their forces.
 void draw_heat_key(const Ui& ui);
 void draw_overlays(const Ui& ui);
 void draw_teams(const Ui& ui);
 void draw_numbers(const Ui& ui);
 
-// The value one step up or down, in steps that suit its size: 100 changes by tens, 12 by ones.
+// One step up or down that suits the value's size: 100 changes by tens, 12 by ones.
 double stepped(double value, int by);
 
 // The sections of the walkthrough.
@@ -56,14 +56,13 @@ void draw_player_row(const Ui& ui);
 // The floating cards.
 void draw_toolbar(const Ui& ui);
 void draw_tool_bar(const Ui& ui);
-// Whether the toolbar's menu has the snap choices that do not fit in the tool's bar, and its rows
-// for them.
+// Whether the toolbar's menu has the snap choices that do not fit in the tool's bar; and its rows.
 bool snaps_in_menu(const Ui& ui);
 void draw_snap_choices(const Ui& ui);
-// Fields for the next edge's length and angle, while at least one vertex is drawn.
+// For the next edge, while at least one vertex is drawn.
 void draw_edge_fields(const Ui& ui, float length_width, float angle_width);
-// Buttons for the selected vertex; and whether they are on the closed sheet of a narrow screen
-// instead of a bar over the drawing.
+// For the selected vertex; and whether they are on a narrow screen's closed sheet, not in a bar
+// over the drawing.
 void draw_vertex_buttons(const Ui& ui);
 bool vertex_is_on_sheet(const AppState& state);
 void draw_view_tools(const Ui& ui);

@@ -73,7 +73,7 @@ Verdict of_measuring(const AppState& state) {
                   : "Click two points of the picture, then type the distance between them.")};
 }
 
-// What is said while a shape or a hole is drawn.
+// While a shape or a hole is drawn.
 struct DrawingWords {
   const char *begin, *few, *tap, *click, *refused, *closes;
 };
@@ -114,7 +114,6 @@ Verdict of_drawing(const AppState& state) {
               : say(finger ? words.tap : words.click)};
 }
 
-// The places of the robots of one team.
 std::string robots_in_words(const Placement& placement) {
   const bool given = placement.settings.method == Method::given,
              holds = goal_of(placement.settings) == Goal::hold;
@@ -131,8 +130,7 @@ std::string robots_in_words(const Placement& placement) {
   return text;
 }
 
-// The loads of the others while a robot fails; empty for many, since the list would be too long to
-// listen to.
+// Empty for many robots: the list would be too long to listen to.
 std::string loads_while_failing(const Failure& failure, const Units& units) {
   constexpr std::size_t most = 24;
   const std::vector<LoadRange>& loads = failure.outlook.loads;
@@ -198,7 +196,7 @@ std::string need_in_words(const AppState& state) {
   const Outlook& outlook = shown_outlook(state);
   const Failure* failure = failing(state);
   const Derived& facts = state.derived();
-  // While something is dragged, the plan is of the object before.
+  // During a drag, the plan is of the object before.
   const bool plans = !facts.plan_due;
   return capacity_in_words(of(state), plans && facts.plan ? &*facts.plan : nullptr,
                            overloaded(state, outlook), outlook.model,
@@ -297,7 +295,7 @@ std::string summary(const AppState& state) {
   if (walkthrough_is_open(state) && !state.derived().refusal) return walkthrough_in_words(state);
   std::string text = v.headline;
   if (!v.detail.empty()) text += " " + v.detail;
-  // Beside a shape that is being drawn, the robots of the former one would be mistaken for its own.
+  // Beside a new shape, the former one's robots would be mistaken for its own.
   if (state.derived().refusal || !state.derived().placement || draws(state.view.tool)) return text;
   if (const Failure* failure = failing(state))
     return text + loads_while_failing(*failure, shown(state).units);
@@ -311,7 +309,7 @@ std::string summary(const AppState& state) {
       " " + say("{teams} of {requested} requested, method {method}, minimum load ratio {ratio}.",
                 {count_of(placement.teams.size(), "team", "teams"), placement.requested_teams,
                  method_in_words(settings.method), plain(settings.min_ratio)});
-  // A list of a hundred teams would be too long to listen to; the JSON has them all.
+  // A hundred teams would be too long to listen to; the JSON has all.
   const std::size_t named = std::min<std::size_t>(placement.teams.size(), 12);
   const int decimals = coordinate_decimals(placement.vertices());
   for (std::size_t i = 0; i < named; ++i) {

@@ -1,5 +1,5 @@
-// The result in words: the verdict at the top of the panel, and the whole result for users who
-// cannot see the canvas.
+// The verdict at the top of the panel, and the whole result in words for users who cannot see the
+// canvas.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct Verdict {
   Mood mood = Mood::good;
   std::string headline;    // "6 robots carry 15.2–18.1 kg each (100 kg in all)."
   std::string detail;      // "81 % of the object can be pressed down on without tipping it. …"
-  bool searching = false;  // balanced robots may still change
+  bool searching = false;  // balanced robots may change
 };
 
 Verdict verdict(const AppState& state);
@@ -22,53 +22,51 @@ Verdict verdict(const AppState& state);
 // The verdict's assumptions about the robots; empty if it does not mention them.
 std::string presumed_in_words(const AppState& state);
 
-// The mood if a robot fails: `falls`, or `not_quite` because the object can tip or a robot is
-// overloaded.
+// `falls`, or `not_quite` because the object can tip or a robot is overloaded, if a robot fails.
 Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest);
 
-// The effect of a failure of the robot with this number, from 0; empty if unknown.
+// If the robot with this number, from 0, fails; empty if unknown.
 std::string failure_words(const AppState& state, std::size_t robot);
 
-// The parts of a score: "4", "29.1 kg", "8.2 kg", "61 %", "held". The loads are empty if it falls.
+// "4", "29.1 kg", "8.2 kg", "61 %", "held". The loads are empty if the object falls.
 struct Score {
   std::string robots, most, spread, covered, held;
 };
 Score score_of(const Placement& placement, const Units& units);
 
-// Whether a robot carries more than its capacity, by the shown loads.
+// Whether a robot, or this one, carries more than its capacity, by the shown loads.
 bool is_overloaded(const AppState& state);
-bool is_overloaded(const AppState& state, std::size_t robot);  // this robot, by the shown loads
+bool is_overloaded(const AppState& state, std::size_t robot);
 
-// A short message that a robot is overloaded; empty if none is.
+// Empty if no robot is overloaded.
 std::string overload_in_brief(const AppState& state);
 
-// For a robot's capacity: whether each robot stays within it, and the number of robots needed;
-// empty without a capacity.
-// "4 robots, at most 29.0 kg, spread 8.0 kg, 64 % covered, not held": robots placed by hand.
+// For robots placed by hand: "4 robots, at most 29.0 kg, spread 8.0 kg, 64 % covered, not held".
+// For a robot's capacity: whether each stays within it, and the number of robots needed; empty
+// without one.
 std::string score(const AppState& state);
 
 std::string need_in_words(const AppState& state);
 
-// The assumptions of the shown loads, if they are not the plan's, and the effect of the C
-// uncertainty, each in a sentence or two; empty for the plan without uncertainty.
+// The assumptions of the shown loads, and the effect of the C uncertainty, each in a sentence or
+// two; empty for the plan without uncertainty.
 std::string model_words(const AppState& state);
 std::string uncertainty_words(const AppState& state);
 
 // At which slope the object tips, and where a further load may stand; empty if neither is asked.
 std::string carrying_words(const AppState& state);
 
-// The label of weights, such as "kg".
+// Such as "kg".
 std::string weight_unit(const AppState& state);
 
-// Everything that is on the screen but not in the link, in whole sentences; empty if the link holds
-// everything.
+// What is on the screen but not in the link, in whole sentences; or empty.
 std::string link_lacks_in_words(const AppState& state);
 
-// Verdict, teams and their loads, each in a sentence: the text of the page's live region. O(teams).
+// Verdict, teams and loads, each in a sentence: the text of the page's live region. O(teams).
 std::string summary(const AppState& state);
 
-// The selection, the present tool and the shown overlays, each in a sentence on its own line, in
-// addition to the summary, for users who cannot see the canvas. O(1).
+// In addition: the selection, the tool and the shown overlays, each in a sentence on its own line.
+// O(1).
 std::string news(const AppState& state);
 
 }  // namespace evenlift::view

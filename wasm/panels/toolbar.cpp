@@ -1,4 +1,4 @@
-// The cards over the drawing: the bar at the top, the view tools, the notice.
+// The cards over the drawing: the toolbar, the view tools, the notice.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -27,11 +27,11 @@ void wordmark(const Ui& ui, float height) {
   ImGui::Dummy(ImVec2(wordmark_width(), height));
 }
 
-// A button of the toolbar. Buttons that do not fit are in its menu, the last ones first.
+// Buttons that do not fit are in the toolbar's menu, the last ones first.
 struct Part {
   ActionId id;
-  bool named;         // has its name beside it, if there is room
-  bool begins_group;  // a line separates it from the preceding one
+  bool named;         // its name is beside it if there is room
+  bool begins_group;  // after a line
 };
 constexpr Part parts[] = {
     {ActionId::samples, true, false},  {ActionId::draw, true, false},
@@ -40,7 +40,7 @@ constexpr Part parts[] = {
     {ActionId::open, true, false},     {ActionId::save, true, false},
 };
 
-// The looks of the toolbar, from the widest to the narrowest.
+// From the widest to the narrowest.
 struct Look {
   bool wordmark, names, dividers;
   std::size_t shown;  // of `parts`
@@ -129,7 +129,7 @@ void draw_toolbar(const Ui& ui) {
   end_card(ui);
 }
 
-// The zoom as a percentage of the fitting view; a press restores that view.
+// As a percentage of the fitting view, which a press restores.
 void draw_zoom(const Ui& ui) {
   const std::string zoom = zoom_in_words(ui.state);
   const auto [low, high, pressed, hovered] =
@@ -150,7 +150,7 @@ void draw_view_tools(const Ui& ui) {
               .padding = static_cast<float>(ui.layout.bar_padding),
               .scrolls = false});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(2, 2));
-  // A narrow screen has no room for these; two fingers do the same.
+  // A narrow screen has no room for these, but has two fingers.
   if (ui.layout.wide) {
     action_button(ui, ActionId::zoom_out, ui.control());
     ImGui::SameLine(0, 2);
@@ -172,7 +172,7 @@ void draw_view_tools(const Ui& ui) {
   end_card(ui);
 }
 
-// The button back to an object that was moved out of the window, or that surrounds it completely.
+// To an object outside the window, or completely around it.
 void draw_way_back(const Ui& ui) {
   if (ui.state.view.camera_follows || draws(ui.state.view.tool) || !ui.state.derived().placement)
     return;
@@ -193,7 +193,7 @@ void draw_notice(const Ui& ui) {
   if (notice.text.empty()) return;
   const bool problem = notice.kind == Notice::Kind::problem;
   const Rect& seat = ui.layout.notice;
-  // In large letters a long notice would cover half of a phone's drawing.
+  // A long notice in large letters would cover half of a phone's drawing.
   const Face face = ui.layout.wide ? Face::text : Face::label;
   const float text =
       std::min(text_size(face, notice.text).x, static_cast<float>(seat.width()) - 84);

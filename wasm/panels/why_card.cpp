@@ -1,4 +1,4 @@
-// The card that answers "why here?" beside the pressed part.
+// Answers "why here?" beside the pressed part.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -24,7 +24,7 @@ Vec2 spot_of(const Ui& ui, const Explanation& explanation) {
                    ui.layout.second.top - ui.layout.first.top);
 }
 
-// The left and the right end of the object's picture that has the spot, in pixels.
+// Left and right, in the picture that has the spot, in pixels.
 std::pair<double, double> ends_of_object(const Ui& ui, const Vec2& spot) {
   const Rect& second = ui.layout.second;
   const bool in_second = second.width() > 0 && second.contains(spot);
@@ -34,13 +34,13 @@ std::pair<double, double> ends_of_object(const Ui& ui, const Vec2& spot) {
           ui.state.view.camera.to_screen(box.high).x() + shift};
 }
 
-// Beside the object if there is room, else beside the spot, away from the centre of mass; on a
-// narrow screen over the sheet, below the spot; on a phone on its side over the panel, since beside
-// the spot it would cover the object.
+// Beside the object if there is room, else beside the spot, away from the centre of mass. On a
+// narrow screen, over the sheet, below the spot. On a phone on its side, over the panel: at the
+// spot it would cover the object.
 struct CardPlace {
   Rect rect;
   bool at_bottom;      // at the bottom of the rectangle
-  bool fills = false;  // and as high as the rectangle
+  bool fills = false;  // as high as the rectangle
 };
 CardPlace place_of(const Ui& ui, const Vec2& spot) {
   const Rect& free = ui.layout.free;
@@ -60,7 +60,7 @@ CardPlace place_of(const Ui& ui, const Vec2& spot) {
       spot.x() < ui.state.view.camera.to_screen(ui.state.derived().placement->centre_of_mass).x();
   const double before = spot.x() - away - width, behind = spot.x() + away;
   const bool at_left = outward_left ? before >= left : behind + width > right;
-  // As far as there is room, beyond the body of a sized robot.
+  // Beyond the body of a sized robot, as far as there is room.
   const RobotSize& robot = settings(ui.state).robot;
   const double body = ui.state.view.camera.scale * (robot.reach + 2 * robot.radius);
   const auto [begin, end] = ends_of_object(ui, spot);
@@ -89,7 +89,7 @@ void draw_row(const Ui& ui, const Explanation::Row& row) {
   ImGui::Dummy(ImVec2(width, fits ? line : 2 * line));
 }
 
-// While a robot fails: the resulting state of the card's robot.
+// The resulting state of the card's robot.
 void draw_failing(const Ui& ui, const Failure& failure, std::size_t robot) {
   if (failure.robot == robot) {
     text_block(Face::label, ui.theme.text, failure_words(ui.state, robot));
@@ -105,7 +105,6 @@ void draw_failing(const Ui& ui, const Failure& failure, std::size_t robot) {
   draw_row(ui, {say("Robot {robot}", {failure.robot + 1}), "fails"});
 }
 
-// Lets the robot of the card fail, or restores it.
 void draw_fail_button(const Ui& ui, std::size_t robot, float width) {
   const Failure* failure = failing(ui.state);
   const bool failed = failure && failure->robot == robot;
@@ -113,7 +112,7 @@ void draw_fail_button(const Ui& ui, std::size_t robot, float width) {
     ui.push(Fail{failed ? std::nullopt : std::optional<std::size_t>(robot)});
 }
 
-// The possible actions: below each other, or beside each other if height is scarce.
+// Below each other, or beside each other if height is scarce.
 void draw_buttons(const Ui& ui, const Explanation& explanation, bool in_a_row) {
   constexpr float gap = 6, padding = 16;
   const bool can_fail = explanation.robot && !walkthrough_is_open(ui.state);
@@ -156,7 +155,7 @@ void draw_why_card(const Ui& ui) {
   if (icon_button(ui, "close explanation", Icon::close, true, "Close (Esc)", ui.control()))
     ui.push(Explain{});
   ImGui::SetCursorScreenPos(after);
-  // In a card of fixed height the words scroll, and the buttons stay visible.
+  // In a card of fixed height the words scroll and the buttons stay.
   if (place.fills)
     begin_scrolling_box(ui, "words", ImGui::GetContentRegionAvail().y - ui.control() - 8);
   draw_words(ui, explanation);

@@ -1,4 +1,4 @@
-// One of the pictures on the canvas: the placement, or beside it the second method's placement.
+// A picture on the canvas: the placement, or the second method's beside it.
 #pragma once
 
 #include <algorithm>
@@ -15,12 +15,12 @@ struct CanvasView {
   const AppState& state;
   const Theme& theme;
   const Layout& layout;
-  const Placement* placement;  // null if there is none yet
+  const Placement* placement;  // null before the first
   const Scene& scene;
   const Camera& camera;
-  Rect window;  // the part of the canvas for this picture
-  bool second;  // whether it shows the second method
-  // The part of the window that nothing covers for long, so that text there is legible.
+  Rect window;  // its part of the canvas
+  bool second;  // of the second method
+  // What nothing covers for long, so that text there is legible.
   Rect uncovered() const {
     const Rect& free = layout.free;
     return {std::max(free.left, window.left), std::max(free.top, window.top),

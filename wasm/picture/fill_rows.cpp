@@ -27,7 +27,7 @@ class Crossings {
     Vec2 before = camera.to_screen(ring.back());
     for (const Vec2& p : ring) {
       const Vec2 here = camera.to_screen(p);
-      // From top to bottom, so that rounding does not depend on the direction.
+      // Downwards, so that rounding does not depend on the direction.
       if (before.y() < here.y())
         add_edge(before, here);
       else
@@ -75,7 +75,7 @@ class Crossings {
     return at;
   }
 
-  // The first of `count` pixels with its middle at `offset` or to the right of it.
+  // The first of `count` pixels whose middle is not left of `offset`.
   std::int64_t middle_after(double offset, std::int64_t count) const {
     return static_cast<std::int64_t>(
         std::clamp(std::ceil(offset / pixel_ - 0.5), 0.0, static_cast<double>(count)));

@@ -11,18 +11,18 @@
 namespace evenlift::view {
 namespace {
 
-// A side of the lifting base. The unit of distances beyond it is the distance of the centre of mass
-// inside it.
+// A side of the lifting base. Distances beyond it are in units of the distance of the centre of
+// mass inside it.
 struct Side {
   Vec2 a, along;
   double within;
   double beyond(const Vec2& p) const { return -cross(along, p - a) / within; }
 };
 
-// A base with thousands of corners is practically round: not all of its sides are needed.
+// With thousands of corners a base is practically round: not all of its sides are needed.
 constexpr std::size_t most_sides = 1000;
 
-// The sides with a vertex beyond them; the others cut nothing off.
+// Those with a vertex beyond them; the others cut nothing off.
 std::vector<Side> cutting_sides(const Placement& placement) {
   std::vector<Side> sides;
   const Points& hull = placement.lifting_base;
@@ -38,14 +38,14 @@ std::vector<Side> cutting_sides(const Placement& placement) {
   return sides;
 }
 
-// Clips a convex polygon to its part at most `most` beyond the side. `spare` is memory for reuse.
+// To the part at most `most` beyond the side. `spare` is memory for reuse.
 void cut(Points& area, const Side& side, double most, Points& spare) {
   clip(
       area, [&](const Vec2& p) { return most - side.beyond(p); }, spare);
   area.swap(spare);
 }
 
-// A rectangle with ample room around the polygon, counter-clockwise.
+// With ample room, counter-clockwise.
 Points frame_around(const Points& polygon) {
   const Box box = bounding_box(polygon);
   const Vec2 low = box.low - box.size(), high = box.high + box.size();

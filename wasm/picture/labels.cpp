@@ -23,7 +23,7 @@ Vec2 turned(const Vec2& v, double degrees) {
   return {v.x() * c - v.y() * s, v.x() * s + v.y() * c};
 }
 
-// The middle of a box of `size` in direction `u` that just clears a disc of radius `reach`.
+// The middle of a box in direction `u` that just clears a disc of radius `reach`.
 Vec2 beside(const Vec2& robot, const Vec2& u, const Vec2& size, double reach) {
   const double x = std::abs(u.x()) * size.x() / 2, y = std::abs(u.y()) * size.y() / 2;
   return robot + u * (reach + x + y);
@@ -41,7 +41,7 @@ double away(const Vec2& a, const Vec2& b, const Vec2& p) {
   return length(p - nearest_on_segment(a, b, p));
 }
 
-// The distance to the edges of a ring.
+// From the edges of a ring.
 double away(const Points& ring, const Vec2& p) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ring.size(); ++i)
@@ -49,8 +49,8 @@ double away(const Points& ring, const Vec2& p) {
   return least;
 }
 
-// The room about p: its distance to everything that the number must not cover; 0 outside the object
-// or the lifting base.
+// The distance from p to all that the number must not cover; 0 outside the object or the lifting
+// base.
 double clearance(const Placement& placement, const Vec2& p) {
   if (!inside_convex(placement.lifting_base, p) || !inside(placement.vertices(), p) ||
       placement.object.hole_around(p))
@@ -97,7 +97,7 @@ void Occupied::box(const Rect& taken) {
 }
 
 void Occupied::disc(const Vec2& middle, double radius) {
-  // For a disc far larger than the window, only the rows within the window have cells.
+  // Of a disc far larger than the window, only the window's rows have cells.
   const double first = std::max(-radius, window_.top - middle.y() - cell),
                last = std::min(radius, window_.bottom - middle.y() + cell);
   const int rows = static_cast<int>(std::ceil((last - first) / cell));
@@ -149,7 +149,7 @@ std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& r
   for (std::size_t i = 0; i < requests.size(); ++i) {
     const LabelRequest& request = requests[i];
     int fewest = most_crossed + 1;
-    // Tries the nearer ring first; the farther one only if it covers fewer lines.
+    // The farther ring only if it covers fewer lines.
     for (const double farther : {0.0, 9.0}) {
       for (const double turn : turns) {
         if (fewest == 0) break;
@@ -169,7 +169,7 @@ std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& r
 }
 
 CoveragePlace place_coverage(const Placement& placement, const Vec2& before) {
-  // Beyond this there is no room for a number anyway, and the search would take long.
+  // With more, a number has no room anyway, and the search would take long.
   if (placement.lifting_base.size() < 3 || placement.teams.size() > 40 ||
       placement.object.boundary().size() > 400 || placement.settings.cargo.size() > 40)
     return {};

@@ -1,6 +1,6 @@
-// The places of numbers in the drawing: a load beside its robot, the coverage inside the lifting
-// base. This runs in every frame of a drag, so it works with cells of pixels; pictures in files can
-// afford exact measurements (evenlift/output/label_places.h).
+// Places for numbers in the drawing. They are needed in every frame of a drag, so this works with
+// cells of pixels; pictures in files can afford exact measurements
+// (evenlift/output/label_places.h).
 #pragma once
 
 #include <cstddef>
@@ -13,16 +13,15 @@
 
 namespace evenlift::view {
 
-// A label that needs a place.
 struct LabelRequest {
   Vec2 robot;        // pixels
-  Vec2 outward;      // unit vector towards a direction that probably has room
+  Vec2 outward;      // unit vector that probably leads to room
   Vec2 size;         // of the text with its padding
-  double reach = 0;  // radius around the robot to keep clear, if larger than a robot's mark
+  double reach = 0;  // radius to keep clear, if larger than a robot's mark
 };
 
-// The occupied parts of the canvas, in cells of a few pixels, so that a query for a box costs the
-// same with a thousand lines as with one. Labels must not cover boxes, and should not cover lines.
+// The occupied cells of the canvas, a few pixels large: a query for a box costs the same with a
+// thousand lines as with one. Labels must not cover boxes, and should not cover lines.
 class Occupied {
  public:
   explicit Occupied(const Rect& window);
@@ -30,7 +29,7 @@ class Occupied {
   void disc(const Vec2& middle, double radius);
   void line(const Vec2& a, const Vec2& b);
   bool is_free(const Rect& wanted) const;  // inside the window, and clear of boxes
-  int crossed(const Rect& wanted) const;   // the number of cells with a line
+  int crossed(const Rect& wanted) const;   // number of cells with a line
 
  private:
   struct Cells {
@@ -43,16 +42,16 @@ class Occupied {
   std::vector<std::uint8_t> boxes_, lines_;
 };
 
-// A box in pixels for each request, or nothing without room: beside its robot, clear of boxes, and
-// of lines as far as possible. A box that would cover lines in more than `most_crossed` cells is
-// left out. `reach` is the radius of a robot's mark. The boxes are added to `occupied`. O(n) for n
-// requests, apart from their sizes.
+// A box in pixels for each request, beside its robot, clear of boxes, and of lines as far as
+// possible; nothing without room, or if it would cover lines in more than `most_crossed` cells.
+// `reach` is the radius of a robot's mark. The boxes are added to `occupied`. O(n) for n requests,
+// apart from their sizes.
 std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& requests,
                                               Occupied& occupied, double reach, int most_crossed);
 
-// The point inside both the object and the lifting base that is farthest from chords, robots, cargo
-// and outlines, and its distance to them, in polygon coordinates. `before` is kept while it is nearly
-// as good, so that the number does not jump. The room is 0 without such a point.
+// The point inside the object and the lifting base that is farthest from chords, robots, cargo and
+// outlines, and its distance to them, in polygon coordinates. `before` is kept while it is nearly
+// as good, so that the number does not jump. Without such a point the room is 0.
 struct CoveragePlace {
   Vec2 at = Vec2::Zero();
   double room = 0;

@@ -12,15 +12,14 @@
 namespace evenlift::view {
 namespace {
 
-constexpr double margin = 40;  // pixels beyond the window that are still drawn: line widths,
-                               // fringes
+constexpr double margin = 40;  // pixels drawn beyond the window: line widths, fringes
 
-// Dear ImGui keeps 40 bytes for each point on the stack while it draws a line, and a polygon may
-// have a million points. So lines are drawn in pieces of at most this number of points.
+// Dear ImGui keeps 40 bytes on the stack for each point of a line, and a polygon may have a
+// million. So lines are drawn in pieces of at most this number of points.
 constexpr std::size_t most_at_once = 4096;
 
-// For a polygon with more points than this, only distinguishable points are drawn: those farther
-// apart than this share of a device pixel.
+// Of a polygon with more points, only distinguishable ones are drawn: farther apart than this share
+// of a device pixel.
 constexpr std::size_t few = 2048;
 constexpr double same_spot = 0.25;
 
@@ -91,7 +90,7 @@ void Painter::heat(const std::vector<HeatBand>& bands, const RowFill& rows,
 }
 
 void Painter::triangles(const std::vector<Vec2>& corners, Colour colour) const {
-  // In pieces, since Dear ImGui's indices may have 16 bits.
+  // In pieces: Dear ImGui's indices may have 16 bits.
   constexpr std::size_t most = 3 * 4096;
   const ImVec2 uv = ImGui::GetFontTexUvWhitePixel();
   const ImU32 packed = colour.at(strength_).packed();
@@ -121,7 +120,7 @@ double Painter::least_step() const { return same_spot * static_cast<double>(list
 void Painter::fill_convex(const Points& counter_clockwise, Colour colour) const {
   const Points area = clipped(counter_clockwise);
   if (area.size() < 3) return;
-  // Points in the same spot are drawn once, so the window bounds their number.
+  // Points in one spot are drawn once, so the window bounds their number.
   const double least = area.size() > few ? least_step() : -1;
   Vec2 last = area.back();
   for (const Vec2& p : area) {
@@ -136,8 +135,8 @@ void Painter::fill_around(const std::vector<Points>& holes, const Points& counte
                           Colour colour) const {
   if (holes.empty()) return fill_convex(counter_clockwise, colour);
   if (counter_clockwise.size() < 3) return;
-  // By rows, since holes may extend beyond the area: everything in the window but the holes, and of
-  // that the part within the area.
+  // By rows, since holes may extend beyond the area: the window without the holes, and of that the
+  // part within the area.
   const Vec2 low = camera_.to_world(Vec2(window_.left, window_.bottom) + Vec2(-margin, margin)),
              high = camera_.to_world(Vec2(window_.right, window_.top) + Vec2(margin, -margin));
   const Points window{low, {high.x(), low.y()}, high, {low.x(), high.y()}};
@@ -158,8 +157,8 @@ void Painter::outline(const Points& polygon, Colour colour, float width, bool cl
   for (const Vec2& p : polygon) screen.push_back(camera_.to_screen(p));
   const ImU32 packed = colour.at(strength_).packed();
   const std::size_t n = screen.size();
-  // Dear ImGui thins two lines towards a sharp corner, so the line is split there, and its ends get
-  // a round joint.
+  // Dear ImGui thins two lines towards a sharp corner, so the line is split there, with a round
+  // joint at its ends.
   const auto is_sharp = [&](std::size_t i) {
     if (!closed && (i == 0 || i + 1 == n)) return false;
     const Vec2 in = screen[i] - screen[(i + n - 1) % n], out = screen[(i + 1) % n] - screen[i];
@@ -182,8 +181,7 @@ void Painter::outline(const Points& polygon, Colour colour, float width, bool cl
   list_.PathClear();
 }
 
-// Draws pieces that each begin where the preceding one ended, and leaves out parts beside the
-// window.
+// Each piece begins where the preceding one ended; parts beside the window are left out.
 void Painter::long_outline(const Points& polygon, Colour colour, float width, bool closed) const {
   const ImU32 packed = colour.at(strength_).packed();
   const double least = least_step();
@@ -193,7 +191,7 @@ void Painter::long_outline(const Points& polygon, Colour colour, float width, bo
   for (std::size_t i = 1; i <= edges; ++i) {
     const Vec2 next = camera_.to_screen(polygon[i == polygon.size() ? 0 : i]);
     if (i < edges && length(next - last) < least) continue;
-    // Dear ImGui draws a sharply reversing join as a spike, so the line is split there.
+    // Dear ImGui draws a sharp reversal as a spike, so the line is split there.
     const bool back = dot(last - before, next - last) < 0;
     before = last;
     if (seen(last, next)) {
@@ -256,8 +254,7 @@ void Painter::candidate(const Vec2& a, const Vec2& b, Colour colour, std::size_t
 
 void Painter::region(const Points& counter_clockwise, Colour fill, Colour line_colour,
                      bool rising) const {
-  // Both regions may have shrunk to the same place: one remains visible beside or through the
-  // other.
+  // If both regions shrank to the same place, both remain visible.
   if (counter_clockwise.size() == 1) {
     list_.AddCircle(at(counter_clockwise[0]), rising ? 6.0f : 9.0f, line_colour.packed(), 24, 2);
   } else if (counter_clockwise.size() == 2) {
@@ -284,7 +281,7 @@ void Painter::arrow(const Vec2& tail, const Vec2& head, Colour colour, float wid
 void Painter::hatch_convex(const Points& counter_clockwise, bool rising, Colour colour) const {
   const Points area = clipped(counter_clockwise);
   if (area.size() < 3) return;
-  // A line is where x + y (rising: y grows downwards) or x − y is a constant c.
+  // On a line, x + y (rising: y grows downwards) or x − y is a constant c.
   const double sign = rising ? 1 : -1;
   const auto c_of = [&](const Vec2& p) { return p.x() + sign * p.y(); };
   double low = c_of(area[0]), high = low;

@@ -43,7 +43,6 @@ void begin_motion(Scene& scene, const AppState& state, const std::vector<Shape>&
   scene.progress = 0;
 }
 
-// Brings the object's holes and triangles up to date.
 void follow_object(Scene& scene, const PolygonWithHoles& object) {
   scene.holes = object.rings_of_holes();
   scene.corners = joined(object.outline().vertices(), scene.holes);
@@ -54,7 +53,7 @@ void follow_object(Scene& scene, const PolygonWithHoles& object) {
     scene.corners.clear();
 }
 
-// Computes everything that depends on the placement, and not on the overlays.
+// Everything that depends on the placement, not on the overlays.
 void follow_anew(Scene& scene, const AppState& state, const Placement& placement,
                  const std::vector<Shape>& before, double now) {
   const bool same_object = !before.empty() && before[0].points == placement.vertices() &&
@@ -69,7 +68,7 @@ void follow_anew(Scene& scene, const AppState& state, const Placement& placement
 }  // namespace
 
 void follow(Scene& scene, const AppState& state, const Placement& placement, double now) {
-  // Even for a refused document, the present overlays are shown, with the last good placement.
+  // With the last good placement, if the document is refused.
   const Overlays& overlays = shown(state).overlays;
   const bool anew = scene.revision != state.derived().revision;
   if (anew || !(scene.overlays == overlays)) {

@@ -1,5 +1,5 @@
-// The canvas's drawing of a placement, kept from frame to frame: the picture's shapes, the object
-// as triangles, the heat map, and the progress of an animation.
+// What the canvas keeps of a placement's drawing from frame to frame: the shapes, the object as
+// triangles, the heat map, and the progress of an animation.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,10 @@
 
 namespace evenlift::view {
 
-// A polygon that has more vertices than this with its holes is filled by rows (fill_rows.h).
+// With more vertices, including holes, a polygon is filled by rows (fill_rows.h).
 inline constexpr std::size_t most_triangulated = 2000;
 
-// More teams than this are drawn as dots, without animation.
+// More teams are dots, without animation.
 inline constexpr std::size_t most_single_robots = 400;
 
 struct Scene {
@@ -24,25 +24,25 @@ struct Scene {
   Overlays overlays;
   std::vector<Shape> shapes;  // of the last good placement, by the overlays
   std::vector<Points> holes;  // of its object
-  // Its object without the holes: the corners, and their indices, three for each triangle. No
+  // The object without the holes: the corners, and three of their indices for each triangle; no
   // triangles if it is filled by rows.
   Points corners;
   std::vector<std::uint32_t> triangles;
   std::vector<HeatBand> heat;  // computed on first request
   bool shows_heat() const { return overlays.tipping && !heat.empty(); }
-  CoveragePlace coverage;  // where the coverage appears, if there is room
+  CoveragePlace coverage;  // where it appears, if there is room
 
-  // The animation of a change: the former state, and the time of the change.
+  // The state before a change, for its animation, and the time of the change.
   Points hull_before, robots_before;
   double changed_at = -1;  // seconds
   float progress = 1;      // 0 .. 1
 };
 
-// Brings the scene up to date with the placement. Costs nothing while the document is unchanged,
-// and one pass over the shapes if only the overlays change. `now` is in seconds.
+// Brings the scene up to date with the placement. Free while the document is unchanged, and one
+// pass over the shapes if only the overlays change. `now` is in seconds.
 void follow(Scene& scene, const AppState& state, const Placement& placement, double now);
 
-// Whether a robot stood at this point before the change.
+// Before the change, for an animation.
 bool stood_there(const Scene& scene, const Vec2& robot);
 
 }  // namespace evenlift::view

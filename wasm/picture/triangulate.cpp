@@ -8,7 +8,7 @@
 namespace evenlift::view {
 namespace {
 
-// A vertex in the ring of the remaining ones, and in the list sorted along the Z-order curve.
+// In the ring of remaining vertices, and in the list sorted along the Z-order curve.
 struct Node {
   Vec2 at;
   std::uint32_t vertex = 0, previous = 0, next = 0;
@@ -18,8 +18,7 @@ struct Node {
 
 double turn(const Node& a, const Node& b, const Node& c) { return cross(b.at - a.at, c.at - b.at); }
 
-// Whether the direction `way` is strictly between two others that are less than half a turn apart,
-// counter-clockwise.
+// Strictly, counter-clockwise; the other two directions are less than half a turn apart.
 bool is_between(const Vec2& way, const Vec2& from, const Vec2& to) {
   return cross(from, way) > 0 && cross(way, to) > 0;
 }
@@ -32,7 +31,7 @@ double doubled_area(const Points& vertices) {
   return area;
 }
 
-// Spreads the bits of x to every second bit.
+// To every second bit.
 std::uint32_t spread(std::uint32_t x) {
   x = (x | (x << 8)) & 0x00FF00FFu;
   x = (x | (x << 4)) & 0x0F0F0F0Fu;
@@ -47,7 +46,7 @@ class Ears {
     std::vector<std::uint32_t> leftmost;
     for (const Points& hole : holes)
       if (!hole.empty()) leftmost.push_back(leftmost_of(add_ring(hole, false)));
-    // From left to right, so that to the left of each hole there are only joined ones.
+    // From left to right: left of each hole are only joined ones.
     std::stable_sort(leftmost.begin(), leftmost.end(), [&](std::uint32_t a, std::uint32_t b) {
       return nodes_[a].at.x() < nodes_[b].at.x();
     });
@@ -61,7 +60,7 @@ class Ears {
     std::size_t left = nodes_.size(), without_ear = 0;
     std::uint32_t i = 0;
     while (left > 2) {
-      // Rounding may leave no ear; then any corner is cut off.
+      // Rounding may leave no ear: then any corner is cut off.
       const bool forced = without_ear > left;
       if (forced || is_ear(i)) {
         const Node ear = nodes_[i];
@@ -81,7 +80,7 @@ class Ears {
   }
 
  private:
-  // A ring of new nodes, counter-clockwise or clockwise; returns the first.
+  // New nodes; returns the first.
   std::uint32_t add_ring(const Points& vertices, bool counter_clockwise) {
     const auto first = static_cast<std::uint32_t>(nodes_.size()),
                n = static_cast<std::uint32_t>(vertices.size());
@@ -102,7 +101,7 @@ class Ears {
     return found;
   }
 
-  // Whether the segment from this node of the outer ring to `to` begins inside.
+  // Whether the segment from this node of the outer ring begins inside.
   bool begins_inside(std::uint32_t i, const Vec2& to) const {
     const Node &node = nodes_[i], &before = nodes_[node.previous], &after = nodes_[node.next];
     const Vec2 way = to - node.at, in = before.at - node.at, out = after.at - node.at;
@@ -110,7 +109,7 @@ class Ears {
     return !(cross(in, way) >= 0 && cross(way, out) >= 0);
   }
 
-  // A node of the outer ring that the leftmost vertex of a hole sees (Eberly, Triangulation by Ear
+  // A node of the outer ring that a hole's leftmost vertex sees (Eberly, Triangulation by Ear
   // Clipping). The ray to the left meets an edge; its left end is seen unless vertices in the
   // triangle between them hide it, and then the one in the flattest direction is.
   std::uint32_t seen_from(std::uint32_t hole) const {
@@ -156,8 +155,8 @@ class Ears {
     return found;
   }
 
-  // Makes a hole part of the outer ring, which then runs from node a to node b of the hole, around
-  // the hole and back. Both nodes occur twice.
+  // The outer ring then leads from node a to the hole's node b, around the hole and back. Both
+  // nodes occur twice.
   void join(std::uint32_t a, std::uint32_t b) {
     const auto back_at_b = static_cast<std::uint32_t>(nodes_.size()), back_at_a = back_at_b + 1;
     nodes_.push_back(nodes_[b]);
@@ -188,7 +187,7 @@ class Ears {
     }
     const double size = std::max(high.x() - low_.x(), high.y() - low_.y());
     to_grid_ = size > 0 ? 32767 / size : 0;
-    // Position on the curve and index in one integer, which sorts fast.
+    // Position on the curve and index in one integer: fast to sort.
     std::vector<unsigned long long> order(nodes_.size());
     for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
       nodes_[i].z = z_of(nodes_[i].at);
@@ -203,7 +202,7 @@ class Ears {
     }
   }
 
-  // Whether this is an ear: a convex corner whose triangle contains no other vertex of the ring.
+  // A convex corner whose triangle contains no other vertex of the ring.
   bool is_ear(std::uint32_t i) const {
     const Node &b = nodes_[i], &a = nodes_[b.previous], &c = nodes_[b.next];
     if (!(turn(a, b, c) > 0)) return false;
@@ -214,14 +213,14 @@ class Ears {
     const std::uint32_t z_low = z_of(low), z_high = z_of(high);
     const auto blocks = [&](const Node& p) {
       if (&p == &a || &p == &b || &p == &c) return false;
-      // Where a hole is joined, other nodes have the place of a corner.
+      // Where a hole is joined, other nodes share a corner's place.
       if (p.at == a.at) return leads_between(p, b.at - a.at, c.at - a.at);
       if (p.at == b.at) return leads_between(p, c.at - b.at, a.at - b.at);
       if (p.at == c.at) return leads_between(p, a.at - c.at, b.at - c.at);
       return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0 &&
              turn(nodes_[p.previous], p, nodes_[p.next]) <= 0;
     };
-    // All points in the triangle's box are between its corners' places on the curve.
+    // The triangle's box lies between its corners' places on the curve.
     for (std::int64_t k = b.z_next; k >= 0 && at(k).z <= z_high; k = at(k).z_next) {
       if (blocks(at(k))) return false;
     }
@@ -231,7 +230,7 @@ class Ears {
     return true;
   }
 
-  // Whether an edge of the node leads from its place between two directions.
+  // Whether an edge leads from the node between two directions.
   bool leads_between(const Node& p, const Vec2& from, const Vec2& to) const {
     return is_between(nodes_[p.previous].at - p.at, from, to) ||
            is_between(nodes_[p.next].at - p.at, from, to);

@@ -39,7 +39,7 @@ Camera fit(const Points& points, const Rect& room) {
   if (points.empty()) return camera;
   const Box box = bounding_box(points);
   camera.centre = box.middle();
-  // An edit may pass through a shape without extent; it is shown with a minimal extent.
+  // An edit may pass through a shape without extent: it is shown with a minimal one.
   const double width = std::max(box.size().x(), 1e-9), height = std::max(box.size().y(), 1e-9);
   camera.scale =
       std::min(std::max(room.width(), 40.0) / width, std::max(room.height(), 40.0) / height);
@@ -74,7 +74,7 @@ double grid_step(const Camera& camera) {
 
 Vec2 nearest_dot(const Camera& camera, const Vec2& world) {
   const double step = grid_step(camera), inverse = std::round(1 / step);
-  // A quotient or product of integers is rounded once, so it is the double nearest to the decimal.
+  // A quotient or product of integers is rounded once, to the double nearest to the decimal.
   const auto nearest = [&](double value) {
     const double dots = std::round(value / step);
     const double at = step < 1 ? dots / inverse : dots * step;

@@ -1,5 +1,5 @@
-// Everything that the user, a key or another page can ask for. A command is data; update.h applies
-// it between two frames.
+// Everything that the user, a key or another page can ask for. A command is data, which update.h
+// applies between two frames.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@
 
 namespace evenlift::view {
 
-// Edits of the document. Each is one step of undo; consecutive live edits form one step, until
+// Edits of the document: one step of undo each. Consecutive live edits form one step, until
 // EndEdit. MoveVertex and MoveCentre are always live.
 struct SetSettings {
   Settings settings;
@@ -31,19 +31,19 @@ struct MoveVertex {
 struct MoveCentre {
   Vec2 to;
 };
-struct ReleaseCentre {};  // the centre of mass is the centroid again
-// Inserts a vertex on an edge of the outline or of a hole, and selects it.
+struct ReleaseCentre {};  // back to the centroid
+// Of the outline or of a hole; also selects the vertex.
 struct InsertVertex {
   std::size_t edge;
   Vec2 at;
 };
 struct RemoveVertex {  // the last three of a hole go with the hole
-  std::size_t vertex;  // or a weight: the number of a handle
+  std::size_t vertex;  // or a weight, as above
 };
-struct AddWeight {  // on the object, and selects it
+struct AddWeight {  // also selects it
   Vec2 at;
 };
-struct SetCargo {  // one weight, as typed
+struct SetCargo {  // as typed
   std::size_t item;
   Cargo cargo;
 };
@@ -58,48 +58,47 @@ struct EndEdit {};
 struct Undo {};
 struct Redo {};
 
-// Moves a balanced robot along the outline, and its neighbours follow; or moves a team, with the
-// robot, along its range; or moves the robot freely, with the method `given`. Always live.
+// Moves a balanced robot along the outline, and its neighbours follow; or a team, with the robot,
+// along its range; or the robot freely, with the method `given`. Always live.
 struct MoveRobot {
   std::size_t robot;  // counted team after team
   Vec2 to;
 };
-struct PlaceYourself {  // robots beneath the object, to play with
+struct PlaceYourself {  // beneath the object, to play with
   std::size_t robots = 4;
 };
-struct CloseTask {};   // brings back what was open before it
-struct SetChallenge {  // whether the page keeps its own answers to itself
+struct CloseTask {};   // restores what was open before
+struct SetChallenge {  // the page keeps its own answers to itself
   bool on;
 };
-struct AddRobot {  // at a place, or where it adds most to the lifting base
+struct AddRobot {  // or where it adds most to the lifting base
   std::optional<Vec2> at;
 };
 struct PutRobot {  // exactly at a place, as typed
   std::size_t robot;
   Vec2 at;
 };
-struct RemoveRobot {  // by its number from 0, or the last
+struct RemoveRobot {  // from 0, or the last
   std::optional<std::size_t> robot;
 };
-struct EvenOut {};      // moves two or three given robots so that all carry the same load
+struct EvenOut {};      // moves two or three given robots to equal loads
 struct ResetRobots {};  // back to where the method placed them
 
-// The result of the search with this number (Given::Found). Without `robots`, the search cannot
-// continue.
+// Of the search with this number (Given::Found). Without `robots`, it cannot continue.
 struct TakeRobots {
   std::uint64_t number;
   std::optional<std::string> robots;
   bool ended = true;
 };
 
-// What the worker chose for the document with this number (Given::Chosen).
+// The worker's choice for the document with this number (Given::Chosen).
 struct TakeChoice {
   std::uint64_t number;
   std::optional<std::vector<double>> choice;
 };
 
-// The other commands change neither the polygon nor its placement. SetShown changes what is shown:
-// one step of undo, unless only overlays differ.
+// The other commands change neither the polygon nor its placement. SetShown is one step of undo,
+// unless only overlays differ.
 struct SetShown {
   Shown shown;
   bool live = false;
@@ -114,14 +113,14 @@ SetShown showing(const AppState& state, Value Shown::*member, std::type_identity
 struct SetTool {
   Tool tool;
 };
-struct GripPolygon {};  // remembers the present polygon for SetPolygon
+struct GripPolygon {};  // for SetPolygon
 struct AddPoint {
   Vec2 at;
 };
 struct TakePointBack {};
 struct PutPointBack {};
-struct FinishDrawing {};  // opens the drawn polygon, or reports its error
-struct MovePoint {        // a placed point
+struct FinishDrawing {};  // or reports its error
+struct MovePoint {        // a placed one
   std::size_t point;
   Vec2 to;
 };
@@ -130,17 +129,17 @@ struct SetDrawCursor {
   std::optional<Vec2> pointer;  // in pixels, if the pointer moved it
   bool by_keys = false;
 };
-// The typed length of the next edge and its typed angle in degrees; a missing value stays. On
-// request, also places the edge's end.
+// The next edge's typed length and angle in degrees; a missing value stays. With `place`, also
+// places the edge's end.
 struct TypeEdge {
   std::optional<double> length, degrees;
   bool place = false;
 };
-struct WithdrawEdge {};  // forgets the typed length and angle
+struct WithdrawEdge {};  // forgets both values
 struct SetSnap {
   Snap snap;
 };
-struct OpenWalkthrough {};  // at the step where the user left it
+struct OpenWalkthrough {};  // where the user left it
 struct CloseWalkthrough {};
 struct GoToStep {
   std::uint32_t step;
@@ -175,27 +174,27 @@ struct Measure {
 struct HoverFigure {
   std::optional<std::size_t> figure;
 };
-// Opens the card that explains why a robot stands where it does or why a candidate was not chosen;
-// without a part, closes it.
+// Opens the card that explains why a robot stands there or why a candidate was not chosen; without
+// a part, closes it.
 struct Explain {
   std::optional<Pick> of;
 };
 struct ShowInLesson {
   std::uint32_t step;
 };
-struct LeaveScript {};  // continues the walkthrough without the lesson's words
-// Presentation mode: the drawing and a large caption, in full screen.
+struct LeaveScript {};  // continues without the lesson's words
+// The drawing and a large caption, in full screen.
 struct SetPresenting {
   bool on;
 };
-// Shows all steps of the trace, or only the main ones, and leaves the lesson.
+// Of the trace, or only the main ones; leaves the lesson.
 struct ShowAllSteps {
   bool all;
 };
 struct Compare {
   std::optional<Method> method;
 };
-// Lets a robot fail, by its number from 0; without a number, all robots work again.
+// By the number from 0; without one, all robots work again.
 struct Fail {
   std::optional<std::size_t> robot;
 };
@@ -218,7 +217,7 @@ struct SetCamera {
   Camera camera;
 };
 struct FitView {};
-// Zooms about a place on the screen; without one, about the middle of the area for the polygon.
+// About a place on the screen, or about the middle of the area for the polygon.
 struct ZoomView {
   double factor;
   std::optional<Vec2> about{};
@@ -226,7 +225,7 @@ struct ZoomView {
 struct SetPanelOpen {
   bool open;
 };
-// Opens or closes a section of the settings.
+// Of the settings.
 struct SetSectionOpen {
   bool View::*section;
   bool open;
@@ -235,7 +234,7 @@ struct SetSectionOpen {
 struct SetErases {
   bool erases;
 };
-// The panels report whether a list of choices is open.
+// The panels report an open list of choices.
 struct ListIsOpen {
   bool open;
 };
@@ -250,7 +249,7 @@ struct MeasureNotice {
   double height;
 };
 struct CopyLink {};
-// Begins typing in the field of a control.
+// In the field of a control.
 struct TypeValue {
   const char* control;
 };
@@ -264,27 +263,25 @@ struct ShowNotice {
 };
 struct EndNotice {};  // unless it reports a problem
 
-// Facts from the page around the view, or kept from the last visit. These commands are not steps of
-// undo.
+// Facts from the page around the view, or from the last visit. They are not steps of undo.
 struct SetCanvas {
   double css_width, css_height, css_ratio;
 };
 struct SetPreferences {
   bool dark, reduced_motion, finger;
 };
-struct SetTouch {  // whether the pointer is a finger now, and whether it rests and asks
+struct SetTouch {  // whether the pointer is a finger, and whether it rests and asks
   bool on, asking;
 };
-// A window of the page covers this much of the canvas at the left, at the right and at the foot, in
-// CSS pixels.
+// What a window of the page covers of the canvas, in CSS pixels.
 struct CoverScreen {
   double left, right, foot;
 };
-// A card of the page is at the foot of the drawing. Its height is in CSS pixels; 0 means no card.
+// For a card of the page at the foot of the drawing, in CSS pixels; 0 without one.
 struct MakeRoom {
   double height;
 };
-// Puts a picture behind the drawing, for tracing.
+// Behind the drawing, for tracing.
 struct LayPicture {
   Vec2 low, high;
 };
@@ -317,8 +314,8 @@ using AnyCommand = std::variant<
     MeasureSheet, MeasureNotice, CopyLink, TypeValue, OpenDialog, OpenPage, LayOutAgain, TakeRobots,
     TakeChoice, ShowNotice, EndNotice, SetCanvas, SetPreferences, SetTouch, CoverScreen, MakeRoom,
     LayPicture, TakePictureAway, SetMeasuring, KeepMotion, KeepComparison, ForgetSteps, AddStep>;
-// One command of any kind. Its special members are compiled once (command.cpp): written out in every
-// file that makes a command, they were half of the time of compiling the panels.
+// Its special members are compiled once (command.cpp): written out in every file that makes a
+// command, they were half of the time of compiling the panels.
 class Command {
  public:
   template <class Kind>

@@ -1,5 +1,5 @@
-// Everything that follows from the document and the view. All code may read it; only derive()
-// (derive/derive.h) writes it.
+// Everything that follows from the document and the view. Only derive() (derive/derive.h) writes
+// it.
 #pragma once
 
 #include <cstddef>
@@ -19,16 +19,15 @@
 
 namespace evenlift::view {
 
-// The loads of a placement as shown, and its robustness. Robots are counted from 0, team after
-// team.
+// A placement's loads as shown, and its robustness. Robots are counted from 0, team after team.
 struct Outlook {
   std::vector<LoadRange> loads;  // of each robot, by `model`
   LoadModel model = LoadModel::plan;
-  double greatest = 0;    // the greatest of these loads
+  double greatest = 0;    // of these loads
   Robustness robustness;  // see placed_robots.h
   std::optional<ModelLoads>
       models;  // only if the shown model is not the plan, or there is a disturbance
-  std::optional<ExtraLoad> extra;  // where a further load may stand, if one is asked about
+  std::optional<ExtraLoad> extra;  // where a further load may stand, if asked
 };
 
 // A failed robot, and the placement without it.
@@ -36,37 +35,37 @@ struct Failure {
   std::size_t robot = 0;
   std::optional<RestOfRobots> rest;  // nothing if the others do not carry the object
   Placement placement;               // with_failure() of placed_robots.h
-  Outlook outlook;                   // the loads and the robustness of the others
+  Outlook outlook;                   // of the others
 };
 
-// The search that improves the balanced robots on the screen, in the background. Afterwards it
-// counts the robots needed if any one may fail.
+// Improves the balanced robots on the screen, in the background. Afterwards it counts the robots
+// needed if any one may fail.
 struct Search {
-  std::uint64_t number = 0;  // of the last search; results of earlier ones are dropped
+  std::uint64_t number = 0;  // of the last search; earlier results are dropped
   bool due = false;          // the robots on the screen are the start of a search
   bool under_way = false;
   bool counting = false;
 };
 
-// During a drag of a large object, a worker chooses its teams, one document after another; documents
-// that are overtaken meanwhile are left out (derive/elsewhere.h).
+// During a drag of a large object, a worker chooses its teams, one document after another, and
+// skips documents that are overtaken meanwhile (derive/elsewhere.h).
 struct Elsewhere {
-  std::uint64_t number = 0;  // of the last document that the worker got
+  std::uint64_t number = 0;  // of the last document for the worker
   bool under_way = false;
-  bool possible = true;     // false once the worker has failed during a drag
-  Document document;        // the one that is under way
-  std::uint64_t edits = 0;  // Work::edits() of that document
+  bool possible = true;     // false once the worker failed during a drag
+  Document document;        // under way
+  std::uint64_t edits = 0;  // Work::edits() of it
 };
 
-// Other settings that would mend what is amiss, and the words of the button that takes them.
+// Other settings that would mend what is amiss, and the words of their button.
 struct Offer {
   Settings settings;
   std::string label;
 };
 
-// The inputs of the last derive(), by which it sees what is out of date.
+// The inputs of the last derive(), which show what is out of date.
 struct Basis {
-  std::uint64_t edits = 0;  // Work::edits() of the document that was placed or refused
+  std::uint64_t edits = 0;  // Work::edits() of the placed or refused document
   Haste haste = Haste::at_rest;
   std::optional<Method> second_method;
   LoadModel load_model = LoadModel::plan;
@@ -76,26 +75,24 @@ struct Basis {
 };
 
 struct Derived {
-  std::optional<InputError> refusal;   // why the document is refused, if so
-  std::optional<Placement> placement;  // of the last document that was not refused
+  std::optional<InputError> refusal;   // why the document is refused
+  std::optional<Placement> placement;  // of the last document not refused
   Document placed;                     // that document; last_good() adds what is shown
-  std::optional<Placement> second;     // by the second method, of the same document
-  std::shared_ptr<const Trace> trace;  // of the placement, while a step of it is shown
-  std::uint64_t traces = 0;            // the number of traces made
+  std::optional<Placement> second;     // of the same document by the second method
+  std::shared_ptr<const Trace> trace;  // of the placement, while a step is shown
+  std::uint64_t traces = 0;            // made so far
   std::string untraced;                // why the requested trace is missing
 
   // Summaries of the above.
-  std::optional<double> best_ratio;  // the best load ratio, if no chord has the minimum
+  std::optional<double> best_ratio;  // of any chord, if none has the minimum
   std::optional<Offer> offer;        // if the placement is not good; none during a drag
-  bool offer_due = true;             // the offer may have changed
+  bool offer_due = true;             // it may have changed
   std::optional<CapacityPlan> plan;  // for the capacity; not updated during a drag
-  std::optional<FailurePlan> spare;  // for the capacity if any robot may fail; for balanced robots
-                                     // it comes later, since each number of robots needs a search
-                                     // (search.h)
-  bool plan_due = false;             // the plan may have changed
+  std::optional<FailurePlan> spare;  // if any robot may fail; for balanced robots it comes later:
+                                     // each number needs a search (search.h)
+  bool plan_due = false;             // it may have changed
   Outlook outlook, second_outlook;   // of the placement and of the second one
-  std::vector<std::optional<RestOfRobots>> failures;  // by the robot of the placement that fails;
-                                                      // empty while unknown
+  std::vector<std::optional<RestOfRobots>> failures;  // by the failing robot; empty while unknown
   bool failures_due = true;                           // they must be computed
   std::optional<Failure> failure;                     // the robot that the user let fail
   std::optional<Explanation> explanation;             // the card beside a robot or chord
@@ -106,32 +103,31 @@ struct Derived {
   Basis basis;
 };
 
-// Values that commands pass to derive(), which empties it: results that a check has already
-// computed, and results that arrive from outside the view.
+// Values that commands pass to derive(), which empties it: results of a check, and results from
+// outside the view.
 struct Given {
   std::optional<Placement> placement;  // of the document
   std::optional<Trace> trace;          // of that placement
-  // If the placement differs only by robots that were moved by hand: the number of the held robot
-  // before and after the move.
+  // If only robots moved by hand differ: the held robot's number before and after.
   struct Moved {
     std::size_t robot, now;
   };
   std::optional<Moved> moved;
-  // The result of the search with this number: robots, or a count; nothing if it cannot continue.
+  // Robots or a count from the search with this number; nothing if it cannot continue.
   struct Found {
     std::uint64_t number;
     std::optional<std::string> robots;
     bool ended;
   };
   std::optional<Found> found;
-  // The choice that the worker made for the document with this number, as numbers
-  // (derive/elsewhere.h); empty if the document is refused, nothing if the worker failed.
+  // The worker's choice for the document with this number (derive/elsewhere.h); empty if the
+  // document is refused, nothing if the worker failed.
   struct Chosen {
     std::uint64_t number;
     std::optional<std::vector<double>> choice;
   };
   std::optional<Chosen> chosen;
-  bool at_once = false;  // the document is placed now, even if a worker is choosing its teams
+  bool at_once = false;  // place the document now, even if a worker is choosing its teams
 };
 
 }  // namespace evenlift::view

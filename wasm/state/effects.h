@@ -1,5 +1,5 @@
-// The view's requests to the browser, as values. Commands and derive() append them, and
-// page/browser.cpp carries them out afterwards, in order.
+// The view's requests to the browser. Commands and derive() append them, and page/browser.cpp
+// carries them out afterwards, in order.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace evenlift::view {
 
-// The page's own windows. They are HTML, so that users can type text and choose files, and screen
+// The page's own windows. They are HTML, so that users can type and choose files, and screen
 // readers can read lists.
 enum class Dialog : std::uint8_t {
   samples,
@@ -26,10 +26,10 @@ enum class Dialog : std::uint8_t {
   welcome,
   optimum,
   language,
-  end_of_dialogs  // not a dialog; it stays last and counts them, so that each must have a name
+  end_of_dialogs  // not a dialog; it stays last and counts them: each must have a name
 };
 
-// The forms of the mouse pointer over the canvas.
+// Of the mouse pointer over the canvas.
 enum class Cursor : std::uint8_t {
   arrow,
   press,
@@ -43,24 +43,23 @@ enum class Cursor : std::uint8_t {
   end_of_cursors  // not a cursor; counts them
 };
 
-// The document changed. The page updates the address bar, the storage and the live region, at most
-// a few times a second.
+// The page updates the address bar, the storage and the live region, at most a few times a second.
 struct DocumentChanged {};
 
-// The selection, the held part or the comparison changed, and with it only the summary for users
-// who cannot see the canvas.
+// The selection, the held part or the comparison changed. Only the summary for users who cannot see
+// the canvas follows.
 struct SummaryChanged {};
 
-// The preferences changed. The browser keeps them apart from the document (page_kept()).
+// The browser keeps them apart from the document (page_kept()).
 struct PreferencesChanged {};
 
-// Reads a text to users who cannot see the canvas.
+// For users who cannot see the canvas.
 struct Announce {
   std::string text;
 };
 
-// Copies the page's address with this link to the clipboard. A notice of the page reports success
-// or failure, and the link's contents.
+// Copies the page's address with this link to the clipboard. A notice reports success or failure,
+// and the link's contents.
 struct CopyAddress {
   std::string link;
 };
@@ -69,48 +68,46 @@ struct ShowDialog {
   Dialog dialog;
 };
 
-// Gives the focus to the field of a control once the field is laid out.
+// Once the field is laid out.
 struct FocusField {
   std::string control;
 };
 
-// Shows the page in full screen, or returns it to its window. When the user leaves full screen, the
-// page calls page_end_presenting().
+// In full screen, or back in its window. When the user leaves full screen, the page calls
+// page_end_presenting().
 struct ShowFullScreen {
   bool on;
 };
 
-// Opens the page of an <iframe> in a new tab.
+// Of an <iframe>, in a new tab.
 struct ShowPage {};
 
-// Continues the search with this number for balanced robots, in the background, and ends any
-// earlier one. The problem is a polygon in the thesis's format, settings as lines `name=value`, and
-// the starting robots (robots_text.h). Results arrive through page_take_robots(). If the settings
-// have a capacity, the search only counts the robots needed if any one may fail.
+// Continues this search for balanced robots in the background, and ends any earlier one. The
+// problem is a polygon in the thesis's format, settings as lines `name=value`, and the starting
+// robots (robots_text.h). Results arrive through page_take_robots(). With a capacity, the search
+// only counts the robots needed if any one may fail.
 struct BeginSearch {
   std::uint64_t number;
   std::string polygon, settings, robots;
 };
 struct EndSearch {};
 
-// Lets a worker choose the teams of the document with this number: its rings and settings
-// (derive/elsewhere.h). The choice arrives through page_take_choice().
+// A worker chooses the teams of the document with these rings and settings (derive/elsewhere.h).
+// The choice arrives through page_take_choice().
 struct ChooseElsewhere {
   std::uint64_t number;
   std::vector<double> rings;
   std::string settings;
 };
 
-// Requests another frame, now or after this number of seconds. Only the last request for a later
-// frame counts, and it can be dropped.
+// Now, or after this time. Only the last request for a later frame counts, and it can be dropped.
 struct NextFrame {};
 struct FrameAfter {
   double seconds;
 };
 struct DropFrameAfter {};
 
-// Ends the notice after this number of seconds; without a number, cancels that. Only the last
-// request counts.
+// Without a number, cancels the end. Only the last request counts.
 struct EndNoticeAfter {
   std::optional<double> seconds;
 };

@@ -1,4 +1,4 @@
-// A part of the drawing, and the answer to "why here?" about the part that the user pressed.
+// A part of the drawing, and the answer to "why here?" about it.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace evenlift::view {
 
-// The part under the pointer, or the held part.
+// Under the pointer, or held.
 struct Pick {
   enum class Kind : std::uint8_t {
     none,
@@ -24,11 +24,11 @@ struct Pick {
     object,
     frame,
     ground,
-    uncertainty,  // the grip of the ring that shows the C uncertainty
+    uncertainty,  // the grip of the ring for the C uncertainty
     cargo         // a weight on the object
   };
   Kind kind = Kind::none;
-  std::size_t index = 0;   // of the vertex, edge, team or candidate, or of the frame's grip
+  std::size_t index = 0;   // of the vertex, edge, team, candidate or frame's grip
   int end = 0;             // of a robot: 0 for r1, 1 for r2
   Vec2 at = Vec2::Zero();  // in polygon coordinates; on an edge or chord, its nearest point
   bool second = false;     // in the picture of the second method
@@ -40,12 +40,12 @@ struct Explanation {
   struct Row {
     std::string label, value;
   };
-  Pick of;                           // the part that it explains
-  std::optional<std::size_t> robot;  // the explained robot, in the first picture: its number from 0
+  Pick of;
+  std::optional<std::size_t> robot;  // of the first picture, from 0
   std::string title;
   std::vector<Row> rows;
   std::string reason;
-  std::optional<std::uint32_t> step;  // of the walkthrough, where this is decided
+  std::optional<std::uint32_t> step;  // where the walkthrough decides this
 };
 
 }  // namespace evenlift::view

@@ -46,7 +46,7 @@ constexpr What edits[] = {"opened a polygon",
                           "removed a weight"};
 static_assert(std::size(edits) == edit_count);
 
-// A number that only another version of the page knows is described as a change of some settings.
+// A number that only another version of the page knows means some settings.
 What what_of(Edit edit) {
   const auto number = static_cast<std::size_t>(edit);
   if (number < edit_count) return edits[number];
@@ -100,7 +100,7 @@ Document History::recall(const Entry& entry) {
   return document;
 }
 
-// The edit leads from one document to the other, so it is kept in both directions.
+// The edit leads from one document to the other: it is kept in both directions.
 History::Recalled History::step(std::vector<Entry>& from, std::vector<Entry>& to,
                                 const Document& now, const Beside& beside) {
   const Edit edit = from.back().edit;

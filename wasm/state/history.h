@@ -1,5 +1,5 @@
-// Unlimited undo and redo. History keeps whole documents; those that differ only in their settings
-// share their vertices. The page keeps the newest steps in the browser.
+// Unlimited undo and redo. Documents are kept whole; those that differ only in settings share their
+// vertices. The page keeps the newest steps in the browser.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,8 @@
 
 namespace evenlift::view {
 
-// The kind of an edit. The browser keeps these numbers, so a new one goes at the end. A setting
-// without a kind here has the number of its record in links (SettingRow), counted from
-// `edit_of_records`.
+// The browser keeps these numbers, so a new kind goes at the end. A setting without a kind has the
+// number of its record in links (SettingRow), counted from `edit_of_records`.
 enum class Edit : std::uint32_t {
   opened,
   drawn,
@@ -57,17 +56,16 @@ inline constexpr std::size_t edit_count = 32, edit_of_records = 100;
 // "moved a vertex". O(settings).
 std::string in_words(Edit edit);
 
-// The edit that changes a setting. O(settings).
+// O(settings).
 Edit edit_of(const SettingRow& row);
 
-// `shown` with the overlays and the step of `other`, which are not edits; undo leaves them
-// unchanged. O(1).
+// `shown` with the overlays and the step of `other`, which undo leaves unchanged. O(1).
 Shown seen_as(Shown shown, const Shown& other);
 
 // Whether another object replaced the open one. O(1).
 bool is_other_object(Edit edit);
 
-// A picture behind the drawing, for tracing. The page draws it; the view knows its position.
+// Behind the drawing, for tracing. The page draws it; the view knows its position.
 struct Backdrop {
   Vec2 low, high;             // its corners, in polygon coordinates
   std::uint32_t picture = 0;  // its number since the start
@@ -76,29 +74,29 @@ struct Backdrop {
   double width() const { return high.x() - low.x(); }
 };
 
-// The state that undo restores in addition to the document.
+// What undo restores in addition to the document.
 struct Beside {
   std::optional<Method> second_method;
-  std::optional<Backdrop> backdrop;  // not kept in the browser, since the picture is not
+  std::optional<Backdrop> backdrop;  // not kept in the browser, as the picture is not
   bool operator==(const Beside&) const = default;
 };
 
 class History {
  public:
-  // Remembers the document before an edit, and clears redo.
+  // Also clears redo.
   void record(const Document& before, const Beside& beside = {}, Edit edit = Edit::settings);
 
-  // The number of edits that can be undone.
+  // Of edits that can be undone.
   std::size_t depth() const { return past_.size(); }
   bool can_undo() const { return !past_.empty(); }
   bool can_redo() const { return !future_.empty(); }
 
-  // The edit that undo() would undo and redo() would redo. Precondition: can_undo() (can_redo()).
+  // What undo() would undo and redo() would redo. Precondition: can_undo() (can_redo()).
   Edit undoes() const { return past_.back().edit; }
   Edit redoes() const { return future_.back().edit; }
 
-  // The document before the last edit (after the last undone edit), given the present one.
-  // Precondition: can_undo() (can_redo()).
+  // The document before the last edit (after the last undone one). Precondition: can_undo()
+  // (can_redo()).
   struct Recalled {
     Document document;
     Beside beside;
@@ -107,18 +105,17 @@ class History {
   Recalled undo(const Document& now, const Beside& beside = {});
   Recalled redo(const Document& now, const Beside& beside = {});
 
-  // Leaves the lesson whose object is open, and returns what was open before it; nothing if no
-  // lesson was opened. Without edits since, the history is as if the lesson had never been opened.
-  // Otherwise leaving it is another step, which can be undone.
+  // Leaves the open lesson and returns what was open before it; nothing without one. Without edits
+  // since, the history forgets the lesson. Otherwise leaving it is another step, which can be
+  // undone.
   std::optional<Recalled> leave_lesson(const Document& now, const Beside& beside = {});
 
-  // The index, as for kept(), of the step that opened a lesson, if the object that was open before
-  // the newest `later` steps belongs to that lesson; otherwise nothing. O(steps).
+  // The index, as for kept(), of the step that opened a lesson, if the object before the newest
+  // `later` steps belongs to it; otherwise nothing. O(steps).
   std::optional<std::size_t> lesson_opened(std::size_t later = 0) const;
 
-  // A step for storage outside: index i is the step that i + 1 undos (redos) lead to; nothing if it
-  // does not exist. The link is empty if the document is too large for one. The first time O(n),
-  // then O(bytes).
+  // For storage outside: index i is the step that i + 1 undos (redos) lead to, if it exists. The
+  // link is empty if the document is too large for one. The first time O(n), then O(bytes).
   struct Kept {
     Edit edit = Edit::settings;
     Beside beside;
@@ -126,7 +123,7 @@ class History {
   };
   std::optional<Kept> kept(bool redo, std::size_t index);
 
-  // Adds such a step as the newest one to undo (redo). Ignores a link that cannot be read. O(n).
+  // As the newest step to undo (redo). Ignores an unreadable link. O(n).
   void add(bool redo, const Kept& kept);
   void clear();
 
@@ -144,7 +141,7 @@ class History {
                 const Beside& beside);
 
   std::vector<Entry> past_, future_;
-  std::vector<Entry> future_before_lesson_;  // the redo steps when the last lesson was opened
+  std::vector<Entry> future_before_lesson_;  // when the last lesson was opened
 };
 
 }  // namespace evenlift::view

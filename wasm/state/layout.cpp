@@ -8,38 +8,37 @@ namespace evenlift::view {
 namespace {
 
 constexpr double panel_width = 360, rail_width = 48;
-// Of a card beside the drawing, which has this least width of the screen or of a frame.
+// Of a card beside the drawing, which needs this width of the screen or of a frame.
 constexpr double card_width = 320, least_width = 900, least_width_of_frame = 600;
-// Below these heights the view tools would cover the object; they are then in the toolbar's menu.
+// Below these heights the view tools are in the toolbar's menu: they would cover the object.
 constexpr double least_height_for_tools = 480, least_height_beside_sheet = 640;
-// With less height for the picture, the sheet shows only the most important facts.
+// With less height for the picture, the sheet shows only the main facts.
 constexpr double least_room = 165;
 constexpr double knob = 36;           // above or below the frame around the polygon, to turn it
 constexpr double caption_above = 34;  // of the lower or upper of two pictures
-// A sheet with its handle and the player's row, or with the verdict's headline and one row
-// (panels.cpp).
+// A sheet with its handle and the player's row, or the verdict's headline and one row (panels.cpp).
 constexpr double brief_row = 88, brief_verdict = 152;
-// In presentation mode: with less height, a card has no place below the words; and the words' share
-// of the height.
+// In presentation mode: with less height, no card is below the words; and the words' share of the
+// height.
 constexpr double least_height_for_both = 480, share_of_words = 0.45;
 
-// A bar with one row of controls.
+// With one row of controls.
 double bar_height(const Layout& l) { return l.control + 2 * l.bar_padding; }
 
-// The height of a tool's bar below the toolbar, with its margins.
+// Below the toolbar, with the bar's margins.
 double tool_bar_height(const Layout& l) { return l.control + 24; }
 
 // Room around the polygon for robots and their loads.
 Rect room_in(const Rect& free, double beside, double above, double below) {
-  constexpr double little = 150;  // with less height, loads are placed only at the sides
+  constexpr double little = 150;  // with less height, loads are only at the sides
   const double x = std::min(beside, free.width() / 6),
                most = free.height() / (free.height() < little ? 6 : 4);
   return {free.left + x, free.top + std::min(above, most), free.right - x,
           free.bottom - std::min(below, most)};
 }
 
-// A window at the left or at the foot takes its size from the drawing; a window at the right takes
-// only what it covers beyond the panel.
+// A window at the left or the foot makes the drawing smaller; one at the right only by what it
+// covers beyond the panel.
 void make_room_for_window(Layout& l, const Screen& screen) {
   constexpr double least = 135;  // width that the drawing keeps
   const double most = std::max(0.0, l.free.width() - least);
@@ -56,15 +55,14 @@ void make_room_for_window(Layout& l, const Screen& screen) {
   l.free.bottom = std::min(l.free.bottom, screen.height - screen.window_foot);
 }
 
-// Beside presented steps a card is below the words, so that the drawing keeps its size.
+// Beside presented steps a card is below the words: the drawing keeps its size.
 bool seats_card_below_words(const AppState& state) {
   const Screen& screen = state.session.screen;
   return presents_steps(state) && screen.width > screen.height &&
          screen.height >= least_height_for_both;
 }
 
-// The card of a presented task, or of one in a frame that is wider than high, is beside the
-// drawing, which keeps its height.
+// The card of a presented task, or of one in a frame wider than high: the drawing keeps its height.
 bool seats_card_beside(const AppState& state) {
   const Screen& screen = state.session.screen;
   const bool has_room = screen.embed ? screen.width >= least_width_of_frame
@@ -87,7 +85,7 @@ void make_room_for_card(Layout& l, const AppState& state) {
     l.free.bottom -= screen.foot;
 }
 
-// Two pictures share the free area that a card leaves; each has a caption at its top.
+// Two pictures share what a card leaves free; each has a caption at its top.
 void split(Layout& l, const AppState& state, bool compared, double beside, double above,
            double below) {
   make_room_for_window(l, state.session.screen);
@@ -108,7 +106,7 @@ void split(Layout& l, const AppState& state, bool compared, double beside, doubl
   l.room = room_in(below_caption, beside * 0.8, above, l.wide ? below : below * 0.8);
 }
 
-// Puts the player at the foot of the free area, and the view tools above it.
+// At the foot of the free area, below the view tools.
 void seat_player(Layout& l, double right, double height) {
   l.player = {l.margin, l.free.bottom - l.margin - height, right, l.free.bottom - l.margin};
   l.tools.top -= height + l.margin;
@@ -116,8 +114,8 @@ void seat_player(Layout& l, double right, double height) {
   l.free.bottom -= height + l.margin;
 }
 
-// One card at the foot: the step's words and one row of buttons, or otherwise the result. Its
-// height is the same at every step.
+// One card at the foot: the step's words and one row of buttons, or else the result. Its height is
+// constant.
 Layout embedded(const AppState& state) {
   const Screen& screen = state.session.screen;
   Layout l;
@@ -135,7 +133,7 @@ Layout embedded(const AppState& state) {
   return l;
 }
 
-// Presented steps: the drawing with the words beside it, or below it on an upright screen.
+// Presented steps: the words beside the drawing, or below it on an upright screen.
 Layout presenting(const AppState& state) {
   const Screen& screen = state.session.screen;
   Layout l;
@@ -178,19 +176,19 @@ Layout wide(const AppState& state) {
   if (state.view.tool == Tool::transform) l.free.top += tool_bar_height(l) + knob;
   if ((state.view.tool == Tool::mark || adds_by_click(state.view.tool)) &&
       (l.low || state.work.second_method))
-    l.free.top += tool_bar_height(l);  // the boundary must be visible, and so must captions
-  // The corners of a frame are farther out than robots, and clear of the view tools.
+    l.free.top += tool_bar_height(l);  // the boundary and the captions must be visible
+  // A frame's corners are farther out than robots, and clear of the view tools.
   const double below = state.view.tool == Tool::transform ? 108 : 84;
   split(l, state, state.work.second_method.has_value(), 88, 68, below);
   return l;
 }
 
-// A sheet that leaves enough room for the drawing.
+// Leaves enough room for the drawing.
 double half_sheet_height(const Screen& screen) { return screen.height * 0.47; }
 
 double closed_sheet_height(const AppState& state) {
-  // The height is the same at every step of a walkthrough, so that the drawing does not move;
-  // longer words scroll.
+  // The same at every step of a walkthrough, so that the drawing does not move; longer words
+  // scroll.
   const double height = walkthrough_is_open(state) ? 296 : state.session.closed_sheet_height;
   return std::min(height, half_sheet_height(state.session.screen));
 }
@@ -199,12 +197,12 @@ bool has_bar(const AppState& state) {
   return state.view.tool != Tool::parts && !draws(state.view.tool);
 }
 
-// A card at the drawing's foot, a bar above it, or a second picture takes part of the space.
+// For a card at the drawing's foot, a bar above it, or a second picture.
 bool asks_for_room(const AppState& state) {
   return state.session.screen.foot > 0 || has_bar(state) || state.work.second_method;
 }
 
-// The height that a closed sheet of this height leaves for one picture on a narrow screen.
+// For one picture, above a closed sheet of this height on a narrow screen.
 double room_above(const Layout& l, const AppState& state, double sheet) {
   const Screen& screen = state.session.screen;
   double room = screen.height - bar_height(l) - 2 * l.margin - sheet - screen.foot;
@@ -231,21 +229,21 @@ Layout narrow(const AppState& state) {
   if (state.view.sheet == Sheet::full && screen.card > 0)
     l.panel.bottom -= std::min(screen.card + 2 * l.margin, height / 2);
   l.toolbar = {l.margin, l.margin, screen.width - l.margin, l.margin + bar_height(l)};
-  // A fully open sheet covers the drawing for a moment; the drawing does not move.
+  // A fully open sheet covers the drawing for a moment, and does not move it.
   const double below = std::min(height, most);
   l.free = {0, l.toolbar.bottom, screen.width, screen.height - below};
   if (has_bar(state)) l.free.top += tool_bar_height(l);
   const double tools_height = 3 * 44 + 2 * 2 + 4;
   l.tools = {screen.width - l.margin - 48, l.panel.top - l.margin - tools_height,
              screen.width - l.margin, l.panel.top - l.margin};
-  // Beside an open sheet, or over one of two pictures, the view tools would cover robots; a window
-  // would cover the tools.
+  // Beside an open sheet, or over one of two pictures, the tools would cover robots; a window would
+  // cover the tools.
   l.low = screen.height < least_height_beside_sheet;
   if (l.low || state.view.sheet != Sheet::closed || state.work.second_method ||
       screen.window_foot > 0)
     l.tools = {l.tools.right, l.tools.bottom, l.tools.right, l.tools.bottom};
   split(l, state, state.work.second_method.has_value(), 60, 52, 52);
-  // Left of the tools: a corner of the frame cannot be grabbed under them.
+  // Left of the tools: a frame's corner cannot be grabbed under them.
   if (state.view.tool == Tool::transform && l.tools.height() > 0)
     l.room.right = std::max(l.room.middle().x(), l.tools.left - 54);
   return l;
@@ -255,7 +253,7 @@ Layout in_mode(const AppState& state) {
   const Screen& screen = state.session.screen;
   if (presents_steps(state)) return presenting(state);
   if (screen.embed) return embedded(state);
-  // A phone on its side also counts as wide: a sheet would leave no room for the drawing.
+  // A phone on its side counts as wide: a sheet would leave no room for the drawing.
   const bool side = screen.width >= 900 || (screen.width >= 640 && screen.width > screen.height);
   return side ? wide(state) : narrow(state);
 }
@@ -268,7 +266,7 @@ bool has_half_sheet(const AppState& state) {
 
 namespace {
 
-// The place for a card of the page; see card_seat().
+// See card_seat().
 Rect seat_of_card(const AppState& state, const Layout& l) {
   constexpr double least = 520;  // width beside the view tools
   const double left = l.free.left + l.margin, right = l.free.right - l.margin;
@@ -298,9 +296,8 @@ Rect inset(const Rect& r, double by) {
   return {r.left + by, r.top + by, r.right - by, r.bottom - by};
 }
 
-// The notice covers no bar, nothing that is being drawn and, in presentation mode, no words; it is
-// above a card of the page. On a fully open sheet it is at the foot, since the verdict is at the
-// head.
+// The notice covers no bar, nothing being drawn and no presented words; it is above a card of the
+// page. On a fully open sheet it is at the foot, since the verdict is at the head.
 Rect seat_of_notice(const AppState& state, const Layout& l) {
   constexpr double gap = 8, least_height = 100, widest = 560;
   if (!l.wide && state.view.sheet == Sheet::full && !presents_steps(state) &&
@@ -316,8 +313,8 @@ Rect seat_of_notice(const AppState& state, const Layout& l) {
 }
 
 // A notice of several lines would cover robots at the foot of the lower picture, so the polygon
-// makes room for it, unless the user moved the view. If that is not enough, the notice moves down
-// over the closed sheet.
+// makes room, unless the user moved the view. If that is not enough, the notice moves down over the
+// sheet.
 void make_room_for_notice(const AppState& state, Layout& l) {
   if (state.session.notice.text.empty()) return;
   constexpr double robot = 16;
@@ -333,7 +330,7 @@ void make_room_for_notice(const AppState& state, Layout& l) {
                           : 0;
   l.room.bottom -= made;
   if (!over_sheet) return;
-  // Over the sheet, it covers only the handle, or the whole first sentence.
+  // It covers only the sheet's handle, or the whole first sentence.
   constexpr double handle = 28, first_sentence = 104;
   double down = covered - made;
   if (down > handle) down = std::max(down, first_sentence);
@@ -353,15 +350,15 @@ Layout layout(const AppState& state) {
 
 namespace {
 
-// How far sized robots extend beyond the object. Robots larger than the object may be cut off.
+// How far sized robots extend beyond the object. Robots larger than it may be cut off.
 double stands_out(const Settings& settings, double size) {
   const RobotSize& robot = settings.robot;
   if (!takes_sizes(settings.method) || !(robot.radius > 0)) return 0;
   return std::min(2 * robot.radius + robot.reach, size);
 }
 
-// The area for a traced picture: below the bar of the drawing tool, which has a second row on a
-// narrow screen (drawing_bar.cpp).
+// For a traced picture: below the drawing tool's bar, which has a second row on a narrow screen
+// (drawing_bar.cpp).
 Rect room_for_backdrop(const Layout& l) {
   const double rows = l.wide || l.low ? 1 : 2, bar = 8 + rows * (l.control + 8) + 8;
   Rect room = l.room;
@@ -371,7 +368,7 @@ Rect room_for_backdrop(const Layout& l) {
   return room;
 }
 
-// Shows the whole picture, as large as possible clear of the view tools.
+// As large as possible clear of the view tools.
 Camera camera_of_backdrop(const Backdrop& picture, const Layout& l) {
   const Rect room = room_for_backdrop(l);
   const Points box{picture.low, picture.high};

@@ -1,4 +1,4 @@
-// The other settings that change when the method changes.
+// The settings that change with the method.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace evenlift::view {
 
-// The number of teams placed, counting two balanced robots as one team; 3 if nothing is placed.
+// Two balanced robots count as one team; 3 if nothing is placed.
 inline std::uint32_t placed_teams(const std::optional<Placement>& placement) {
   if (!placement) return 3;
   return std::max<std::uint32_t>(1, static_cast<std::uint32_t>(count_robots(placement->teams) / 2));
@@ -18,12 +18,12 @@ inline std::uint32_t placed_teams(const AppState& state) {
   return placed_teams(state.derived().placement);
 }
 
-// Whether a method considers the robots' size; for the others, robots are points.
+// For the other methods, robots are points.
 inline bool takes_sizes(Method method) { return is_one_team(method) || selects_candidates(method); }
 
-// The settings with another method. Settings that the new method does not support are reset: "max"
-// to `teams`, the goal, the robots' size, and the no-go edges. For teams, a goal of balanced robots
-// is also reset.
+// The settings with another method, and without what it does not support: "max" becomes `teams`,
+// and the goal, the robots' size and the no-go edges are reset. For teams, a goal of balanced
+// robots is also reset.
 inline Settings with_method(Settings settings, Method method, std::uint32_t teams) {
   const bool balanced = method == Method::balanced;
   if (method != Method::given) settings.supports.clear();
@@ -38,8 +38,8 @@ inline Settings with_method(Settings settings, Method method, std::uint32_t team
   return settings;
 }
 
-// Settings that a method does not support are set aside, and return with the next method that
-// supports them. Balanced robots have a goal of their own.
+// Settings that a method does not support are set aside until one that supports them. Balanced
+// robots have their own goal.
 struct WithMethod {
   Settings settings;
   SetAside aside;
@@ -62,7 +62,7 @@ inline WithMethod with_method(const Settings& now, Method method, std::uint32_t 
   return {std::move(settings), std::move(aside)};
 }
 
-// The fewest balanced robots that the settings allow.
+// That the settings allow.
 inline std::uint32_t fewest_robots(const Settings& settings) {
   return settings.survive == 0 ? least_robots : 2 * settings.survive + 3;
 }

@@ -11,7 +11,7 @@ namespace evenlift::view {
 
 namespace {
 
-// Long enough to read the text twice, at 15 letters a second.
+// Enough to read the text twice, at 15 letters a second.
 double reading_time(std::string_view text) { return 4 + 2 * static_cast<double>(text.size()) / 15; }
 
 }  // namespace

@@ -45,7 +45,7 @@ Placement not_swapped(Placement selected, const Settings& settings) {
   return selected;
 }
 
-// Without swaps that would take longer than the haste allows.
+// Without swaps that take longer than the haste allows.
 Result<Placement> placed_in(Haste haste, const Document& document, const PolygonWithHoles* known) {
   const Settings& settings = document.settings;
   if (!swaps_teams(settings)) return placed(document, known);

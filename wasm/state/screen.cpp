@@ -8,8 +8,8 @@
 namespace evenlift::view {
 namespace {
 
-// In presentation mode the screen counts as about this large, so that its letters are legible from
-// the last row: steps have the screen to themselves, and the tool needs room for its settings.
+// In presentation mode the screen counts as about this large, to be legible from the last row:
+// steps have it to themselves, and the tool needs room for its settings.
 struct Room {
   double width, height;
 };
@@ -63,7 +63,7 @@ void make_room(AppState& state, double height) {
 void set_presenting(AppState& state, bool on) {
   if (state.view.presenting == on) return;
   state.view.presenting = on;
-  // The card of a task has the words and the goals; the drawing needs the room of the settings.
+  // A task's card has the words and the goals; the drawing needs the room of the settings.
   if (on && state.view.task) state.view.panel_open = false;
   measure_screen(state);
   emit(state, ShowFullScreen{on});

@@ -1,6 +1,6 @@
-// The whole state of the view, in four parts. The canvas and the panels read it. Commands change
-// the work, the view and the session (app/update.h); the derived part follows from them, and only
-// derive() writes it. It does not depend on Dear ImGui.
+// The whole state of the view, in four parts, for the canvas and the panels. Commands change the
+// work, the view and the session (app/update.h); the derived part follows from them, and only
+// derive() writes it. No part depends on Dear ImGui.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ struct AppState {
   Work work;
   View view;
   Session session;
-  Given given;  // the present commands' input to derive()
+  Given given;  // from the present commands to derive()
   const Derived& derived() const { return derived_; }
 
  private:
@@ -29,33 +29,32 @@ inline bool walkthrough_is_open(const AppState& state) {
   return state.view.walkthrough.trace != nullptr;
 }
 
-// Whether the steps alone are presented: the drawing with their words, and no settings. O(1).
+// Without settings: only the drawing with the steps' words. O(1).
 inline bool presents_steps(const AppState& state) {
   return state.view.presenting && walkthrough_is_open(state);
 }
 
-// Whether the open step knows the last lifting base, and so the forces and slopes that tip, and
-// where a further load may stand. O(1).
+// Whether the open step knows the last lifting base, and so the forces and slopes that tip, and the
+// places for a further load. O(1).
 inline bool knows_base(const AppState& state) {
   const StepKind kind = state.view.walkthrough.detail.step.kind;
   return kind == StepKind::coverage || kind == StepKind::result;
 }
 
-// Whether the walkthrough was opened as a lesson: closing it restores what was open before. O(1).
+// Whether closing the walkthrough restores what was open before a lesson. O(1).
 inline bool in_lesson(const AppState& state) {
   return walkthrough_is_open(state) && state.view.walkthrough.of_lesson;
 }
 
-// The failed robot in the picture; null without one. Lessons, and shapes that are being drawn or
-// refused, show none. O(1).
+// The failed robot in the picture, or null. Lessons, and shapes being drawn or refused, show none.
+// O(1).
 inline const Failure* failing(const AppState& state) {
   const bool shown = state.derived().failure && !state.derived().refusal &&
                      !draws(state.view.tool) && !walkthrough_is_open(state);
   return shown ? &*state.derived().failure : nullptr;
 }
 
-// The placement in one of the two pictures, with a failed robot considered, and its loads.
-// Precondition: it exists. O(1).
+// In one of the two pictures, with a failed robot considered. Precondition: it exists. O(1).
 inline const Placement& shown_placement(const AppState& state, bool second = false) {
   if (second) return *state.derived().second;
   return failing(state) ? failing(state)->placement : *state.derived().placement;
@@ -65,24 +64,23 @@ inline const Outlook& shown_outlook(const AppState& state, bool second = false) 
   return failing(state) ? failing(state)->outlook : state.derived().outlook;
 }
 
-// Whether the user moved robots of the first picture. O(1).
+// Whether robots of the first picture were moved. O(1).
 inline bool by_hand(const AppState& state) {
   return state.derived().placement && state.derived().placement->moved.any();
 }
 
-// The present settings, and what is shown. O(1).
+// The present ones. O(1).
 inline const Settings& settings(const AppState& state) { return state.work.document().settings; }
 inline const Shown& shown(const AppState& state) { return state.work.document().shown; }
 
-// Whether the picture is older than the document, whose teams a worker is choosing; false for the
-// picture of a refused document. O(1).
+// Whether the picture is older than the document, whose teams a worker is choosing; false if the
+// document is refused. O(1).
 inline bool lags(const AppState& state) {
   return state.derived().elsewhere.under_way && !state.derived().refusal;
 }
 
-// The last document that was placed, with what is shown. Links, files and storage hold it. During a
-// drag it may be older than the present one (lags()).
-// O(n).
+// The last placed document, with what is shown, for links, files and storage. During a drag it may
+// be older than the present one (lags()). O(n).
 inline Document last_good(const AppState& state) {
   Document document = state.derived().placed;
   document.shown = shown(state);

@@ -1,7 +1,7 @@
-// Three terms: a lesson is a teacher's text (evenlift/lesson.h). The walkthrough shows the
-// algorithm step by step. A script is a lesson whose stops were found in the walkthrough's trace.
+// A lesson is a teacher's text (evenlift/lesson.h). The walkthrough shows the algorithm step by
+// step. A script is a lesson whose stops were found in the walkthrough's trace.
 //
-// This is data; walkthrough/walkthrough.h changes it.
+// This is data, which walkthrough/walkthrough.h changes.
 #pragma once
 
 #include <array>
@@ -19,23 +19,23 @@
 
 namespace evenlift::view {
 
-// One stop of a lesson: its step, and the teacher's words for it.
+// A lesson's step, and the teacher's words for it.
 struct Stop {
   std::uint32_t step;
   std::string words;
 };
 struct Script {
   Lesson lesson;
-  std::vector<Stop> stops;   // those with an address in the trace; at least one
+  std::vector<Stop> stops;   // with an address in the trace; at least one
   std::size_t position = 0;  // the present or last stop
   Document of;               // the lesson's own document
   std::size_t depth = 0;     // edits in the history at its opening; undoing more leaves it
-  bool preview = false;      // it is being written
+  bool preview = false;      // being written
 };
 
-// A question to the learner about a choice that the next step shows.
+// About a choice that the next step shows.
 struct Ask {
-  std::uint32_t step;  // the step that shows the answer
+  std::uint32_t step;  // with the answer
   StepDetail detail;
   Question question;
   std::string text;
@@ -43,10 +43,9 @@ struct Ask {
   std::size_t pointed = 0;             // index of the choice that the buttons point at
 };
 
-// A question that was just answered.
 struct Answered {
   Ask ask;
-  std::uint32_t guess;  // one of its choices
+  std::uint32_t guess;  // one of the choices
 };
 
 struct Visited {
@@ -54,15 +53,15 @@ struct Visited {
   std::string caption;
 };
 
-// Guesses since the walkthrough began. Only the first one at each step counts.
+// Since the walkthrough began. Only the first guess at each step counts.
 struct Guesses {
   std::vector<std::uint32_t> steps;
   std::uint32_t right = 0;
-  // By QuestionKind: the steps of its questions.
+  // The steps of the questions, by QuestionKind.
   std::array<std::vector<std::uint32_t>, question_kind_count> asked;
   std::vector<std::uint32_t> told;  // choices shown without a question
 
-  // The number of questions without a guess.
+  // Questions without a guess.
   std::size_t passed_over() const {
     std::size_t all = 0;
     for (const std::vector<std::uint32_t>& of_kind : asked) all += of_kind.size();
@@ -71,18 +70,18 @@ struct Guesses {
 };
 
 struct Walkthrough {
-  std::shared_ptr<const Trace> trace;  // of the placement, while the walkthrough is open
+  std::shared_ptr<const Trace> trace;  // of the placement, while open
   std::uint64_t traced = 0;            // its number (Derived::traces)
-  std::uint32_t at = 0;                // the present step; kept when the walkthrough is closed
+  std::uint32_t at = 0;                // kept when the walkthrough is closed
   std::vector<std::uint32_t> main;     // evenlift/main_steps.h
-  bool all_steps = false;              // otherwise only the main ones are shown
+  bool all_steps = false;              // otherwise only the main ones
   bool resumes = false;                // reopens where it was left
   StepDetail detail;
   Progress known;
   std::vector<Figure> figures;            // of the step
-  std::optional<std::uint32_t> measured;  // the candidate whose gain is drawn, in `scores`
+  std::optional<std::uint32_t> measured;  // whose gain is drawn, in `scores`
   std::vector<Figure> gained;             // what the metric measures for it
-  Points base;                            // the lifting base as known at this step
+  Points base;                            // the lifting base known at this step
   std::string caption, formula;
   std::vector<Visited> visited;  // preceding steps, the newest last
 
@@ -92,7 +91,7 @@ struct Walkthrough {
 
   bool predict = false;
   std::optional<Ask> ask;
-  std::optional<Answered> answered;  // at the step that shows the answer
+  std::optional<Answered> answered;  // at the step with the answer
   std::string verdict;               // whether the last guess was right
   bool was_right = false;
   Guesses guesses;
@@ -104,7 +103,7 @@ struct Walkthrough {
 
   std::optional<std::size_t> hovered;  // index of the figure under the pointer
   std::optional<Script> script;
-  std::optional<Script> aside;  // the script to return to, while all steps are shown instead
+  std::optional<Script> aside;  // to return to, while all steps are shown
   bool of_lesson = false;       // opened as a lesson; valid only while open: in_lesson()
 };
 

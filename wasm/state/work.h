@@ -1,4 +1,4 @@
-// The user's work: the document with its undo, and what undo restores with it.
+// The document with its undo, and what undo restores with it.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace evenlift::view {
 
-// The robots' size, the no-go edges and the goal before a method that does not support them.
+// What the present method does not support, from a former one.
 struct SetAside {
   std::optional<RobotSize> robot;
   std::optional<std::vector<EdgePart>> no_go;
@@ -18,30 +18,29 @@ struct SetAside {
 };
 
 struct Work {
-  // The edited document; it may be refused.
+  // It may be refused.
   const Document& document() const { return document_; }
   // For a change that may affect the robots' places: the document is placed again.
   Document& edit() {
     ++edits_;
     return document_;
   }
-  // For a change of what is shown, which places nothing.
+  // For a change that places nothing.
   Shown& show() { return document_.shown; }
-  std::uint64_t edits() const { return edits_; }  // the number of edits
+  std::uint64_t edits() const { return edits_; }
 
   History history;
   bool edit_open = false;               // a drag is under way, which becomes one step of undo
-  std::optional<Method> second_method;  // the method shown beside the document's
+  std::optional<Method> second_method;  // beside the document's
   SetAside aside;
   std::optional<Backdrop> backdrop;
-  std::uint32_t pictures = 0;  // the number of pictures put behind the drawing since the start
+  std::uint32_t pictures = 0;  // put behind the drawing since the start
 
  private:
   Document document_;
   std::uint64_t edits_ = 0;
 };
 
-// The state that undo keeps in addition to the document.
 inline Beside beside(const Work& work) { return {work.second_method, work.backdrop}; }
 
 }  // namespace evenlift::view

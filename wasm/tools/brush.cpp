@@ -14,8 +14,7 @@ Vec2 vertex_on_screen(const AppState& state, std::size_t i) {
   return state.view.camera.to_screen(vertices[i == vertices.size() ? 0 : i]);
 }
 
-// The part of the segment a b within a disc, from 0 to 1; widened to four decimals, since no-go
-// parts are read and typed as text.
+// From 0 to 1; widened to four decimals, since no-go parts are read and typed as text.
 std::optional<Stretch> within_disc(const Vec2& a, const Vec2& b, const Vec2& middle,
                                    double radius) {
   const double size = length(b - a);

@@ -10,20 +10,18 @@ namespace evenlift::view {
 
 inline constexpr double brush_reach = 12, finger_reach = 22;  // pixels
 
-// The edge nearest to a place on the screen, and the nearest place on it, from 0 to 1; nothing if
-// no edge is within the brush's reach. O(n).
+// The nearest edge within the brush's reach, and the nearest place on it, from 0 to 1. O(n).
 struct BrushedPlace {
   std::uint32_t edge;
   double at;
 };
 std::optional<BrushedPlace> brushed_place(const AppState& state, const Vec2& screen, bool finger);
 
-// The settings after the brush moved from one place on the screen to another: marks or erases
-// everything within its reach. O(n), and O(parts) for each edge that it meets.
+// Marks or erases everything within the brush's reach from one place on the screen to another.
+// O(n), and O(parts) for each edge that it meets.
 Settings brushed(const AppState& state, const Vec2& from, const Vec2& to, bool finger);
 
-// The settings after a click: the whole edge becomes a no-go edge, or no part of it is one any
-// more.
+// After a click: the whole edge becomes a no-go edge, or no part of it is one any more.
 Settings with_whole_edge(const AppState& state, std::uint32_t edge);
 
 }  // namespace evenlift::view

@@ -1,4 +1,4 @@
-// The shape of the mouse pointer over the drawing, which shows what a press would do.
+// Shows what a press on the drawing would do.
 #pragma once
 
 #include "state/effects.h"

@@ -1,4 +1,4 @@
-// The polygon that is being drawn: its crossing edges, and the click that closes it.
+// The polygon being drawn: its crossing edges, and the click that closes it.
 #pragma once
 
 #include <cstddef>
@@ -12,49 +12,48 @@
 
 namespace evenlift::view {
 
-// A click within this distance of the first vertex, in pixels, closes the polygon.
+// From the first vertex, in pixels.
 inline constexpr double closing_reach = 14;
 
-// Whether a press at `screen` would close the polygon. O(1).
+// Whether a press would close the polygon. O(1).
 bool closes(const AppState& state, const Vec2& screen);
 
-// The placed vertex that a press at `screen` grabs. O(n).
+// The placed vertex that a press grabs. O(n).
 std::optional<std::size_t> placed_at(const AppState& state, const Vec2& screen);
 
-// An edge from a placed vertex to the next.
+// From a placed vertex to the next.
 struct Edge {
   double length = 0;
   double degrees = 0;  // counter-clockwise from the x axis, in (-180, 180]
 };
 Edge edge_between(const Vec2& from, const Vec2& to);
 
-// For example "120 long · 45.0°", with the view's number of decimals. O(1).
+// "120 long · 45.0°", with the view's number of decimals. O(1).
 std::string edge_in_words(const AppState& state, const Vec2& from, const Vec2& to);
 std::string length_in_words(const AppState& state, double length);
 
-// The end of the next edge towards `wanted`, with the typed length and angle, rounded to a
-// millionth of the edge. Precondition: at least one vertex is placed. O(1).
+// The next edge's end towards `wanted`, with the typed length and angle, rounded to a millionth of
+// the edge. Precondition: at least one vertex is placed. O(1).
 Vec2 typed_end(const Drawing& drawing, const Vec2& wanted);
 
-// The centroid of the area that the closed chain encloses; nothing if it encloses no area. O(n).
+// Of the area that the closed chain encloses; nothing if it encloses none. O(n).
 std::optional<Vec2> centroid_of(const Points& chain);
 
-// The next vertex if the pointer is at `world`, after snapping. O(1).
+// If the pointer is at `world`, after snapping. O(1).
 Vec2 next_point(const AppState& state, const Vec2& world);
 
-// `to` on the grid, if points snap to it, or else rounded to the pixels. O(1).
+// On the grid, if points snap to it, or else rounded to the pixels. O(1).
 Vec2 snapped(const AppState& state, const Vec2& to);
 
-// `to` after snapping. The axes go through the neighbours `before` and `after`. O(1).
+// The axes go through the neighbours `before` and `after`. O(1).
 Vec2 snapped(const AppState& state, const Vec2& to, const Vec2& before, const Vec2& after);
 
 // The pairs of edges of the open chain that cross, touch or overlap; neighbours may share their
-// common point. Edge i runs from point i to point i + 1. Exact. O(n²); always empty for more than
-// 1,000 points.
+// common point. Edge i begins at point i. Exact. O(n²); always empty for more than 1,000 points.
 std::vector<std::pair<std::size_t, std::size_t>> crossings(const Points& chain);
 
-// Converts what is being drawn to text for storage, one vertex per line, and back. A hole begins with a
-// line of its own. Nothing if the text cannot be read.
+// The drawing as text for storage, one vertex per line, and back. A hole begins with a line of its
+// own. Nothing if the text cannot be read.
 struct KeptDrawing {
   Points points;
   bool is_hole = false;

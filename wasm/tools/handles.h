@@ -1,6 +1,6 @@
 // The points of a document that the user selects, drags, nudges and removes, in one numbering: the
-// vertices of the outline, those of each hole in turn, and the weights on the object. Edges have the
-// numbers of the vertices at which they begin.
+// vertices of the outline, then those of each hole, and the weights. Edges have the numbers of the
+// vertices at which they begin.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace evenlift::view {
 
 struct Handle {
   bool is_weight = false;
-  std::size_t ring = 0;   // of a vertex: 0 is the outline, and k hole k
+  std::size_t ring = 0;   // 0 is the outline, and k hole k
   std::size_t index = 0;  // of the vertex in its ring, or of the weight
 };
 
@@ -22,24 +22,24 @@ struct Handle {
 std::size_t count_vertices(const Document& document);
 std::size_t count_handles(const Document& document);
 
-// The number of a weight's handle. O(holes).
+// O(holes).
 std::size_t weight_handle(const Document& document, std::size_t item);
 
-// The handle with a number; nothing if there are fewer. O(holes).
+// Nothing if there are fewer. O(holes).
 std::optional<Handle> handle_of(const Document& document, std::size_t number);
 
-// The vertices of a ring. O(1).
+// O(1).
 const Points& ring_of(const Document& document, std::size_t ring);
 Points& ring_of(Document& document, std::size_t ring);
 
-// The number of the first vertex of a ring. O(holes).
+// O(holes).
 std::size_t first_of_ring(const Document& document, std::size_t ring);
 
 // The place of a handle, which must exist; and moves it there. O(holes).
 Vec2 place_of(const Document& document, std::size_t number);
 void put(Document& document, std::size_t number, const Vec2& at);
 
-// The vertices before and after a vertex, in its ring. O(holes).
+// In the vertex's ring. O(holes).
 Vec2 before(const Document& document, std::size_t vertex);
 Vec2 after(const Document& document, std::size_t vertex);
 
@@ -49,7 +49,7 @@ std::string name_of(const Document& document, std::size_t number);
 // All that moves with the polygon. O(n).
 PolygonGrip grip_of(const Document& document);
 
-// Calls visit(ring, number of its first vertex) for the outline and each hole.
+// visit(ring, number of its first vertex) is called for the outline and each hole.
 template <class Visit>
 void for_each_ring(const Document& document, Visit visit) {
   visit(document.vertices, std::size_t{0});

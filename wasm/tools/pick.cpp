@@ -13,7 +13,7 @@ namespace {
 
 double distance(const Vec2& a, const Vec2& b) { return length(a - b); }
 
-// The nearest part offered within reach; in a tie, the later one.
+// The nearest part within reach; in a tie, the later one.
 struct Nearest {
   double reach;
   Pick pick = {};
@@ -108,7 +108,7 @@ Pick candidate_at(const AppState& state, const Placement& placement, const Vec2&
 
 namespace {
 
-// Whether this robot's card is open.
+// Whether its card is open.
 bool is_asked_about(const AppState& state, const Pick& pick) {
   if (pick.kind != Pick::Kind::robot || !state.derived().explanation ||
       state.derived().explanation->of.second)
@@ -200,8 +200,8 @@ Pick pick(const AppState& state, const Vec2& screen, bool second) {
     const auto away = [&](const Pick& p) {
       return distance(state.view.camera.to_screen(p.at), screen);
     };
-    // On a vertex, a robot placed by hand or with the open card comes first, so that the user can
-    // grab it there.
+    // On a vertex, a robot placed by hand or with the open card comes first, so that it can be
+    // grabbed.
     const bool first =
         !second && can_take_robot(state, robot) &&
         (placement->settings.method == Method::given || is_asked_about(state, robot));

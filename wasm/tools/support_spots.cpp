@@ -7,7 +7,7 @@
 namespace evenlift::view {
 namespace {
 
-// The nearest vertex within reach, or else the nearest point of the outline within reach.
+// The nearest vertex within reach, or else the nearest point.
 std::optional<Vec2> on_outline(const Points& vertices, const Vec2& to, double reach) {
   std::optional<Vec2> edge;
   double least = reach;

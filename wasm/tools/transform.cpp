@@ -12,13 +12,12 @@
 namespace evenlift::view {
 namespace {
 
-// The polygon turns about its centroid, which stays in place through any number of turns.
+// The centroid, which stays in place through any number of turns.
 Vec2 pivot(const Points& polygon) {
   const std::optional<Vec2> centroid = centroid_of(polygon);
   return centroid ? *centroid : bounding_box(polygon).middle();
 }
 
-// The grabbed polygon with every point mapped.
 template <class Map>
 SetPolygon mapped(const PolygonGrip& grip, Map map) {
   SetPolygon polygon{grip};
@@ -52,12 +51,12 @@ SetPolygon scaled(const AppState& state, const PolygonGrip& grip, const Vec2& ab
   });
 }
 
-constexpr double beyond = 30;  // pixels from the polygon to its frame
+constexpr double beyond = 30;  // pixels from polygon to frame
 
 Vec2 knob_place(const AppState& state, const Rect& frame) {
   constexpr double stalk = 28;
   const Layout places = layout(state);
-  // On a wide screen, layout() keeps room above the picture for the knob, unless a caption is
+  // On a wide screen, layout() keeps room for the knob above the picture, unless a caption is
   // there.
   const bool has_room = places.wide && places.caption == 0;
   const double top = places.first.top + places.caption - (has_room ? stalk : 0),
@@ -159,7 +158,7 @@ SetPolygon dragged_polygon(const AppState& state, FrameGrip held, const Vec2& fr
     const Vec2 about = state.view.camera.to_screen(pivot(grip.vertices));
     const Vec2 a = from - about, b = to - about;
     const double lengths = length(a) * length(b);
-    // On the screen y points down, so the direction is reversed.
+    // The direction is reversed here, too.
     const Vec2 turn = lengths > 0 ? Vec2(Vec2(dot(a, b), -cross(a, b)) / lengths) : Vec2(1, 0);
     polygon = turned(state, grip, turn);
   } else {

@@ -1,4 +1,4 @@
-// Moves, turns and scales the whole polygon by the grips of a frame around it.
+// Moves, turns and scales the polygon by the grips of a frame around it.
 #pragma once
 
 #include <optional>
@@ -8,32 +8,31 @@
 
 namespace evenlift::view {
 
-// The frame on the screen, slightly larger than the polygon.
+// On the screen, slightly larger than the polygon.
 Rect transform_frame(const AppState& state);
 
-// The frame's grips: corners scale, the knob turns, the inside moves.
+// Corners scale, the knob turns, the inside moves.
 enum class FrameGrip : std::uint8_t { low_left, low_right, high_left, high_right, turn, inside };
 inline constexpr FrameGrip corner_grips[] = {FrameGrip::low_left, FrameGrip::low_right,
                                              FrameGrip::high_left, FrameGrip::high_right};
 
-// The place of a grip, in pixels. The knob is above the frame if there is room, else below it, else
-// inside. O(1).
+// In pixels. The knob is above the frame if there is room, else below it, else inside. O(1).
 Vec2 grip_place(const AppState& state, const Rect& frame, FrameGrip grip);
 
-// The turn and the scaling since the polygon was grabbed. O(n).
+// Since the polygon was grabbed. O(n).
 struct Transformed {
   double degrees = 0;  // counter-clockwise, in (-180, 180]
   double factor = 1;
 };
 Transformed since_grip(const AppState& state);
 
-// The corners of the frame while it is being turned, in pixels, in order. O(n).
+// The corners while the frame is turned, in pixels, in order. O(n).
 Points turned_frame(const AppState& state);
 
-// The grip under the pointer, nearest first. O(1).
+// Under the pointer, the nearest first. O(1).
 std::optional<FrameGrip> grip_at(const AppState& state, const Vec2& screen);
 
-// The grabbed polygon after a drag from `from` to `to` (pixels). O(n).
+// After a drag from `from` to `to` (pixels). O(n).
 SetPolygon dragged_polygon(const AppState& state, FrameGrip held, const Vec2& from, const Vec2& to);
 
 // By keys: moved by a number of grid dots, turned in steps of 15°, scaled by a factor. O(n).

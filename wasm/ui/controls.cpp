@@ -32,7 +32,6 @@ Listed listed;
 
 Rect rectangle(ImVec2 low, ImVec2 high) { return {low.x, low.y, high.x, high.y}; }
 
-// Removes and returns the first request for this control.
 std::optional<Request> taken_request(const Control& control) {
   std::vector<Request>& all = listed.requests;
   const auto found = std::find_if(all.begin(), all.end(), [&](const Request& request) {
@@ -79,7 +78,7 @@ std::string control_json(const Control& c, double zoom) {
 void begin_controls() {
   listed.of_pass.clear();
   listed.open_list.reset();
-  // Requests to controls that are no longer laid out expire.
+  // Requests expire if their controls are no longer laid out.
   for (Request& request : listed.requests) ++request.passes;
   std::erase_if(listed.requests, [](const Request& request) { return request.passes > 4; });
 }

@@ -1,4 +1,4 @@
-// What the view writes, for tests: whether all of it is in the reader's language, and has room.
+// What the view writes, so that tests can check its language and its room.
 #pragma once
 
 #include <string>
@@ -8,15 +8,15 @@
 namespace evenlift::view {
 
 struct DrawnText {
-  std::string text;  // as it is drawn
+  std::string text;  // as drawn
   bool has_room;
 };
 
-// Adds each text that is drawn from now on to the record, until it is called with null.
+// Adds each drawn text to the record, until it is called with null.
 void record_texts(std::vector<DrawnText>* record);
 
 void note_drawn(std::string_view text);
-// A text with this width was drawn where there is this room.
+// A text of this width was drawn where there is this room.
 void note_room(std::string_view text, float width, float room);
 
 }  // namespace evenlift::view

@@ -12,7 +12,7 @@ constexpr unsigned char semibold[] = {
 #include "Inter-SemiBold.otf.inc"
 };
 
-// The given fonts, kept for as long as Dear ImGui may read them.
+// Kept for as long as Dear ImGui may read them.
 std::vector<unsigned char> given_regular, given_semibold;
 
 FontData data_of(const std::vector<unsigned char>& bytes) {

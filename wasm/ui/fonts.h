@@ -1,5 +1,5 @@
-// The page's two fonts: assets/fonts, which cmake/Embed.cmake embeds in the program; or larger ones
-// that the page fetched.
+// The page's two fonts: assets/fonts, which cmake/Embed.cmake embeds, or larger ones that the page
+// fetched.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@ struct FontData {
 FontData regular_font();
 FontData semibold_font();
 
-// Replaces the two fonts; see letters.h.
+// See letters.h.
 void give_fonts(std::vector<unsigned char> regular, std::vector<unsigned char> semibold);
 
 }  // namespace evenlift::view

@@ -1,5 +1,4 @@
-// The levels of the heat map: forces that tip the object, in units of its weight. A band is the
-// part between two levels.
+// Forces that tip the object, in units of its weight. A band of the heat map is between two levels.
 #pragma once
 
 namespace evenlift::view {

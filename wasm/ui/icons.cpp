@@ -10,7 +10,7 @@ namespace {
 
 constexpr float pi = 3.14159265f;
 
-// The icons are drawn in a square of this side, with y down (web/kit/icons.js).
+// The side of an icon's square, with y down (web/kit/icons.js).
 constexpr float side = 20;
 constexpr float stroke_width = 1.7f, dot_radius = 1.35f;
 
@@ -18,7 +18,7 @@ constexpr float stroke_width = 1.7f, dot_radius = 1.35f;
 struct Point {
   std::int16_t x, y;
 };
-// Consecutive points; a single one is a dot.
+// A single point is a dot.
 struct Stroke {
   std::int16_t first, count;
   bool closed;

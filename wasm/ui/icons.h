@@ -1,5 +1,5 @@
-// The canvas's icons, drawn with lines so that they are sharp at every size. Their strokes come
-// from web/kit/icons.js, which also serves the windows.
+// The icons are lines, so that they are sharp at every size. The strokes come from
+// web/kit/icons.js, which also serves the windows.
 #pragma once
 
 #include <imgui.h>
@@ -57,7 +57,7 @@ inline constexpr std::size_t icon_count = 38;  // without `none`
 // Within a square of `size` pixels about `middle`.
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float size, Colour colour);
 
-// The symbol of a centre of mass: a disc with opposite quarters filled.
+// A disc with opposite quarters filled.
 void draw_centre_mark(ImDrawList& list, ImVec2 middle, float radius, Colour dark, Colour light);
 
 }  // namespace evenlift::view

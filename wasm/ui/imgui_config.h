@@ -1,12 +1,11 @@
-// Dear ImGui's configuration. Every file that includes imgui.h includes this file through
-// IMGUI_USER_CONFIG.
+// Dear ImGui's configuration. imgui.h includes it through IMGUI_USER_CONFIG.
 #pragma once
 
-// Only current names, so that the view also builds with future versions.
+// Only current names, for future versions.
 #define IMGUI_DISABLE_OBSOLETE_FUNCTIONS
 #define IMGUI_DISABLE_OBSOLETE_KEYIO
 
-// The page shows neither the demo nor the debugging windows; it is smaller without them.
+// The page shows neither, and is smaller without them.
 #define IMGUI_DISABLE_DEMO_WINDOWS
 #define IMGUI_DISABLE_DEBUG_TOOLS
 
@@ -16,11 +15,11 @@
 // The type of OpenGL's texture names.
 #define ImTextureID unsigned int
 
-// The browser handles files, and a page has no file system.
+// The browser handles files; a page has no file system.
 #define IMGUI_DISABLE_FILE_FUNCTIONS
 
 // wasm/ui/fonts.cpp always provides fonts. From 1.92 on this omits Dear ImGui's default font;
-// earlier versions have no switch for it.
+// earlier versions have no such switch.
 #define IMGUI_DISABLE_DEFAULT_FONT
 
-// IM_ASSERT stays assert(): active where assertions are, absent in the released page.
+// IM_ASSERT stays assert(), which is absent in the released page.

@@ -9,11 +9,11 @@
 namespace evenlift::view {
 namespace {
 
-// At least the characters of assets/fonts/subset.py that the page itself writes; characters that a
-// font lacks take no room.
+// At least the characters of assets/fonts/subset.py that the page itself writes; those that a font
+// lacks take no room.
 constexpr ImWchar always[] = {0x20, 0xFF, 0x2009, 0x203A, 0x2212, 0x2265};
 
-// Characters are rasterised in blocks of this size, since a text seldom needs one alone.
+// Rasterised together, since a text seldom needs one character alone.
 constexpr unsigned block = 0x80;
 constexpr unsigned beyond = 0x10000;  // Dear ImGui's characters have 16 bits
 
@@ -29,7 +29,7 @@ struct Decoded {
   std::size_t bytes;
 };
 
-// The first character of a non-empty UTF-8 text; invalid UTF-8 is decoded byte by byte.
+// Of a non-empty UTF-8 text; invalid UTF-8 is decoded byte by byte.
 Decoded decode(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned first = byte(0);

@@ -13,7 +13,7 @@
 namespace evenlift::view {
 namespace {
 
-// Style sheets and pictures repeat some of these; tests/view/check_palette.py compares them.
+// Style sheets and pictures repeat some of these (tests/view/check_palette.py).
 constexpr Theme light = {
     .ground = {0xEEF1F4},
     .dots = {0xD0D7DE},
@@ -84,7 +84,7 @@ constexpr Theme dark = {
     .shadow = {0x000000, 0.35f},
 };
 
-// The usual size of letters, in pixels. Dear ImGui counts a font's whole line, which is higher.
+// In pixels. Dear ImGui counts a font's whole line, which is higher.
 struct FaceSpec {
   bool semibold;
   float letters;
@@ -123,12 +123,12 @@ const Theme& theme(const AppState& state) { return state.session.screen.dark ? d
 void load_fonts(double ratio) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
 #if IMGUI_VERSION_NUM >= 19200
-  // Since this version Dear ImGui itself rasterises characters for the scale of the framebuffer.
+  // From this version on Dear ImGui itself rasterises for the framebuffer's scale.
   static_cast<void>(ratio);
   if (!atlas.Fonts.empty()) return;
   const float density = 1;
 #else
-  // A higher density makes no visible difference, and could need too large a texture.
+  // More density is not visible, and could need too large a texture.
   const float density = static_cast<float>(std::min(ratio, 4.0));
 #endif
   atlas.Clear();

@@ -1,4 +1,4 @@
-// The input of every panel: the state, which it reads, and the commands, to which it adds.
+// Every panel reads the state and adds commands.
 #pragma once
 
 #include "state/command.h"
@@ -13,7 +13,7 @@ struct Ui {
   const Theme& theme;
   const Layout& layout;
   Commands& commands;
-  Pick& row;  // the part that the hovered row names
+  Pick& row;  // named by the hovered row
 
   void push(Command command) const { commands.push_back(std::move(command)); }
   float control() const { return static_cast<float>(layout.control); }

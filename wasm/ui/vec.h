@@ -1,4 +1,4 @@
-// Points for Dear ImGui, which stores them as floats.
+// Dear ImGui's points, stored as floats.
 #pragma once
 
 #include <imgui.h>

@@ -1,4 +1,4 @@
-// Answers "Why not this one?", asked at a point of the drawing.
+// Answers "Why not this one?" at a point of the drawing.
 #pragma once
 
 #include "state/state.h"
@@ -10,7 +10,7 @@ namespace evenlift::view {
 // candidates. A point away from the object asks nothing.
 void ask_why(AppState& state, const Vec2& at);
 
-// Removes the question and its answer.
+// Also forgets the answer.
 void forget_why(Walkthrough& walk);
 
 }  // namespace evenlift::view

@@ -28,7 +28,7 @@ void add_chord(Explanation& explanation, const Chord& chord, const Units& units)
   explanation.rows.push_back({"Load ratio", ratio_in_words(chord.ratio)});
 }
 
-// The last swap that moved the team, if any.
+// The last one that moved the team.
 std::optional<std::uint32_t> swap_of(const Trace& trace, std::uint32_t team) {
   if (!trace.swaps) return std::nullopt;
   const std::vector<Swap>& swaps = trace.swaps->swaps;
@@ -38,7 +38,6 @@ std::optional<std::uint32_t> swap_of(const Trace& trace, std::uint32_t team) {
   return std::nullopt;
 }
 
-// Adds the facts about the choice of team `team`.
 void add_choice(Explanation& explanation, const Trace& trace, std::uint32_t team) {
   if (const auto swap = swap_of(trace, team)) {
     explanation.step = swap;
@@ -58,7 +57,6 @@ void add_choice(Explanation& explanation, const Trace& trace, std::uint32_t team
   explanation.reason = why_here_text(trace, *detail.scores);
 }
 
-// The step that found the candidate.
 std::optional<std::uint32_t> step_of_candidate(const Trace& trace, std::uint32_t candidate) {
   const std::uint32_t source = trace.source_of_candidate[candidate];
   if (trace.placement.candidates[candidate].kind == CandidateKind::range) {
@@ -81,7 +79,7 @@ void explain_team(Explanation& explanation, const ShownPlacement& of, const Pick
     const auto end = static_cast<std::size_t>(pick.end);
     const std::size_t robot = 2 * pick.index + end;
     if (!pick.second) explanation.robot = robot;
-    // The disc shows the team's number, and messages about failures name the robot's number.
+    // The disc shows the team's number; messages about failures name the robot's.
     explanation.title = say("Team {team}: robot {robot} of {robots}",
                             {pick.index + 1, robot + 1, count_robots(placement.teams)});
     explanation.rows.push_back(
@@ -100,8 +98,7 @@ void explain_team(Explanation& explanation, const ShownPlacement& of, const Pick
   if (trace) add_choice(explanation, *trace, static_cast<std::uint32_t>(pick.index));
 }
 
-// Explains a balanced robot: its load, and that the centroid of all robots is the reason for its
-// place.
+// The centroid of all robots is the reason for its place.
 void explain_balanced(Explanation& explanation, const ShownPlacement& of, const Pick& pick) {
   const Placement& placement = of.placement;
   const auto robot = static_cast<std::size_t>(pick.end);
@@ -121,7 +118,6 @@ void explain_balanced(Explanation& explanation, const ShownPlacement& of, const 
       {all});
 }
 
-// Describes a robot placed by hand.
 void explain_support(Explanation& explanation, const ShownPlacement& of, const Pick& pick) {
   const Placement& placement = of.placement;
   const auto robot = static_cast<std::size_t>(pick.end);
@@ -171,8 +167,8 @@ Explanation explain(const AppState& state, const Pick& pick) {
     explain_balanced(explanation, of, pick);
     return explanation;
   }
-  // A placement with too long a trace is explained by its numbers alone.
-  const bool moved = !pick.second && by_hand(state);  // the algorithm did not put it there
+  // With too long a trace, a placement is explained by its numbers alone.
+  const bool moved = !pick.second && by_hand(state);  // not by the algorithm
   std::optional<Result<Trace>> made;
   if (!moved) made = compute_trace(placement, of.shown.units);
   const Trace* trace = made && *made ? &**made : nullptr;

@@ -62,7 +62,7 @@ void move_chapters(AppState& state, int by) {
 void set_playing(AppState& state, bool playing) {
   Walkthrough& walk = state.view.walkthrough;
   if (!walkthrough_is_open(state)) return;
-  // At the end, playing restarts from the beginning.
+  // At the end, playing restarts.
   if (playing && !next_step(state, 1)) go_to_position(state, 0);
   walk.playing = playing;
   walk.turn_at.reset();

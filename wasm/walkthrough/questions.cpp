@@ -15,10 +15,9 @@
 namespace evenlift::view {
 namespace {
 
-constexpr std::size_t most_offered = 6;  // choices offered per question
+constexpr std::size_t most_offered = 6;  // per question
 
-// Whether there is nothing to guess: only one candidate, or two ends that show the same load ratio
-// or look like one point.
+// Only one candidate, or two ends that show the same load ratio or look like one point.
 bool is_trivial(const Trace& trace, const Ask& asked) {
   if (asked.question.kind != QuestionKind::nearer_end) return asked.choices.size() < 2;
   constexpr double apart = 1.0 / 80;  // of the object's size
@@ -28,8 +27,8 @@ bool is_trivial(const Trace& trace, const Ask& asked) {
          ratio_in_words(pair.ends[0].ratio) == ratio_in_words(pair.ends[1].ratio);
 }
 
-// The answer and some other choices, as far apart in their order as possible: among very many
-// choices, neighbours look the same in the drawing.
+// The answer and other choices, as far apart in their order as possible: of very many, neighbours
+// look the same in the drawing.
 std::vector<std::uint32_t> some_of(const std::vector<std::uint32_t>& choices,
                                    std::uint32_t answer) {
   const std::size_t n = choices.size();
@@ -43,8 +42,7 @@ std::vector<std::uint32_t> some_of(const std::vector<std::uint32_t>& choices,
   return some;
 }
 
-// Whether the question is among the first of its kind; otherwise the choice is shown without a
-// question.
+// Later questions of a kind are not asked: the choice is shown.
 bool may_ask(Walkthrough& walk, const Ask& asked) {
   std::vector<std::uint32_t>& steps =
       walk.guesses.asked[static_cast<std::size_t>(asked.question.kind)];
@@ -60,7 +58,7 @@ bool may_ask(Walkthrough& walk, const Ask& asked) {
   return false;
 }
 
-// Any choice but the answer: the first choice offered must not give the answer away.
+// Any choice but the answer: the first one offered must not give it away.
 std::size_t first_offered(const Ask& asked) {
   const std::size_t n = asked.choices.size();
   const auto answer = static_cast<std::size_t>(
@@ -69,7 +67,7 @@ std::size_t first_offered(const Ask& asked) {
   return n < 2 ? 0 : (answer + 1 + asked.step % (n - 1)) % n;
 }
 
-// The question about the choice at this step, unless it is trivial.
+// Nothing if it is trivial.
 std::optional<Ask> question_of(const Trace& trace, std::uint32_t step) {
   Ask asked;
   asked.step = step;
@@ -78,13 +76,12 @@ std::optional<Ask> question_of(const Trace& trace, std::uint32_t step) {
   if (!question) return std::nullopt;
   asked.question = *question;
   asked.text = question_text(trace, asked.detail, *question);
-  // In their original order, since a ranking would give the answer away.
+  // In their original order: a ranking would give the answer away.
   asked.choices = some_of(choices(trace, asked.detail, *question), question->answer);
   if (is_trivial(trace, asked)) return std::nullopt;
   return asked;
 }
 
-// Whether any shown step has a choice to predict.
 bool asks_anything(const AppState& state) {
   if (!walkthrough_is_open(state)) return true;  // its steps are still unknown
   const Trace& trace = *state.view.walkthrough.trace;

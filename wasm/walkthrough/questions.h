@@ -1,4 +1,4 @@
-// The questions to the learner about the next choice, and the response to the answer.
+// Questions to the learner about the next choice, and the response to the answer.
 #pragma once
 
 #include <cstddef>
@@ -8,19 +8,19 @@
 
 namespace evenlift::view {
 
-// At most this number of questions of each kind is asked.
+// Of each kind.
 inline constexpr std::size_t most_questions = 3;
 
 void set_predict(AppState& state, bool on);
 
-// Asks for the choice that this step shows, if it is not trivial.
+// Asks for the choice that this step shows, unless it is trivial.
 void ask(AppState& state, std::uint32_t step);
 
-// Goes to the step of the question, and reports whether the answer was right.
+// Goes to the question's step, and reports whether the answer was right.
 void guess(AppState& state, std::uint32_t answer);
 
-// Whether a question concerns balanced robots that the present step does not show. Then the drawing
-// shows only these robots and the chords to choose from.
+// Whether a question concerns balanced robots that the present step does not show. Then only these
+// and the chords to choose from are drawn.
 bool asks_of_other_robots(const AppState& state);
 
 }  // namespace evenlift::view

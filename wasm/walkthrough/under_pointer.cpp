@@ -28,7 +28,7 @@ std::optional<std::size_t> figure_at(const AppState& state, const Vec2& screen) 
   const std::vector<Figure>& figures = state.view.walkthrough.figures;
   std::optional<std::size_t> best;
   double best_score = 0;
-  // Later figures are drawn above earlier ones.
+  // Later figures are above earlier ones.
   for (std::size_t i = figures.size(); i-- > 0;) {
     const Points& p = figures[i].points;
     std::optional<double> score;

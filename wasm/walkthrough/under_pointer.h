@@ -1,4 +1,3 @@
-// The part of the walkthrough under the pointer.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +8,10 @@
 
 namespace evenlift::view {
 
-// The figure under the pointer. Points come before lines, and lines before areas. O(figures).
+// Points come before lines, and lines before areas. O(figures).
 std::optional<std::size_t> figure_at(const AppState& state, const Vec2& screen);
 
-// The choice of the question under the pointer.
+// Of the question.
 std::optional<std::uint32_t> choice_at(const AppState& state, const Vec2& screen);
 
 }  // namespace evenlift::view

@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::size_t most_visited = 60;
 
-// Forgets everything about the preceding step.
 void forget_step(Walkthrough& walk) {
   walk.ask.reset();
   walk.answered.reset();
@@ -49,7 +48,7 @@ void look(Walkthrough& walk, std::uint32_t step) {
   if (scores && !scores->ranking.empty()) show_gain(walk, scores->ranking[0]);
 }
 
-// Whether the numbers of this step would give away the answer to the next question.
+// Whether this step's numbers give away the answer to the next question.
 bool gives_answer_away(const AppState& state) {
   const Walkthrough& walk = state.view.walkthrough;
   const auto [at, count] = timeline(state);
@@ -60,7 +59,7 @@ bool gives_answer_away(const AppState& state) {
          std::find(guessed.begin(), guessed.end(), next) == guessed.end();
 }
 
-// Shows the present step; in a challenge, without the parts that the next question asks for.
+// In a challenge, shows the step without the parts that the next question asks for.
 void look_at_present(AppState& state) {
   Walkthrough& walk = state.view.walkthrough;
   look(walk, walk.at);
@@ -78,8 +77,7 @@ void remember(Walkthrough& walk) {
   if (visited.size() > most_visited) visited.erase(visited.begin());
 }
 
-// The step belongs to the document, so that links carry it; but changing it is not an edit, so it
-// cannot be undone.
+// The step belongs to the document, so that links carry it; but changing it is no edit to undo.
 void publish(AppState& state, std::optional<std::uint32_t> step) {
   state.work.show().step = step;
   emit(state, DocumentChanged{});
@@ -94,7 +92,7 @@ std::uint32_t main_step_before(const Walkthrough& walk, std::uint32_t step) {
   return *(std::upper_bound(walk.main.begin() + 1, walk.main.end(), step) - 1);
 }
 
-// The step itself if it is shown, or else the preceding main step.
+// The step itself if shown, or else the preceding main step.
 std::uint32_t shown_step(const Walkthrough& walk, std::uint32_t step) {
   return walk.all_steps || walk.script ? step : main_step_before(walk, step);
 }
@@ -102,7 +100,7 @@ std::uint32_t shown_step(const Walkthrough& walk, std::uint32_t step) {
 void enter(AppState& state, std::uint32_t step) {
   Walkthrough& walk = state.view.walkthrough;
   forget_step(walk);
-  state.view.selected.reset();  // the bar of a vertex would remain over the drawing
+  state.view.selected.reset();  // a vertex's bar would remain over the drawing
   walk.at = std::min(step, walk.trace->size() - 1);
   settle_position(walk);
   if (!walk.script && !is_main(walk, walk.at)) walk.all_steps = true;
@@ -111,7 +109,7 @@ void enter(AppState& state, std::uint32_t step) {
   publish(state, walk.at);
 }
 
-// The trace is the same apart from its units, so the step and its question stay.
+// Only the trace's units differ, so the step and its question stay.
 void tell_in_other_units(AppState& state) {
   Walkthrough& walk = state.view.walkthrough;
   walk.trace = state.derived().trace;
@@ -168,7 +166,7 @@ void open_walkthrough(AppState& state, std::optional<std::uint32_t> at) {
   state.work.second_method.reset();
   state.view.selected.reset();
   state.view.tool = Tool::parts;
-  state.view.sheet = Sheet::closed;  // so that the step and its buttons are beside the drawing
+  state.view.sheet = Sheet::closed;  // the step and its buttons are beside the drawing
   state.view.walkthrough.resumes = !at;
   state.work.show().step = at.value_or(state.view.walkthrough.at);
 }

@@ -19,7 +19,7 @@ std::string place_in_words(const AppState& state) {
 
 namespace {
 
-// How many steps were left out after a step of this kind.
+// After a step of this kind.
 struct LeftOut {
   StepKind after;
   const char *one, *more;

@@ -1,4 +1,3 @@
-// The walkthrough in words.
 #pragma once
 
 #include <string>
@@ -9,8 +8,7 @@ namespace evenlift::view {
 
 std::string place_in_words(const AppState& state);  // "3 of 15"
 
-// The steps that the main steps leave out after this one: "and 208 more pairs like it"; empty if
-// none.
+// By the main steps, after this one: "and 208 more pairs like it"; or empty.
 std::string left_out_in_words(const AppState& state);
 
 // Caption, formula and question, for users who cannot see the canvas.

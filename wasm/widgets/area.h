@@ -1,4 +1,4 @@
-// The common part of all controls: a pressable area, and the entry in the list of controls.
+// What all controls share: a pressable area, and the entry in the list of controls.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace evenlift::view {
 
-// A pressable area at the cursor.
+// At the cursor.
 struct Area {
   ImVec2 low, high;
   bool pressed, hovered, active;
@@ -17,10 +17,9 @@ struct Area {
   ImVec2 middle() const { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
 };
 
-// Lays out the control that `control` describes.
 Area area(const Ui& ui, ImVec2 size, Control control);
 
-// Controls for the list, by their kinds.
+// For the list, by kind.
 Control button_control(const char* id, const char* label, bool enabled = true);
 Control toggle_control(const char* id, const char* label, bool on);
 Control number_control(const char* id, const char* label, const char* setting,
@@ -28,10 +27,10 @@ Control number_control(const char* id, const char* label, const char* setting,
 Control slider_control(const char* id, const char* label, double at, double low, double high,
                        double step);
 
-// A button for a present state stays down while `on`; without a value it never does.
+// A button stays down while `on`; without a value, never.
 using Pressed = std::optional<bool>;
 
-// A button, or a toggle if it can be on.
+// A toggle if it can be on, otherwise a button.
 Control pressed_control(const char* id, const char* label, bool enabled, Pressed on);
 
 }  // namespace evenlift::view

@@ -6,7 +6,7 @@
 namespace evenlift::view {
 namespace {
 
-// Draws the background of a button, which shows hovering.
+// The background shows hovering.
 void ground(const Ui& ui, const Area& a, float rounding, Colour still) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Colour colour = a.active || a.hovered ? ui.theme.panel_line : still;

@@ -1,5 +1,5 @@
-// Buttons; true when pressed. `id` is unique within its window. A disabled button is drawn faintly
-// and does nothing.
+// True when pressed. `id` is unique within the window. A disabled button is drawn faintly and does
+// nothing.
 #pragma once
 
 #include <string>
@@ -17,12 +17,12 @@ bool text_button(const Ui& ui, const char* id, Icon icon, const char* label, con
 
 float text_button_width(const char* label);  // with an icon before it
 
-// A button with its own background; a strong one stands out as the next thing to do. `spoken` is
-// its name for users who cannot see its surroundings, if different.
+// With its own background; a strong button stands out as the next thing to do. `spoken` is its name
+// for users who cannot see its surroundings, if different.
 bool flat_button(const Ui& ui, const char* id, const char* label, float width, bool enabled = true,
                  bool strong = false, const char* spoken = nullptr);
 
-// A button that stays down while `on`.
+// Stays down while `on`.
 bool toggle_button(const Ui& ui, const char* id, const char* label, const char* about, float width,
                    bool on);
 
@@ -30,7 +30,7 @@ bool toggle_button(const Ui& ui, const char* id, const char* label, const char* 
 bool switch_chip(const Ui& ui, const char* label, bool on);
 float switch_chip_width(const char* label);
 
-// A pressable row of a list, at the cursor; the caller draws it.
+// At the cursor; the caller draws the row.
 struct PressableRow {
   ImVec2 low, high;
   bool pressed, hovered;

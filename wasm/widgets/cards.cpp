@@ -10,10 +10,9 @@
 namespace evenlift::view {
 namespace {
 
-bool finger_is_taken = false;  // an item that follows the pointer is held
-// The scroll bar is in the padding of the card, so that the content has the same width with and
-// without it. It stays between the first and the last line of the content, which it must not
-// lengthen.
+bool finger_is_taken = false;  // it holds an item that follows the pointer
+// The scroll bar is in the card's padding, so that the content is as wide without it. It stays
+// between the content's first and last line, which it must not lengthen.
 void draw_scroll_bar(const Ui& ui) {
   const float most = ImGui::GetScrollMaxY(), padding = ImGui::GetStyle().WindowPadding.y;
   const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
@@ -33,8 +32,8 @@ void draw_scroll_bar(const Ui& ui) {
       (held || hovered ? ui.theme.second_text : ui.theme.quiet).packed(), 3);
 }
 
-// Fades the content at the foot of the window, `inset` from its sides and above its border, while
-// there is more below.
+// Fades the content at the foot, `inset` from the sides and above the border, while there is more
+// below.
 void shade_foot(const Ui& ui, float inset, float border) {
   if (ImGui::GetScrollY() > ImGui::GetScrollMaxY() - 1) return;
   constexpr float height = 36;
@@ -46,8 +45,7 @@ void shade_foot(const Ui& ui, float inset, float border) {
                                                       clear, full, full);
 }
 
-// Fades the content at the head while there is more above: a line that is cut there would look like
-// a fault.
+// While there is more above: a line cut there would look like a fault.
 void shade_head(const Ui& ui) {
   if (ImGui::GetScrollY() < 1) return;
   constexpr float height = 20;
@@ -63,8 +61,8 @@ void begin_card(const Ui& ui, const char* id, const Rect& place, const CardOptio
   ImGui::SetNextWindowPos(vec(place.left, options.at_bottom ? place.bottom : place.top),
                           ImGuiCond_Always, ImVec2(0, options.at_bottom ? 1.0f : 0.0f));
   if (options.fixed_height) {
-    // A window begins at a whole pixel. Its end is the end of the place; otherwise a strip of the
-    // drawing would be visible below it.
+    // A window begins at a whole pixel and ends with the place; otherwise a strip of the drawing
+    // would be visible below it.
     ImGui::SetNextWindowSize(vec(place.width(), std::ceil(place.bottom - std::floor(place.top))));
   } else {
     const double least = options.fixed_width ? place.width() : 0;
@@ -146,7 +144,7 @@ void show_opened(const Ui& ui, const char* id, bool open, float head) {
 }
 
 bool is_dragged() {
-  constexpr float shake = 8;  // pixels that a finger may move within a tap
+  constexpr float shake = 8;  // pixels that a tap may move
   return ImGui::GetIO().MouseDragMaxDistanceSqr[0] > shake * shake;
 }
 

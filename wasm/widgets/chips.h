@@ -1,4 +1,4 @@
-// Chips that show and hide overlays of the picture.
+// Chips show and hide overlays.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace evenlift::view {
 
-// The symbol of an overlay, as in the picture.
+// Of an overlay, as in the picture.
 enum class Swatch : std::uint8_t {
   hull,
   clockwise,

@@ -16,10 +16,9 @@ bool begin_choices(const Ui& ui, const char* id, ImVec2 anchor_low, ImVec2 ancho
   const float room_below = height - anchor_high.y - 16, room_above = anchor_low.y - 16;
   constexpr float enough = 340;  // for the longest list of the panel
   const bool below = room_below > enough || room_below >= room_above;
-  // In the right half of the window the list extends to the left, so that it never leaves the
-  // window.
+  // In the window's right half the list extends to the left, to stay inside.
   const bool leftwards = anchor_low.x + anchor_high.x > width;
-  // If it would be too narrow for its longest row, it extends past its button to the right.
+  // If it is too narrow for its longest row, it extends past its button to the right.
   constexpr float longest = 346;
   const float right = std::max(anchor_high.x, std::min(width - 8, longest));
   ImGui::SetNextWindowPos(
@@ -52,7 +51,7 @@ void end_choices(const Ui& ui) {
 
 bool choice(const Ui& ui, const std::string& label, const char* about, bool current, Icon icon,
             bool enabled, const std::string& name) {
-  // On the smallest phones the menu's longest rows do not fit in larger letters.
+  // On the smallest phones the longest rows do not fit in larger letters.
   const Face face = ui.state.session.screen.width < 344 ? Face::label : Face::text;
   const ImVec2 title = text_size(face, label);
   const ImVec2 word = about ? text_size(Face::label, about) : ImVec2(0, 0);

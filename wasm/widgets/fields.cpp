@@ -9,7 +9,7 @@
 namespace evenlift::view {
 namespace {
 
-// True when pressed, and repeatedly while held.
+// When pressed, and repeatedly while held.
 bool repeats(const Ui& ui, const Area& a) {
   if (!a.active) return a.pressed && ImGui::GetIO().MouseDownDurationPrev[0] < 0.35f;
   const ImGuiIO& io = ImGui::GetIO();
@@ -20,14 +20,14 @@ bool repeats(const Ui& ui, const Area& a) {
   return std::floor(held / every) > std::floor((held - io.DeltaTime) / every);
 }
 
-// The background of a value for typing.
+// Of a value for typing.
 void draw_ground(const Ui& ui, ImVec2 low, ImVec2 high) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(low, high, ui.theme.well.packed(), 7);
   list.AddRect(low, high, ui.theme.quiet.packed(), 7, 0, 1);
 }
 
-// The text, cut off with "…" if it is longer than `width`.
+// With "…" at the end, if longer than `width`.
 std::string cut_off(std::string text, float width) {
   if (text_size(Face::text, text).x <= width) return text;
   while (!text.empty() && text_size(Face::text, text + "…").x > width) {

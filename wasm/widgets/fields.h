@@ -1,5 +1,4 @@
-// Values that the user can type: the page lays a field over them (web/mirror/mirror.js). All sizes
-// are pixels.
+// For typing, the page lays a field over these values (web/mirror/mirror.js). All sizes are pixels.
 #pragma once
 
 #include <string>
@@ -10,27 +9,26 @@
 namespace evenlift::view {
 
 // "− 3 +": returns -1, 0 or +1; repeats while a button is held. If `setting` names a setting, the
-// user can type the value between the two ends.
+// value between the ends can be typed.
 struct StepperOptions {
   bool can_lower = true, can_raise = true;
   const char* label = "";
   const char* setting = "";
-  std::string exact = {};  // the text for typing, if the value is rounded
+  std::string exact = {};  // for typing, if the value is rounded
 };
 int stepper(const Ui& ui, const char* id, const std::string& value, float width,
             const StepperOptions& options);
 
-// A value for typing, at the cursor, `width` wide. A number is aligned right; a text is aligned
-// left, on a background of its own, and ends with "…" if it is too long. `exact` is the text for
-// typing, if the value is rounded.
+// For typing, at the cursor. A number is aligned right; a text left, on its own background, and it
+// ends with "…" if it is too long. `exact` is for typing, if the value is rounded.
 void text_field(const Ui& ui, const char* id, const char* label, const char* setting,
                 const std::string& value, float width, const std::string& exact = {});
 void number_field(const Ui& ui, const char* id, const char* label, const char* setting,
                   const std::string& value, float width, Colour colour,
                   const std::string& exact = {});
 
-// A typed number that is not a setting, with its label before it and its own background. Returns
-// the typed number, and whether Enter confirmed it.
+// A typed number that is not a setting, with its label before it and its own background. Also
+// returns whether Enter confirmed it.
 struct TypedField {
   const char *id, *label;
   bool is_length = false;  // in the document's unit of length

@@ -31,7 +31,6 @@ inline const MethodWords& words_of(Method method) {
                        [&](const MethodWords& m) { return m.method == method; });
 }
 
-// The methods as the choices of a list.
 inline std::vector<Choice> method_choices() {
   std::vector<Choice> choices;
   for (const MethodWords& m : methods) choices.push_back({m.label, m.about});

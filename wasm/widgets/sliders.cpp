@@ -30,7 +30,7 @@ SliderResult slider(const Ui& ui, const char* id, const char* label, double valu
   if (a.active && ImGui::IsMouseDown(0)) {
     const double share =
         std::clamp(static_cast<double>((ImGui::GetIO().MousePos.x - from) / (to - from)), 0.0, 1.0);
-    // Steps are decimals: dividing two integers gives the double nearest to the shown decimal.
+    // Steps are decimals: a quotient of integers is the double nearest to the shown decimal.
     const double steps = std::round(1 / step);
     const double at = track.value(share);
     const double wanted =

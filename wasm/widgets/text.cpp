@@ -20,7 +20,7 @@ void text_line(Face face, Colour colour, const std::string& text) {
   pop_face();
 }
 
-// Dear ImGui's own wrapped text also breaks lines after a decimal point, and has no line height.
+// Dear ImGui's wrapped text also breaks lines after a decimal point, and has no line height.
 std::vector<std::string_view> broken_lines(Face face, std::string_view english, float width) {
   const std::string_view text = translated(english);
   std::vector<std::string_view> lines;
@@ -96,7 +96,7 @@ void rule(const Ui& ui) {
 
 namespace {
 
-// A finger's tip appears above the finger, or below it at the top of the screen.
+// Above the finger, or below it at the top of the screen.
 void place_tip_of_finger(const Screen& screen, ImVec2 size) {
   constexpr float above = 44, below = 56;
   const ImVec2 at = ImGui::GetIO().MousePos;
@@ -106,8 +106,8 @@ void place_tip_of_finger(const Screen& screen, ImVec2 size) {
       ImVec2(std::clamp(at.x - size.x / 2, 8.0f, most), top >= 8 ? top : at.y + below));
 }
 
-// A tip covers neither its control nor the neighbours: it appears beside the panel, and below or
-// above a bar.
+// A tip covers neither its control nor neighbours: it is beside the panel, and below or above a
+// bar.
 void place_tip(const Ui& ui, ImVec2 size) {
   constexpr float away = 14;
   if (ui.state.session.screen.asking) return place_tip_of_finger(ui.state.session.screen, size);
@@ -119,7 +119,7 @@ void place_tip(const Ui& ui, ImVec2 size) {
         ImVec2(std::max(8.0f, panel - size.x - 8), pointer.y - size.y / 2));
   const auto width = static_cast<float>(ui.state.session.screen.width),
              height = static_cast<float>(ui.state.session.screen.height);
-  const bool wide = high.x - low.x > 240;  // a timeline: the tip belongs to the pointer's place
+  const bool wide = high.x - low.x > 240;  // a timeline, whose tip belongs to the pointer's place
   const float left = wide ? pointer.x - size.x / 2 : low.x;
   const bool below = low.y < height / 2 ||
                      ui.state.session.screen.foot > 0;  // a card of the page may appear above it

@@ -1,4 +1,4 @@
-// The centre of mass of the object alone, and with the cargo that is fixed to it.
+// The centre of mass of the object, alone and with its cargo.
 #pragma once
 
 #include <cstddef>
@@ -12,24 +12,22 @@ namespace evenlift {
 
 struct CentreOfMass {
   Vec2 own = Vec2::Zero();  // C0, of the object alone
-  Vec2 all = Vec2::Zero();  // C, with its cargo; C0 if there is none
+  Vec2 all = Vec2::Zero();  // C, with its cargo
 };
 
-// C of an object whose own centre of mass is `own`. O(items).
+// C, if C0 is `own`. O(items).
 Vec2 with_cargo(const Vec2& own, const Settings& settings);
 
-// C0 is the given point, or else the centroid of the object, whose area excludes the holes. With W0
-// its weight and cargo of weights w at q, C = (W0 C0 + sum w q) / (W0 + sum w). It is an error if C
-// is not strictly inside the convex hull of the outline, which is decided exactly. It is also an
-// error if a coordinate of a given C0 is not finite, or if its absolute value exceeds
-// max_coordinate or is below min_coordinate but not 0. C0 and the cargo may lie anywhere. O(items +
-// h) for h corners of the hull.
+// C0 is the given point, or else the centroid of the object without its holes. With the object's
+// weight W0 and cargo of weights w at q, C = (W0 C0 + sum w q) / (W0 + sum w). It is an error if C
+// is not strictly inside the convex hull of the outline (an exact test), or if a coordinate of a
+// given C0 is not finite or its absolute value exceeds max_coordinate or is above 0 but below
+// min_coordinate. C0 and cargo may lie anywhere. O(items + h) for h corners of the hull.
 Result<CentreOfMass> centre_of_mass(const PolygonWithHoles& object,
                                     const std::optional<Vec2>& given, const Settings& settings);
 
-// The weight and the centre of mass of the object with only the first `items` items of its cargo.
-// For 0 items these are W0 and `own`; for all items they are the whole weight and C, bit for bit.
-// O(items).
+// The weight and C with only the first `items` items of cargo: W0 and `own` for none, the whole
+// weight and C, bit for bit, for all. O(items).
 struct Loaded {
   double weight = 0;
   Vec2 centre = Vec2::Zero();

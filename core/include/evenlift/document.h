@@ -1,6 +1,4 @@
-// The content of a file or a link: a polygon, optionally its centre of mass, the settings, and
-// display options. A Document is raw input: nothing has been checked except that its numbers are
-// finite.
+// The content of a file or a link. Only its numbers have been checked: they are finite.
 #pragma once
 
 #include <cstddef>
@@ -14,19 +12,19 @@
 
 namespace evenlift {
 
-// Limits on all input. Input beyond them is refused with a clear message.
-inline constexpr double max_coordinate = 1e9;             // absolute value, inclusive
-inline constexpr double min_coordinate = 1e-100;          // absolute value unless 0, inclusive
-inline constexpr double min_diagonal = 1e-9;              // of a polygon's bounding box, inclusive
-inline constexpr double max_length = max_coordinate;      // of a given size or distance, inclusive
-inline constexpr double min_length = 1e-100;              // of a given length above 0, inclusive
-inline constexpr double max_slope = 1;                    // of the ground, 45 degrees, inclusive
-inline constexpr double max_acceleration = 10;            // horizontal, in g, inclusive
-inline constexpr double max_weight = 1e100;               // also of a robot's capacity, inclusive
-inline constexpr double min_weight = 1e-100;              // also of a robot's capacity, inclusive
+// Limits on all input, inclusive. Input beyond them is refused.
+inline constexpr double max_coordinate = 1e9;             // absolute value
+inline constexpr double min_coordinate = 1e-100;          // absolute value unless 0
+inline constexpr double min_diagonal = 1e-9;              // of a polygon's bounding box
+inline constexpr double max_length = max_coordinate;      // of a given size or distance
+inline constexpr double min_length = 1e-100;              // of a given length above 0
+inline constexpr double max_slope = 1;                    // of the ground, 45 degrees
+inline constexpr double max_acceleration = 10;            // horizontal, in g
+inline constexpr double max_weight = 1e100;               // also of a capacity
+inline constexpr double min_weight = 1e-100;              // also of a capacity
 inline constexpr std::size_t max_vertices = 1u << 20;     // of a polygon with its holes
 inline constexpr std::size_t max_holes = 1000;            // in a polygon
-inline constexpr std::size_t max_cargo = 1000;            // items on an object
+inline constexpr std::size_t max_cargo = 1000;            // items
 inline constexpr std::size_t max_name_characters = 60;    // of an item of cargo
 inline constexpr std::size_t max_link_vertices = 32768;   // of a polygon in a link
 inline constexpr std::size_t max_text_bytes = 64u << 20;  // of a file
@@ -35,38 +33,38 @@ inline constexpr std::uint32_t max_teams = 1u << 20;      // if given as a numbe
 inline constexpr std::uint32_t least_robots = 2;          // balanced
 inline constexpr std::uint32_t most_robots = 64;          // balanced
 inline constexpr std::uint32_t most_survived = 30;     // surviving F takes 2 F + 3 robots or more
-inline constexpr std::size_t most_no_go = 1000;        // no-go parts of edges
+inline constexpr std::size_t most_no_go = 1000;        // parts of edges
 inline constexpr std::size_t most_supports = 1000;     // for Method::given
 inline constexpr std::size_t most_moved_teams = 1000;  // by hand
 
-// How teams are chosen (algorithm.md, Selection; thesis 3.3 and 5.2).
+// How teams are chosen (algorithm.md, Selection; thesis 3.3, 5.2).
 enum class Method : std::uint8_t { area, circle, distance, distributed, random, balanced, given };
 
-// The methods that find places for the robots. Method::given takes the places in the settings.
+// The methods that find places; those of Method::given are settings.
 inline constexpr Method all_methods[] = {Method::area,        Method::circle, Method::distance,
                                          Method::distributed, Method::random, Method::balanced};
 
-// All methods, each with a name in options and JSON.
+// All methods, also Method::given.
 inline constexpr Method named_methods[] = {Method::area,        Method::circle, Method::distance,
                                            Method::distributed, Method::random, Method::balanced,
                                            Method::given};
 
-// Whether all robots form one team; the other methods make teams of two. O(1).
+// Whether all robots form one team, instead of teams of two. O(1).
 constexpr bool is_one_team(Method method) {
   return method == Method::balanced || method == Method::given;
 }
 
-// The methods of the thesis, which place teams of two.
+// The methods of the thesis, with teams of two.
 inline constexpr Method pair_methods[] = {Method::area, Method::circle, Method::distance,
                                           Method::distributed, Method::random};
 
 // The methods that choose teams among the candidates.
 inline constexpr Method candidate_methods[] = {Method::area, Method::circle, Method::distance};
 
-// The measure of how much a candidate's two ends add to the lifting base.
+// The measure of what a candidate's two ends add to the lifting base.
 enum class Metric : std::uint8_t { area, circle, distance };
 
-// The metric of a method; nothing if the method does not choose among candidates. O(1).
+// The metric of a method; nothing if it does not choose among candidates. O(1).
 constexpr std::optional<Metric> metric_of(Method method) {
   switch (method) {
     case Method::area:
@@ -85,7 +83,7 @@ constexpr std::optional<Metric> metric_of(Method method) {
 }
 constexpr bool selects_candidates(Method method) { return metric_of(method).has_value(); }
 
-// Whether a metric's scores are lengths; otherwise they are areas.
+// Whether scores are lengths; otherwise they are areas.
 constexpr bool scores_are_lengths(Metric metric) { return metric == Metric::distance; }
 
 // The first aim of a placement: the widest lifting base, or a hold with the minimum margin.
@@ -94,20 +92,19 @@ inline constexpr Goal all_goals[] = {Goal::cover, Goal::hold};
 std::string_view name(Goal goal);
 std::optional<Goal> goal_from_name(std::string_view text);
 
-// Where a team may stand on two edges that face each other: at the best place only, or anywhere in
-// the range in which its chord meets the minimum ratio (candidates.h).
+// Where a team may stand on two facing edges: at the best place only, or anywhere in their range
+// (PairRange in candidates.h).
 enum class Positions : std::uint8_t { best, range };
 inline constexpr Positions all_positions[] = {Positions::best, Positions::range};
 std::string_view name(Positions positions);
 std::optional<Positions> positions_from_name(std::string_view text);
 
-// The method's name in JSON and options, such as "area"; and the method with the given name, or
-// nothing if the name is unknown. O(1).
+// The name in JSON and options, such as "area", and the method of a name, if it is known. O(1).
 std::string_view name(Method method);
 std::optional<Method> method_from_name(std::string_view text);
 
-// Units are labels: they are shown, exported and kept, but change no number except in robot poses
-// for ROS 2, which are in metres.
+// The units of all lengths and weights below. They are labels and change no number, except that
+// robot poses for ROS 2 are in metres.
 enum class LengthUnit : std::uint8_t { none, m, cm, mm, in };
 enum class WeightUnit : std::uint8_t { kg, t, N, lb };
 inline constexpr LengthUnit all_length_units[] = {LengthUnit::none, LengthUnit::m, LengthUnit::cm,
@@ -122,38 +119,36 @@ struct Units {
 std::string_view name(LengthUnit unit);  // "mm", or "none"
 std::string_view name(WeightUnit unit);  // "kg"
 
-// The length in metres, rounded once if the unit is a decimal fraction of a metre; without a unit,
-// the same number. O(1).
+// Rounded once if the unit is a decimal fraction of a metre; the same number without a unit. O(1).
 double in_metres(double length, LengthUnit unit);
 
-// The items drawn in addition to the polygon and its robots.
+// What is drawn in addition to the polygon and its robots.
 struct Overlays {
-  bool candidates = false;       // candidate chords that are not selected
-  bool chords = true;            // the teams' chords
-  bool lifting_base = true;      // the lifting base H and coverage
+  bool candidates = false;       // chords that are not selected
+  bool chords = true;            // of the teams
+  bool lifting_base = true;      // H and coverage
   bool clockwise = true;         // region of free clockwise rotation centres
-  bool counterclockwise = true;  // region of free counter-clockwise rotation centres
-  bool tipping = false;          // heat map of the force that tips the object
+  bool counterclockwise = true;  // region of counter-clockwise ones
+  bool tipping = false;          // heat map of the tipping force
   bool halo = false;             // the tipping distance (uncertainty.h)
-  bool tilt = false;             // the slopes at which the object tips, in each direction (tilt.h)
+  bool tilt = false;             // slopes at which the object tips, by direction (tilt.h)
   bool load = false;             // where a further load may stand (extra_load.h)
   bool operator==(const Overlays&) const = default;
 };
 
-// The size of a robot, in units of length, each 0 .. max_length (stands.h). If all are 0, a robot
-// is the point at which it lifts.
+// The size of a robot, each 0 .. max_length (stands.h). If all are 0, a robot is its lifting point.
 struct RobotSize {
   double radius = 0;  // of the round body
   double reach = 0;   // of the arm, from the body's rim to the contact
-  double depth = 0;   // of the hand beneath the object, from the contact to the lifting point
+  double depth = 0;   // of the hand, from the contact to the lifting point
   double width = 0;   // of the hand
-  double gap = 0;     // free space between two bodies
+  double gap = 0;     // free between two bodies
   // Whether the robot is more than a point. A gap alone also separates points.
   bool has_body() const { return radius > 0 || reach > 0 || depth > 0 || width > 0; }
   bool operator==(const RobotSize&) const = default;
 };
 
-// A part of an edge, as fractions of its length from its first vertex: 0 <= from < to <= 1.
+// `from` and `to` are fractions of the edge's length from its first vertex, 0 <= from < to <= 1.
 struct EdgePart {
   std::uint32_t edge = 0;  // from 0
   double from = 0, to = 1;
@@ -163,93 +158,85 @@ struct EdgePart {
 // The default of Settings::clear, in units of R (closure.h).
 inline constexpr double usual_clear = 0.02;
 
-// A load that is fixed to the object. Anything rigid acts at its own centre of mass, wherever that
-// is: it may overhang.
+// A rigid load that is fixed to the object. It acts at its own centre of mass and may overhang.
 struct Cargo {
   Vec2 at = Vec2::Zero();
-  double weight = 0;  // min_weight .. max_weight, in the weight's unit
-  std::string name;   // at most max_name_characters of UTF-8, without control characters
+  double weight = 0;  // min_weight .. max_weight
+  std::string name;   // at most max_name_characters of UTF-8, no control characters
   bool operator==(const Cargo&) const = default;
 };
 
-// All inputs of a placement except the polygon and the centre of mass.
+// The inputs of a placement except the polygon and the centre of mass.
 struct Settings {
-  // 1 .. max_teams; none means every candidate ("max"), for methods that choose among candidates.
+  // 1 .. max_teams; none ("max") means every candidate, for methods that choose among them.
   std::optional<std::uint32_t> teams = 3;
   Method method = Method::area;
-  double min_ratio = 0.8;    // minimum load ratio, 0 .. 1, both included
-  double weight = 100;       // of the object alone, min_weight .. max_weight; loads are in its unit
-  std::uint64_t seed = 1;    // for Method::random
-  std::uint32_t robots = 6;  // for Method::balanced, least_robots .. most_robots
-  std::optional<Goal> goal;  // none means the method's default, see goal_of()
-  double min_margin = 0.05;  // minimum margin of a hold, 0 .. 1
-  std::optional<double> apart;  // minimum distance between robots, a preference, >= 0, in units of
-                                // length; none means 0.12 R
+  double min_ratio = 0.8;       // minimum load ratio, 0 .. 1
+  double weight = 100;          // of the object alone, min_weight .. max_weight
+  std::uint64_t seed = 1;       // of Method::random
+  std::uint32_t robots = 6;     // for Method::balanced, least_robots .. most_robots
+  std::optional<Goal> goal;     // none means the default of goal_of()
+  double min_margin = 0.05;     // of a hold, 0 .. 1
+  std::optional<double> apart;  // preferred distance between robots, >= 0; none means 0.12 R
   std::optional<double>
-      clear;  // contacts nearer to a corner than this do not count, and after a failure C should
-              // be at least this far inside the lifting base; >= 0, in units of length; none means
-              // usual_clear times R
-  std::uint32_t survive = 0;  // failures of balanced robots that should leave the object steady;
-                              // that takes at least 2 survive + 3 robots
+      clear;  // contacts nearer to a corner do not count, and after a failure C should be at least
+              // this far inside the lifting base; >= 0; none means usual_clear R
+  std::uint32_t survive = 0;  // failures of balanced robots that should leave the object steady,
+                              // which takes at least 2 survive + 3 robots
   Positions positions = Positions::best;  // of teams of two; balanced robots stand anywhere
   RobotSize robot;
-  std::vector<EdgePart> no_go;  // no robot may touch these parts; at most most_no_go, in any order
-  std::vector<Cargo> cargo;     // on the object; at most max_cargo items
+  std::vector<EdgePart> no_go;  // no robot may touch these; at most most_no_go, in any order
+  std::vector<Cargo> cargo;     // at most max_cargo items
   Points supports;              // for Method::given, 1 .. most_supports (supports.h)
   std::optional<double> snap;   // supports within this distance of the outline stand at the edge,
-                                // 0 .. max_length, in units of length; none means 1e-6 L
+                                // 0 .. max_length; none means 1e-6 L
   bool operator==(const Settings&) const = default;
 };
 
-// The conditions under which the object is carried. They change what loads may become and whether
-// the object tips, but not where robots stand (tilt.h, extra_load.h).
+// Conditions that change loads and whether the object tips, but not where robots stand (tilt.h,
+// extra_load.h).
 struct Carrying {
-  double com_height = 0;  // of C above the plane of the lifting points, 0 .. max_length
+  double com_height = 0;  // of C above the lifting points, 0 .. max_length
   double slope = 0;  // greatest slope of the ground in any direction, as a ratio, 0 .. max_slope
-  double acceleration = 0;     // greatest horizontal acceleration in any direction, in g,
+  double acceleration = 0;     // greatest horizontal one in any direction, in g,
                                // 0 .. max_acceleration
-  std::optional<double> give;  // the length by which a robot gives way under the mean load,
+  std::optional<double> give;  // how far a robot gives way under the mean load,
                                // min_length .. max_length; none means that heights do not matter
-  double uneven = 0;  // the greatest error of the ground or of a robot's height, 0 .. max_length
-  std::optional<double> extra;  // a further weight that may stand on the object, such as a person
-                                // or a box, min_weight .. max_weight, in the weight's unit
+  double uneven = 0;  // greatest error of the ground or of a robot's height, 0 .. max_length
+  std::optional<double> extra;  // a further weight that may stand on the object, such as a person,
+                                // min_weight .. max_weight
   bool operator==(const Carrying&) const = default;
 };
 
-// Display options and questions about a placement. They never change a placement, so no placement
-// stores them.
+// Display options and questions about a placement, which never change it and are not stored in it.
 struct Shown {
   Overlays overlays;
   std::optional<std::uint32_t> step;  // of the walkthrough, if it is open
-  double com_radius = 0;  // C uncertainty: C is known to within this radius, 0 .. max_length, in
-                          // units of length
-  std::optional<double> capacity;  // greatest load that a robot can carry,
-                                   // min_weight .. max_weight, in the weight's unit; none means no
-                                   // limit
-  // For Method::given: the capacity of each support, or none for the common one. As many as
-  // supports, or empty.
+  double com_radius = 0;  // C uncertainty: the radius within which C is known, 0 .. max_length
+  std::optional<double> capacity;  // greatest load of a robot, min_weight .. max_weight; none means
+                                   // no limit
+  // For Method::given: one for each support, where none means the common capacity; or empty.
   std::vector<std::optional<double>> support_capacities;
   Carrying carrying;
   Units units;
   bool operator==(const Shown&) const = default;
 };
 
-// The given goal or the default: hold for four or more balanced robots (with two or three, holding
-// would cost too much of the lifting base), cover in all other cases. O(1).
+// The given goal or the default: hold for four or more balanced robots, otherwise cover (for two or
+// three, holding would cost too much lifting base). O(1).
 Goal goal_of(const Settings& settings);
 
 // Whether teams of two are swapped until they hold (swaps.h). O(1).
 bool swaps_teams(const Settings& settings);
 
-// A point of an edge, as a fraction of its length from its first vertex, 0 .. 1.
+// `part` is a fraction of the edge's length from its first vertex, 0 .. 1.
 struct EdgePoint {
   std::uint32_t edge = 0;  // from 0
   double part = 0;
   bool operator==(const EdgePoint&) const = default;
 };
 
-// A team of two moved by hand along its range: its chord runs from a point of one edge through C to
-// another edge.
+// A team of two moved by hand along its range. Its chord runs from `end` through C to another edge.
 struct MovedTeam {
   std::uint32_t team = 0;  // from 0
   EdgePoint end;
@@ -257,9 +244,8 @@ struct MovedTeam {
   bool operator==(const MovedTeam&) const = default;
 };
 
-// Robots moved by hand from where the method puts them. All balanced robots are listed, by the
-// points that they touch. Of teams of two, only the moved ones are listed, in ascending order. At
-// most one of the two lists has entries. moved.h defines where the robots may stand.
+// Robots moved by hand (moved.h). All balanced robots are listed, by the points that they touch,
+// but of teams of two only the moved ones, in ascending order. At most one list has entries.
 struct Moved {
   std::vector<EdgePoint> robots;  // at most most_robots
   std::vector<MovedTeam> teams;   // at most most_moved_teams
@@ -270,15 +256,15 @@ struct Moved {
 struct Document {
   Points vertices;  // in the given order, either orientation
   std::optional<Vec2>
-      centre_of_mass;  // of the object without cargo; none means the centroid of the
-                       // area that the holes leave
+      centre_of_mass;  // of the object without cargo; none means the centroid of the area that the
+                       // holes leave
   Settings settings = {};
   Shown shown = {};
   Moved moved = {};
-  std::vector<Points> holes = {};  // each in either orientation
+  std::vector<Points> holes = {};  // in either orientation
 };
 
-// The weight of the object with its cargo, which the robots share. O(items).
+// The weight of the object with its cargo. O(items).
 double total_weight(const Settings& settings);
 
 }  // namespace evenlift

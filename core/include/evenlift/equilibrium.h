@@ -1,6 +1,5 @@
-// Whether an object stands on its robots, and over which of them it tips if not. If a method finds
-// the places, C is always in the lifting base H; if the places are given (supports.h), C can be
-// outside.
+// Whether an object stands on its robots, or over which it tips. C can be outside the lifting base
+// H only if the places are given (supports.h).
 #pragma once
 
 #include <cstdint>
@@ -11,17 +10,16 @@
 namespace evenlift {
 
 struct Equilibrium {
-  bool stands = false;  // C is in H, within tolerance (tau L); false without robots
-  // If it stands, the tipping distance (uncertainty.h); if not, minus the distance of C from H.
+  bool stands = false;  // C is in H, within tau L; false without robots
+  // The tipping distance (uncertainty.h) or, if the object falls, minus the distance of C from H.
   double com_margin = 0;
-  // If it falls, the numbers of the two robots at the ends of one edge of H, in ascending order:
-  // the edge that C lies beyond by the greatest distance. There is only one robot if H is a point,
-  // or if H is a segment and C lies on its line beyond that robot.
+  // If it falls, the numbers of the two robots, in ascending order, at the ends of the edge of H
+  // that C lies beyond by the greatest distance; only one if H is a point, or a segment on whose
+  // line C lies beyond that robot.
   std::vector<std::uint32_t> tips_over;
 };
 
-// `robots` are the positions of the robots in the order of their numbers; `diameter` is L of the
-// object. O(m log m).
+// `robots` are positions in the order of the robots' numbers; `diameter` is L. O(m log m).
 Equilibrium analyse_equilibrium(const Points& robots, const Vec2& centre, double diameter);
 
 }  // namespace evenlift

@@ -1,5 +1,5 @@
-// Lessons that a teacher writes in a text editor (docs/lessons.md). A lesson gives the object, the
-// steps to show, and words for each step.
+// Lessons that a teacher writes in a text editor (docs/lessons.md): an object, steps, and words for
+// each step.
 //
 //   # a comment
 //   title: Equal arms, equal loads
@@ -10,30 +10,20 @@
 //   A sentence or two about this step. Lines are
 //   joined; an empty line begins a new paragraph.
 //
-//   [team 2]
-//   And so on.
-//
-//   [question]
-//   Which team carries most?
-//
-//   [answer]
-//   None: all carry the same load.
-//
-// The settings come first, one per line. `title` and one of `polygon` (the name of a sample),
-// `link` (a share link) and `generate` (a family of generate.h) are required. The options of
-// `evenlift place` (settings.h) and `overlays` override the link; `predict: yes` asks the learner
-// to guess, `loads` names the model of the shown loads, and `failed` the robot that fails. The
-// steps follow in the order in which they are shown, each with its address in brackets and its
-// words. Addresses count from 1, as captions do:
-//   KIND or KIND N   a step's kind as in `evenlift trace --json`, and its number: "team 2"
+// The settings come first, one per line. `title` and one of `polygon` (a sample's name), `link` (a
+// share link) and `generate` (a family of generate.h) are required. The options of `evenlift place`
+// (settings.h) and `overlays` override the link; `predict: yes` makes the learner guess, `loads` is
+// the model of the shown loads, and `failed` the robot that fails. The steps follow in the order in
+// which they are shown: an address in brackets, counted from 1 as in captions, and words.
+//   KIND or KIND N   a kind as in `evenlift trace --json`, and its number: "team 2"
 //   vertex N         the ray from that vertex
 //   pair N           the outcome of that edge pair
-//   edges A B        the outcome of the edge pair with these edges
-//   step N           its number in the whole trace, which changes with the polygon
+//   edges A B        the outcome of their pair
+//   step N           in the whole trace, which changes with the polygon
 //   end              the last step
 // A task (task.h) may follow the steps or replace them: `[task]` and its words; the settings
-// `require`, `move`, `place` and `find` say what the learner should reach and how. The lesson may
-// end with a question to think about and its answer, which is shown on request.
+// `require`, `move`, `place` and `find` say what the learner should reach and how. Last, there may
+// be a `[question]` and its `[answer]`, which is shown on request.
 #pragma once
 
 #include <cstddef>
@@ -55,7 +45,7 @@
 
 namespace evenlift {
 
-// Limits. Longer lessons are refused.
+// Longer lessons are refused.
 inline constexpr std::size_t max_lesson_steps = 200;
 inline constexpr std::size_t max_lesson_title = 100;     // bytes
 inline constexpr std::size_t max_lesson_words = 1000;    // bytes, of one step
@@ -63,18 +53,18 @@ inline constexpr std::size_t max_lesson_task = 300;      // bytes
 inline constexpr std::size_t max_lesson_question = 300;  // bytes
 inline constexpr std::size_t max_lesson_answer = 600;    // bytes
 
-// The address of a step in a lesson. All indices count from 0.
+// Addresses of steps, with indices from 0.
 namespace at {
 struct Kind {
   StepKind kind = StepKind::polygon;
   std::uint32_t item = 0;
   bool operator==(const Kind&) const = default;
 };
-struct Vertex {  // the ray from that vertex
+struct Vertex {  // its ray
   std::uint32_t vertex = 0;
   bool operator==(const Vertex&) const = default;
 };
-struct Edges {  // the outcome of the pair of these two edges
+struct Edges {  // the outcome of their pair
   std::uint32_t a = 0, b = 0;
   bool operator==(const Edges&) const = default;
 };
@@ -88,7 +78,7 @@ struct End {
 }  // namespace at
 using StepAddress = std::variant<at::Kind, at::Vertex, at::Edges, at::Number, at::End>;
 
-// A setting in the lesson itself, as written.
+// A setting of the lesson, as written.
 struct GivenSetting {
   Setting setting;
   std::string text;
@@ -102,8 +92,8 @@ struct GeneratedPolygon {
   std::optional<std::uint64_t> seed;  // none means the learner's number
 };
 
-// What a learner may change to solve a task: where robots stand, and how many there are; the number
-// and the choice of teams of two; the centre of mass; the outline and its holes; the cargo.
+// What a learner may change to solve a task: places and number of robots; number and choice of
+// teams of two; the centre of mass; the outline and its holes; the cargo.
 enum class Movable : std::uint8_t { robots, teams, centre, vertices, cargo };
 std::string_view name(Movable part);  // "robots"; O(1)
 
@@ -111,8 +101,8 @@ struct Task {
   std::string words;                  // not empty; "\n" separates paragraphs
   std::vector<Condition> conditions;  // none only if `find_centre`
   std::vector<Movable> may;           // at least one, in ascending order
-  std::size_t place = 0;     // robots that stand ready to be placed; 0 leaves the lesson's own
-  bool find_centre = false;  // the centre of mass is hidden, and is to be found from the loads
+  std::size_t place = 0;              // robots ready to be placed; 0 leaves the lesson's own
+  bool find_centre = false;           // the centre of mass is hidden, to be found from the loads
 };
 
 struct LessonStep {
@@ -128,35 +118,32 @@ struct Lesson {
   std::optional<GeneratedPolygon> generated;  // exactly one of the three is given
   std::vector<GivenSetting> settings;         // each at most once; as read_setting() reads them
   bool predict = false;
-  std::optional<LoadModel> loads;     // the model of the loads that are shown
-  std::optional<std::size_t> failed;  // the robot that fails, from 0; shown while no step is shown
+  std::optional<LoadModel> loads;     // the model of the shown loads
+  std::optional<std::size_t> failed;  // from 0; this robot fails while no step is shown
   std::vector<LessonStep> steps;      // at least one, unless there is a task
   std::optional<Task> task;
-  std::string question, answer;  // at the end, formatted like `words`; both empty or neither
+  std::string question, answer;  // formatted like `words`; both empty or neither
 };
 
 // Reads a lesson in UTF-8 with lines that end in \n or \r\n. Any bytes give a lesson or an error,
-// whose place is a line. Does not check that the link or polygon opens or that the steps exist.
-// O(bytes).
+// whose place is a line. Whether link, polygon and steps exist is not checked. O(bytes).
 Result<Lesson> parse_lesson(std::string_view text);
 
-// The lesson's document with the lesson's own settings, for the learner with this number: the
-// document of its link, the polygon that it generates, or else `sample`, the sample that `polygon`
-// names, which the caller has read. Errors are those of decode_link() and generate(). A task may
-// change more (task.h).
+// The lesson's document with its own settings, for the learner with this number: from its link, the
+// polygon that it generates, or `sample`, which `polygon` names and the caller has read. Errors are
+// those of decode_link() and generate(). A task may change more.
 Result<Document> lesson_document(const Lesson& lesson, const Document& sample,
                                  std::uint64_t number = 1);
 
-// Returns an error of lesson_document() or of placing its result, moved to the line of the lesson's
-// own setting if the error concerns one. O(settings).
+// Moves an error of lesson_document(), or of placing its result, to the line of the lesson's own
+// setting if it concerns one. O(settings).
 InputError at_line(InputError error, const Lesson& lesson);
 
-// The number of the step in the trace; nothing if the trace has no such step. O(K) for edges and
-// vertices, otherwise O(1).
+// The step's number, if the trace has it. O(K) for edges and vertices, otherwise O(1).
 std::optional<std::uint32_t> find_step(const Trace& trace, const StepAddress& address);
 
-// An error at the line of the first step that the trace lacks, with the steps that exist instead;
-// nothing if it has all steps. The cost of find_step() for each step.
+// An error at the line of the first step that the trace lacks, with the steps that exist. Costs
+// find_step() for each step.
 std::optional<InputError> check_lesson(const Lesson& lesson, const Trace& trace);
 
 }  // namespace evenlift

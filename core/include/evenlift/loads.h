@@ -9,38 +9,37 @@
 
 namespace evenlift {
 
-// A robot of a team: its lifting point and its load.
+// A robot of a team.
 struct Robot {
   LiftingPoint point;
-  double arm = 0;   // |C p|, more precise than the rounded position would give
+  double arm = 0;   // |C p|, more precise than from the rounded position
   double load = 0;  // in the unit of the weight
 };
 
-// Two or more robots that carry a part of the weight together; only a given support may be alone.
-// All teams of a placement have the same number of robots. The methods of the thesis make teams of
-// two, at the ends of a chord.
+// Robots that carry a part of the weight together; only a given support may be alone. All teams of
+// a placement have the same number of robots, and those of two stand at the ends of a chord.
 struct Team {
   std::vector<Robot> robots;  // r1 before r2 of a chord
-  // The least load divided by the greatest, in (0, 1]; 0 only if a robot carries nothing, which
-  // happens to given supports and if a robot fails (with_failure() of placed_robots.h).
+  // The least load divided by the greatest, in (0, 1]; 0 if a robot carries nothing, as given
+  // supports may and failed robots do.
   double ratio = 1;
 };
 
 // The chord of a team of two. O(1).
 Chord chord_of(const Team& team);
 
-// The robots of all teams are numbered team after team, from 0. count_robots() counts them, and
-// find_robot() returns the team of the robot with a given number and its index in that team. O(1).
+// Robots are numbered from 0, team after team. find_robot() returns the team of a robot and its
+// index in that team. O(1).
 struct RobotOfTeam {
   std::size_t team = 0, robot = 0;
 };
 std::size_t count_robots(const std::vector<Team>& teams);
 RobotOfTeam find_robot(const std::vector<Team>& teams, std::size_t number);
 
-// The lifting points of all robots, in the order of their numbers. O(robots).
+// In the order of the robots' numbers. O(robots).
 std::vector<LiftingPoint> lifting_points(const std::vector<Team>& teams);
 
-// The planned loads of all robots, in the order of their numbers. O(robots).
+// In the order of the robots' numbers. O(robots).
 std::vector<double> planned_loads(const std::vector<Team>& teams);
 
 struct LoadSummary {
@@ -49,15 +48,14 @@ struct LoadSummary {
   double max_share = 0;               // a robot's greatest share of its team's load (figure 5.5)
 };
 
-// The teams with their loads; `weight` > 0. Each team carries an equal part of the weight. By the
-// law of the lever, r1 carries the fraction |C r2| / (|C r1| + |C r2|) of its team's part.
-// O(teams).
+// The teams with their loads. Each team carries an equal part of `weight` > 0. By the law of the
+// lever, r1 carries |C r2| / (|C r1| + |C r2|) of its team's part. O(teams).
 std::vector<Team> distribute_weight(const std::vector<Chord>& chords, double weight);
 
-// One team of robots whose centroid is C, all with the same planned load. O(robots).
+// One team of robots whose centroid is C, with equal planned loads. O(robots).
 Team share_evenly(const std::vector<LiftingPoint>& robots, const Vec2& centre, double weight);
 
-// Summarizes the loads of all robots; nothing if there are no teams. O(robots).
+// Nothing if there are no teams. O(robots).
 std::optional<LoadSummary> summarize_loads(const std::vector<Team>& teams);
 
 }  // namespace evenlift

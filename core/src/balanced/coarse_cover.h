@@ -1,5 +1,5 @@
-// An upper bound of the coverage, from the part of the object in each cell of a grid. Nearly all sets are
-// worse than the best one by more than the error of this bound, and need no exact coverage.
+// An upper bound of the coverage, from the part of the object in each cell of a grid. Nearly all
+// sets lose by it and need no exact coverage.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ class CoarseCover {
   // O(n) for each row of the grid.
   CoarseCover(const PolygonWithHoles& object, const Vec2& centre);
 
-  // An upper bound of the coverage of H: each cell that H meets counts in full. O(h) and the rows.
+  // Each cell that H meets counts in full. O(h) and the rows.
   double most(const SmallHull& hull) const;
 
  private:
@@ -30,7 +30,7 @@ class CoarseCover {
   static void widen(Rows& rows, const Vec2& a, const Vec2& b);
 
   Vec2 low_, scale_;  // relative to C; cells per unit of length
-  // The part of the object in the cells of a row before each column, as a share of it.
+  // The share of the object in the cells of a row before each column.
   std::array<std::array<double, cells + 1>, cells> before_{};
 };
 

@@ -9,39 +9,37 @@
 
 namespace evenlift::balanced {
 
-// The midpoint that two more robots must have, so that C is the centroid of all.
+// The midpoint of two more robots that make C the centroid of all.
 Vec2 middle_of_two_more(const std::vector<LiftingPoint>& robots, const Vec2& centre);
 
-// The even candidates whose two ends complete these robots to a set with the centroid C. If the
-// outline has more than 1,000 vertices and the candidates are many, only some of them
-// (EvenChords::some_about).
+// The even candidates whose two ends complete the robots to the centroid C; only some of many
+// (EvenChords::some_about) if the outline has more than 1,000 vertices.
 std::vector<Candidate> pairs_to_complete(const Rules& rules,
                                          const std::vector<LiftingPoint>& robots);
 
-// All these candidates, for any outline.
+// All of them, for any outline.
 std::vector<Candidate> all_pairs_to_complete(const Rules& rules,
                                              const std::vector<LiftingPoint>& robots);
 
-// Keeps the best of the sets that it is offered; the first wins a tie.
+// Keeps the best of the offered sets; the first wins a tie.
 class Best {
  public:
   explicit Best(const Rules& rules) : rules_(rules) {}
 
-  // Offers the robots completed by two more, or by three more, in their order.
+  // Offers each completion of the robots by two or three more, in their order.
   void offer(const RatedSet& set) { set_ = set; }
   void offer_two_more(const std::vector<LiftingPoint>& robots);
   void offer_three_more(const std::vector<LiftingPoint>& robots);
-  // Offers the robots completed by three more, the first of them at `place`.
+  // Offers the robots completed by three more, the first at `place`.
   void offer_three_more(const std::vector<LiftingPoint>& robots, const LiftingPoint& place);
 
   const std::optional<RatedSet>& set() const { return set_; }
-  // Whether the best set is a completed one.
   bool completed() const { return completed_; }
-  // The number of robots that the best set had before it was completed. They come first.
+  // The number of robots of the best set before its completion. They come first.
   std::size_t kept() const { return kept_; }
 
  private:
-  // The last `added` robots are on trial, like the two ends. Skips sets whose robots collide.
+  // The last `added` robots are on trial, as are the two ends. Skips colliding sets.
   void complete(const std::vector<LiftingPoint>& robots, std::size_t added,
                 std::uint32_t near_pairs);
 

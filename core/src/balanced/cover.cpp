@@ -7,10 +7,10 @@
 
 namespace evenlift::balanced {
 
-// The intersection of the object and H has the area of a closed curve: the boundary of the object, with all parts
-// outside H pulled along the rays to C onto the boundary of H. A part inside H adds the triangle
-// that it spans with C. A part outside adds the sector of H between the directions of its ends. All
-// points are relative to C.
+// The object within H has the area of a closed curve: the boundary of the object, with all parts
+// outside H pulled along the rays to C onto the boundary of H. A part inside H adds its triangle
+// with C, a part outside the sector of H between the directions of its ends. Points are relative to
+// C.
 class Cover::Sum {
  public:
   Sum(const Cover& cover, const SmallHull& hull)
@@ -23,8 +23,8 @@ class Cover::Sum {
     }
   }
 
-  // Whether C is inside H, farther than rounding from each side. (Two pairs on one chord span a
-  // base as thin as rounding, and the directions from C to its corners are those of its sides.)
+  // Whether C is inside H, farther than rounding from each side. (Two teams on one chord span a
+  // base as thin as rounding: from C, its corners lie in the directions of its sides.)
   bool is_sound() const {
     if (hull_.size < 3) return false;
     double reach = 0;
@@ -87,7 +87,7 @@ class Cover::Sum {
     return vertex(edge + 1 == boundary_.size() ? 0 : edge + 1);
   }
 
-  // The part of the edge in H is from a + enter (b - a) to a + leave (b - a).
+  // The edge is in H from a + enter (b - a) to a + leave (b - a).
   void add_edge(const Vec2& a, const Vec2& b) {
     double enter = 0, leave = 1;
     for (std::size_t i = 0; i < hull_.size; ++i) {
@@ -104,7 +104,7 @@ class Cover::Sum {
     if (leave < 1) add_sector(last, b);
   }
 
-  // For a part outside H, which C sees at an angle of less than 180 degrees.
+  // For a part outside H, seen from C at less than 180 degrees.
   void add_sector(const Vec2& a, const Vec2& b) {
     const double turn = cross(a, b), all = sectors_[hull_.size];
     // Consecutive parts share an end, so the last call's sector is reused.

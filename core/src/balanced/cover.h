@@ -15,9 +15,8 @@ class Cover {
   // The object must outlive it. O(n).
   Cover(const PolygonWithHoles& object, const Vec2& centre);
 
-  // Equals coverage(object, hull) up to rounding if C is inside H. It is 0 if C is not inside by
-  // more than rounding (so, too, if H has no area). For each place where the boundary crosses H
-  // O(h log n), and O(n h) at worst.
+  // Equals coverage(object, hull) up to rounding; 0 if C is not inside H by more than rounding, or
+  // if H has no area. O(h log n) for each crossing of the boundary with H, O(n h) at worst.
   double of(const SmallHull& hull) const;
 
  private:

@@ -28,7 +28,7 @@ void note_start(balanced::StartSets sets, BalancedHistory& history) {
           {std::move(set->set.robots), std::move(set->kept), std::move(set->came), set->at_once});
 }
 
-// The robots at the end of the first search, just before it restarts.
+// The robots just before the search restarts.
 std::vector<LiftingPoint> last_before(const BalancedStep& step,
                                       const std::vector<LiftingPoint>& before) {
   if (!step.swap) return before;
@@ -49,8 +49,8 @@ BalancedMove move_of(const Rules& rules, const BalancedStep& step,
   return move;
 }
 
-// Continues from the start, and notes each swap and each round. If the search restarts, the history
-// begins with the second start, since the first one led nowhere.
+// Continues from the start and notes each swap and round. After a restart, the history begins with
+// the second start, since the first one led nowhere.
 void follow(const BalancedProblem& problem, BalancedHistory& history) {
   BalancedSearch search;
   search.robots = history.start.back().robots;

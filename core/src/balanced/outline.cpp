@@ -113,7 +113,6 @@ std::vector<std::uint32_t> Outline::edges() const {
   return edges;
 }
 
-// The ends and the middle of each usable interval.
 std::vector<LiftingPoint> Outline::interval_stands(std::uint32_t most, const Stands& room) const {
   std::vector<LiftingPoint> stands;
   for (const std::uint32_t edge : edges()) {

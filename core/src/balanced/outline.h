@@ -1,5 +1,4 @@
-// The outline of P as a walk from v*, which does not depend on the first vertex of the list, and
-// the trial points along it.
+// The outline of P as a walk from v*, whatever the first vertex of the list, and its trial points.
 #pragma once
 
 #include <cstdint>
@@ -19,16 +18,16 @@ class Outline {
   // Lambda.
   double length() const { return starts_.back(); }
 
-  // The edges in the order of the walk. O(n).
+  // In the order of the walk. O(n).
   std::vector<std::uint32_t> edges() const;
 
-  // The distance from v* counter-clockwise to a point on one of the edges, in [0, Lambda). A point
-  // within tau Lambda of the end of the walk counts as its beginning. O(1).
+  // The distance from v* counter-clockwise to a point on an edge, in [0, Lambda). A distance within
+  // tau Lambda of Lambda counts as 0. O(1).
   double place(const LiftingPoint& point) const;
 
-  // The trial points, in their order. If robots have a size, the trial points are lifting points
-  // spread over the usable ranges. The ends and the middle of each usable interval follow, unless
-  // there are more intervals than trial points. O(n).
+  // The trial points in order; for robots with a size lifting points spread over the usable ranges,
+  // then the ends and middle of each usable interval, unless there are more intervals than trial
+  // points. O(n).
   std::vector<LiftingPoint> stands(const Stands* room = nullptr) const;
 
  private:

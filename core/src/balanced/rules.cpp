@@ -12,7 +12,6 @@ namespace {
 
 constexpr double usual_apart = 0.12;  // in units of R
 
-// 1 if a is larger by more than the slack, -1 if b is, else 0.
 int compare(double a, double b, double slack) { return a > b + slack ? 1 : b > a + slack ? -1 : 0; }
 
 int compare_spreads(double a, double b) { return compare(a, b, spread_tie * std::max(a, b)); }
@@ -24,15 +23,13 @@ int compare_places(const std::vector<double>& a, const std::vector<double>& b, d
   return 0;
 }
 
-// The stands for the settings. If no robot fits, or an edge does not exist, place() has already
-// reported the error.
+// Null on an error, which place() has already reported: no robot fits, or an edge does not exist.
 std::shared_ptr<const Stands> room_of(const PolygonWithHoles& object, const Settings& settings) {
   auto room = make_stands(object, settings);
   return room ? *std::move(room) : nullptr;
 }
 
-// The work of a completion. On a winding outline, the coverage of a set is summed along the whole
-// outline.
+// On a winding outline, the coverage of a set is summed along the whole outline.
 std::uint64_t work_on(const PolygonWithHoles& object, const EvenChords& chords,
                       const Vec2& centre) {
   constexpr std::size_t few_vertices = 1000, most_counted = 100'000, for_one = 100;
@@ -154,7 +151,7 @@ const std::vector<double>& Rules::places(RatedSet& set) const {
   return *set.places;
 }
 
-// Whether coverage decides against a, because no earlier key can decide for a.
+// Whether coverage decides against a, since no earlier key can decide for a.
 bool Rules::surely_loses_by_coverage(RatedSet& a, RatedSet& b) const {
   if (survive_ > 0 && steady(b) < survive_) return false;
   if (holds_ && level(b) < best_level) return false;

@@ -1,5 +1,5 @@
-// The requirements on balanced robots, and the order of two sets. A key is computed only when a
-// comparison needs it, the cheap keys first: nearly all sets lose by a bound.
+// The requirements on balanced robots, and the order of two sets. A key is computed only when
+// needed, the cheap keys first: nearly all sets lose by a bound.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@
 
 namespace evenlift::balanced {
 
-// Robots, with the keys computed so far.
+// With the keys computed so far.
 struct RatedSet {
   std::vector<LiftingPoint> robots;
   std::uint32_t near_pairs = 0;
@@ -50,39 +50,35 @@ class Rules {
   std::uint64_t work_of_completion() const { return work_of_completion_; }
   const std::vector<Triple>& triples() const { return triples_; }
 
-  // The places where robots with a size can stand; null if robots are points that may stand
-  // anywhere.
+  // Where robots with a size can stand; null for points that may stand anywhere.
   const Stands* room() const { return room_.get(); }
-  // Whether `other` would collide with one of the first `number` robots. O(number).
+  // Whether `other` collides with one of the first `number` robots. O(number).
   bool collides(const std::vector<LiftingPoint>& robots, std::size_t number,
                 const LiftingPoint& other) const;
 
-  // The number of robots, among the first `number`, that are nearer to `other` than they should be.
-  // O(number).
+  // The number of the first `number` robots that are too near to `other`. O(number).
   std::uint32_t near_pairs(const std::vector<LiftingPoint>& robots, std::size_t number,
                            const LiftingPoint& other) const;
 
-  // The number of such pairs among all robots. O(m^2).
+  // The number of near pairs of all robots. O(m^2).
   std::uint32_t near_pairs(const std::vector<LiftingPoint>& robots) const;
 
-  // Whether the goal is hold, but the margin of the set misses the first level.
+  // Whether the goal is hold, but the margin misses the first level.
   bool misses_hold(RatedSet& set) const { return holds_ && level(set) == 0; }
-  // Whether the margin of a reaches a higher level.
+  // Whether a reaches a higher level.
   bool holds_better(RatedSet& a, RatedSet& b) const { return level(a) > level(b); }
 
-  // Whether a is better than b.
   bool better(RatedSet& a, RatedSet& b) const;
 
-  // The key that decides between the two; nothing if they tie in all.
+  // The key that decides; nothing if they tie in all.
   std::optional<BalancedKey> decided_by(RatedSet& a, RatedSet& b) const;
 
-  // Robots, with the number of pairs that are too near to each other. O(m^2).
+  // Robots with their number of near pairs. O(m^2).
   RatedSet rated(const std::vector<LiftingPoint>& robots) const;
 
-  // All keys, as values.
   BalancedKeys keys(RatedSet& set) const;
 
-  // The robots in their order along the outline, with their keys.
+  // In order along the outline, with their keys.
   RatedSet in_order(const RatedSet& set) const;
 
  private:
@@ -96,8 +92,7 @@ class Rules {
   const std::vector<double>& places(RatedSet& set) const;
   bool surely_loses_by_coverage(RatedSet& a, RatedSet& b) const;
 
-  // The first key in which two sets differ, and the set for which it decides: 1 for a, -1 for b, 0
-  // if they tie.
+  // The first key in which two sets differ, and the better set: 1 for a, -1 for b, 0 for a tie.
   struct Decision {
     int order = 0;
     BalancedKey key = BalancedKey::near_pairs;
@@ -109,7 +104,7 @@ class Rules {
   std::uint32_t robots_;
   bool holds_;  // whether the goal is hold
   HoldRequirements firm_;
-  double near_square_;  // robots at a smaller squared distance are too near to each other
+  double near_square_;  // robots at a smaller squared distance are too near
   int survive_;
   std::shared_ptr<const Stands> room_;
   Outline outline_;

@@ -16,14 +16,13 @@ using balanced::Best;
 using balanced::RatedSet;
 using balanced::Rules;
 
-// The number of completions that the start takes.
 std::size_t completions_of_start(const Rules& rules) {
   const std::size_t stands = rules.stands().size(), robots = rules.robots();
   return stands * (robots - 1) + (robots == 4 ? stands * stands : 0);
 }
 
-// A step is about a microsecond. A candidate costs one step. It costs more the more the outline
-// winds, since the coverage of its set is summed along the outline.
+// A step is about a microsecond. A candidate costs one step, and more on a winding outline, since
+// the coverage of its set is summed along it.
 std::size_t steps_of_completion(const Rules& rules) {
   constexpr std::size_t most_candidates = 2'000, winding = 50;
   const std::size_t candidates = rules.chords().count_about(rules.centre(), most_candidates);
@@ -110,7 +109,7 @@ BalancedStep try_next_triple(const Rules& rules, BalancedSearch search) {
   if (best.completed()) {
     swap.emplace();
     swap->numbers = triple;
-    // The three new robots are the last ones.
+    // The three new robots are the last.
     const std::vector<LiftingPoint>& robots = best.set()->robots;
     for (std::size_t i = 0; i < triple.size(); ++i) {
       swap->from[i] = search.robots[triple[i]];

@@ -30,7 +30,7 @@ class Chain {
     points_[size_++] = p;
   }
 
-  // Adds the chain to the hull, without its last point.
+  // Leaves out the last point.
   void add_to(SmallHull& hull) const {
     for (std::size_t i = 0; i + 1 < size_; ++i) hull.corners[hull.size++] = points_[i];
   }

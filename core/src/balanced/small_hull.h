@@ -1,6 +1,5 @@
-// The convex hull of a few robots, relative to C: in plain doubles and without allocating memory,
-// for the coverage of thousands of sets. A corner that results only from rounding does not matter
-// here.
+// The convex hull of a few robots, relative to C: in plain doubles and without allocation, for the
+// coverage of thousands of sets. Corners due only to rounding do not matter.
 #pragma once
 
 #include <array>
@@ -13,12 +12,12 @@
 namespace evenlift::balanced {
 
 struct SmallHull {
-  std::array<Vec2, most_robots> corners;  // counter-clockwise, relative to C
+  std::array<Vec2, most_robots> corners;  // counter-clockwise
   std::size_t size = 0;                   // less than 3 if the robots stand on one line
   double area = 0;
 };
 
-// For at most most_robots robots. Insertion sort takes O(m^2) steps, in practice few.
+// For at most most_robots robots. O(m^2) by insertion sort, in practice few steps.
 SmallHull small_hull(const std::vector<LiftingPoint>& robots, const Vec2& centre);
 
 }  // namespace evenlift::balanced

@@ -11,11 +11,11 @@ namespace evenlift::balanced {
 
 using Triple = std::array<std::uint32_t, 3>;  // increasing
 
-// The triples of m robots in lexicographic order. With up to 12 robots all triples; with up to 24,
-// those with two neighbours along the outline; with more, three in a row. O(m^3).
+// In lexicographic order: all triples with up to 12 robots, those with two neighbours along the
+// outline with up to 24, else three in a row. O(m^3).
 std::vector<Triple> triples_of(std::uint32_t robots);
 
-// The robots that are not in the triple. O(m).
+// The robots outside the triple. O(m).
 std::vector<LiftingPoint> others(const std::vector<LiftingPoint>& robots, const Triple& triple);
 
 }  // namespace evenlift::balanced

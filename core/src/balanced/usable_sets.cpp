@@ -11,8 +11,8 @@
 namespace evenlift::balanced {
 namespace {
 
-// The part of an edge on which robots can stand, as distances t along the edge, and their lifting
-// points: at start + t along, relative to C.
+// The part of an edge where robots can stand, by distances t along the edge. Their lifting points
+// are at start + t along, relative to C.
 struct Interval {
   std::uint32_t edge = 0;
   double from = 0, to = 0;
@@ -27,7 +27,7 @@ struct Group {
   const Interval* interval;
   std::uint32_t robots;
   double middle, half;  // from middle - half to middle + half
-  double share = 0;     // the offset of the middle, as a share of `half`, -1 .. 1
+  double share = 0;     // of the middle, as a share of `half`, -1 .. 1
 };
 
 // Directions in which sums are bounded before they are solved.
@@ -59,9 +59,8 @@ Reach reach_of(const Interval& interval) {
   return reach;
 }
 
-// Finds shares so that the groups' sum is 0: the shares that reach farthest towards the missing
-// vector, scaled back. That is a knapsack with divisible items. False if the groups cannot reach
-// it.
+// Finds shares that make the groups' sum 0: those that reach farthest towards the missing vector,
+// scaled back (a knapsack with divisible items). False if the groups cannot reach it.
 bool settle(std::vector<Group>& groups, double near) {
   Vec2 missing = Vec2::Zero();
   for (const Group& group : groups) missing -= group.robots * group.interval->at(group.middle);
@@ -152,8 +151,8 @@ class UsableSets {
     }
   }
 
-  // Distributes the remaining robots among the intervals from `from` on. `reach` is the distance
-  // from C that the robots placed so far can reach, in the directions of the compass.
+  // Distributes the remaining robots over the intervals from `from` on. `reach`: how far from C the
+  // robots so far can reach, in the directions of the compass.
   void choose(std::size_t from, std::uint32_t left, const Reach& reach) {
     if (left == 0) return settle_and_keep();
     if (from == intervals_.size() || ++nodes_ > most_nodes || !can_balance(from, left, reach))
@@ -187,7 +186,7 @@ class UsableSets {
     for (const double width : {0.0, 0.5, 1.0}) keep(robots_of(groups, width));
   }
 
-  // The robots of the groups: at width 0 as close together as possible, at width 1 as far apart.
+  // At width 0 as close together as possible, at width 1 as far apart.
   std::vector<LiftingPoint> robots_of(const std::vector<Group>& groups, double width) const {
     std::vector<LiftingPoint> robots;
     for (const Group& group : groups) {

@@ -116,7 +116,6 @@ class Settler {
     return a.kind != b.kind ? a.kind < b.kind : i < j;
   }
 
-  // First the left end, then the right end.
   static std::array<double, 4> coordinates(const Candidate& c) {
     const Vec2 &p = c.chord.r1.position, &q = c.chord.r2.position;
     return {p.x(), p.y(), q.x(), q.y()};

@@ -1,6 +1,5 @@
-// Candidates are made in two steps, so that the large records are written only once and in order.
-// First each candidate gets a short seed and a sort key; then the candidates grow from the sorted
-// seeds.
+// Candidates are made in two steps, to write the large records once and in order: first a short
+// seed and a sort key for each, then candidates from the sorted seeds.
 #pragma once
 
 #include <cstdint>
@@ -17,14 +16,14 @@ namespace evenlift {
 
 class CandidateSeeds {
  public:
-  // If `traced`, grow() sets the source of each candidate: the number of the call of add() that
-  // produced it. Range candidates stand at least `clear` from corners where possible. O(n).
+  // If `traced`, grow() sets the source of each candidate: the number of its call of add(). Range
+  // candidates stand at least `clear` from corners where possible. O(n).
   CandidateSeeds(const Polygon& polygon, const Vec2& centre, const RadialView& view,
                  const std::vector<OppositeVertices>& opposite, double min_ratio,
                  Positions positions, double clear, bool traced);
 
-  // Examines an edge pair or two opposite vertices and adds at most one seed; for an edge pair with
-  // positions anywhere in the range, two more. Amortized O(1).
+  // Adds at most one seed; for an edge pair with positions anywhere in the range, two more.
+  // Amortized O(1).
   void add(const EdgePair& pair) {
     const std::size_t before = seeds_.size();
     examine_and_add(pair);
@@ -37,21 +36,20 @@ class CandidateSeeds {
     ++sources_;
   }
 
-  // The candidates of all sources, in candidate order and with duplicates. Call it only once. O(m),
-  // and O(l log l) for each line with l of the m candidates.
+  // All candidates, in candidate order and with duplicates. Call it only once. O(m), and O(l log l)
+  // for each line with l of the m candidates.
   std::vector<Candidate> grow();
 
  private:
-  // A chord from `vertex` of `edge` through C to the edge `other`. It ends there at the vertex
-  // `opposite`, unless `opposite` is inside_edge.
+  // See vertex_candidate() (pair_candidate.h).
   struct VertexChordSeed {
     std::uint32_t edge, other, vertex, opposite;
   };
-  // The chord on both edges that C bisects; `offset` is an index into offsets_.
+  // The chord that C bisects; `offset` is an index into offsets_.
   struct BisectingSeed {
     std::uint32_t edge_a, edge_b, offset;
   };
-  // A finished candidate; `index` is an index into finished_.
+  // `index` is an index into finished_.
   struct FinishedSeed {
     std::uint32_t index;
   };

@@ -19,9 +19,9 @@ namespace {
 struct Found {
   std::vector<Candidate> candidates;
   std::uint32_t sources = 0;
-  std::vector<std::uint32_t> source_of_chord;  // if traced: the source of each chord before merging
-  std::vector<char> in_range;                  // whether the chord is a range candidate
-  std::vector<std::uint32_t> became;           // the candidate that the chord became
+  std::vector<std::uint32_t> source_of_chord;  // if traced: by chord before merging
+  std::vector<char> in_range;                  // by chord: whether it is a range candidate
+  std::vector<std::uint32_t> became;           // by chord: its candidate
 };
 
 // Each pair may have three candidates, and their numbers must fit into their keys

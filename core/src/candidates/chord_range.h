@@ -1,5 +1,4 @@
-// The chords between two lines on which robots with a size lift, and the parts of the lines where
-// two robots can stand.
+// The chords between two lines on which robots with a size lift, and where two robots can stand.
 #pragma once
 
 #include <optional>
@@ -28,9 +27,8 @@ class ChordRange {
   // The part of a piece of a whose chords end in a piece of b, at any load ratio. O(1).
   std::optional<Stretch> common(const Stretch& of_a, const Stretch& of_b) const;
 
-  // The parts of a at which robots can stand on both lines with a load ratio of at least the
-  // minimum, within tolerance, in order of the usable ranges of a. O(stretches of a times those of
-  // b).
+  // The parts of a where robots can stand on both lines with at least the minimum ratio, within
+  // tolerance, in order of the usable ranges of a. O(stretches of a times those of b).
   std::vector<Stretch> pieces(double min_ratio) const;
 
  private:

@@ -7,7 +7,7 @@
 namespace evenlift {
 namespace {
 
-// A corner of an edge of the range, and the direction along the edge away from it.
+// A corner of an edge of the range, and the direction away from it.
 struct EdgeCorner {
   std::uint32_t edge;
   bool on_a;
@@ -41,7 +41,7 @@ class Part {
   }
 
  private:
-  // Narrows the part to the places that are far enough from one corner.
+  // Narrows the part to places far enough from a corner.
   void keep_off(const EdgeCorner& corner) {
     const Vec2 at = lifting_point(corner.at, corner.edge);
     const auto is_clear = [&](double x) {

@@ -9,9 +9,8 @@
 
 namespace evenlift {
 
-// The edge pair of edges a and b, in no order, with a ahead of C and b behind it. Nothing if they
-// do not face each other, or if one of them is radial: its line passes within `near` of C. Exact,
-// like edge_pairs(). O(1).
+// The edge pair of a, ahead of C, and b, behind it, in this order. Nothing if they do not face each
+// other, or if one is radial: its line passes within `near` of C. Exact, like edge_pairs(). O(1).
 std::optional<EdgePair> pair_of_edges(const Polygon& polygon, const Vec2& centre, std::uint32_t a,
                                       std::uint32_t b, double near);
 

@@ -18,9 +18,9 @@ using Index = std::uint32_t;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double full_turn = 4;  // of line_pseudo_angle, which repeats after 180 degrees
 
-// Sorts [first, last) by `key`, cuts it wherever the key jumps by more than `gap`, and visits the
-// parts. If the keys of agreeing items differ by at most the gap, no items of different parts
-// agree.
+// Sorts [first, last) by `key`, cuts it where the key jumps by more than `gap`, and visits the
+// parts. Items of different parts do not agree if the keys of agreeing items differ by at most the
+// gap.
 template <class Key, class Visit>
 void split_at_gaps(Index* first, Index* last, double gap, Key key, Visit visit) {
   const auto smaller = [&](Index a, Index b) {
@@ -36,7 +36,7 @@ void split_at_gaps(Index* first, Index* last, double gap, Key key, Visit visit) 
   }
 }
 
-// The range of slopes, as line_pseudo_angle, of all chords within tolerance of a given chord.
+// The line_pseudo_angle range of all chords within tolerance of a given chord.
 struct Slopes {
   double low, high;
 };
@@ -48,7 +48,7 @@ class Merger {
     std::iota(parent_.begin(), parent_.end(), Index{0});
   }
 
-  // The representative of each candidate's class: its first member.
+  // Each candidate's representative: the first member of its class.
   std::vector<Index> run() {
     split_by_slope();
     for (Index i = 0; i < parent_.size(); ++i) parent_[i] = find(i);
@@ -56,11 +56,11 @@ class Merger {
   }
 
  private:
-  // Slopes run from -2 to 2 and repeat after a full turn. They change by at most twice the angle.
-  // If the ends of two chords agree, their vectors u differ by at most 2 near, so the sine of the
-  // angle between them is at most s = 2 near / |u|, and the angle is at most pi / 2 s; 8 near / |u|
-  // is more than twice the angle and all rounding. The slope comes from the rounded ends, and may
-  // differ from the slope of Candidate::direction.
+  // Slopes run from -2 to 2, repeat after a full turn, and change by at most twice the angle. If
+  // the ends of two chords agree, their vectors u differ by at most 2 near, so the sine of their
+  // angle is at most s = 2 near / |u|, and the angle at most pi / 2 s; 8 near / |u| is more than
+  // twice the angle and all rounding. The slope of the rounded ends may differ from that of
+  // Candidate::direction.
   Slopes slopes(Index i) const {
     const Vec2 u = candidates_[i].chord.r2.position - candidates_[i].chord.r1.position;
     const double width = std::fabs(u.x()), height = std::fabs(u.y());
@@ -71,7 +71,7 @@ class Merger {
   }
 
   // Cuts the list where no slope range crosses the cut. In candidate order slopes hardly ever
-  // decrease, so nearly all groups are small, without any sorting.
+  // decrease, so nearly all groups are small without sorting.
   void split_by_slope() {
     const auto m = static_cast<Index>(candidates_.size());
     // lowest[i] is the lowest slope of candidate i and all after it.
@@ -82,8 +82,8 @@ class Merger {
       lowest[i] = std::min(lowest[i + 1], s.low);
       top = std::max(top, s.high);
     }
-    // Nearly vertical chords may agree although their slopes are at opposite ends of the range. All
-    // groups that reach around the end are merged into one.
+    // Nearly vertical chords may agree although their slopes are at opposite ends of the range, so
+    // all groups that reach around the end are merged.
     const double around_low = top - full_turn, around_high = lowest[0] + full_turn;
     std::vector<Index> group, around;
     double highest = -infinity;
@@ -105,7 +105,7 @@ class Merger {
     split(around.data(), around.data() + around.size(), 0, 0);
   }
 
-  // The length and the bounding box of a chord. These keys do not depend on which end is called r2.
+  // These keys do not depend on which end is called r2.
   static constexpr int keys = 5;
   double key(Index i, int which) const {
     const Vec2 &p = candidates_[i].chord.r1.position, &q = candidates_[i].chord.r2.position;
@@ -122,13 +122,11 @@ class Merger {
         return std::min(p.y(), q.y());
     }
   }
-  // Coordinates change by at most as much as the ends move, lengths by at most twice as much, and
-  // rounding.
+  // Coordinates change by at most as much as the ends, lengths by twice as much and rounding.
   double gap(int which) const { return which == 0 ? 3 * near_ : near_; }
 
-  // Splits by one key after another until no key splits the group any further. Compares the
-  // remaining or small groups pair by pair. `whole` counts the last keys that did not split the
-  // group.
+  // Splits by one key after another until no key splits the group. Compares small or remaining
+  // groups pair by pair. `whole` counts the last keys that did not split.
   void split(Index* first, Index* last, int which, int whole) {
     constexpr std::ptrdiff_t small = 4;
     if (last - first < 2) return;
@@ -171,7 +169,7 @@ MergedCandidates merge_duplicates(std::vector<Candidate> candidates, double near
     if (a.between_vertices != b.between_vertices) return a.between_vertices;
     return a.chord.ratio > b.chord.ratio;
   };
-  // The first member of a class is kept unless a later one is preferred to it.
+  // The first member is kept unless a later one is preferred to it.
   std::vector<Index> best(candidates.size());
   std::vector<CandidateKind> kind(candidates.size());  // of each class, the first kind that occurs
   for (Index i = 0; i < candidates.size(); ++i) {
@@ -191,8 +189,8 @@ MergedCandidates merge_duplicates(std::vector<Candidate> candidates, double near
     if (best[first] != i) continue;
     place[first] = kept;
     if (kept != i) candidates[kept] = candidates[i];
-    // A chord between two vertices keeps its own kind. Edge pairs that exist only by rounding,
-    // between two opposite vertices, do not change it.
+    // Edge pairs that exist only by rounding, between two opposite vertices, do not change the kind
+    // of a chord between two vertices.
     if (!candidates[kept].between_vertices) candidates[kept].kind = kind[first];
     ++kept;
   }

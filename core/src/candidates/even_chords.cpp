@@ -19,8 +19,8 @@
 namespace evenlift {
 namespace {
 
-// Spreads numbers evenly without a pattern, so that a sample does not pick only one side of every
-// tooth of a comb (the finalizer of MurmurHash3).
+// Spreads numbers without a pattern, so that a sample does not pick only one side of every tooth of
+// a comb (the finalizer of MurmurHash3).
 std::uint32_t scattered(std::uint32_t number) {
   number ^= number >> 16;
   number *= 0x85ebca6bu;
@@ -29,14 +29,12 @@ std::uint32_t scattered(std::uint32_t number) {
   return number ^ (number >> 16);
 }
 
-// The pair with a and b interchanged.
 EdgePair swapped(const EdgePair& pair) {
   return {pair.b, pair.a, pair.begin_b, pair.begin_a, pair.end_b, pair.end_a};
 }
 
 }  // namespace
 
-// Finds the places where the outline meets its mirror image, and the chords there.
 class EvenChords::Search {
  public:
   // Stops as soon as `most` chords are found.
@@ -50,7 +48,7 @@ class EvenChords::Search {
         twice_(2 * centre),
         most_(most) {
     // Even chords within tolerance reach at most 3 tau L from the mirror image; the rest allows for
-    // the rounding of coordinates.
+    // rounding.
     near_ = near_distance(polygon_.diameter());
     constexpr double rounding = 0x1p-48;
     slack_ = 4 * near_ + rounding * (chords.size_ + centre.cwiseAbs().maxCoeff());
@@ -102,7 +100,7 @@ class EvenChords::Search {
     return !apart(p, q, r, s) && !apart(r, s, p, q);
   }
 
-  // Whether the points r and s lie on one side of the line p q, farther from it than `slack_`.
+  // Whether r and s lie on one side of the line p q, farther from it than `slack_`.
   bool apart(const Vec2& p, const Vec2& q, const Vec2& r, const Vec2& s) const {
     const Vec2 along = q - p;
     const double to_r = cross(along, r - p), to_s = cross(along, s - p);

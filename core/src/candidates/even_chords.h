@@ -1,6 +1,6 @@
-// Even candidates about many centres, one after another. The ends of an even chord about M are
-// where the outline meets its mirror image in M. A tree of boxes over the outline finds these
-// places without visiting every edge; the candidates there are decided like all others.
+// Even candidates about many centres. An even chord about M ends where the outline meets its mirror
+// image in M. A tree of boxes finds these places without visiting every edge; their candidates are
+// decided like all others.
 #pragma once
 
 #include <cstddef>
@@ -14,31 +14,30 @@ namespace evenlift {
 
 class EvenChords {
  public:
-  // The polygon must outlive it, and so must the stands of robots with a size, if given. With
-  // stands the candidates are those of standing_candidates(). O(n).
+  // The polygon and the stands must outlive it. With stands the candidates are those of
+  // standing_candidates(). O(n).
   explicit EvenChords(const Polygon& polygon, const Stands* stands = nullptr);
 
-  // Prepares for some_about() also. `walk` contains all edges in their order along the outline,
-  // beginning at a place that does not depend on the order of the vertex list. O(n).
+  // Also prepares for some_about(). `walk` contains all edges in order along the outline, from a
+  // place that does not depend on the vertex list. O(n).
   EvenChords(const Polygon& polygon, const Stands* stands, const std::vector<std::uint32_t>& walk);
 
-  // Equals find_candidates(polygon, centre, 1), with two exceptions. The number of candidates is
-  // not limited. Of equal chords between two vertices another may be kept: its ends are the same,
-  // but may name the other edges of these vertices. The centre may be anywhere. O(n) at worst; for
-  // an outline that does not wind much, O(log n) for each place where it meets its mirror image.
+  // Equals find_candidates(polygon, centre, 1), but without a limit on the number of candidates,
+  // and a chord between two vertices may name the other edges of these vertices. The centre may be
+  // anywhere. O(n) at worst; for an outline that hardly winds, O(log n) for each place where it
+  // meets its mirror image.
   std::vector<Candidate> about(const Vec2& centre) const;
 
-  // All even candidates about the centre, or some if there are many: the candidates between the
-  // edges of a sample. The samples are a half, a quarter, an eighth and so on of all edges; the
-  // smallest with at least enough_chords candidates is used. An edge's number in the walk alone
-  // decides whether it is in a sample. A strongly winding outline may have a hundred thousand even
-  // chords about one centre, and some of them serve a search just as well. O(log n) for each place
-  // where the sample meets its mirror image.
+  // All even candidates about the centre or, of many, those between the edges of a sample: of a
+  // half, a quarter, an eighth and so on of all edges, the smallest with at least enough_chords
+  // candidates. An edge's number in the walk alone decides its samples. A strongly winding outline
+  // may have a hundred thousand even chords about one centre, and some serve a search as well.
+  // O(log n) for each place where the sample meets its mirror image.
   static constexpr std::size_t enough_chords = 32;
   std::vector<Candidate> some_about(const Vec2& centre) const;
 
-  // The number of even candidates before duplicates are merged, at most `most`. A strongly winding
-  // outline soon reaches `most`, so this is fast where about() is slow.
+  // The number of even candidates with duplicates, at most `most`. A strongly winding outline soon
+  // reaches `most`, so this is fast where about() is slow.
   std::size_t count_about(const Vec2& centre, std::size_t most) const;
 
  private:
@@ -47,7 +46,7 @@ class EvenChords {
   // Some edges, in the order of their numbers.
   struct Sample {
     std::vector<std::uint32_t> edges;
-    std::vector<LineEnds> lines;  // the edges, moved inward by a hand's depth if it has any
+    std::vector<LineEnds> lines;  // moved inward by a hand's depth if it has any
     EdgeTree tree;
   };
   static Sample sample_of(const Polygon& polygon, const Stands* stands,
@@ -57,7 +56,7 @@ class EvenChords {
   const Polygon& polygon_;
   const Stands* stands_;
   Sample all_;
-  std::vector<Sample> samples_;  // from the smallest to the largest
+  std::vector<Sample> samples_;  // the smallest first
   double size_ = 0;              // the largest coordinate
 };
 

@@ -11,8 +11,8 @@
 namespace evenlift {
 namespace {
 
-// An even vertex-chord counts as bisecting, since whether its arms are equal to the last bit
-// depends on rounding.
+// An even vertex-chord counts as bisecting: rounding decides whether its arms are equal to the last
+// bit.
 CandidateKind kind_of_vertex_chord(const Chord& chord) {
   return is_even(chord) ? CandidateKind::bisecting : CandidateKind::vertex;
 }
@@ -21,9 +21,9 @@ Candidate make_candidate(const Chord& chord, CandidateKind kind, const Vec2& dir
   return {chord, kind, false, 0, rightward(direction), chord.arm1 + chord.arm2};
 }
 
-// Edges that count as parallel are rarely parallel to the last bit. Then the middle of one section
-// does not quite face the middle of the other. The chord where g is the geometric mean of its
-// values at the two ends lies between the two middles, whichever edge is called a.
+// Edges that count as parallel are rarely parallel to the last bit, so the middles of their
+// sections do not quite face each other. The chord where g is the geometric mean of its values at
+// the ends lies between the two middles, whichever edge is called a.
 Candidate midpoint_candidate(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                              const SeenEdge& b, const SectionEnd& begin, const SectionEnd& end) {
   const double root0 = std::sqrt(begin.g), root1 = std::sqrt(end.g), sum = root0 + root1;
@@ -63,9 +63,9 @@ std::optional<double> estimate_g(const Polygon& polygon, const Vec2& centre, con
   return std::nullopt;
 }
 
-// The vertex of the edge `other` that is opposite to the end's vertex and near the point where the
-// chord meets the edge, or inside_edge. Near is within sqrt(tau) L: far more than rounding moves
-// that point where C sees the edge at a flat angle, and too small to see.
+// The vertex of the edge `other` that is opposite to the end's vertex and within sqrt(tau) L of the
+// point where the chord meets the edge, or inside_edge. Rounding moves that point far less, even
+// where C sees the edge at a flat angle. The distance is too small to see.
 std::uint32_t missed_vertex(const Polygon& polygon, const Vec2& centre, const SectionEnd& end,
                             std::uint32_t other) {
   const double diameter = polygon.diameter(), near = near_distance(diameter);
@@ -82,9 +82,9 @@ std::uint32_t missed_vertex(const Polygon& polygon, const Vec2& centre, const Se
   return missed;
 }
 
-// A section end as used in decisions. If the chord there joins opposite vertices, or misses the
-// second one by rounding, the section end is the chord between the two; if that chord is even, C
-// bisects it. `g` keeps its value along the section.
+// A section end as used in decisions. If its chord joins opposite vertices, or misses the second by
+// rounding, it is the chord between the two; if that is even, C bisects it. `g` keeps its value
+// along the section.
 SectionEnd settled(const Polygon& polygon, const Vec2& centre, const SeenEdge& a, const SeenEdge& b,
                    SectionEnd end) {
   if (!joins_opposite_vertices(end))
@@ -98,8 +98,8 @@ SectionEnd settled(const Polygon& polygon, const Vec2& centre, const SeenEdge& a
   return end;
 }
 
-// Whether both ends of a section are the chord between the same two opposite vertices. Such an
-// edge pair exists only by rounding.
+// Whether both ends are the chord between the same opposite vertices. Such an edge pair exists only
+// by rounding.
 bool are_one_chord(const SectionEnd& begin, const SectionEnd& end) {
   return joins_opposite_vertices(begin) && joins_opposite_vertices(end) &&
          std::minmax(begin.vertex, begin.opposite) == std::minmax(end.vertex, end.opposite);
@@ -138,10 +138,10 @@ Vec2 rightward(const Vec2& direction) {
   return points_right(direction) ? direction : Vec2(-direction);
 }
 
-// r_a is where the line of a meets the line of b reflected through C; this is equation 3.6 without
-// trigonometry. If d are the edges' vectors and h twice the areas that they span with C, then
-// r_a - C is -(h_b d_a + h_a d_b) / (d_a x d_b). The sum cancels for nearly parallel edges; then it
-// is computed in double-double.
+// r_a is where the line of a meets the line of b reflected through C (equation 3.6 without
+// trigonometry). If d are the edges' vectors and h twice the areas that they span with C, r_a - C
+// is -(h_b d_a + h_a d_b) / (d_a x d_b). For nearly parallel edges the sum cancels, and is computed
+// in double-double.
 Vec2 bisecting_offset(const Vec2& centre, const SeenEdge& a, const SeenEdge& b) {
   const Vec2 da = a.last - a.first, db = b.last - b.first;
   const double ha = a.doubled_area, hb = b.doubled_area;
@@ -232,8 +232,7 @@ PairVerdict examine(const Polygon& polygon, const Vec2& centre, const SeenEdge& 
   }
   verdict.bisected = begin.compare_to_one * end.compare_to_one <= 0;
   if (verdict.bisected) {
-    // At the very end of the section the bisecting chord is the vertex-chord, which is more
-    // precise.
+    // At the end of the section the vertex-chord is more precise.
     if (begin.compare_to_one == 0) {
       verdict.candidate = end_candidate(polygon, centre, a, b, begin);
     } else if (end.compare_to_one == 0) {
@@ -244,8 +243,7 @@ PairVerdict examine(const Polygon& polygon, const Vec2& centre, const SeenEdge& 
     }
     return verdict;
   }
-  // g is monotonic and does not pass 1, so the section's best chord is at the end where g is nearer
-  // to 1.
+  // g is monotonic and does not pass 1, so the best chord is at the end where g is nearer to 1.
   const bool begin_is_nearer = load_ratio(1.0, begin.g) > load_ratio(1.0, end.g);
   const SectionEnd& nearer = begin_is_nearer ? begin : end;
   const Candidate candidate = end_candidate(polygon, centre, a, b, nearer);
@@ -253,8 +251,8 @@ PairVerdict examine(const Polygon& polygon, const Vec2& centre, const SeenEdge& 
   return verdict;
 }
 
-// Makes the same tests as `examine` in the same order. The verdict is `unsure` wherever the errors
-// of the estimates could change it.
+// Makes the tests of `examine` in its order; `unsure` wherever the errors of the estimates could
+// change the verdict.
 QuickVerdict examine_quickly(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                              const SeenEdge& b, const EdgePair& pair, double min_ratio) {
   const auto g0 = estimate_g(polygon, centre, a, b, pair.begin_a, pair.begin_b);

@@ -11,12 +11,12 @@ namespace {
 
 Vec2 offset_at(const PairRange& range, double x) { return (1 - x) * range.a0 + x * range.a1; }
 
-// The place where q reaches a value. q must differ between the two ends.
+// Where q, which must differ between the two ends, reaches a value.
 double place_of(const PairRange& range, double q) {
   return std::clamp((q - range.q0) / (range.q1 - range.q0), 0.0, 1.0);
 }
 
-// Narrows the range to the places with least <= q <= greatest. Returns whether there are any.
+// Narrows the range to least <= q <= greatest. Returns whether any place remains.
 bool narrow(PairRange& range, double least, double greatest) {
   const double low = std::min(range.q0, range.q1), high = std::max(range.q0, range.q1);
   if (high < least || low > greatest) return false;
@@ -72,8 +72,8 @@ double place_at(const PairRange& range, double s) {
 
 double place_towards(const PairRange& range, const Vec2& direction) {
   const double first = cross(range.a0, direction), last = cross(range.a1, direction);
-  // C sees the edge at an angle of less than 180 degrees, so first and last differ in sign where C
-  // sees the place.
+  // C sees the edge at less than 180 degrees, so first and last differ in sign where C sees the
+  // place.
   const double x = first == last ? range.first : first / (first - last);
   const bool ahead = dot(Vec2((1 - x) * range.a0 + x * range.a1), direction) > 0;
   if (ahead) return std::clamp(x, range.first, range.last);

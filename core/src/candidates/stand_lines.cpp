@@ -28,7 +28,6 @@ Candidate make_candidate(const Vec2& centre, const StandLine& a, const StandLine
   return candidate;
 }
 
-// Finds the candidates of two lines.
 class Finder {
  public:
   Finder(const Vec2& centre, const StandLine& a, const StandLine& b, double min_ratio, double near)
@@ -58,7 +57,7 @@ class Finder {
                           even ? CandidateKind::bisecting : CandidateKind::range);
   }
 
-  // The range in which the lines face each other, limited to where robots can stand on them.
+  // The range in which the lines face each other, limited to places to stand.
   std::optional<Stretch> whole() const {
     return range_.common({a_.low, a_.high}, {b_.low, b_.high});
   }
@@ -102,8 +101,7 @@ class Finder {
     }));
   }
 
-  // The best place by `compare`; among places that tie with it, the one with the longest chord,
-  // then the first.
+  // The best place by `compare`; of those that tie, the one with the longest chord, then the first.
   template <class Compare>
   double longest_of(const std::vector<double>& places, Compare compare) const {
     double best = places.front();

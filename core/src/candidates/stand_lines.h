@@ -1,5 +1,5 @@
-// The lines on which robots with a size lift: the edges, moved inward by the depth of the hand,
-// with their usable ranges; and the chords between two such lines (docs/stands.md).
+// The lines on which robots with a size lift: edges moved inward by the depth of the hand, with
+// their usable ranges; and the chords between them (docs/stands.md).
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace evenlift {
 struct StandLine {
   std::uint32_t edge = 0;
   Vec2 start = Vec2::Zero(), along = Vec2::Zero();  // relative to C; of unit length
-  double low = 0, high = 0;                         // the first and the last place to stand
+  double low = 0, high = 0;                         // the first and last place to stand
   Stands::Stretches usable{nullptr, nullptr};
   double height = 0;  // start x along: the distance from C, positive if counter-clockwise about C
   Vec2 at(double t) const { return start + t * along; }
@@ -26,36 +26,33 @@ struct StandLine {
 std::optional<StandLine> stand_line(const Polygon& polygon, const Vec2& centre,
                                     const Stands& stands, std::uint32_t edge);
 
-// These chords about C between two lines, neither of which passes within tau L of C:
-//   - the chord with the best load ratio on which two robots can stand; if all ratios are equal,
-//     the chord nearest to the middle of the lines' common range; among equally good chords the
-//     longest;
-//   - the chords at which a usable range ends on both lines at once, as on a diagonal between
-//     opposite vertices.
-// A chord counts only if its load ratio is at least the minimum, within tolerance, and its two
-// robots do not collide. The best chord comes first. O(stretches).
+// The chords about C between two lines, neither within tau L of C, whose load ratio is at least the
+// minimum, within tolerance, and whose robots do not collide:
+//   - first the chord with the best ratio; if all ratios are equal, the one nearest to the middle
+//     of the lines' common range; of equally good ones the longest;
+//   - the chords at which a usable range ends on both lines at once, as between opposite vertices.
+// O(stretches).
 std::vector<Candidate> standing_chords(const Stands& stands, const Vec2& centre, const StandLine& a,
                                        const StandLine& b, double min_ratio, double near);
 
-// These chords for an edge pair of the polygon itself, that is for hands without depth. The pair's
-// candidate stays unchanged if two robots can stand there.
+// These chords for an edge pair of the polygon, for hands without depth. The pair's candidate stays
+// unchanged if two robots can stand there.
 std::vector<Candidate> standing_chords(const Polygon& polygon, const Stands& stands,
                                        const Vec2& centre, const EdgePair& pair, double min_ratio);
 
-// The parts of the lines' common range in which two robots can stand, if neither line passes within
-// tau L of C; see standing_ranges() (candidates.h). O(stretches of a times those of b).
+// See standing_ranges() (candidates.h). Neither line may pass within tau L of C. O(stretches of a
+// times those of b).
 std::vector<PairRange> standing_ranges(const StandLine& a, const StandLine& b, double min_ratio,
                                        double near);
 
-// The candidates that positions anywhere in the range add between two lines of from.stands: two in
-// their longest range, far enough from corners where possible. A candidate is dropped if its load
-// ratio is too low or its robots collide. None if the range is only one place. O(stretches of a
-// times those of b).
+// The candidates that positions anywhere in the range add: two in the longest range of two lines of
+// from.stands, far enough from corners where possible. Drops those with too low a load ratio or
+// colliding robots. None if the range is only one place. O(stretches of a times those of b).
 std::vector<Candidate> standing_range_chords(const FromCorners& from, const Vec2& centre,
                                              const StandLine& a, const StandLine& b,
                                              double min_ratio, double near);
 
-// Whether both robots of a candidate can stand there and do not collide. O(log n).
+// Whether both robots can stand there and do not collide. O(log n).
 bool can_stand(const Stands& stands, const Candidate& candidate);
 
 }  // namespace evenlift

@@ -1,4 +1,3 @@
-// The candidates of robots with a size.
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -16,15 +15,15 @@
 namespace evenlift {
 namespace {
 
-// The candidates found, before they are sorted; of each source the best one first. Until the end a
-// candidate's source is its number here.
+// The unsorted candidates; of each source the best one first. Until the end a candidate's source is
+// its number here.
 struct Found {
   struct Origin {
     std::uint32_t source;
-    bool in_range;  // whether it comes from positions anywhere in the range
+    bool in_range;  // from positions anywhere in the range
   };
   std::vector<Candidate> candidates;
-  std::vector<Origin> origins;  // of each candidate
+  std::vector<Origin> origins;  // by candidate
   std::uint32_t sources = 0;
   void add(const std::vector<Candidate>& some, std::uint32_t source, bool in_range) {
     for (const Candidate& candidate : some) {
@@ -35,7 +34,6 @@ struct Found {
   }
 };
 
-// The arguments of the search.
 struct Wanted {
   const Polygon& polygon;
   Vec2 centre;
@@ -57,7 +55,7 @@ void add_pair(const Wanted& wanted, const EdgePair& pair, Found& found) {
               true);
 }
 
-// For hands without depth: the pairs of edges and the opposite vertices of the polygon itself.
+// For hands without depth: the edge pairs and opposite vertices of the polygon.
 std::optional<InputError> find_on_outline(const Wanted& wanted, Found& found) {
   const auto& [polygon, centre, min_ratio, stands, positions, near, from_corners] = wanted;
   const RadialView view(polygon, centre);
@@ -78,13 +76,12 @@ std::optional<InputError> find_on_outline(const Wanted& wanted, Found& found) {
   return std::nullopt;
 }
 
-// Two edges, and the number of their edge pair.
 struct NumberedPair {
   std::array<std::uint32_t, 2> edges;
   std::uint32_t number;
 };
 
-// The edge pairs of the polygon itself, which are the sources of chords between moved edges.
+// The edge pairs of the polygon, which are the sources of chords between moved edges.
 std::vector<NumberedPair> numbered_pairs(const Polygon& polygon, const RadialView& view) {
   std::vector<NumberedPair> pairs;
   for_each_edge_pair(polygon, view, [&](const EdgePair& pair) {
@@ -138,7 +135,6 @@ std::optional<InputError> find_on_moved_edges(const Wanted& wanted, Found& found
   return check_number(pairs, "pairs of edges, moved inward,");
 }
 
-// Notes the candidates that each source led to.
 void note_sources(const Found& found, const std::vector<std::uint32_t>& became_of,
                   Positions positions, TracedCandidates& traced) {
   traced.of_source.assign(found.sources, no_index);

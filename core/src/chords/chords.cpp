@@ -7,7 +7,6 @@
 namespace evenlift {
 namespace {
 
-// The vertices of a group, with forward and backward vertices separated.
 struct Group {
   std::vector<std::uint32_t> ahead, behind;
   void fill(const RadialView& view, std::uint32_t group) {

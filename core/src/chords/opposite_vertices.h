@@ -1,4 +1,4 @@
-// Finds the vertices that are opposite each other across C (algorithm.md, Opposite vertices).
+// The vertices that are opposite each other across C (algorithm.md, Opposite vertices).
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,14 @@
 
 namespace evenlift {
 
-// Like opposite_vertices(), but returns nothing if there are more than `most`. O(n) instead of
-// O(n log n), since the view has sorted the vertices.
+// Like opposite_vertices(), but nothing if there are more than `most`. O(n) instead of O(n log n),
+// since the view has sorted the vertices.
 std::optional<std::vector<OppositeVertices>> find_opposite_vertices(const Polygon& polygon,
                                                                     const Vec2& centre,
                                                                     const RadialView& view,
                                                                     std::uint64_t most);
 
-// Whether two vertices at these offsets from C are opposite each other. `near` is tau L. O(1).
+// `v` and `w` are offsets from C; `near` is tau L. O(1).
 bool are_opposite(const Vec2& v, const Vec2& w, double near);
 
 // The error for too many edge pairs and opposite vertices.

@@ -13,12 +13,11 @@
 namespace evenlift {
 namespace {
 
-// The difference of two pseudo-angles, computed from directions that are rounded once, has an error
-// below 2^-48. Directions whose pseudo-angles differ by more than the threshold are certainly in
-// that order.
+// The difference of two pseudo-angles of directions rounded once has an error below 2^-48, so a
+// difference above the threshold is certain.
 constexpr double filter_threshold = 0x1p-46;
 
-// Sorts vertices by direction modulo 180 degrees, exactly.
+// Sorts by direction modulo 180 degrees, exactly.
 class DirectionSort {
  public:
   DirectionSort(const Polygon& polygon, const Vec2& centre)
@@ -48,7 +47,7 @@ class DirectionSort {
   std::uint32_t vertex(std::uint32_t k) const { return directions_[k].vertex; }
   bool forward(std::uint32_t vertex) const { return is_forward_[vertex] != 0; }
 
-  // Whether the direction number k differs from the preceding direction.
+  // Whether direction k differs from the preceding one.
   bool begins_group(std::uint32_t k) const {
     if (k == 0) return true;
     // Pseudo-angles may decrease within a run that was sorted exactly.
@@ -73,8 +72,7 @@ class DirectionSort {
     return directions_[k].pseudo_angle - directions_[k - 1].pseudo_angle <= filter_threshold;
   }
 
-  // Positive if the forward direction of a comes before the forward direction of b, 0 if they are
-  // equal; exact.
+  // Positive if the forward direction of a comes before that of b, 0 if they are equal; exact.
   double turn(std::uint32_t a, std::uint32_t b) const {
     const double side = orient(centre_, polygon_.vertex(a), polygon_.vertex(b));
     return is_forward_[a] == is_forward_[b] ? side : -side;
@@ -139,8 +137,7 @@ void RadialView::sort_vertices(const Polygon& polygon, const Vec2& centre) {
 RadialSweep::RadialSweep(const Polygon& polygon, const RadialView& view)
     : polygon_(polygon), view_(view), slots_(polygon.size()) {
   // Just before group 0, the line points forward into the interval after the last position, and
-  // backward into the interval after the last group. The sweep begins with the edges that cover
-  // these intervals.
+  // backward into that after the last group. The sweep begins with the edges there.
   for (std::uint32_t edge = 0; edge < polygon.size(); ++edge) {
     if (view.radial(edge)) continue;
     const std::uint32_t from = view.position(view.first(edge));

@@ -1,11 +1,11 @@
 // The polygon as C sees it: its vertices and edges in the exact order of their directions, and the
 // sweep of a line through C over them.
 //
-// Vertices are sorted by direction modulo 180 degrees. Vertices with equal directions form a group;
-// there are direction_count() groups. Position k < direction_count() is group k seen forward
-// (directions in [0, 180)); position k + direction_count() is the same group seen backward. C sees
-// an edge at an angle of less than 180 degrees, so the edge covers the positions from its first to
-// its last end, and the sweep decides everything by comparing integers.
+// Vertices are sorted by direction modulo 180 degrees; equal directions form a group.
+// Position k < direction_count() is group k seen forward (directions in [0, 180)),
+// position k + direction_count() the same group seen backward. C sees an edge at less than 180
+// degrees, so the edge covers the positions from its first to its last end, and the sweep only
+// compares integers.
 #pragma once
 
 #include <cstdint>
@@ -28,20 +28,19 @@ class RadialView {
   std::uint32_t direction_count() const { return direction_count_; }
   bool radial(std::uint32_t edge) const { return arms_[edge].radial; }
 
-  // The edge's ends in the counter-clockwise order in which C sees them.
+  // The edge's ends, counter-clockwise as C sees them.
   std::uint32_t first(std::uint32_t edge) const { return arms_[edge].first; }
   std::uint32_t last(std::uint32_t edge) const { return arms_[edge].last; }
-  // orient(centre, first, last), which is positive: twice the area of the triangle of C and the
-  // edge.
+  // orient(centre, first, last) > 0: twice the area of the triangle of C and the edge.
   double doubled_area(std::uint32_t edge) const { return arms_[edge].doubled_area; }
 
-  // The vertices other than C, by group; each group mixes forward and backward vertices.
+  // The vertices other than C, by group, forward and backward mixed.
   const std::vector<std::uint32_t>& order() const { return order_; }
   std::uint32_t group_begin(std::uint32_t group) const { return group_begins_[group]; }
   std::uint32_t position(std::uint32_t vertex) const { return positions_[vertex]; }
   bool forward(std::uint32_t vertex) const { return positions_[vertex] < direction_count_; }
 
-  // The number of positions from `from` counter-clockwise to `to`.
+  // The positions from `from` counter-clockwise to `to`.
   std::uint32_t steps(std::uint32_t from, std::uint32_t to) const {
     return to >= from ? to - from : to + 2 * direction_count_ - from;
   }
@@ -61,9 +60,8 @@ class RadialView {
   std::vector<std::uint32_t> positions_;     // by vertex
 };
 
-// A sweep: the edges that a line through C meets, forward and backward, while it turns from 0 to
-// 180 degrees. At each group, first the edges that end there leave, then the edges that begin there
-// enter.
+// The edges that a line through C meets, forward and backward, while it turns from 0 to 180
+// degrees. At each group, first the edges that end there leave, then those that begin there enter.
 class RadialSweep {
  public:
   RadialSweep(const Polygon& polygon, const RadialView& view);
@@ -74,7 +72,7 @@ class RadialSweep {
   // Amortized O(1) for each vertex of the group.
   void leave(std::uint32_t group);
 
-  // Calls visit(edge, is_ahead) for each edge just before it enters.
+  // Calls visit(edge, is_ahead) just before an edge enters.
   template <class Visit>
   void enter(std::uint32_t group, Visit&& visit) {
     for_each_edge_at(group, [&](std::uint32_t edge, std::uint32_t vertex) {
@@ -103,15 +101,13 @@ class RadialSweep {
   std::vector<std::uint32_t> slots_;  // by edge: its index in active_
 };
 
-// The number of edge pairs. O(n).
+// O(n).
 std::uint64_t count_edge_pairs(const Polygon& polygon, const RadialView& view);
 
-// The error if `number` exceeds max_edge_pairs. `what` names the counted objects, such as
-// "edge pairs".
+// The error if `number` exceeds max_edge_pairs. `what` is, for example, "edge pairs".
 std::optional<InputError> check_number(std::uint64_t number, const char* what);
 
-// Calls visit(const EdgePair&) for each edge pair, in the order in which their ranges begin.
-// O(n + K).
+// Calls visit(const EdgePair&) in the order in which the ranges begin. O(n + K).
 template <class Visit>
 void for_each_edge_pair(const Polygon& polygon, const RadialView& view, Visit&& visit) {
   RadialSweep sweep(polygon, view);

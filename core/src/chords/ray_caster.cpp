@@ -17,7 +17,7 @@ RayCaster::RayCaster(const Polygon& polygon, const Vec2& centre) : centre_(centr
     vertices_.push_back(p - centre);
     const double doubled_area = orient(centre, p, q);
     const bool radial = std::fabs(doubled_area) <= near * length(q - p);
-    // Counter-clockwise about C, so that the order of the vertex list does not affect the rounding.
+    // Counter-clockwise, so that the order of the vertex list does not affect the rounding.
     if (radial || doubled_area > 0) {
       edges_.push_back({p - centre, q - centre, doubled_area, radial});
     } else {
@@ -26,8 +26,8 @@ RayCaster::RayCaster(const Polygon& polygon, const Vec2& centre) : centre_(centr
   }
 }
 
-// Both edges at a vertex test it in the same way. So the vertex is listed once, not once for each
-// edge, even where the boundary touches the ray there and turns back.
+// Both edges at a vertex test it in the same way. So it is listed once, even where the boundary
+// touches the ray there and turns back.
 bool RayCaster::meets_vertex(const Vec2& u, std::uint32_t vertex) const {
   return directions_agree(u, vertices_[vertex]);
 }

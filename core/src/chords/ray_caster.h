@@ -1,4 +1,4 @@
-// Casts rays from C: finds the boundary points on many rays.
+// The boundary points on many rays from C.
 #pragma once
 
 #include <vector>
@@ -17,15 +17,14 @@ class RayCaster {
     double distance = 0;  // from C
     LiftingPoint point;
   };
-  // The boundary points on the ray from C in direction u, nearest first, each once. The ray meets a
-  // radial edge at its end vertices in that direction, and any other edge in at most one point. A
-  // vertex on the ray, within tau, is one point, even where the boundary only touches the ray.
-  // O(n + k log k) for k points.
+  // The boundary points on the ray from C in direction u, nearest first, each once: of a radial
+  // edge its end vertices in that direction, of any other edge at most one point. A vertex on the
+  // ray, within tau, counts even where the boundary only touches the ray. O(n + k log k) for k
+  // points.
   std::vector<Hit> hits(const Vec2& u) const;
 
-  // The farthest point on the ray among `edges`, which must not be empty nor contain radial edges.
-  // C must see each of them in direction u; a ray that misses an edge by rounding meets its end.
-  // O(number of edges).
+  // The farthest point on the ray among `edges`: at least one, none radial, each seen from C in
+  // direction u. A ray that misses an edge by rounding meets its end. O(number of edges).
   Hit farthest(const Vec2& u, const std::vector<std::uint32_t>& edges) const;
 
   // The point of the ray on one such edge. O(1).

@@ -12,7 +12,7 @@ Across look_across(const Vec2& centre, const Vec2& w, const Vec2& b, const Vec2&
                    double doubled_area) {
   // With X = (C - w) x (c - b) and h = (b - C) x (c - C), the doubled area, the factor is h / X.
   // The sign of h - X shows on which side of the edge the mirror image of w lies. That difference
-  // is accurate, so a factor near 1 is accurate relative to its difference from 1.
+  // is accurate, so factors near 1 are accurate relative to their difference from 1.
   const double x = cross_of_differences(w, centre, b, c);
   const double difference = orient_mirrored(centre, w, b, c);
   Across across;
@@ -29,8 +29,8 @@ std::optional<double> estimate_across(const Vec2& centre, const Vec2& w, const V
                                       const Vec2& c, double doubled_area) {
   const double first = (centre.x() - w.x()) * (c.y() - b.y()),
                second = (centre.y() - w.y()) * (c.x() - b.x());
-  // A floating-point filter: the two products together have an error below 2^-50 of their sizes;
-  // the relative error of the area is below 2^-45.
+  // The two products together have an error below 2^-50 of their sizes; the relative error of the
+  // area is below 2^-45.
   constexpr double filter_threshold = 0x1p-15, smallest_safe = 0x1p-800;
   const double x = first - second, size = std::fabs(first) + std::fabs(second);
   if (!(x > filter_threshold * size && size > smallest_safe)) return std::nullopt;
@@ -63,7 +63,7 @@ Chord chord_from_vertex(const Polygon& polygon, const Vec2& centre, std::uint32_
   const Vec2 far = at_vertex ? polygon.vertex(hit) : Vec2(centre + across.factor * direction);
   const LiftingPoint start{position, edge_w}, end{far, edge_hit};
   Chord chord = order_ends(end, across.factor * arm, start, arm, direction);
-  // The ratio comes from the factor, which is exact if the halves are equal, not from the arms.
+  // From the factor, which is exact if the halves are equal, not from the arms.
   chord.ratio = across.compare_to_one > 0 ? 1.0 / across.factor : across.factor;
   return chord;
 }

@@ -9,8 +9,7 @@
 
 namespace evenlift {
 
-// The point C + factor (C - w), where the ray from C away from a vertex w meets the line of an
-// edge.
+// The point C + factor (C - w), where the ray from C away from vertex w meets the line of an edge.
 struct Across {
   double factor = 0;  // > 0, with a relative error of about 2^-45; exactly 1 if C bisects the chord
   int compare_to_one = 0;  // -1, 0, 1: the factor is below, equal to or above 1; exact
@@ -26,25 +25,24 @@ Across look_across(const Vec2& centre, const Vec2& w, const Vec2& b, const Vec2&
 std::optional<double> estimate_across(const Vec2& centre, const Vec2& w, const Vec2& b,
                                       const Vec2& c, double doubled_area);
 
-// The chord from vertex w, on the edge `edge_w`, through C to the point `across` on the edge
-// `edge_hit`. That point is the vertex `hit`, unless `hit` is inside_edge.
+// The chord from vertex w, on `edge_w`, through C to the point `across` on `edge_hit`. That point
+// is the vertex `hit`, unless `hit` is inside_edge.
 Chord chord_from_vertex(const Polygon& polygon, const Vec2& centre, std::uint32_t w,
                         std::uint32_t edge_w, const Across& across, std::uint32_t edge_hit,
                         std::uint32_t hit);
 
-// The chord with the ends `ahead` and `behind`, in the order that Chord requires. `direction`
-// points from behind to ahead.
+// The chord with these ends, in the order that Chord requires. `direction` points from behind to
+// ahead.
 Chord order_ends(const LiftingPoint& ahead, double arm_ahead, const LiftingPoint& behind,
                  double arm_behind, const Vec2& direction);
 
-// Whether a direction points from r1 to r2 of a chord: to the right, or upward if it counts as
-// vertical.
+// Whether a direction points from r1 to r2: to the right, or upward if it counts as vertical.
 bool points_right(const Vec2& direction);
 
 // The shorter of two positive lengths divided by the longer.
 double load_ratio(double arm1, double arm2);
 
-// Whether two chords have the same ends, in either order, within the distance `near`.
+// Whether the ends agree within the distance `near`, in either order.
 bool same_chord(const Chord& a, const Chord& b, double near);
 
 }  // namespace evenlift

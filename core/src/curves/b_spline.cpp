@@ -7,15 +7,14 @@
 namespace evenlift {
 namespace {
 
-// As fractions of the larger side of the box around the control points: the deviation of the pieces
-// from the curve, and the gap between parts of the curve that counts as none.
+// As fractions of the larger side of the box around the control points: the deviation of the
+// pieces, and the gap that counts as none.
 constexpr double precision = 1e-7;
 constexpr double same_end = 1e-6;
 
-// The span between the knots k and k + 1, as its polar form: symmetric in its arguments, linear in
-// each, and equal to the curve's point at t where all arguments are t. The control points of the
-// Bézier curve are its values where some arguments are the start of the span and the others its
-// end.
+// The polar form of the span between the knots k and k + 1: symmetric in its arguments, linear in
+// each, and the curve's point at t where all are t. The Bézier control points are its values where
+// some arguments are the start of the span and the others its end.
 template <class Point>
 class Span {
  public:
@@ -101,8 +100,7 @@ class WeightedSpans {
   double tolerance_;
 };
 
-// The pieces of all spans with a length. `gap` is the greatest one between parts that counts as
-// none.
+// The pieces of all spans with a length. `gap` is the greatest that counts as none.
 template <class Spans>
 std::optional<Outline> outline_of(const Spans& spans, const std::vector<double>& knots,
                                   std::size_t degree, double gap, std::size_t most) {
@@ -110,7 +108,7 @@ std::optional<Outline> outline_of(const Spans& spans, const std::vector<double>&
   for (std::size_t k = degree; k + degree + 1 < knots.size(); ++k) {
     if (!(knots[k] < knots[k + 1])) continue;
     if (!outline) outline = Outline{spans.start(k), {}};
-    // degree + 1 equal knots separate the curve into two, which may still meet.
+    // degree + 1 equal knots separate the curve into two parts, which may still meet.
     if (knots[k - degree] == knots[k] && length(spans.start(k) - outline->end()) > gap)
       return std::nullopt;
     spans.add(*outline, k, most);

@@ -1,11 +1,11 @@
-// A curve is halved until it is near its chord. The value compared with the tolerance is an upper
-// bound of the distance of any point of the curve from the chord, as a segment:
+// A curve is halved until this upper bound of the distance of its points from its chord, as a
+// segment, is within the tolerance:
 //   conic  a point is s of the way from a point of the chord to the control point; s is at most
 //          w / (1 + w), where the chord's point is its middle
 //   cubic  B(t) - L(t) = 3 t (1 - t)^2 d1 + 3 t^2 (1 - t) d2, where L moves uniformly along the
 //          chord, and d1, d2 are the control points' distances from L(1/3), L(2/3); so at most 3/4
 //          of the greater distance
-// If all control points lie beside the chord, and not beyond its ends, the components of these
+// If all control points lie beside the chord, not beyond its ends, the components of these
 // distances along the chord do not count.
 #include <cmath>
 
@@ -45,8 +45,7 @@ class Flattener {
       points_.push_back(point);
   }
 
-  // The square of the distance of c from the chord if c lies beside it, so that the bound may
-  // ignore the component along the chord.
+  // The square of the distance of c from the chord, if c lies beside it.
   struct Beside {
     bool beside;
     double square;

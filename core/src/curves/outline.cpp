@@ -72,8 +72,8 @@ void Outline::bulge_to(const Vec2& to, double bulge) {
 
 void Outline::arc_to(const Affine& frame, const Vec2& from, const Vec2& to, bool counterclockwise,
                      bool large, const Vec2& last) {
-  // Full quarters first, and then the rest, at most a quarter. The flag and one sign determine the
-  // number of quarters, so that rounding cannot turn a nearly empty arc into a full turn.
+  // Full quarters first, then the rest. The flag and one sign determine the number of quarters, so
+  // that rounding cannot turn a nearly empty arc into a full turn.
   Vec2 at = from;
   int quarters = large ? 2 : 0;
   const Vec2 rest_from = large ? Vec2(-from) : from;

@@ -1,7 +1,7 @@
-// The curve is N(t) / W(t), where N and W are polynomials in the Bernstein basis, and the cubic is
-// C(t). N - C W is a polynomial of degree + 3 with coefficients E_k, and W, raised to that degree,
-// has W_k. The curve less the cubic is the sum of B_k E_k over the sum of B_k W_k. No B_k W_k is
-// negative, so this is an average of E_k / W_k, and the longest of these is a bound for it.
+// The curve is N(t) / W(t), both polynomials in the Bernstein basis, and the cubic is C(t). N - C W
+// is a polynomial of degree + 3 with coefficients E_k, and W, raised to that degree, has W_k. The
+// curve less the cubic is the sum of B_k E_k over the sum of B_k W_k. No B_k W_k is negative, so
+// this average of E_k / W_k is at most as long as the longest.
 #include "curves/rational_bezier.h"
 
 #include <algorithm>

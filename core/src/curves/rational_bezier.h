@@ -13,12 +13,11 @@ struct RationalBezier {
   WeightedPoint points[max_spline_degree + 1];
 };
 
-// Continues the outline, which ends where the curve begins, with pieces that end where it ends.
-// Lines and conics with a weight of at most 1 are exact. Any other curve becomes cubics: it is
-// halved until no point is farther than `tolerance` (>= 0) from that of the cubic with the same
-// ends and tangents. A part that is still farther after 10 halvings becomes a line. The control
-// points are those of the curve less `origin`, which should be near them. Stops when the outline
-// has more than `most` pieces. O(pieces degree^2).
+// Appends the curve, which begins where the outline ends. Lines and conics with a weight of at most
+// 1 are exact. Any other curve becomes cubics: it is halved until no point is farther than
+// `tolerance` (>= 0) from that of the cubic with the same ends and tangents; what is still farther
+// after 10 halvings becomes a line. Control points are relative to `origin`, which should be near.
+// Stops when the outline has more than `most` pieces. O(pieces degree^2).
 void add_rational(Outline& outline, const RationalBezier& curve, const Vec2& origin,
                   double tolerance, std::size_t most);
 

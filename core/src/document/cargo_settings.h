@@ -9,17 +9,15 @@
 
 namespace evenlift {
 
-// Reads "8,8:24 2,3:1.5:motor 0,0:3:\"a box\"", or "none", with spaces, tabs and line ends between
-// the items. In quotes, a quote is doubled. Returns whether the text is valid, and changes the cargo
-// only then. O(bytes).
+// Reads a list (list_text.h) such as "8,8:24 2,3:1.5:motor 0,0:3:\"a box\"", or "none". In quotes,
+// a quote is doubled. Returns whether the text is valid, and changes the cargo only then. O(bytes).
 bool read_cargo(std::string_view text, std::vector<Cargo>& cargo);
 
-// The first part that is not an item. Empty if there is none, or if it is too long or strange to
-// quote. O(bytes).
+// See refused_item() (list_text.h). O(bytes).
 std::string_view refused_cargo(std::string_view text);
 
-// Why the weight or the name of an item of cargo is refused; nullptr if it is not. A name is UTF-8
-// without control characters, at most max_name_characters of them. O(bytes).
+// Why the weight or name of cargo is refused; nullptr if it is not. A name is UTF-8 without control
+// characters, at most max_name_characters. O(bytes).
 const char* fault_of_cargo_weight(double weight);
 const char* fault_of_cargo_name(std::string_view name);
 

@@ -8,8 +8,8 @@
 
 namespace evenlift {
 
-// Calls read(item) for each item until it refuses one. Between quotes, a space is part of an item.
-// Returns whether it accepts all. O(bytes).
+// Calls read(item) until it refuses one. Between quotes, a space is part of an item. Returns
+// whether it accepts all. O(bytes).
 template <class Read>
 bool for_each_item(std::string_view text, Read read) {
   constexpr std::string_view spaces = " \t\r\n";
@@ -27,8 +27,8 @@ bool for_each_item(std::string_view text, Read read) {
   }
 }
 
-// The first item that cannot be read; empty if there is none, or if it is too long or strange to
-// quote. `read` returns what an item means, or nothing. O(bytes).
+// The first item that cannot be read; empty if there is none or it is not quotable. `read` returns
+// what an item means, or nothing. O(bytes).
 template <class Read>
 std::string_view refused_item(std::string_view text, Read read) {
   std::string_view refused;

@@ -1,6 +1,5 @@
 // The values of settings: from text, to text, and whether they are in range. The type of a value
-// determines its syntax, so a row of the table of settings (settings.cpp) needs only its member and
-// its range.
+// determines its syntax, so a row of the table in settings.cpp needs only its member and range.
 #pragma once
 
 #include <cstdint>

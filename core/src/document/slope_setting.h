@@ -7,8 +7,8 @@
 
 namespace evenlift {
 
-// Reads a ratio such as 0.08, a percentage such as 8%, or an angle such as 4.6deg. Returns whether the
-// text is one of these and in range, and stores the ratio only then.
+// Reads a ratio such as 0.08, a percentage such as 8%, or an angle such as 4.6deg. Returns whether
+// the text is valid and in range, and stores the ratio only then.
 bool read_slope(std::string_view text, const SettingRange& range, double& slope);
 
 }  // namespace evenlift

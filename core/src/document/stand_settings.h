@@ -8,7 +8,7 @@
 
 namespace evenlift {
 
-// Calls read(word) for each word between commas until it refuses one. Returns whether it accepts
+// Calls read(word) for the words between commas until it refuses one. Returns whether it accepts
 // all.
 template <class Read>
 bool for_each_word(std::string_view text, Read read) {
@@ -20,17 +20,16 @@ bool for_each_word(std::string_view text, Read read) {
   }
 }
 
-// Each returns whether the text is a valid value of its setting, and changes the setting only then.
-// O(bytes).
+// Each returns whether the text is valid, and changes the setting only then. O(bytes).
 bool read_size(std::string_view text, double& size);
 bool read_robot(std::string_view text, RobotSize& robot);
 bool read_no_go(std::string_view text, std::vector<EdgePart>& no_go);
 
-// The first word that is not an edge or part of an edge. Empty if there is none, or if the word is
-// too long or strange to quote. O(bytes).
+// The first word that is not an edge or part of an edge; empty if there is none or it is not
+// quotable. O(bytes).
 std::string_view refused_part(std::string_view text);
 
-// Whether a part of a text is short and plain enough to quote in a message. O(bytes).
+// Whether a part is short and plain enough to quote in a message. O(bytes).
 bool is_quotable(std::string_view part);
 
 // Whether the values are in their ranges. O(1) and O(parts).

@@ -10,13 +10,12 @@
 
 namespace evenlift {
 
-// Reads "0,0 160,0@30 80,90", or "none", with spaces, tabs and line ends between the points.
-// Returns whether the text is valid, and changes the document only then: its supports, their
-// capacities and, if there are supports, the method. O(bytes).
+// Reads a list (list_text.h) such as "0,0 160,0@30 80,90", or "none". Returns whether the text is
+// valid, and changes the document only then: its supports, their capacities and, if there are
+// supports, the method. O(bytes).
 bool read_supports(std::string_view text, Document& document);
 
-// The first part that is not a support. Empty if there is none, or if it is too long or strange to
-// quote. O(bytes).
+// See refused_item() (list_text.h). O(bytes).
 std::string_view refused_support(std::string_view text);
 
 // Reads "30,none,40", or an empty text for no capacities. Returns whether the text is valid, and

@@ -38,8 +38,8 @@ Reduced reduce(double angle) {
   return {remainder, static_cast<int>(quadrant)};
 }
 
-// The arctangent of t in [0, 1]. The angle is halved three times, by tan(a / 2) =
-// t / (1 + sqrt(1 + t^2)). Then t <= tan(pi / 32) < 0.0985, where few terms of the series suffice.
+// For t in [0, 1]. The angle is halved three times, by tan(a / 2) = t / (1 + sqrt(1 + t^2)). Then
+// t <= tan(pi / 32) < 0.0985, where few terms of the series suffice.
 double arctangent_unit(double t) {
   for (int i = 0; i < 3; ++i) t = t / (1.0 + std::sqrt(1.0 + t * t));
   const double z = t * t;

@@ -1,4 +1,4 @@
-// Doubles and their bits. These functions replace std::bit_cast, which older Emscripten lacks.
+// Doubles and their bits, without std::bit_cast, which older Emscripten lacks.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ inline double from_bits(std::uint64_t bits) {
   return value;
 }
 
-// Whether two doubles are equal in every bit; so -0 and 0 differ. O(1).
+// Whether every bit is equal; so -0 and 0 differ. O(1).
 inline bool same_bits(double a, double b) { return to_bits(a) == to_bits(b); }
 
 }  // namespace evenlift

@@ -1,7 +1,7 @@
-// Double-double arithmetic: a number is the unevaluated sum hi + lo of two doubles and has about
-// 106 bits (T. J. Dekker, A floating-point technique for extending the available precision, 1971).
-// It needs strict IEEE arithmetic without contraction, which the build guarantees. Products below
-// 2^-969 lose bits; callers must avoid that range.
+// Double-double arithmetic: the unevaluated sum hi + lo of two doubles has about 106 bits (T. J.
+// Dekker, A floating-point technique for extending the available precision, 1971). It needs strict
+// IEEE arithmetic without contraction, which the build guarantees. Callers must avoid products
+// below 2^-969, which lose bits.
 #pragma once
 
 namespace evenlift {
@@ -18,8 +18,7 @@ struct DoubleDouble {
   bool is_double() const { return lo == 0; }
 };
 
-// a + b exactly, for |a| >= |b|. In the result, |lo| is at most half a unit in the last place of
-// hi.
+// a + b exactly, for |a| >= |b|. |lo| is at most half a unit in the last place of hi.
 inline DoubleDouble quick_two_sum(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};

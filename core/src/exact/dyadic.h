@@ -1,6 +1,5 @@
-// Exact arithmetic on dyadic rationals m 2^e, which include all finite doubles. It is the last,
-// slow and exact stage of the predicates. Dyadic rationals are closed under + - x but not under
-// division.
+// Exact arithmetic on dyadic rationals m 2^e, which include all finite doubles: the last and slow
+// stage of the predicates. They are closed under + - x but not under division.
 #pragma once
 
 #include <cstdint>
@@ -15,21 +14,21 @@ class Dyadic {
 
   int sign() const { return sign_; }
 
-  // A double with the same sign and a relative error of at most 2^-52. Values below the smallest
-  // positive double give that double, and values beyond the largest give the largest.
+  // A double with the same sign and a relative error of at most 2^-52, at least the smallest
+  // positive double and at most the largest in size.
   double to_double() const;
 
   friend Dyadic operator+(const Dyadic& a, const Dyadic& b);
   friend Dyadic operator-(const Dyadic& a, const Dyadic& b);
   friend Dyadic operator*(const Dyadic& a, const Dyadic& b);
-  // a / b for b other than 0, with a relative error of at most 2^-50, plus the rounding of a
-  // subnormal result. a and b may be beyond the range of doubles.
+  // a / b for b other than 0, both perhaps beyond the range of doubles, with a relative error of at
+  // most 2^-50, plus the rounding of a subnormal result.
   friend double approximate_quotient(const Dyadic& a, const Dyadic& b);
   Dyadic operator-() const;
 
  private:
   using Limbs = std::vector<std::uint32_t>;  // magnitude, least significant first, no leading zeros
-  // The magnitude as a double in [1, 2^96) times a power of two. The number must not be 0.
+  // The magnitude, not 0, as a double in [1, 2^96) times a power of two.
   struct Scaled {
     double value;
     std::int64_t exponent;

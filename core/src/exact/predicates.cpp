@@ -10,11 +10,10 @@ namespace {
 
 // Below this size products may underflow, and the error bounds do not hold.
 constexpr double smallest_safe = 1e-250;
-// Stage A, the floating-point filter. Each product has an error of at most 2^-50 of its size, so a
-// result above this fraction of the sum of the sizes has a relative error below 2^-45.
+// Stage A, the floating-point filter. A product has an error of at most 2^-50 of its size, so
+// results above this fraction of the sum of the sizes have a relative error below 2^-45.
 constexpr double double_filter_threshold = 0x1p-5;
-// Stage B, the filter for double-double, where products have errors of at most 2^-98. The last
-// stage is exact and needs no bound.
+// Stage B, the filter for double-double, where products have errors of at most 2^-98.
 constexpr double double_double_filter_threshold = 0x1p-55;
 
 // The factors of x1 y2 - x2 y1 in a number type.
@@ -23,10 +22,10 @@ struct Products {
   Number x1, y1, x2, y2;
 };
 
-// The determinant x1 y2 - x2 y1, evaluated in up to three stages. `coarse` contains the four
-// factors in doubles, each a sum of at most two rounded differences. `size1` and `size2` bound the
-// two products before any cancellation in the factors. `fine` and `exact` recompute the factors in
-// the better number types, and are called only if their stage is reached.
+// The determinant x1 y2 - x2 y1 in up to three stages. `coarse` contains the factors in doubles,
+// each a sum of at most two rounded differences. `size1` and `size2` bound the products before
+// cancellation in the factors. `fine` and `exact` recompute the factors when their stage is
+// reached.
 template <class Fine, class Exact>
 double adaptive_determinant(const Products<double>& coarse, double size1, double size2,
                             const Fine& fine, const Exact& exact) {
@@ -43,7 +42,7 @@ double adaptive_determinant(const Products<double>& coarse, double size1, double
     const Products<DoubleDouble> f = fine();
     if (f.x1.is_double() && f.y1.is_double() && f.x2.is_double() && f.y2.is_double()) {
       // With integers and other short coordinates both products are exact. Points on one line of a
-      // grid give equal products, which is the most frequent case after the filter.
+      // grid give equal ones, the most frequent case after the filter.
       const DoubleDouble first = two_product(f.x1.hi, f.y2.hi),
                          second = two_product(f.x2.hi, f.y1.hi);
       if (first.hi == second.hi && first.lo == second.lo) return 0;

@@ -11,9 +11,9 @@
 
 namespace evenlift {
 
-// The diamond angle of a direction: its position along the diamond |x| + |y| = 1, in [0, 4),
-// growing counter-clockwise from the positive x axis. Opposite directions differ by 2. The rounding
-// is far below the tolerance within which directions agree. 0 for the zero vector. O(1).
+// The diamond angle: the position of a direction along the diamond |x| + |y| = 1, in [0, 4),
+// counter-clockwise from the positive x axis; 0 for the zero vector. Opposite directions differ by
+// 2. Rounding is far below the tolerance of agreeing directions. O(1).
 inline double pseudo_angle(const Vec2& u) {
   const double size = one_norm(u);
   if (size == 0) return 0;
@@ -24,8 +24,7 @@ inline double pseudo_angle(const Vec2& u) {
   return angle < 4 ? angle : 0;  // a part below the last place of 4 rounds up to the full turn
 }
 
-// The pseudo-angle `angle` measured from `origin`, in [-1, 3): negative for a direction a little
-// before the origin.
+// `angle` measured from `origin`, in [-1, 3): negative a little before the origin.
 inline double pseudo_angle_from(double origin, double angle) {
   double difference = angle - origin;
   if (difference < -1) difference += 4;
@@ -35,20 +34,19 @@ inline double pseudo_angle_from(double origin, double angle) {
 
 // A pseudo-angle of the line along u, which must not be 0: its position along the square
 // max(|x|, |y|) = 1. It grows from -2 to 2 while u turns from -90 to 90 degrees, and on to 3 at 135
-// degrees, where it drops to -1. It never decreases elsewhere, since each operation rounds
+// degrees, where it drops to -1. Elsewhere it never decreases, since each operation rounds
 // correctly. O(1).
 inline double line_pseudo_angle(const Vec2& u) {
   if (std::fabs(u.y()) <= std::fabs(u.x())) return u.y() / u.x();
   return (u.y() > 0 ? 2.0 : -2.0) - u.x() / u.y();
 }
 
-// The direction in which C sees an item that for_each_between visits.
+// How C sees an item of for_each_between.
 enum class SeenAt : std::uint8_t { first_corner, between, second_corner };
 
-// Calls visit(item, seen_at) for the items that C sees between two corners of H or in the direction
-// of one of them, in counter-clockwise order. A direction that agrees with a corner's direction
-// counts as the corner's. `items` must be sorted by pseudo-angle; seen(item) has the members
-// `position` (relative to C) and `pseudo_angle`. O(log m) besides the visits.
+// Calls visit(item, seen_at) counter-clockwise for the items that C sees between two corners of H
+// or, within tolerance, in the direction of one. `items` must be sorted by pseudo-angle; seen(item)
+// has `position` (relative to C) and `pseudo_angle`. O(log m) and the visits.
 template <class Items, class See, class Visit>
 void for_each_between(const Items& items, See seen, const Vec2& h1, const Vec2& h2, Visit visit) {
   const double margin = 4 * tau;  // pseudo-angles of directions that agree differ by less

@@ -1,6 +1,6 @@
-// Sorting by index. This is type erasure: one std::stable_sort instantiation serves all orders. Six
-// instantiations added 9 KB to the compressed page. Code that spends most of its time sorting
-// (candidates, the selector) has its own instantiation.
+// Sorting by index, with type erasure: one std::stable_sort instantiation serves all orders, since
+// six added 9 KB to the compressed page. Code that mostly sorts (candidates, the selector) has its
+// own.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +14,11 @@ namespace evenlift {
 
 using SortedIndices = std::vector<std::uint32_t>;
 
-// Whether element i comes before element j in the order that `order` points to.
+// Whether element i comes before element j in the order at `order`.
 using IsBefore = bool (*)(const void* order, std::uint32_t i, std::uint32_t j);
 void sort_indices(std::span<std::uint32_t> indices, const void* order, IsBefore is_before);
 
-// Sorts indices by before(i, j), a strict weak order. The sort is stable. O(n log n) calls.
+// Sorts stably by before(i, j), a strict weak order. O(n log n) calls.
 template <class Before>
 void sort_indices(std::span<std::uint32_t> indices, const Before& before) {
   sort_indices(indices, &before, [](const void* order, std::uint32_t i, std::uint32_t j) {
@@ -29,8 +29,8 @@ void sort_indices(std::span<std::uint32_t> indices, const Before& before) {
 // The indices 0 ... n - 1. O(n).
 SortedIndices indices_below(std::size_t n);
 
-// The indices 0 ... n - 1 sorted by before(i, j), a strict weak order; equivalent indices stay in
-// ascending order. n must be below 2^32. O(n log n) calls.
+// The indices 0 ... n - 1, n below 2^32, sorted stably by before(i, j), a strict weak order.
+// O(n log n) calls.
 template <class Before>
 SortedIndices sorted_indices(std::size_t n, const Before& before) {
   SortedIndices indices = indices_below(n);
@@ -42,8 +42,7 @@ inline bool lexicographically_before(const Vec2& a, const Vec2& b) {
   return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
 }
 
-// The indices of the points from left to right; points with equal x from bottom to top, equal
-// points in order of index. O(n log n).
+// From left to right, points with equal x from bottom to top, equal points by index. O(n log n).
 SortedIndices lexicographic_order(const Points& points);
 
 }  // namespace evenlift

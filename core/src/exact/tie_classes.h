@@ -1,6 +1,6 @@
 // Ties within a tolerance are not transitive, so a sort cannot use them. Candidate order
-// (algorithm.md, Order and duplicates) therefore sorts by the key, best first, then cuts the list
-// into classes whose members all tie with the best of their class.
+// (algorithm.md, Order and duplicates) therefore sorts by the key, then cuts the list into classes
+// whose members all tie with the best one.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,8 @@
 
 namespace evenlift {
 
-// Sorts indices by key, largest first, and calls visit(class) for each class of ties, best first.
-// `ties(best, key)` returns whether a key that is not larger than the best ties with it.
-// O(m log m).
+// Sorts indices by key, largest first, and calls visit(class) for each class. `ties(best, key)`
+// returns whether a key that is not larger than the best ties with it. O(m log m).
 template <class Key, class Ties, class Visit>
 void for_each_tie_class(std::span<std::uint32_t> indices, Key key, Ties ties, Visit visit) {
   if (indices.size() == 1) return visit(indices);  // the most frequent case; sorting would allocate

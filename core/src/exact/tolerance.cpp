@@ -13,7 +13,7 @@ double score_slack(double best, double floor) { return std::max(tau * best, floo
 
 bool directions_agree(const Vec2& a, const Vec2& b) {
   const double side = std::fabs(cross(a, b));
-  // A cheap test first: it avoids two square roots in most calls.
+  // A cheap test that avoids two square roots in most calls.
   if (side > 2 * tau * (one_norm(a) * one_norm(b))) return false;
   return dot(a, b) > 0 && side <= tau * length(a) * length(b);
 }

@@ -13,7 +13,7 @@ void append_pair(std::string& text, const Vec2& point, const char* separator) {
   append_shortest(text, point.y());
 }
 
-// The ring's vertices and then the first one again, as WKT and GeoJSON require.
+// The ring and its first vertex again, as WKT and GeoJSON require.
 template <class Append>
 void append_closed_ring(std::string& text, const Points& ring, const char* separator,
                         const Append& append) {

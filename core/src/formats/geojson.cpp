@@ -1,6 +1,6 @@
 // GeoJSON (RFC 7946): a Polygon, or a Feature with a Polygon, optionally with a property
-// `centre_of_mass: [x, y]`. Members may appear in any order. So a fault in the coordinates is kept
-// until the type is known, since they may belong to another kind of geometry.
+// `centre_of_mass: [x, y]`. Members may appear in any order, so a fault in the coordinates is kept
+// until the type is known: they may belong to another kind of geometry.
 #include <vector>
 
 #include "formats/readers.h"
@@ -51,7 +51,7 @@ Role role_of_element(Role array) {
   }
 }
 
-// A geometry object as read so far: the whole or its geometry.
+// A geometry object so far: the whole or its geometry.
 struct GeometryObject {
   std::optional<std::string> type;
   std::size_t type_offset = 0;
@@ -88,8 +88,7 @@ class GeojsonReader final : public JsonSink {
     error_ = error_at(offset, code, message);
     return false;
   }
-  // Records the first fault and continues: the coordinates may belong to a geometry that is
-  // ignored.
+  // Records the first fault and continues: the geometry may be ignored.
   bool note_fault(ErrorCode code, const char* message, std::size_t offset) {
     if (!object().fault) object().fault = error_at(offset, code, message);
     return true;

@@ -1,5 +1,5 @@
 // The readers of the three formats, and their shared parts. Each reads a whole text without a
-// byte-order mark. read_polygon() in formats.cpp chooses the reader.
+// byte-order mark; read_polygon() in formats.cpp chooses one.
 #pragma once
 
 #include <cstddef>
@@ -26,19 +26,19 @@ inline constexpr char no_more_cargo[] = "there are more than 1000 items of cargo
 static_assert(max_vertices == 1048576 && max_holes == 1000 && max_cargo == 1000,
               "the messages name the numbers");
 
-// Whether the word is WKT's name for a geometry other than a polygon, in upper or lower case. O(1).
+// Whether the word is WKT's name for another geometry than a polygon, in either case. O(1).
 bool names_other_geometry(std::string_view word);
 
-// Reads the rings of a polygon of WKT with the parentheses around them: the outline and the holes,
-// at most `most_holes`, each without a last vertex that equals the first. Counts positions with
-// coordinates beyond x and y in `beyond`, or refuses them if it is null. O(bytes).
+// Reads the rings of a WKT polygon and their parentheses: the outline and at most `most_holes`
+// holes, each without a last vertex that equals the first. Counts positions with coordinates beyond
+// x and y in `beyond`, or refuses them if it is null. O(bytes).
 std::optional<InputError> take_wkt_polygon(TextCursor& cursor, Document& document,
                                            std::size_t most_holes, std::size_t* beyond);
 
-// Whether the word stands for further coordinates in WKT: Z, M or ZM. O(1).
+// Whether the word is Z, M or ZM, for further coordinates. O(1).
 bool names_wkt_dimensions(std::string_view word);
 
-// Drops the last vertex of a ring if it equals the first. O(1).
+// Drops the last vertex if it equals the first. O(1).
 void drop_closing_vertex(Points& ring);
 
 }  // namespace evenlift

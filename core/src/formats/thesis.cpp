@@ -1,5 +1,5 @@
 // The thesis's format (appendix A.1): optionally `CoM:(x,y)` on the first line, then one `(x,y)` on
-// each line. Lines for holes and cargo, which the thesis does not have, may follow.
+// each line. Lines for holes and cargo may follow, which the thesis does not have.
 #include <string>
 #include <utility>
 
@@ -34,7 +34,7 @@ std::optional<InputError> take_line_end(TextCursor& cursor, const char* after) {
   return std::nullopt;
 }
 
-// Reads a word that is known to be there, such as CoM, with its colon.
+// Reads a word that is known to be there, such as CoM, and its colon.
 std::optional<InputError> take_label(TextCursor& cursor, const char* expected) {
   cursor.take_word();
   cursor.skip_spaces_in_line();
@@ -52,7 +52,7 @@ std::optional<InputError> take_centre_of_mass(TextCursor& cursor, Document& docu
   return take_line_end(cursor, "')'");
 }
 
-// Reads the lines of vertices at the cursor, of which there may be as many as there is room for.
+// Reads the lines of vertices at the cursor, at most `room`.
 std::optional<InputError> take_ring(TextCursor& cursor, Points& ring, std::size_t& room) {
   for (; cursor.sees('('); --room) {
     if (room == 0) return cursor.error(ErrorCode::too_many_vertices, no_more_vertices);
@@ -75,7 +75,7 @@ std::optional<InputError> take_hole(TextCursor& cursor, Document& document, std:
   return std::nullopt;
 }
 
-// Reads `Cargo:(x,y) weight name`, in which the name may be missing.
+// Reads `Cargo:(x,y) weight name`; the name may be missing.
 std::optional<InputError> take_cargo(TextCursor& cursor, Settings& settings) {
   if (settings.cargo.size() == max_cargo)
     return cursor.error(ErrorCode::bad_setting, no_more_cargo);
@@ -100,7 +100,7 @@ std::optional<InputError> take_cargo(TextCursor& cursor, Settings& settings) {
   return std::nullopt;
 }
 
-// The error about the line at the cursor, which is in none of its places.
+// The error about a misplaced line at the cursor.
 InputError out_of_place(const TextCursor& cursor, bool after_cargo) {
   if (same_word(cursor.word(), "com"))
     return cursor.error(ErrorCode::bad_syntax, "'CoM:' may appear only once, before the vertices");

@@ -1,5 +1,5 @@
-// Well-known text: `POLYGON ((x y, ...), ...)`, of which the first ring is the outline and the others
-// are holes, with two coordinates; or a MULTIPOLYGON of one.
+// Well-known text: `POLYGON ((x y, ...), ...)`, the outline and then the holes, with two
+// coordinates; or a MULTIPOLYGON of one.
 #include <algorithm>
 #include <iterator>
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view multipolygon = "multipolygon";
 
-// Reads everything before the first parenthesis, and whether that is the name of a MULTIPOLYGON.
+// Reads all before the first parenthesis, and whether it names a MULTIPOLYGON.
 std::optional<InputError> take_keywords(TextCursor& cursor, bool& of_several) {
   const std::size_t start = cursor.offset();
   const std::string_view word = cursor.take_word();
@@ -76,8 +76,7 @@ std::optional<InputError> take_position(TextCursor& cursor, Vec2& point, std::si
   }
 }
 
-// Reads the positions of a ring and the parenthesis after them, of which there may be as many as
-// there is room for.
+// Reads the positions of a ring, as many as there is room for, and the parenthesis after them.
 std::optional<InputError> take_ring(TextCursor& cursor, Points& ring, std::size_t& room,
                                     std::size_t* beyond) {
   do {

@@ -1,6 +1,6 @@
 // Irregular convex polygons by Valtr's method (P. Valtr, Probability that n random points are in
-// convex position, 1995): draw the steps of two closed walks, pair them at random as the x and y of
-// vectors, and sort the vectors by direction.
+// convex position, 1995): draw the steps of two closed walks, pair them at random as x and y of
+// vectors, and sort these by direction.
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -12,8 +12,8 @@ namespace {
 
 using Vector = GridPoint;
 
-// n whole numbers with the sum 0; the positive ones have the sum `extent`. They are the steps of a
-// walk from 0 to the extent and back over n places drawn at random.
+// n whole numbers with the sum 0, the positive ones with the sum `extent`: the steps of a walk from
+// 0 to the extent and back over n places drawn at random.
 std::vector<std::int64_t> closed_walk(std::size_t n, std::int64_t extent, Rng& rng) {
   std::vector<double> places;
   for (std::size_t i = 0; i < n; ++i) places.push_back(rng.uniform());
@@ -43,8 +43,8 @@ bool is_zero(const Vector& v) { return v.x == 0 && v.y == 0; }
 bool lower_half(const Vector& v) { return v.y < 0 || (v.y == 0 && v.x < 0); }
 std::int64_t cross(const Vector& a, const Vector& b) { return a.x * b.y - a.y * b.x; }
 
-// The order counter-clockwise from the direction of x. Zero vectors come first, so that they count
-// as repeats.
+// Counter-clockwise from the direction of x. Zero vectors come first, so that they count as
+// repeats.
 bool before(const Vector& a, const Vector& b) {
   if (is_zero(a) || is_zero(b)) return is_zero(a) && !is_zero(b);
   if (lower_half(a) != lower_half(b)) return lower_half(b);
@@ -52,14 +52,13 @@ bool before(const Vector& a, const Vector& b) {
 }
 bool same_direction(const Vector& a, const Vector& b) { return !before(a, b) && !before(b, a); }
 
-// Sorts by direction until no two directions agree, so that the outline is strictly convex. If two
-// vectors agree, one of them trades a small difference with a vector drawn at random, which keeps
-// the sum. The grid has many more than n directions, so each round leaves only a few repeats.
+// Sorts by direction until no two agree, so that the outline is strictly convex. If two agree, one
+// trades a small difference with a random vector, which keeps the sum. The grid has many more than
+// n directions, so few repeats remain after each round.
 void make_directions_distinct(std::vector<Vector>& vectors, std::int64_t reach, Rng& rng) {
   for (bool repeats = true; repeats;) {
     repeats = false;
-    // Equal directions are sorted by their coordinates, so that the result does not depend on the
-    // sort.
+    // Equal directions are sorted by coordinates, so that the result does not depend on the sort.
     std::sort(vectors.begin(), vectors.end(), [](const Vector& a, const Vector& b) {
       if (!same_direction(a, b)) return before(a, b);
       return a.x != b.x ? a.x < b.x : a.y < b.y;
@@ -105,12 +104,12 @@ std::vector<GridPoint> draw_outline(std::size_t n, std::int64_t extent, Rng& rng
 
 GridPolygon convex(std::size_t n, Rng& rng) {
   GridPolygon polygon;
-  // The grid is fine enough for n directions, and coarse enough that the turn at a vertex, at least
-  // one square unit, exceeds any change from rounding the coordinates to doubles.
+  // Fine enough for n directions, and coarse enough that the turn at a vertex, at least one square
+  // unit, exceeds any change from rounding to doubles.
   polygon.decimals = n <= 1000 ? 3 : n <= 100000 ? 5 : 6;
   const std::int64_t extent = nearest(1000 * units(polygon.decimals));
   const double square = static_cast<double>(extent) * static_cast<double>(extent);
-  // A few vertices may give a sliver. Then draw again.
+  // A few vertices may give a sliver: draw again.
   for (int attempt = 0; attempt < 20; ++attempt) {
     polygon.vertices = draw_outline(n, extent, rng);
     if (doubled_area(polygon.vertices) > 0.5 * square) break;

@@ -1,5 +1,5 @@
-// The families behind generate(). Each places its vertices on an integer grid, where turns and
-// orders are exact; generate() turns them into decimals.
+// The families behind generate(). Their vertices are on an integer grid, where turns and orders are
+// exact; generate() turns them into decimals.
 #pragma once
 
 #include <cstddef>
@@ -32,8 +32,7 @@ double doubled_area(const std::vector<GridPoint>& vertices);
 // 10^decimals, exact.
 double units(int decimals);
 
-// The whole number nearest to value. Halves round away from zero, so that symmetric shapes stay
-// symmetric.
+// Halves round away from zero, so that symmetric shapes stay symmetric.
 std::int64_t nearest(double value);
 
 GridPolygon regular(std::size_t n);           // O(n)

@@ -54,8 +54,8 @@ int readable_decimals(std::size_t n) { return n <= 1000 ? 3 : 6; }
 
 }  // namespace
 
-// The first edge is at the bottom. The turn at a vertex of a regular polygon is about
-// (2 pi)^3 r^2 / n^3, and rounding must stay well below it.
+// The first edge is at the bottom. Rounding must stay well below the turn at a vertex, about
+// (2 pi)^3 r^2 / n^3.
 GridPolygon regular(std::size_t n) {
   GridPolygon polygon;
   polygon.decimals = n <= 1000 ? 3 : n <= 10000 ? 5 : n <= 100000 ? 7 : 9;
@@ -72,8 +72,8 @@ GridPolygon regular(std::size_t n) {
   return polygon;
 }
 
-// Draws one direction in each n-th of the circle, less a margin. So the directions stay in order
-// after rounding, and no two of three or four directions are 180 degrees apart.
+// Draws one direction in each n-th of the circle, less a margin. So they stay in order after
+// rounding, and no two of three or four are 180 degrees apart.
 GridPolygon star(std::size_t n, Rng& rng) {
   GridPolygon polygon;
   polygon.decimals = readable_decimals(n);
@@ -87,9 +87,9 @@ GridPolygon star(std::size_t n, Rng& rng) {
   return polygon;
 }
 
-// A flat base with teeth to the left and right of a block in the middle. All slanted edges cross
-// the height of C, so a level line through C meets all of them, and every edge on the left faces
-// every edge on the right. The outline above the base runs strictly leftwards, so it is simple.
+// A flat base with teeth on both sides of a block in the middle. All slanted edges cross the height
+// of C, so every edge on the left faces every edge on the right. The outline above the base runs
+// strictly leftwards, so it is simple.
 GridPolygon comb(std::size_t n, Rng& rng) {
   GridPolygon polygon;
   polygon.decimals = readable_decimals(n);
@@ -99,7 +99,7 @@ GridPolygon comb(std::size_t n, Rng& rng) {
   const auto valley = [&] { return 120 + 100 * rng.uniform(); };
   const auto tip = [&] { return 860 + 140 * rng.uniform(); };
 
-  // From the block outwards, valleys and tips alternate. The last one is at the end of the base.
+  // Valleys and tips alternate outwards from the block. The last one is at the end of the base.
   struct Tooth {
     double distance, height;
   };
@@ -129,8 +129,8 @@ GridPolygon comb(std::size_t n, Rng& rng) {
 }
 
 // A strip wound about (500, 500) along r = start + pitch * turns. The vertices of all turns lie on
-// the same k rays. Between two neighbouring rays the strip's edges keep the order in which they
-// cross both, so none meet. There are at most six turns; more vertices make the spiral rounder.
+// the same k rays. Between neighbouring rays the edges keep the order in which they cross both, so
+// none meet. There are at most six turns; more vertices make the spiral rounder.
 GridPolygon spiral(std::size_t n, Rng& rng) {
   GridPolygon polygon;
   polygon.decimals = readable_decimals(n);

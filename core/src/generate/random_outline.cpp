@@ -1,10 +1,10 @@
-// Family::random: the outline of a tree of cells. A tree grows at random over a coarse grid of
-// cells, and its outline visits each of the 2 x 2 points of every cell once. Then each point moves
-// within its own box, and vertices are cut off at random until n are left. A ray crosses about
-// sqrt(n) edges. No step tests edges against edges, because the outline stays simple throughout:
-// - Columns and rows have disjoint bands. The box of a point is where the bands of its column and
-//   its row meet. An edge between neighbours stays in the band of one column or row and between the
-//   two boxes. So two edges can meet only in a box, and a box contains one vertex.
+// Family::random: a tree grows at random over a coarse grid of cells, and its outline visits each
+// of the 2 x 2 points of every cell once. Then each point moves within its box, and vertices are
+// cut off at random until n are left. A ray crosses about sqrt(n) edges. No step tests edges
+// against edges, because the outline stays simple:
+// - Columns and rows have disjoint bands; a point's box is where its two bands meet. An edge
+//   between neighbours stays in one band, between the two boxes. So edges can meet only in a box,
+//   which contains one vertex.
 // - Cutting off a vertex is safe if no other vertex lies in the closed triangle that disappears.
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-// A tree over the cells of a square: for each cell, the neighbours to which it is joined.
+// A tree over the cells of a square: the neighbours to which each cell is joined.
 struct CellTree {
   std::size_t side = 0;
   std::size_t first = 0;
@@ -28,7 +28,6 @@ struct CellTree {
   std::vector<Joints> cells;
 };
 
-// Joins a cell to a neighbour.
 void join(CellTree& tree, std::size_t cell, std::size_t neighbour) {
   CellTree::Joints& a = tree.cells[cell];
   CellTree::Joints& b = tree.cells[neighbour];
@@ -43,9 +42,9 @@ void join(CellTree& tree, std::size_t cell, std::size_t neighbour) {
   b.used = true;
 }
 
-// Grows `size` cells from the middle of a square; they fill about two thirds of it. Growing from
-// the newest cell makes corridors and growing from any cell makes branches; a random mixture makes
-// both. O(size).
+// Grows `size` cells from the middle of a square, of which they fill about two thirds. Growing from
+// the newest cell makes corridors, growing from any cell branches; a random mixture makes both.
+// O(size).
 CellTree grow_tree(std::size_t size, Rng& rng) {
   CellTree tree;
   tree.side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(size) / 0.68)));
@@ -87,8 +86,8 @@ struct Node {
   std::size_t column = 0, row = 0;
 };
 
-// Walks counter-clockwise around the tree: along the south, east, north and west sides of a cell,
-// and across wherever the cell is joined to its neighbour. O(cells of the tree).
+// Walks counter-clockwise around the tree: along the sides of a cell, and across where it is joined
+// to a neighbour. O(cells of the tree).
 std::vector<Node> walk_around(const CellTree& tree) {
   const Node start = {tree.first % tree.side * 2, tree.first / tree.side * 2};
   std::vector<Node> walk;
@@ -125,8 +124,7 @@ Bands draw_bands(std::size_t count, Rng& rng) {
   return bands;
 }
 
-// The outline while vertices are being cut off: a ring of the walk's nodes, and the node in each
-// box.
+// The outline while vertices are cut off: a ring of the walk's nodes, and the node in each box.
 class Outline {
  public:
   Outline(std::vector<Node> nodes, std::size_t columns, std::size_t rows, int decimals, Rng& rng)
@@ -141,9 +139,8 @@ class Outline {
     left_ = count;
   }
 
-  // Cuts off vertices in random order until n are left. Expected O(nodes): all but a few small
-  // outlines are finished in the first rounds, and only later rounds examine triangles that span
-  // many boxes.
+  // Cuts in random order until n are left. Expected O(nodes): the first rounds finish all but a few
+  // small outlines, and only later rounds examine triangles that span many boxes.
   void cut_down_to(std::size_t n, Rng& rng) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < nodes_.size(); ++i) order.push_back(i);
@@ -222,7 +219,7 @@ class Outline {
     return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
   }
 
-  // The distance of p from the segment a b, a != b.
+  // From the segment a b, a != b.
   static double distance(const GridPoint& p, const GridPoint& a, const GridPoint& b) {
     const auto dx = static_cast<double>(b.x - a.x), dy = static_cast<double>(b.y - a.y);
     const auto px = static_cast<double>(p.x - a.x), py = static_cast<double>(p.y - a.y);
@@ -240,10 +237,9 @@ class Outline {
   std::size_t left_ = 0;
 };
 
-// Whether some point, or almost one, sees the whole of a counter-clockwise outline. Finds the
-// kernel of the outline by clipping a large square by the inner side of each edge. (polygon/clip.h
-// keeps nothing outside a line; here a little slack is necessary.) O(n) times the corners of the
-// remaining square, which is soon empty.
+// Whether some point, or almost one, sees the whole of a counter-clockwise outline: clips a large
+// square by each edge's inner side, with a little slack, which polygon/clip.h does not allow. O(n)
+// times the corners of the remaining square, which is soon empty.
 bool is_star_shaped(const std::vector<GridPoint>& outline) {
   struct Corner {
     double x, y;
@@ -279,11 +275,11 @@ bool is_star_shaped(const std::vector<GridPoint>& outline) {
 
 GridPolygon random(std::size_t n, Rng& rng) {
   GridPolygon polygon;
-  // The tree has a third more vertices than are kept, because cuts make edges of all lengths and
-  // directions. For few vertices it has enough cells for a bend.
+  // A third more vertices than are kept, because cuts make edges of all lengths and directions; for
+  // few vertices, enough cells for a bend.
   const std::size_t cells = std::max<std::size_t>(n <= 5 ? 2 : 4, (n + n / 3 + 3) / 4);
-  // With up to five vertices every polygon is star-shaped. With a few more, some outlines are, and
-  // others are tried.
+  // With up to five vertices every polygon is star-shaped. With a few more, some are, and others
+  // are tried.
   const int attempts = n <= 5 ? 1 : 1000;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     const CellTree tree = grow_tree(cells, rng);

@@ -9,9 +9,8 @@
 namespace evenlift {
 namespace {
 
-// The contacts, sorted by their distance from a corner, or from an end of their side, the farthest
-// first. If the first k of them have form closure or a large margin, so do more of them. So
-// bisection finds the number.
+// The contacts, the farthest from a corner or from an end of their side first. If the first k have
+// form closure or a large margin, so do more. So bisection finds the number.
 class FarthestFirst {
  public:
   FarthestFirst(const Polygon& polygon, const Vec2& centre, const std::vector<Contact>& contacts,
@@ -26,8 +25,7 @@ class FarthestFirst {
       contacts_.push_back(contacts[i]);
   }
 
-  // The smallest number of contacts that hold; the number of contacts plus one if not even all
-  // hold.
+  // The fewest contacts that hold; the number of contacts plus one if not even all hold.
   std::size_t fewest_that_hold() const {
     return first(1, [&](std::size_t number) {
       return in_form_closure(polygon_, centre_, first_contacts(number));
@@ -60,8 +58,8 @@ class FarthestFirst {
     return {contacts_.begin(), contacts_.begin() + static_cast<std::ptrdiff_t>(number)};
   }
 
-  // The first number from `low` on that fulfils a condition. All larger numbers must also fulfil
-  // it.
+  // The first number from `low` on that fulfils a condition, which all larger ones must also
+  // fulfil.
   template <class Condition>
   std::size_t first(std::size_t low, Condition fulfils) const {
     std::size_t high = size() + 1;

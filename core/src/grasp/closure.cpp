@@ -19,10 +19,10 @@ constexpr double square_half_side = 100;
 
 enum class Sense { counterclockwise, clockwise };
 
-// Reuleaux's half-planes of one sense, relative to C and widened by `offset`. The free
-// instantaneous centres of counter-clockwise rotation are on or left of every contact's normal
-// line; the centres of clockwise rotation are on or right of it. If d is the direction of the edge,
-// perpendicular to the normal line, left of the line at p means d . (q - p) <= 0.
+// Reuleaux's half-planes of one sense, relative to C and widened by `offset`. Free centres of
+// counter-clockwise rotation are on or left of every contact's normal line, those of clockwise
+// rotation on or right of it. If d is the direction of the edge, left of the line at p means
+// d . (q - p) <= 0.
 std::vector<HalfPlane> rotation_centres(const Grasp& grasp, Sense sense, double offset) {
   std::vector<HalfPlane> planes;
   planes.reserve(grasp.touches.size());
@@ -38,10 +38,10 @@ std::vector<HalfPlane> rotation_centres(const Grasp& grasp, Sense sense, double 
   return planes;
 }
 
-// The largest distance along an axis at which a rotation centre still counts. A rotation about a
-// farther point is a translation within tolerance. If a translation is free, some contacts may be
-// on edges drawn parallel. Rounding turns these edges by some 1e-14. So if their normal lines meet
-// farther away than L / sqrt(tau), about 3e4 L, that is not a property of the shape.
+// The largest distance along an axis at which a rotation centre counts; beyond it, a rotation is a
+// translation within tolerance. If a translation is free, some contacts may be on edges drawn
+// parallel, which rounding turns by some 1e-14. Where their normal lines meet farther away than
+// L / sqrt(tau), about 3e4 L, that is not a property of the shape.
 double farthest_centre(const Grasp& grasp, bool translation_free) {
   return grasp.diameter / (translation_free ? std::sqrt(tau) : tau);
 }
@@ -52,7 +52,7 @@ HalfPlane within_reach(int axis, double reach) {
   return {Vec2::Zero(), directions[axis], reach};
 }
 
-// Whether some centre of rotation within `reach` is free after the half-planes are widened by
+// Whether some centre of rotation within `reach` is free if the half-planes are widened by
 // `offset`.
 bool some_centre_is_free(const Grasp& grasp, Sense sense, double offset, double reach) {
   std::vector<HalfPlane> planes = rotation_centres(grasp, sense, offset);
@@ -100,8 +100,7 @@ std::optional<std::pair<std::size_t, std::size_t>> coinciding_lines(
     for (std::size_t j = i + 1; j < planes.size(); ++j) {
       const Vec2 nj = planes[j].normal();
       if (!directions_agree(ni, -nj)) continue;
-      // Both are already widened by `near`, so lines that coincide leave a strip of twice that
-      // width.
+      // Both are widened by `near`, so lines that coincide leave a strip of twice that width.
       const double width = planes[i].bound / length(ni) + planes[j].bound / length(nj);
       if (width >= 0 && width <= 4 * near) return std::pair(i, j);
     }
@@ -109,8 +108,8 @@ std::optional<std::pair<std::size_t, std::size_t>> coinciding_lines(
   return std::nullopt;
 }
 
-// The region at the smallest widening at which it exists, found by bisection to far below the
-// tolerance. The region must be bounded and must vanish when it is narrowed by `near`.
+// The region at the smallest widening at which it exists, by bisection to far below the tolerance.
+// It must be bounded, and vanish when narrowed by `near`.
 Points sharpest_region(const Grasp& grasp, Sense sense) {
   double empty = -grasp.near, full = grasp.near;
   for (int i = 0; i < 40; ++i) {
@@ -120,8 +119,8 @@ Points sharpest_region(const Grasp& grasp, Sense sense) {
   return bounded_intersection(rotation_centres(grasp, sense, full));
 }
 
-// A region without area, relative to C and within `reach` of it along both axes: one point, or the
-// two ends of a segment, or no points.
+// A region without area, relative to C and within `reach` of it along both axes: a point, the two
+// ends of a segment, or no points.
 Points degenerate_region(const Grasp& grasp, Sense sense, double reach) {
   const auto planes = rotation_centres(grasp, sense, grasp.near);
   if (const auto pair = coinciding_lines(planes, grasp.near)) {
@@ -152,9 +151,8 @@ FreeRegion free_region(const Grasp& grasp, Sense sense, double reach) {
   return region;
 }
 
-// A direction of free translation, if there is one. It makes no obtuse angle with any inward
-// normal, so it exists if and only if the normals leave a gap of at least 180 degrees, within
-// tolerance.
+// A free translation makes no obtuse angle with any inward normal. So one exists if and only if the
+// normals leave a gap of at least 180 degrees, within tolerance.
 std::optional<Vec2> free_translation(const Grasp& grasp) {
   if (grasp.touches.empty()) return Vec2(1, 0);
   std::vector<HalfPlane> directions;
@@ -169,10 +167,10 @@ std::optional<Vec2> free_translation(const Grasp& grasp) {
 }
 
 // Whether the contacts whose normals pass through c (relative to C) prevent the rotation about c to
-// second order: whether some non-negative weights balance the normals n and give a positive sum of
-// the signed distances d of c along the normals. By Farkas' lemma this is true if and only if no q
-// satisfies n . q <= -d for all of them. Keeping q within L / tau lets forces balance within
-// tolerance, since nearly opposite normals would meet farther out.
+// second order: some non-negative weights balance the normals n and give a positive sum of the
+// signed distances d of c along them. By Farkas' lemma this is true if and only if no q satisfies
+// n . q <= -d for all. Keeping q within L / tau lets forces balance within tolerance, since nearly
+// opposite normals would meet farther out.
 bool resists_at(const Grasp& grasp, const Vec2& c) {
   std::vector<HalfPlane> planes;
   for (int axis = 0; axis < axes; ++axis)
@@ -197,8 +195,7 @@ bool immobile_to_second_order(const Grasp& grasp, const Closure& closure) {
         std::pair(&closure.counterclockwise, Sense::counterclockwise)}) {
     if (!region->exists) continue;
     if (region->has_area) return false;
-    // The region is bounded, since no translation is free. Any finite reach that is large enough
-    // will do.
+    // The region is bounded, since no translation is free, so any large finite reach will do.
     const Points region_at_rest = degenerate_region(grasp, sense, farthest_centre(grasp, false));
     if (region_at_rest.empty()) return false;
     if (!resists_at(grasp, 0.5 * (region_at_rest.front() + region_at_rest.back()))) return false;

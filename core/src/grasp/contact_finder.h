@@ -1,4 +1,4 @@
-// Finds the contacts of robots with an object, and their distances from corners.
+// The contacts of robots with an object, and their distances from corners.
 #pragma once
 
 #include <array>
@@ -21,8 +21,8 @@ class ContactFinder {
   std::vector<Contact> find(const std::vector<LiftingPoint>& points) const;
 
  private:
-  // A square of a grid. Its side is 4 tau L, so all points within tau L of a point are in four
-  // squares.
+  // A square of a grid with the side 4 tau L, so that all points within tau L of a point are in
+  // four squares.
   using Cell = std::array<double, 2>;
   Cell cell_of(const Vec2& p) const;
   std::optional<std::uint32_t> vertex_at(const Vec2& p) const;

@@ -9,8 +9,8 @@
 
 namespace evenlift {
 
-// Each contact's edge is directed so that the interior is on its left, so the inward normal is the
-// edge's direction turned by +90 degrees.
+// Each contact's edge is directed with the interior on its left, so the inward normal is its
+// direction turned by +90 degrees.
 struct Grasp {
   struct Touch {
     Vec2 from, to;  // the ends of the edge, as directed
@@ -27,18 +27,18 @@ struct Grasp {
   std::vector<Touch> touches;
 };
 
-// The grasp with these contacts; among contacts on edges of one direction, only the first and the
-// last. The wrenches and normal lines of the others lie between theirs and add nothing. `radius` is
+// The grasp with these contacts, but of those on edges of one direction only the first and the
+// last: the wrenches and normal lines of the others lie between theirs and add nothing. `radius` is
 // R. O(m log e) for m contacts on e edges.
 Grasp make_grasp(const Polygon& polygon, const Vec2& centre, double radius,
                  const std::vector<Contact>& contacts);
 
-// The position of a touch along its edge, from the foot of the perpendicular from C, times the
-// edge's length. O(1).
+// The position along the edge from the foot of the perpendicular from C, times the edge's length.
+// O(1).
 double along(const Grasp& grasp, const Grasp::Touch& touch);
 
-// The wrenches of the contacts, with torques in units of R. They are sorted by edge and torque, so
-// that the margin does not depend on the order of the robots. O(m log m).
+// With torques in units of R, and sorted by edge and torque, so that the margin does not depend on
+// the order of the robots. O(m log m).
 std::vector<Wrench> wrenches(const Grasp& grasp);
 
 }  // namespace evenlift

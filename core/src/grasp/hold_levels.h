@@ -1,5 +1,5 @@
-// The levels of a margin. They compare sets of robots with the goal hold, whether teams or balanced
-// robots (algorithm.md).
+// The levels of a margin compare sets of teams or balanced robots with the goal hold
+// (algorithm.md).
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ inline LevelBounds level_bounds(double min_margin) {
   return bounds;
 }
 
-// The level of a margin; 0 without a margin.
+// 0 without a margin.
 inline std::uint32_t level_of(const std::optional<double>& margin, const LevelBounds& bounds) {
   if (!margin) return 0;
   return static_cast<std::uint32_t>(std::upper_bound(bounds.begin(), bounds.end(), *margin) -

@@ -1,4 +1,4 @@
-// The margins of many grasps of one object, by the contacts that are far enough from corners.
+// The margins of many grasps of one object, by the contacts far enough from corners.
 #pragma once
 
 #include <optional>
@@ -19,8 +19,8 @@ class Margins {
   // the cost of wrench_margin().
   std::optional<double> of(const std::vector<LiftingPoint>& points) const;
 
-  // The wrenches of robots at the points, as needed for the margin: for contacts on parallel edges,
-  // the first and the last. O(m log n).
+  // The wrenches that the margin needs: for contacts on parallel edges, the first and the last.
+  // O(m log n).
   std::vector<Wrench> wrenches_of(const std::vector<LiftingPoint>& points) const;
 
  private:

@@ -32,7 +32,7 @@ Points relative_to(const Vec2& origin, const PolygonWithHoles& object) {
   return ring;
 }
 
-// The part of a ring, given relative to the origin, within a hull, given in absolute coordinates.
+// The part of a ring, relative to the origin, within a hull in absolute coordinates.
 Points part_within(Points ring, const Points& hull, const Vec2& origin) {
   for (std::size_t i = 0; i < hull.size(); ++i) {
     // The direction comes from the original corners. If two of them differ only by rounding,

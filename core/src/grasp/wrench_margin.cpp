@@ -25,7 +25,7 @@ int orient3(const Wrench& a, const Wrench& b, const Wrench& c, const Wrench& d) 
   const Wrench p = b - a, q = c - a, r = d - a;
   const double value = p.dot(q.cross(r));
   const double permanent = p.cwiseAbs().sum() * q.cwiseAbs().sum() * r.cwiseAbs().sum();
-  constexpr double filter_threshold = 0x1p-48;  // a floating-point filter, as in predicates.cpp
+  constexpr double filter_threshold = 0x1p-48;  // as in predicates.cpp
   if (std::fabs(value) > filter_threshold * permanent) return value > 0 ? 1 : -1;
   using Row = std::array<Dyadic, 3>;
   const auto difference = [&](const Wrench& v) {
@@ -39,7 +39,7 @@ int orient3(const Wrench& a, const Wrench& b, const Wrench& c, const Wrench& d) 
 }
 
 bool collinear(const Wrench& a, const Wrench& b, const Wrench& c) {
-  // Three points in space are on one line if their projections to the coordinate planes are.
+  // Points are on one line if their projections to the coordinate planes are.
   const auto flat = [&](int i, int j) {
     const auto d = [](double u, double v) { return Dyadic(u) - Dyadic(v); };
     return (d(b[i], a[i]) * d(c[j], a[j]) - d(b[j], a[j]) * d(c[i], a[i])).sign() == 0;
@@ -48,7 +48,7 @@ bool collinear(const Wrench& a, const Wrench& b, const Wrench& c) {
 }
 
 // Four points that are not in one plane, the first three counter-clockwise as seen from outside;
-// nothing if all points are in one plane.
+// nothing if there are none.
 std::optional<std::array<Index, 4>> first_tetrahedron(const std::vector<Wrench>& w) {
   const auto n = static_cast<Index>(w.size());
   Index b = 1;
@@ -64,8 +64,8 @@ std::optional<std::array<Index, 4>> first_tetrahedron(const std::vector<Wrench>&
 }
 
 // The facets of the convex hull, counter-clockwise as seen from outside; empty if all points are in
-// one plane. The hull grows point by point: triangles from the new point to the boundary edges of
-// the facets that it sees replace these facets.
+// one plane. The hull grows point by point: triangles from the new point to the boundary of the
+// facets that it sees replace these facets.
 std::vector<Triangle> hull_facets(const std::vector<Wrench>& w) {
   const auto start = first_tetrahedron(w);
   if (!start) return {};
@@ -90,8 +90,8 @@ std::vector<Triangle> hull_facets(const std::vector<Wrench>& w) {
 
 // The distance of the plane through three points from the origin, positive if they turn
 // counter-clockwise as seen from beyond it. Wrenches of parallel edges are on one line except for
-// rounding, so they give slivers as facets. The plane of a sliver must be computed exactly, or it
-// could cut through the hull.
+// rounding, so some facets are slivers. Their planes must be computed exactly, or they could cut
+// through the hull.
 double distance_of_plane(const Wrench& a, const Wrench& b, const Wrench& c) {
   const Wrench p = b - a, q = c - a;
   const Wrench normal = p.cross(q);
@@ -109,13 +109,13 @@ double distance_of_plane(const Wrench& a, const Wrench& b, const Wrench& c) {
          Wrench(exact[0].to_double(), exact[1].to_double(), exact[2].to_double()).norm();
 }
 
-// P. Wolfe's algorithm for the nearest point of a polytope (Finding the nearest point in a
-// polytope, 1976). It also works for points in one plane, on one line or at one place.
+// P. Wolfe's algorithm (Finding the nearest point in a polytope, 1976). It also works for points in
+// one plane, on one line or at one place.
 class NearestPoint {
  public:
   explicit NearestPoint(const std::vector<Wrench>& points) : points_(points), nearest_(points[0]) {}
 
-  // The point of the convex hull of the points that is nearest to the origin.
+  // The point of the convex hull that is nearest to the origin.
   const Wrench& find() {
     const std::size_t most_cycles = 50 * points_.size() + 100;
     for (std::size_t cycle = 0; cycle < most_cycles; ++cycle) {
@@ -125,8 +125,8 @@ class NearestPoint {
   }
 
  private:
-  // A major cycle adds the point farthest towards the origin to the corral and moves to the new
-  // nearest point. False if there is no such point: then the nearest point is found.
+  // Adds the point farthest towards the origin to the corral and moves to the new nearest point.
+  // False if there is none: the nearest point is found.
   bool major_cycle() {
     constexpr double optimality_gap = 1e-15;
     const Index added = farthest_towards_origin();
@@ -142,9 +142,9 @@ class NearestPoint {
     return true;
   }
 
-  // A minor cycle moves towards the nearest point of the corral's affine hull, until it reaches
-  // that point or the boundary of the corral's convex hull. Points whose weight has become 0 leave
-  // the corral. True if another minor cycle must follow.
+  // Moves towards the nearest point of the corral's affine hull, at most to the boundary of the
+  // corral's convex hull. Points whose weight is then 0 leave the corral. True if another minor
+  // cycle must follow.
   bool minor_cycle() {
     const auto target = affine_minimizer();
     if (!target) {
@@ -182,8 +182,8 @@ class NearestPoint {
     return best;
   }
 
-  // The point of the corral's affine hull that is nearest to the origin, as weights of the corral's
-  // points; nothing if these are affinely dependent.
+  // The point of the corral's affine hull that is nearest to the origin, as weights of its points;
+  // nothing if these are affinely dependent.
   std::optional<Eigen::VectorXd> affine_minimizer() const {
     const auto n = static_cast<Eigen::Index>(corral_.size());
     const auto point = [&](Eigen::Index i) -> const Wrench& {
@@ -211,7 +211,7 @@ class NearestPoint {
   std::vector<double> weights_{1};
 };
 
-// The vector in unit length, unless it is too short to have a direction.
+// In unit length, unless too short to have a direction.
 Wrench direction_of(const Wrench& vector) {
   const double length = vector.norm();
   return length > tau ? Wrench(vector / length) : Wrench(Wrench::UnitX());
@@ -222,7 +222,6 @@ Wrench normal_of(const std::vector<Wrench>& w, const Triangle& facet) {
   return p.cross(q);
 }
 
-// The wrench that reaches farthest in a direction.
 Index farthest_along(const std::vector<Wrench>& wrenches, const Wrench& direction) {
   Index best = 0;
   for (Index i = 1; i < wrenches.size(); ++i)
@@ -236,7 +235,7 @@ WeakestDirection weakest_of_few(const std::vector<Wrench>& wrenches) {
   Triangle weakest{};
   for (Triangle facet : facets) {
     // Begins with the facet's first wrench. The order in which std::partition leaves facets, and so
-    // their beginning, differs between standard libraries; the rounding must not differ.
+    // their beginning, differs between standard libraries; the rounding must not.
     std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
     const double distance =
         distance_of_plane(wrenches[facet[0]], wrenches[facet[1]], wrenches[facet[2]]);
@@ -246,8 +245,7 @@ WeakestDirection weakest_of_few(const std::vector<Wrench>& wrenches) {
   if (least > tau) return {least, direction_of(normal_of(wrenches, weakest))};
   // The origin is in the planes of all facets of a flat hull, on their inner side only by rounding,
   // even if it lies beside the hull. The distance of a facet's plane has an error of some 1e-16
-  // divided by the length of its normal, which is twice its area. For all facets of area 1e-9 or
-  // more, `beside` exceeds this error.
+  // divided by twice the facet's area. For areas of 1e-9 or more, `beside` exceeds it.
   constexpr double beside = 1e-7;
   NearestPoint search(wrenches);
   const Wrench& nearest = search.find();
@@ -270,9 +268,9 @@ Wrench normal_through_origin(const std::vector<Wrench>& wrenches) {
   return direction_of(best);
 }
 
-// Few of many wrenches bound the ball. Begins with the wrenches that reach farthest along the axes.
-// Adds the wrench that reaches farthest in the weakest direction of the active ones, until none
-// reaches farther than these: then the direction is the weakest of all.
+// Few of many wrenches bound the ball. Begins with those that reach farthest along the axes. Adds
+// the one that reaches farthest in the weakest direction of the active ones, until none reaches
+// farther: then that direction is the weakest of all.
 class FewOfMany {
  public:
   explicit FewOfMany(const std::vector<Wrench>& all) : all_(all) {
@@ -286,8 +284,7 @@ class FewOfMany {
       const WeakestDirection found = weakest_of_few(active);
       if (reach(found.direction) <= found.margin + same_reach) return found;
       if (activate(found.direction)) continue;
-      // The weakest facet is too small to have a direction, for example if all wrenches are in one
-      // plane.
+      // The weakest facet is too small to have a direction, as when all wrenches are in one plane.
       const Wrench normal = normal_through_origin(active);
       const bool added = activate(normal), also_added = activate(-normal);
       if (added || also_added) continue;

@@ -25,8 +25,6 @@ std::string_view trimmed_of_commas(std::string_view line) {
   return nothing ? std::string_view() : line;
 }
 
-// The place of the quotation mark that ends the quoted cell at `at`; "" inside it is a mark of its
-// text.
 std::size_t end_of_quotes(std::string_view line, std::size_t at) {
   std::size_t end = line.find('"', at + 1);
   while (end != std::string_view::npos && end + 1 < line.size() && line[end + 1] == '"')
@@ -70,7 +68,6 @@ Fields split_cells(std::string_view line, char separator) {
       at = std::min(line.find_first_not_of(" \t", at), line.size());
       if (at == line.size()) break;
     }
-    // A quoted field may contain the separator.
     const bool quoted = at < line.size() && line[at] == '"';
     const std::size_t quote = quoted ? end_of_quotes(line, at) : std::string_view::npos;
     const std::size_t from = quote == std::string_view::npos ? at : quote;

@@ -1,5 +1,4 @@
-// The lines and cells of a table: CSV, cells that a spreadsheet copies to the clipboard, or lines
-// "x, y".
+// A table's lines and cells: CSV, cells copied from a spreadsheet, or lines "x, y".
 #pragma once
 
 #include <optional>
@@ -12,11 +11,11 @@ namespace evenlift {
 
 using Fields = std::vector<std::string_view>;
 
-// A line that is not blank, and no comment unless they are asked for.
+// A line that is not blank, and no comment unless asked for.
 struct Line {
   std::string_view text;
-  bool after_blank = false;  // a blank line precedes it
-  std::size_t number = 0;    // from 1
+  bool after_blank = false;
+  std::size_t number = 0;  // from 1
 };
 
 enum class Comments { skipped, returned };
@@ -26,7 +25,7 @@ class Lines {
   explicit Lines(std::string_view text, Comments comments = Comments::skipped)
       : text_(text), comments_(comments) {}
 
-  // The next line, or nothing at the end of the text. O(line).
+  // Nothing at the end of the text. O(line).
   std::optional<Line> next();
 
  private:
@@ -35,22 +34,21 @@ class Lines {
   std::size_t at_ = 0, number_ = 0;
 };
 
-// The first of these separators that the line contains outside quotes: tab, semicolon, bar, comma;
-// else a space.
+// The first of tab, semicolon, bar and comma that is outside quotes; else a space.
 char separator_of(std::string_view line);
 
-// The cells of a line, without quotes and spaces around them, and without empty ones at the end. A
-// quoted cell may contain the separator, and quotes as "". At most a thousand. O(line).
+// Without quotes and spaces around cells, and without empty ones at the end. At most 1000. A quoted
+// cell may contain the separator, and quotes as "". O(line).
 Fields split_cells(std::string_view line, char separator);
 
-// The number in a cell; with `decimal_comma` a comma may precede its decimals. O(cell).
+// With `decimal_comma` a comma may precede the decimals. O(cell).
 std::optional<double> cell_number(std::string_view cell, bool decimal_comma);
 
-// Whether the heading names the column of a coordinate: "x", "X", "x_mm", "x (m)", but not "xml" or
+// Whether the heading names this coordinate: "x", "X", "x_mm", "x (m)", but not "xml" or
 // "share_of_x".
 bool names_column(std::string_view heading, char name);
 
-// The unit at the end of the heading of such a column: "x (mm)", "x_cm", "X [m]"; none without one.
+// The unit at the end of such a heading: "x (mm)", "x_cm", "X [m]"; none without one.
 LengthUnit unit_of_column(std::string_view heading);
 
 // Whether a cell is this word, in any case.

@@ -1,5 +1,4 @@
-// Columns of numbers: a CSV table, cells that a spreadsheet copies to the clipboard, or lines "x,
-// y".
+// Columns of numbers in a table (cells.h).
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -24,7 +23,7 @@ namespace {
 // Lines before the first row. A table that begins later is none.
 constexpr std::size_t most_heading_lines = 100;
 
-// The cells of a line that are parted by two spaces or more, as in "X coord    Y coord".
+// As in "X coord    Y coord".
 Fields split_at_wide_spaces(std::string_view line) {
   Fields cells;
   while (!line.empty()) {
@@ -36,7 +35,7 @@ Fields split_at_wide_spaces(std::string_view line) {
   return cells;
 }
 
-// "x [mm] y [mm]" in cells that spaces part: each bracket belongs to the name before it.
+// "x [mm] y [mm]": each bracket belongs to the name before it.
 Fields with_brackets(const Fields& cells) {
   Fields whole;
   for (const std::string_view cell : cells) {
@@ -103,7 +102,7 @@ class ColumnReader {
   std::vector<std::size_t> shapes_;      // the columns that number or name the shapes
   std::vector<std::string_view> shape_;  // their cells in the last row
   std::size_t rows_ = 0;
-  std::optional<Line> count_line_;  // says how many rows follow
+  std::optional<Line> count_line_;  // how many rows follow
   LengthUnit unit_ = LengthUnit::none;
   RingNotes notes_;
   Block block_;
@@ -136,7 +135,7 @@ InputError ColumnReader::not_a_number(std::string_view field) const {
 
 // --- Headings
 
-// Whether a lone whole number says how many rows follow.
+// Whether a lone whole number is the number of the rows that follow.
 bool ColumnReader::is_count(const Line& line, const Fields& cells, const Lines& following) const {
   Lines ahead = following;
   const std::optional<Line> next = ahead.next();
@@ -145,8 +144,8 @@ bool ColumnReader::is_count(const Line& line, const Fields& cells, const Lines& 
   return number_columns(split_cells(next->text, style_.separator), style_).size() > 1;
 }
 
-// Whether the line has two numbers and is no heading with numbers in it: then the next line has
-// numbers in other columns.
+// Whether the line has two numbers and is no heading: the line after a heading has numbers in other
+// columns.
 bool ColumnReader::is_row(const Line& line, const Fields& cells, const Lines& following) {
   if (is_count(line, cells, following)) {
     count_line_ = line;
@@ -175,13 +174,11 @@ std::optional<InputError> ColumnReader::check_heading(const Line& line, const Fi
   return std::nullopt;
 }
 
-// The text from a row on.
 std::string_view ColumnReader::rows_from(const Line& row) const {
   return text_.substr(static_cast<std::size_t>(row.text.data() - text_.data()));
 }
 
-// Takes the columns that the heading names. Its cells may be parted in another way than those of
-// the rows, and a comment may be a heading.
+// The heading's cells may be separated in another way, and it may be a comment.
 bool ColumnReader::take_names(const Line& heading, const Line& row, const Fields& cells) {
   std::string_view text = heading.text;
   const bool comment = text.front() == '#';
@@ -226,8 +223,7 @@ void ColumnReader::take_units(const Line& heading) {
     unit_ = unit_in(cells[x_]);
 }
 
-// The lines that are neither names of columns nor their units. The first line of words is the
-// shape's name.
+// Lines that are neither names of columns nor units. The first line of words names the shape.
 void ColumnReader::take_words(const std::vector<Line>& words) {
   bool plain = true;
   std::size_t skipped = 0;
@@ -244,10 +240,9 @@ void ColumnReader::take_words(const std::vector<Line>& words) {
                                : say("the first {count} lines were taken as headings", {skipped}));
 }
 
-// A line for spreadsheet programs, such as "sep=;".
+// For spreadsheet programs, such as "sep=;".
 bool names_separator(std::string_view line) { return same_word(line.substr(0, 4), "sep="); }
 
-// Settles what the lines before the first row of a block mean.
 std::optional<InputError> ColumnReader::begin_rows(const Line& row, const Fields& cells) {
   std::size_t names = headings_.size();
   while (names > 0 && !take_names(headings_[names - 1], row, cells)) --names;
@@ -309,7 +304,7 @@ std::optional<InputError> ColumnReader::check_word(const Fields& cells) {
                    {in_quotes(clean_name(cells[0])), in_quotes(clean_name(first_word_))}));
 }
 
-// A row has numbers where the first one has them.
+// Each row has its numbers where the first one has them.
 std::optional<InputError> ColumnReader::check_row(const Line& line, const Fields& cells) {
   const auto is_number = [&](std::size_t column) {
     return cell_number(cells[column], style_.decimal_comma).has_value();
@@ -338,7 +333,6 @@ std::optional<InputError> ColumnReader::check_row(const Line& line, const Fields
                    {numbers, number_columns_.size()}));
 }
 
-// Ends a shape where the cells that number or name it change.
 void ColumnReader::follow_shapes(const Fields& cells) {
   std::vector<std::string_view> shape;
   for (const std::size_t column : shapes_)
@@ -375,7 +369,7 @@ void ColumnReader::end_block() {
   blocks_.push_back(std::exchange(block_, {}));
 }
 
-// Keeps a line before the first row of a block. Returns false if a table begins no later.
+// Keeps a line before the first row of a block. Returns false where no table may begin any more.
 bool ColumnReader::take_heading(const Line& line) {
   const bool comment = line.text.front() == '#';
   if (headings_.size() < most_heading_lines)
@@ -385,7 +379,7 @@ bool ColumnReader::take_heading(const Line& line) {
   return comment || rows_ > 0 || headings_.size() < most_heading_lines;
 }
 
-// Lines after a blank line with no rows below them.
+// Lines with no rows below them.
 void ColumnReader::leave_out_headings() {
   for (const Line& line : headings_)
     if (line.text.front() != '#')
@@ -424,7 +418,7 @@ std::optional<InputError> ColumnReader::read_lines() {
 
 // --- The whole
 
-// Whether x runs from one end of a chord of length 1 to the other: a surface of an airfoil.
+// Whether x runs along a chord of length 1: a surface of an airfoil.
 bool runs_along_chord(const Points& points, bool forwards) {
   constexpr std::size_t fewest = 5;  // two triangles may also share an edge of length 1
   const auto along = [&](const Vec2& a, const Vec2& b) {
@@ -437,8 +431,8 @@ bool runs_along_chord(const Points& points, bool forwards) {
                         [&](const Vec2& a, const Vec2& b) { return !along(b, a); });
 }
 
-// Airfoils in two blocks, the upper and the lower surface: in Lednicer's format after a row with
-// their numbers of points, both from the leading edge.
+// Airfoils in two blocks, the upper and the lower surface. In Lednicer's format a row with their
+// numbers of points precedes them, and both begin at the leading edge.
 void ColumnReader::join_surfaces() {
   const bool counted = blocks_.size() == 3 && blocks_[0].points.size() == 1 &&
                        blocks_[0].points[0] == Vec2(static_cast<double>(blocks_[1].points.size()),

@@ -1,5 +1,5 @@
-// DXF as text. The folder dxf reads the parts of the drawing; this file inserts its blocks, leaves
-// out what is not seen, and joins its lines and arcs.
+// Inserts the blocks of a DXF drawing, which the folder dxf reads, leaves out what is not seen, and
+// joins lines and arcs.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -17,12 +17,11 @@
 namespace evenlift {
 namespace {
 
-constexpr std::size_t max_depth = 32;  // of blocks within blocks
-// The text of all copies of blocks, where a copy counts at least copy_bytes. A block within blocks
-// may have any number of copies.
+constexpr std::size_t max_depth = 32;  // of nested blocks
+// The text of all copies of blocks, where a copy counts at least copy_bytes. Nested blocks may have
+// any number of copies.
 constexpr std::size_t max_inserted_bytes = std::size_t{128} << 20, copy_bytes = 64;
 
-// The name of an object that is left out.
 struct Other {
   std::string_view type;
   DxfName name;
@@ -63,7 +62,7 @@ constexpr DxfName undefined_block{"block (INSERT) that the drawing does not defi
 constexpr DxfName other_file{"block (INSERT) from another file",
                              "blocks (INSERT) from other files"};
 
-// Whether no point is beyond max_coordinate. A number that overflows is.
+// A number that overflows is beyond max_coordinate.
 bool within_bounds(const Outline& outline) {
   const auto small = [](const Vec2& p) {
     return std::abs(p.x()) <= max_coordinate && std::abs(p.y()) <= max_coordinate;
@@ -82,12 +81,12 @@ class DxfReader {
   Result<Import> read();
 
  private:
-  // The place of a block's objects in the drawing, or of the drawing's own ones.
+  // Where a block's objects, or the drawing's own, lie in the drawing.
   struct Frame {
     Affine map;
     std::string_view layer = "0";     // of objects on layer 0
-    const DxfBlock* block = nullptr;  // nullptr for the drawing itself
-    const Frame* outer = nullptr;     // the block or drawing that contains the INSERT
+    const DxfBlock* block = nullptr;  // nullptr for the drawing
+    const Frame* outer = nullptr;     // contains the INSERT
     std::size_t depth = 0;
   };
 
@@ -118,7 +117,6 @@ class DxfReader {
   std::optional<InputError> error_;  // ends the reading
 };
 
-// Ignores a part without length.
 void DxfReader::add_part(Outline part, std::string_view layer) {
   if (part.pieces.empty()) return;
   if (++part_count_ > max_vertices && !error_)
@@ -127,13 +125,13 @@ void DxfReader::add_part(Outline part, std::string_view layer) {
   pieces_.push_back({std::move(part), std::string(layer)});
 }
 
-// Why an object is not seen; nullptr if it is. Programs draw the points that dimensions measure on
-// Defpoints, and do not plot that layer.
+// Why an object is not seen; nullptr if it is. Programs do not plot the layer Defpoints, where they
+// draw the points that dimensions measure.
 const DxfName* DxfReader::hidden(DxfEntity& entity, std::string_view layer) const {
   if (entity.number_of(60, 0) != 0) return &invisible;
   if (same_word(layer, "defpoints")) return &on_defpoints;
   const DxfLayer* found = drawing_.layer(layer);
-  // A layer that is off does not hide a block's objects on other layers, but a frozen layer does.
+  // A layer that is off, unlike a frozen one, does not hide a block's objects on other layers.
   const bool off = found && found->off && entity.type != "INSERT";
   return off || (found && found->frozen) ? &on_hidden_layer : nullptr;
 }
@@ -150,7 +148,7 @@ void DxfReader::take_drawn(DxfEntity& entity, std::string_view layer, const Fram
     return stop(
         {ErrorCode::too_many_vertices, "the DXF drawing has more than 1048576 lines and arcs", {}});
   Outline outline = frame.block ? transformed(drawn.outline, frame.map) : std::move(drawn.outline);
-  // Layer 0 is the default layer: its name carries no meaning.
+  // Layer 0 is the default: its name carries no meaning.
   const std::string_view name = layer == "0" ? std::string_view() : layer;
   if (drawn.closed_kind) return gathering_.add({{outline}, name, drawn.closed_kind});
   if (!within_bounds(outline))
@@ -199,7 +197,7 @@ void DxfReader::insert(DxfEntity& entity, std::string_view layer, const Frame& f
 
 void DxfReader::take(DxfEntity& entity, const Frame& frame) {
   const std::string_view type = entity.type;
-  // These belong to a POLYLINE, or end what belongs to an object.
+  // These belong to a POLYLINE, or end an object's parts.
   if (type == "VERTEX" || type == "SEQEND" || type.empty()) return;
   std::string_view layer = entity.text_of(8);
   if (layer.empty() || layer == "0") layer = frame.layer;

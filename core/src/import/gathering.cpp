@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t longest_name = 80;  // in characters
 
 double default_tolerance(double side) {
-  // A shape without size has no curves; any number above 0 will do.
+  // A shape without size has no curves: any tolerance above 0 will do.
   if (!(side > 0)) return 1;
   const Decimal decimal = shortest_decimal(side / 1000);
   std::uint64_t digits = decimal.digits;
@@ -32,7 +32,7 @@ bool within_bounds(const Box& box) {
   return small(box.low.x()) && small(box.low.y()) && small(box.high.x()) && small(box.high.y());
 }
 
-// Minima and maxima ignore NaN, so bounds alone do not reveal it.
+// Minima and maxima ignore NaN, so bounds do not reveal it.
 bool all_finite(const Outline& outline) {
   const auto finite = [](const CurvePiece& p) {
     return p.end.allFinite() && p.first.allFinite() && p.second.allFinite();
@@ -128,13 +128,12 @@ bool Gathering::has_room(std::size_t vertices) {
   return !full_;
 }
 
-// A part of a path, with its number.
 struct Gathering::Flattened {
   ImportedShape shape;
   std::size_t part;
 };
 
-// The outline as a polygon, if it is one and there is room for it.
+// Nothing if it is no polygon or has no room.
 std::optional<ImportedShape> Gathering::flattened(const Outline& outline) {
   if (full_) return std::nullopt;
   const Box box = control_box(outline);
@@ -177,7 +176,6 @@ std::optional<ImportedShape> Gathering::flattened(const Outline& outline) {
 
 namespace {
 
-// Makes a hole of another outline.
 void take_hole(ImportedShape& shape, ImportedShape& hole) {
   shape.document.holes.push_back(std::move(hole.document.vertices));
   if (hole.tolerance) shape.tolerance = std::max(shape.tolerance.value_or(0), *hole.tolerance);
@@ -185,7 +183,6 @@ void take_hole(ImportedShape& shape, ImportedShape& hole) {
 
 }  // namespace
 
-// Adds what the fill makes of the parts of a path.
 void Gathering::add_filled(const DrawnShape& drawn, std::vector<Flattened> rings) {
   std::vector<const Points*> points;
   for (const Flattened& ring : rings) points.push_back(&ring.shape.document.vertices);
@@ -279,7 +276,6 @@ void Gathering::note_joining(const Joining& joining) {
        (gap_.empty() ? "" : ": " + gap_));
 }
 
-// Numbers the parts of a path of which several are shapes.
 void Gathering::name_parts(const std::vector<OutlineWithHoles>& shapes) {
   std::vector<std::size_t> shapes_of(paths_ + 1);
   for (const OutlineWithHoles& shape : shapes) ++shapes_of[drawn_[shape.outline].path];

@@ -1,4 +1,4 @@
-// The result of a reader so far: shapes within bounds, and the list of parts that are left out.
+// Gathers a reader's shapes, and what is left out.
 #pragma once
 
 #include <optional>
@@ -14,25 +14,24 @@
 
 namespace evenlift {
 
-// Drawings repeat points, and the ends that should meet differ by small errors. Points closer than
-// this fraction of the larger side count as one.
+// Points closer than this part of the larger side count as one: drawings repeat points, and ends
+// that should meet differ a little.
 inline constexpr double same_point = 1e-5;
 
 double larger_side(const Box& box);
 
-// A rounded number of at most four digits, such as 12.35 or 120.
+// Rounded to at most four digits, such as 12.35 or 120.
 std::string short_number(double value);
 
-// "1 text", "2 texts".
 std::string counted(std::size_t count, std::string_view one, std::string_view many);
 
-// A text of the user between quotation marks, in which it is never translated.
+// The user's text in quotation marks, where it is never translated.
 std::string in_quotes(std::string_view text);
 
-// A name for display: valid UTF-8 of at most 80 characters, on one line.
+// Valid UTF-8 of at most 80 characters, on one line.
 std::string clean_name(std::string_view name);
 
-// Counts the objects that are left out, by their names.
+// Counts objects by name.
 class LeftOut {
  public:
   void add(std::string_view one, std::string_view many);
@@ -49,7 +48,7 @@ class LeftOut {
   std::vector<Kind> counts_;
 };
 
-// A closed shape of a drawing, or a path of several closed parts.
+// A closed shape, or a path of several closed parts.
 struct DrawnShape {
   std::vector<Outline> parts;
   std::string_view name;
@@ -64,32 +63,31 @@ class Gathering {
   Import import;
   LeftOut left_out;
 
-  // Adds the closed parts of a drawing: what a fill makes of them, or each as an outline, of which
-  // finish() makes shapes and holes. A problem of a part leaves out only this part.
+  // Adds what a fill makes of closed parts, or each as an outline, of which finish() makes shapes
+  // and holes. A problem leaves out only its part.
   void add(const DrawnShape& drawn);
-  // Joins open pieces of a drawing and adds their outlines. A piece that meets no other is closed by
-  // a straight edge if `closes_alone`. Notes what was joined, dropped and left open.
+  // Joins open pieces. If `closes_alone`, a straight edge closes a piece that meets no other. Notes
+  // what was joined, dropped and left open.
   void add_joined(const std::vector<DrawnPiece>& pieces, bool closes_alone);
-  // Where two ends stayed open, as part of a sentence; empty if none did.
+  // Where two ends stayed open, as part of a sentence; or empty.
   const std::string& gap() const { return gap_; }
   // Adds vertices and holes unchanged.
   void add(Document document, std::string_view name, std::string_view kind);
-  // Leaves out a shape because of an error in it.
+  // Leaves out the shape with this error.
   void add_problem(InputError error);
-  // There is no room for more shapes or vertices, so a reader may stop.
+  // No room for more shapes or vertices: a reader may stop.
   bool full() const { return full_.has_value(); }
-  // The number of holes that a reader keeps for a shape; without a limit if they are left out later.
+  // The most holes kept for a shape; unlimited if they are left out later.
   std::size_t most_holes() const { return options_.holes ? max_holes : max_vertices; }
-  // Degrees are converted once the text is read, so they need no note.
+  // Degrees are converted after reading, so they need no note.
   bool projects() const { return options_.project; }
-  // Adds the sentence in the reader's language.
+  // Adds the sentence, translated.
   void note(std::string_view sentence);
 
-  // Returns the import. Without a shape it returns the first problem, or else `nothing`.
+  // Without a shape, returns the first problem, or else `nothing`.
   Result<Import> finish(InputError nothing);
 
  private:
-  // How an outline of import.shapes was drawn.
   struct Drawn {
     bool filled;
     std::size_t path, part;  // numbers
@@ -111,7 +109,7 @@ class Gathering {
   std::size_t open_points_ = 0;
   std::vector<Drawn> drawn_;  // of each shape, if they are outlines of a drawing
   std::size_t paths_ = 0;
-  std::size_t outlines_ = 0;  // the shapes, and the holes that came with an outline of a drawing
+  std::size_t outlines_ = 0;  // shapes, and holes that came with an outline of a drawing
   std::size_t without_area_ = 0, problems_ = 0;
   std::optional<InputError> first_problem_, full_;
 };

@@ -46,7 +46,6 @@ Result<Import> read_small(std::string_view text, const char* format) {
   return import;
 }
 
-// Reads the text with the reader of its format.
 Result<Import> read_format(std::string_view text, const ImportOptions& options) {
   TextCursor cursor(text);
   cursor.skip_white_space();

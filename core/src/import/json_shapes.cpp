@@ -1,5 +1,4 @@
-// Shapes in JSON: GeoJSON of any kind (RFC 7946), Esri's JSON, arrays of points, and evenlift's own
-// results.
+// GeoJSON of any kind (RFC 7946), Esri's JSON, arrays of points, and evenlift's own results.
 #include <cmath>
 #include <vector>
 
@@ -56,7 +55,7 @@ class JsonShapes {
   std::optional<InputError> take_overlays(Index overlays, Overlays& shown) const;
 
   void arrays(Index array, std::string_view name);
-  // A point such as {"x": 1, "y": 2} or {"lon": 1, "lat": 2}.
+  // Such as {"x": 1, "y": 2} or {"lon": 1, "lat": 2}.
   struct Members {
     Index x, y;
     bool are_degrees;
@@ -88,13 +87,13 @@ class JsonShapes {
   const JsonTree& tree_;
   Gathering gathering_;
   RingNotes notes_;
-  bool of_evenlift_ = false;  // a feature has a "centre_of_mass", which only evenlift writes
+  bool of_evenlift_ = false;  // a feature has "centre_of_mass", which only evenlift writes
 };
 
 // --- evenlift's own results
 
-// All digits of the integer that ends at the offset: a seed may have more digits than a double
-// holds. For another notation, such as 1e3, its value.
+// An integer with all its digits, of which a seed may have more than a double holds. The value of
+// another notation, such as 1e3.
 std::string whole_text(std::string_view text, std::size_t last, double value) {
   std::size_t first = last + 1;
   while (first > 0 && text[first - 1] >= '0' && text[first - 1] <= '9') --first;
@@ -103,7 +102,7 @@ std::string whole_text(std::string_view text, std::size_t last, double value) {
   return read && *read == value ? digits : shortest(value);
 }
 
-// Whether true, not false, ends at the offset.
+// Whether true, not false, ends here.
 bool is_true(std::string_view text, std::size_t last) {
   return last >= 3 && text.substr(last - 3, 4) == "true";
 }
@@ -126,7 +125,6 @@ std::optional<InputError> JsonShapes::take_setting(Setting setting, Index at,
   return wrong;
 }
 
-// An integer keeps all its digits: a seed may have more than a double holds.
 std::string JsonShapes::value_text(const SettingRow& row, Index at) const {
   if (tree_.kind(at) == Kind::string) return std::string(tree_.text(at));
   if (tree_.kind(at) != Kind::number) return {};
@@ -135,16 +133,15 @@ std::string JsonShapes::value_text(const SettingRow& row, Index at) const {
              : shortest(tree_.number(at));
 }
 
-// Reads a setting that is a member by itself, a number or a word. Null means that it is not set.
-// Objects and arrays are results of the same name.
+// Null means unset. Objects and arrays are results of the same name.
 std::optional<InputError> JsonShapes::take_row(const SettingRow& row, Document& document) const {
   const auto at = tree_.member(0, row.json.empty() ? row.name : row.json);
   if (!at || is(at, Kind::null) || is(at, Kind::object) || is(at, Kind::array)) return std::nullopt;
   return take_setting(row.setting, *at, value_text(row, *at), document);
 }
 
-// A result lists its teams and gives the requested number. For `max` that is a plain number, and
-// for balanced robots and supports it is 1: then `teams_asked` holds the setting.
+// A result's `teams` are a list. `requested_teams` is a plain number even for `max`, and 1 for
+// balanced robots and supports: then `teams_asked` holds the setting.
 std::optional<InputError> JsonShapes::take_teams(Document& document) const {
   const bool one_team = is_one_team(document.settings.method);
   for (const std::string_view name : {"teams", "requested_teams", "teams_asked"})
@@ -156,7 +153,7 @@ std::optional<InputError> JsonShapes::take_teams(Document& document) const {
   return std::nullopt;
 }
 
-// A result always names its goal. The default goal counts as unset, so it does not persist when the
+// A result always names its goal. The default counts as unset, so that it does not persist when the
 // method changes.
 void forget_usual_goal(Settings& settings) {
   Settings usual = settings;
@@ -164,7 +161,7 @@ void forget_usual_goal(Settings& settings) {
   if (settings.goal == goal_of(usual)) settings.goal.reset();
 }
 
-// Reads the settings from the members of the object: a result, or the output of `link decode`.
+// The object is a result, or the output of `link decode`.
 std::optional<InputError> JsonShapes::take_settings(Document& document) {
   for (const SettingRow& row : all_settings()) {
     if (row.changes == Changes::view || row.setting == Setting::teams) continue;
@@ -181,7 +178,7 @@ std::optional<InputError> JsonShapes::take_settings(Document& document) {
   return take_uncertainty(document);
 }
 
-// Reads the robots that were moved by hand. This comes after the settings, which put robots back.
+// This comes after the settings, which put robots back.
 std::optional<InputError> JsonShapes::take_moved(Document& document) const {
   const auto at = tree_.member(0, "moved");
   if (!is(at, Kind::string)) return std::nullopt;
@@ -193,7 +190,7 @@ std::optional<InputError> JsonShapes::take_moved(Document& document) const {
   return std::nullopt;
 }
 
-// Reads the supports and their capacities. A result contains them if its method is `given`.
+// Results contain supports and capacities if the method is `given`.
 std::optional<InputError> JsonShapes::take_supports(Document& document) {
   const auto supports = tree_.member(0, "supports"),
              capacities = tree_.member(0, "support_capacities");
@@ -211,8 +208,7 @@ std::optional<InputError> JsonShapes::take_supports(Document& document) {
   return take_setting(Setting::support_capacities, *capacities, text, document);
 }
 
-// Reads the robots' size, an object whose members have the names of the settings without the
-// prefix.
+// The members are named like the settings of the robots' size, without the prefix.
 std::optional<InputError> JsonShapes::take_stands(Document& document) const {
   const auto robot = tree_.member(0, "robot");
   if (!is(robot, Kind::object)) return std::nullopt;
@@ -227,8 +223,7 @@ std::optional<InputError> JsonShapes::take_stands(Document& document) const {
   return std::nullopt;
 }
 
-// Reads the capacity, the C uncertainty and the extra weight. A result contains them among the values computed with
-// them.
+// A result contains these next to values computed with them.
 std::optional<InputError> JsonShapes::take_uncertainty(Document& document) const {
   const auto within = [&](const char* object, const char* member) {
     const auto at = tree_.member(0, object);
@@ -243,15 +238,14 @@ std::optional<InputError> JsonShapes::take_uncertainty(Document& document) const
   return std::nullopt;
 }
 
-// A result always names its centre of mass. If it equals the centroid bit for bit, it is the
-// centroid.
+// A result always names its centre of mass, which is unset if it equals the centroid bit for bit.
 void forget_centroid(Document& document) {
   const Result<PolygonWithHoles> object = object_of(document);
   if (object && document.centre_of_mass && object->centroid() == *document.centre_of_mass)
     document.centre_of_mass.reset();
 }
 
-// Reads the object's own centre of mass. With cargo, a result also contains that of both.
+// With cargo, a result also contains C of both.
 std::optional<InputError> JsonShapes::take_centre_of_mass(Document& document) {
   auto centre = tree_.member(0, "own_centre_of_mass");
   if (!centre) centre = tree_.member(0, "centre_of_mass");
@@ -263,7 +257,6 @@ std::optional<InputError> JsonShapes::take_centre_of_mass(Document& document) {
   return std::nullopt;
 }
 
-// Reads a ring of a polygon that may have holes.
 std::optional<InputError> JsonShapes::take_hole(Index ring, Document& document) {
   if (document.holes.size() == gathering_.most_holes())
     return error(ring, ErrorCode::too_many_vertices, no_more_holes);
@@ -285,8 +278,7 @@ std::optional<InputError> JsonShapes::take_holes(Document& document) {
   return std::nullopt;
 }
 
-// Reads an item of cargo, {"at": [x, y], "weight": w, "name": "..."}, in which the name may be
-// missing.
+// The name in {"at": [x, y], "weight": w, "name": "..."} may be missing.
 Result<Cargo> JsonShapes::cargo_item(Index item) {
   const bool is_object = tree_.kind(item) == Kind::object;
   const auto at = is_object ? tree_.member(item, "at") : std::nullopt;
@@ -337,7 +329,7 @@ Result<Import> JsonShapes::result_of_evenlift() {
 
 // --- Points
 
-// The members of a point that is an object. A name in capitals is the same.
+// Capitals do not matter in names.
 std::optional<JsonShapes::Members> JsonShapes::members_of_point(Index object) const {
   std::optional<Index> x, y, longitude, latitude;
   for (Index i = tree_.first(object); i != tree_.end(object); i = tree_.next(i)) {
@@ -396,7 +388,7 @@ Result<Points> JsonShapes::points(Index array) {
   return ring;
 }
 
-// An array of points is a shape; an array of anything else may contain some.
+// An array of points is a shape. Other arrays may contain some.
 void JsonShapes::arrays(Index array, std::string_view name) {
   if (gathering_.full()) return;
   const Index first = tree_.first(array);
@@ -422,7 +414,7 @@ void JsonShapes::arrays(Index array, std::string_view name) {
 
 // --- GeoJSON
 
-// The text of a member that names a shape; names in capitals are the same.
+// Capitals do not matter in names.
 std::optional<std::string> JsonShapes::name_in(Index object, std::string_view member) const {
   for (Index i = tree_.first(object); i != tree_.end(object); i = tree_.next(i)) {
     if (!same_word(tree_.name(i), member)) continue;
@@ -524,7 +516,7 @@ void JsonShapes::geojson(Index object, std::string_view name, const Document& of
   }
 }
 
-// Whether the coordinates are degrees: by the standard if no other reference system is named, as
+// By the standard the coordinates are degrees, unless the text names another reference system, as
 // older GeoJSON does.
 bool JsonShapes::is_geojson_in_degrees() const {
   const auto system = tree_.member(0, "crs");
@@ -552,8 +544,7 @@ bool JsonShapes::is_esri_geometry(Index object) const {
          tree_.member(object, "paths");
 }
 
-// Esri's holes run the other way round than the outline that they are in, which tells them from
-// islands in a hole.
+// Esri's holes run the other way round than their outline; islands in a hole do not.
 void JsonShapes::esri_rings(Index rings, std::string_view name) {
   if (tree_.kind(rings) != Kind::array)
     return gathering_.add_problem(
@@ -603,7 +594,7 @@ void JsonShapes::esri(Index object) {
   gathering_.left_out.add("feature without a polygon", "features without a polygon");
 }
 
-// Reads a geometry, a feature or a set of features. Returns whether it is one of Esri's.
+// Returns whether the JSON is Esri's: a geometry, a feature or a set of features.
 bool JsonShapes::read_esri() {
   const auto features = tree_.member(0, "features");
   const bool is_set =
@@ -629,7 +620,7 @@ bool JsonShapes::read_esri() {
 
 // --- The whole
 
-// Whether an array lists robots, like a table of robots converted to JSON.
+// Whether it is a table of robots converted to JSON.
 bool JsonShapes::lists_robots(Index array) const {
   const Index first = tree_.first(array);
   return first != tree_.end(array) && tree_.member(first, "robot") && is_point(first);
@@ -654,7 +645,7 @@ Result<Import> JsonShapes::read_array() {
   return gathering_.finish({ErrorCode::bad_syntax, "this JSON has no list of points [x, y]", {}});
 }
 
-// Reads the members of an object that are lists of points, such as {"points": [[0, 0], ...]}.
+// Reads members that are lists of points, such as {"points": [[0, 0], ...]}.
 void JsonShapes::read_members() {
   gathering_.import.format = "points in JSON";
   for (Index i = tree_.first(0); i != tree_.end(0); i = tree_.next(i)) {

@@ -75,7 +75,7 @@ constexpr char gerber[] =
     "this is a Gerber file, which evenlift does not read: save the outline of the board as DXF or "
     "SVG";
 
-// A file shows its kind within so many lines and bytes.
+// A file shows its kind within these.
 constexpr std::size_t first_lines = 500, first_bytes = 65536;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -89,7 +89,7 @@ std::string_view first_word(std::string_view line) {
   return line.substr(0, line.find_first_of(" \t"));
 }
 
-// The first line of a text, without the comments and blank lines before it.
+// Without the comments and blank lines before it.
 std::string_view first_line(std::string_view text) {
   const std::optional<Line> line = Lines(text).next();
   return line ? trimmed(line->text) : std::string_view();
@@ -119,8 +119,8 @@ bool is_off(std::string_view text) {
   return std::find(std::begin(names), std::end(names), word) != std::end(names);
 }
 
-// All lines up to the first vertex begin with words of the format. A table may also name a point
-// "v", but not with three coordinates.
+// Lines up to the first vertex begin with words of the format. A table may also name a point "v",
+// but without three coordinates.
 bool is_obj(std::string_view text) {
   static constexpr std::string_view words[] = {"mtllib", "usemtl", "o",  "g", "s",
                                                "vn",     "vt",     "vp", "l", "f"};
@@ -138,7 +138,7 @@ bool is_obj(std::string_view text) {
   return false;
 }
 
-// Lines of 80 characters; the 73rd names the section.
+// Lines have 80 characters; the 73rd names the section.
 bool is_iges(std::string_view text) {
   const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
   return line.size() == 80 && line[72] == 'S' && is_digit(line[79]) &&
@@ -149,7 +149,7 @@ bool is_autocad_list(std::string_view text) {
   return contains(text, "Layer:") && (contains(text, "at point  X=") || contains(text, "Handle ="));
 }
 
-// Whether a word such as "G1" or "X-0.5" begins here.
+// A word such as "G1" or "X-0.5".
 bool sees_address(std::string_view line, std::size_t at, std::string_view letters) {
   if (letters.find(line[at]) == std::string_view::npos || at + 1 >= line.size()) return false;
   const char next = line[at + 1];
@@ -162,13 +162,12 @@ bool has_address(std::string_view line, std::string_view letters) {
   return false;
 }
 
-// Whether the line is a command of G-code. A table may name its points G1 and G2, but its
-// coordinates have no letters.
+// A table may name its points G1 and G2, but its coordinates have no letters.
 bool is_move(std::string_view line) {
   return sees_address(line, 0, "GN") && has_address(line, "G") && has_address(line, "XYIJ");
 }
 
-// The thesis's text also begins with a parenthesis, but has no words in it.
+// The thesis's text also begins with a parenthesis, but has no words.
 bool is_g_code_comment(std::string_view line) {
   if (line[0] == ';' || line[0] == '%') return true;
   if (line[0] != '(') return false;
@@ -177,8 +176,8 @@ bool is_g_code_comment(std::string_view line) {
   return false;
 }
 
-// The lines before the first move are commands, comments in parentheses or after semicolons, or the
-// percent sign and number of the program.
+// Before the first move come commands, comments in parentheses or after semicolons, or the
+// program's percent sign and number.
 bool is_g_code(std::string_view text) {
   Lines lines(text);
   for (std::size_t i = 0; i < first_lines; ++i) {

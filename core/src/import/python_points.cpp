@@ -19,7 +19,6 @@ constexpr std::size_t deepest = 32;
 bool opens(char c) { return c == '[' || c == '('; }
 char closing(char c) { return c == '[' ? ']' : ')'; }
 
-// The place after white space from `at` on.
 std::size_t after_spaces(std::string_view text, std::size_t at) {
   return std::min(text.find_first_not_of(" \t\r\n", at), text.size());
 }
@@ -32,7 +31,7 @@ class PythonPoints {
   Result<Import> read();
 
  private:
-  // A bracket that is open.
+  // An open bracket.
   struct Level {
     char closes = ']';
     std::vector<double> numbers;
@@ -57,7 +56,7 @@ void PythonPoints::add_shape(Points points) {
   gathering_.add(std::move(document), "", "points");
 }
 
-// Ends a bracket: a point if it has numbers, a shape if it has points.
+// A bracket with numbers is a point; one with points is a shape.
 std::optional<InputError> PythonPoints::close() {
   if (!cursor_.take(levels_.back().closes))
     return cursor_.expected(
@@ -72,15 +71,14 @@ std::optional<InputError> PythonPoints::close() {
     return cursor_.error_at(cursor_.offset() - 1, ErrorCode::bad_syntax,
                             "expected points (x, y) of two numbers");
   if (level.numbers.size() > 2) ++notes_.heights;
-  if (levels_.empty()) levels_.push_back({'\0', {}, {}});  // pairs without a bracket around them
+  if (levels_.empty()) levels_.push_back({'\0', {}, {}});  // for pairs without brackets around them
   if (levels_.back().points.size() > max_vertices)
     return cursor_.error(ErrorCode::too_many_vertices, no_more_vertices);
   levels_.back().points.push_back({level.numbers[0], level.numbers[1]});
   return std::nullopt;
 }
 
-// Takes a bracket, a number or the end of a list. Commas between them may be missing, as in what
-// numpy prints.
+// A bracket, a number or the end of a list. numpy prints no commas between them.
 std::optional<InputError> PythonPoints::take() {
   const char c = text_[cursor_.offset()];
   if (opens(c)) {

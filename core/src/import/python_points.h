@@ -1,4 +1,4 @@
-// Points as Python writes them: lists and tuples, "[(0, 0), (1, 0)]", and numpy's arrays.
+// Points in Python: lists and tuples, "[(0, 0), (1, 0)]", and numpy's arrays.
 #pragma once
 
 #include <string_view>
@@ -7,11 +7,11 @@
 
 namespace evenlift {
 
-// Whether the text has only numbers, commas, brackets and parentheses, and is not the thesis's
-// text: it begins with "((", "[(" or "[[", or has a comma after its first pair "(x, y)". O(bytes).
+// Whether the text has only numbers, commas, brackets and parentheses, and begins with "((", "[("
+// or "[[" or has a comma after its first "(x, y)", unlike the thesis's text. O(bytes).
 bool looks_like_python(std::string_view text);
 
-// Reads lists of points; each list is a shape. O(bytes).
+// Each list of points is a shape. O(bytes).
 Result<Import> read_python_points(std::string_view text, const ImportOptions& options);
 
 }  // namespace evenlift

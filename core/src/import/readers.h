@@ -1,6 +1,5 @@
-// The readers of this folder. Each reads a whole text without a byte-order mark and without bytes
-// 0.
-// read_shapes() in import.cpp chooses the reader.
+// read_shapes() chooses one of the readers. Each reads a whole text without a byte-order mark and
+// without bytes 0.
 #pragma once
 
 #include <string_view>
@@ -15,15 +14,15 @@ Result<Import> read_columns(std::string_view text, const ImportOptions& options)
 // GeoJSON, arrays of points, and results.
 Result<Import> read_json_shapes(std::string_view text, const ImportOptions& options);
 
-// Whether the text begins like DXF: after any comments, pairs of lines, a code and a value, the
-// first 0 and SECTION. O(bytes until then).
+// Whether the text begins, after any comments, with pairs of lines, a code and a value, first 0 and
+// SECTION. O(bytes until then).
 bool looks_like_dxf(std::string_view text);
 
-// The list of formats in the message about a text in none of them.
+// For the message about a text in no known format.
 inline constexpr char known_formats[] =
     "evenlift reads lines \"x, y\", columns of a table (CSV), SVG, DXF, WKT and GeoJSON";
 
-// The message for a file of robots' poses that evenlift saved, in any format.
+// For files of robots' poses that evenlift saved.
 inline constexpr char robots_are_no_polygon[] =
     "these are the robots of a result, not a polygon: open the JSON saved with them, which contains the "
     "polygon and all settings";

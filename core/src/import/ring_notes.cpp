@@ -10,15 +10,15 @@
 namespace evenlift {
 namespace {
 
-// Nearer to the equator widths are right within half a percent.
+// Nearer to the equator widths are right within 0.5 %.
 constexpr double low_latitude = 5;
 
-// Numbers beyond these are no longitudes and latitudes, whatever the text says.
+// Numbers beyond these are no degrees, whatever the text says.
 bool can_be_degrees(const Box& box) {
   return box.low.x() >= -360 && box.high.x() <= 360 && box.low.y() >= -90 && box.high.y() <= 90;
 }
 
-// The note about degrees. It names the factor at the middle latitude.
+// Names the factor at the middle latitude.
 std::string degrees_note(std::string_view note, const Box& box) {
   const double latitude = (box.low.y() + box.high.y()) / 2;
   const double shrinking = cosine(latitude * pi / 180);

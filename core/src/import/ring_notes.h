@@ -1,5 +1,5 @@
-// What the readers of rings leave out or doubt, and the notes about it: one rule for WKT, GeoJSON,
-// other JSON and tables.
+// What readers of rings leave out or suspect, and notes about it: one rule for WKT, GeoJSON, other
+// JSON and tables.
 #pragma once
 
 #include <cstddef>
@@ -14,23 +14,22 @@ namespace evenlift {
 struct RingNotes {
   std::size_t repeated = 0;  // vertices at the place of the one before
   std::size_t heights = 0;   // positions with coordinates beyond x and y
-  bool are_degrees = false;  // the text says that coordinates are longitudes and latitudes
-  // The note about these.
+  bool are_degrees = false;  // says the text
+  // The note about degrees.
   std::string_view in_degrees =
       "the coordinates are degrees of longitude and latitude, not lengths";
 
-  // Drops each vertex that equals the one before it and counts it; the last vertex of a ring may
-  // equal the first. O(n).
+  // Drops and counts vertices that equal the one before; the last may equal the first. O(n).
   void drop_repeated(Points& ring);
-  // Adds the notes to an import with all its shapes. O(vertices).
+  // The import must have all its shapes. O(vertices).
   void add_to(Gathering& gathering) const;
 };
 
-// The smallest box around all vertices. O(vertices).
+// Around all vertices. O(vertices).
 Box box_of(const std::vector<ImportedShape>& shapes);
 
-// Whether these are the codes of a reference system in degrees: WGS 84 and the national ones that
-// files most often have. O(1).
+// Whether a reference system with this code is in degrees: WGS 84 and the national ones most common
+// in files. O(1).
 bool is_in_degrees(double code);
 
 }  // namespace evenlift

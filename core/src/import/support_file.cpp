@@ -1,4 +1,4 @@
-// The places of robots from a file: a table, a result, or robot poses.
+// Robots' places from a file: a table, a result, or robot poses.
 #include <algorithm>
 #include <string>
 
@@ -16,7 +16,7 @@ using Kind = JsonTree::Kind;
 using Index = JsonTree::Index;
 using Problem = std::optional<InputError>;
 
-// The supports so far, with the bounds that hold for all formats.
+// Supports within the bounds of all formats.
 class Gathered {
  public:
   explicit Gathered(std::string_view text) : text_(text) {}
@@ -51,7 +51,7 @@ class Gathered {
   SupportFile supports_;
 };
 
-// --- JSON: a result (robots[].at), robot poses (robots[].x, y) or an array of points
+// --- JSON: a result (robots[].at), poses (robots[].x, y) or an array of points
 
 class JsonSupports {
  public:
@@ -99,7 +99,7 @@ class JsonSupports {
     return Vec2(*x, *y);
   }
 
-  // Only a robot at the edge has a contact.
+  // Only robots at the edge have a contact.
   std::optional<Vec2> contact(Index at) const {
     if (tree_.kind(at) != Kind::object) return std::nullopt;
     const auto touches = tree_.member(at, "contact");
@@ -114,7 +114,7 @@ class JsonSupports {
   Gathered gathered_;
 };
 
-// --- YAML: the PoseArray that evenlift writes for ROS 2, in metres
+// --- YAML: evenlift's PoseArray for ROS 2, in metres
 
 std::optional<double> number_after(std::string_view line, std::string_view name) {
   const std::size_t at = line.find(name);

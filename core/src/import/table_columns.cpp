@@ -17,7 +17,7 @@ constexpr std::size_t first_lines = 200;  // among which the first row is
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// Whether the line begins with a number, perhaps in quotes. No heading does.
+// No heading begins with a number, perhaps in quotes.
 bool has_number_first(std::string_view line) {
   line.remove_prefix(std::min(line.find_first_not_of(" \t\"+-.,;|"), line.size()));
   return !line.empty() && is_digit(line[0]);
@@ -28,7 +28,7 @@ CellStyle style_of_line(std::string_view line) {
   return {separator, separator != ',' && separator != ' '};
 }
 
-// What a column of numbers has been so far.
+// The cells of a column so far.
 class Course {
  public:
   void add(std::string_view cell, double value, bool after_blank) {
@@ -48,7 +48,7 @@ class Course {
   bool stays_the_same() const { return same_ && count_ >= 3; }
   // 1, 2, 3 ...; from another number on only if it is no chance.
   bool counts() const { return counts_ && whole_ && count_ >= (first_ == 1 ? 3u : 4u); }
-  // The numbers of points that are left after others were deleted.
+  // The numbers of the points that remain after others were deleted.
   bool rises_in_whole_numbers() const { return rises_ && whole_ && count_ >= 3; }
   bool has_decimals() const { return pointed_ && count_ > 0; }
 
@@ -61,7 +61,7 @@ class Course {
 struct Candidate {
   std::size_t column = 0;
   Course course;
-  const char* reason = nullptr;  // a clause why it is no coordinate, with a place for its label
+  const char* reason = nullptr;  // a clause with a place for its label: why it is no coordinate
 };
 
 using Candidates = std::vector<Candidate>;
@@ -106,7 +106,7 @@ void drop_by_headings(Candidates& all, const Fields& headings) {
   drop(all, "{column} has the heights", means(Column::height));
 }
 
-// The first column has whole numbers that rise, and the others have decimals.
+// The first column has rising whole numbers, the others decimals.
 void drop_gapped_numbers(Candidates& all) {
   const auto left = left_of(all);
   const bool others_have_decimals = std::all_of(
@@ -157,15 +157,15 @@ bool has_only_digits(const Fields& cells) {
 
 namespace {
 
-// A comma in a cell that commas part is in quotes, and could part thousands. Any other number of
-// digits after it shows that it precedes decimals.
+// Where commas part cells, a comma in a cell is in quotes and could part thousands. It precedes
+// decimals unless three digits follow.
 bool has_decimal_comma(std::string_view cell) {
   const std::size_t comma = cell.find(',');
   return comma != std::string_view::npos && cell.size() - comma - 1 != 3 &&
          cell_number(cell, true).has_value();
 }
 
-// Whether commas part the cells and also precede the decimals of quoted ones: "1,5","2,25".
+// Whether commas part the cells and also precede quoted decimals: "1,5","2,25".
 bool has_quoted_decimals(std::string_view text) {
   Lines lines(text);
   auto line = lines.next();

@@ -13,17 +13,17 @@ using Words = std::vector<std::string>;
 
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 
-// Letters beyond ASCII count as letters, and so does the degree sign of "n°".
+// Includes letters beyond ASCII and the degree sign of "n°".
 bool is_part_of_word(char c) { return is_letter(c) || static_cast<unsigned char>(c) >= 0x80; }
 
-// Whether a word begins at `i` without a separator: "PosX", "XCoord".
+// Whether a word without a separator before it begins at `i`: "PosX", "XCoord".
 bool begins_inside(std::string_view text, std::size_t i) {
   if (i == 0 || !is_upper(text[i]) || !is_letter(text[i - 1])) return false;
   return !is_upper(text[i - 1]) ||
          (i + 1 < text.size() && is_letter(text[i + 1]) && !is_upper(text[i + 1]));
 }
 
-// In lower case, with the capital letters of Latin-1 in UTF-8.
+// Also knows the capitals of Latin-1 in UTF-8.
 void append_lower(std::string& word, char c) {
   const auto byte = static_cast<unsigned char>(c);
   const bool accented = !word.empty() && static_cast<unsigned char>(word.back()) == 0xc3 &&
@@ -152,7 +152,7 @@ constexpr Meaning meanings[] = {
     {"bezeichnung", Column::name},
 };
 
-// Words beside a coordinate that do not change what it is.
+// Words that do not change the meaning of the coordinate.
 constexpr std::string_view beside[] = {"coord",
                                        "coords",
                                        "coordinate",
@@ -229,7 +229,7 @@ Column meaning_of(std::string_view word) {
   return Column::other;
 }
 
-// "xcoord", "posx", "xmm": the letter of an axis before or after a word beside it.
+// "xcoord", "posx", "xmm": an axis with such a word.
 Column meaning_of_compound(std::string_view word) {
   if (word.size() < 3) return Column::other;
   const auto is_beside = [](std::string_view rest) {
@@ -243,17 +243,17 @@ Column meaning_of_compound(std::string_view word) {
   return Column::other;
 }
 
-// A heading with the words beside it set apart.
+// A heading without such words.
 struct Reading {
   Column column = Column::other;
-  int rank = 0;  // of the name's plainness, 0 for the plainest
+  int rank = 0;  // 0 for the plainest name
 };
 
 bool is_coordinate(Column column) {
   return column != Column::other && column != Column::number && column != Column::name;
 }
 
-// The single letters that only a pair of headings explains: E and N, alone or with a unit.
+// E and N, alone or with a unit: letters that only a pair of headings explains.
 Column meaning_of_letter(const Words& words) {
   const bool with_unit = words.size() == 2 && is_among(words[1], unit_words);
   if (words.size() != 1 && !with_unit) return Column::other;
@@ -290,7 +290,6 @@ Reading reading_of(std::string_view heading) {
   return {};
 }
 
-// The best column with this meaning.
 std::optional<std::size_t> best_column(const std::vector<Reading>& readings, Column wanted) {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < readings.size(); ++i)

@@ -1,5 +1,4 @@
-// The headings of tables of coordinates, as people and programs write them: "x (mm)", "POINT_X",
-// "Position X", "Easting", "lon".
+// Headings of tables of coordinates: "x (mm)", "POINT_X", "Position X", "Easting", "lon".
 #pragma once
 
 #include <cstdint>
@@ -13,7 +12,6 @@
 
 namespace evenlift {
 
-// What a column has, by its heading.
 enum class Column : std::uint8_t {
   other,
   x,
@@ -30,15 +28,14 @@ enum class Column : std::uint8_t {
 // O(heading).
 Column column_of(std::string_view heading);
 
-// Whether a column may number or name the shapes of its rows: "Name", "fid", "part", "Layer".
-// O(heading).
+// Whether a column may number or name the shapes: "Name", "fid", "part", "Layer". O(heading).
 bool may_tell_shapes(std::string_view heading);
 
-// The names among the words of a heading such as "X coord Y coord"; none if another word is there,
-// since the line may be prose. O(words).
+// The names in "X coord Y coord"; none if there is another word, since the line may be prose.
+// O(words).
 Fields names_among(const Fields& words);
 
-// The unit in a heading, such as "Easting (m)" or "x_cm"; none without one. O(heading).
+// As in "Easting (m)" or "x_cm"; none without one. O(heading).
 LengthUnit unit_in(std::string_view heading);
 
 struct NamedColumns {
@@ -48,8 +45,8 @@ struct NamedColumns {
   std::vector<std::size_t> heights;    // left out
 };
 
-// The columns of x and y, if the headings name both: as x and y, else as easting and northing, else
-// as longitude and latitude. The plainest names win, and then the first ones. O(headings).
+// x and y, else easting and northing, else longitude and latitude. The plainest names win, then the
+// first. O(headings).
 std::optional<NamedColumns> named_columns(const Fields& headings);
 
 }  // namespace evenlift

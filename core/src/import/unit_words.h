@@ -1,4 +1,4 @@
-// The full names of units of length.
+// Full names of length units.
 #pragma once
 
 #include "evenlift/document.h"

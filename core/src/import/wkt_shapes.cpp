@@ -13,11 +13,11 @@ namespace evenlift {
 namespace {
 
 constexpr int deepest_collection = 32;
-constexpr std::size_t first_lines = 100;  // of a table, among which a geometry is
+constexpr std::size_t first_lines = 100;  // of a table; one has a geometry
 
 constexpr std::string_view read_names[] = {"polygon", "multipolygon", "geometrycollection"};
 
-// The name of a geometry without the Z, M or ZM at its end.
+// Without Z, M or ZM at the end.
 std::string_view without_dimensions(std::string_view word) {
   for (const std::string_view name : read_names)
     if (same_word(word.substr(0, name.size()), name) &&
@@ -34,7 +34,7 @@ bool names_geometry(std::string_view name) {
   return names_other_geometry(name) || same_word(name, read_names[0]);
 }
 
-// "Point", as GeoJSON writes it.
+// "Point", as in GeoJSON.
 std::string title_of(std::string_view word) {
   std::string title;
   for (const char c : word) title += lower_case(c);
@@ -193,7 +193,6 @@ Result<Import> read_wkt_shapes(std::string_view text, const ImportOptions& optio
 
 namespace {
 
-// The lines of a table, with the column that names its shapes.
 class WktTable {
  public:
   WktTable(std::string_view text, const ImportOptions& options)
@@ -213,7 +212,7 @@ class WktTable {
   std::optional<std::size_t> name_;  // the column
 };
 
-// The line with a word in place of its geometry, which may contain separators.
+// With a word in place of the geometry, which may contain separators.
 std::string without_geometry(std::string_view line, const GeometryCell& cell) {
   return std::string(line.substr(0, cell.from)) + "geometry" + std::string(line.substr(cell.to));
 }
@@ -232,7 +231,7 @@ std::string WktTable::name_in(std::string_view line, const GeometryCell& cell) c
   return *name_ < cells.size() ? std::string(cells[*name_]) : std::string();
 }
 
-// Reads the geometry alone, so that it ends with its cell. An error's place is that in the text.
+// Reads the geometry alone, so that it ends with its cell, but errors have their place in the text.
 void WktTable::take_row(std::string_view line, const GeometryCell& cell) {
   const auto offset = static_cast<std::size_t>(line.data() - text_.data()) + cell.from;
   const std::string_view geometry = line.substr(cell.from, cell.to - cell.from);
@@ -292,7 +291,7 @@ bool has_wkt_cells(std::string_view text) {
       names_coordinates = names_coordinates || named_columns(cells).has_value();
       continue;
     }
-    // Points are also in the columns x and y beside them.
+    // The columns x and y beside points repeat them.
     const bool of_points = same_word(line->text.substr(cell->from, 5), "point");
     return !of_points || !names_coordinates;
   }

@@ -1,4 +1,4 @@
-// Polygons in well-known text, alone or in a column of a table. What they leave out is as in GeoJSON.
+// Well-known text, alone or in a column of a table. It leaves out what GeoJSON leaves out.
 #pragma once
 
 #include <optional>
@@ -11,27 +11,27 @@
 
 namespace evenlift {
 
-// Whether the text at the cursor begins with the name of a geometry and a parenthesis, or another
-// valid continuation. The heading of a table may also begin with such a name. O(1).
+// Whether the text begins with the name of a geometry and a valid continuation, such as a
+// parenthesis: a table's heading may also begin with such a name. O(1).
 bool begins_wkt(TextCursor cursor);
 
-// A geometry in a line of a table, with its quotation marks.
+// Quotation marks included.
 struct GeometryCell {
   std::size_t from = 0, to = 0;
 };
 
-// Where the first cell of WKT is in the line, if any: up to the parenthesis that closes it, or the
-// end of the line. O(line).
+// The first cell of WKT in the line: up to its closing parenthesis, or the end of the line.
+// O(line).
 std::optional<GeometryCell> find_geometry(std::string_view line);
 
 class WktReader {
  public:
   explicit WktReader(Gathering& gathering) : gathering_(gathering) {}
 
-  // Reads a geometry, perhaps with a reference system before it, and adds its polygons under the
-  // name. The cursor reads the text. Returns an error if the geometry breaks off or is no WKT.
+  // Reads a geometry, perhaps after a reference system, and adds its polygons. The cursor reads the
+  // text. An error if it breaks off or is no WKT.
   std::optional<InputError> take(std::string_view text, TextCursor& cursor, std::string_view name);
-  // Adds the notes, after the last geometry.
+  // After the last geometry, adds the notes.
   void finish();
 
  private:
@@ -43,18 +43,16 @@ class WktReader {
   std::string_view text_;  // of the geometry being read
   Gathering& gathering_;
   RingNotes notes_;
-  std::string system_;  // the first reference system
+  std::string system_;  // the first one
 };
 
-// Reads a text of geometries of WKT, one after the other.
+// Reads one geometry after another.
 Result<Import> read_wkt_shapes(std::string_view text, const ImportOptions& options);
 
-// Reads a table with a column of WKT: each line is a geometry, named by a column of names or
-// numbers.
+// Each line is a geometry, named by a column of names or numbers.
 Result<Import> read_wkt_table(std::string_view text, const ImportOptions& options);
 
-// Whether one of the first lines of a table has a cell of WKT, other than points beside columns of
-// their x and y. O(first lines).
+// Whether a first line has WKT, other than points beside columns of their x and y. O(first lines).
 bool has_wkt_cells(std::string_view text);
 
 }  // namespace evenlift

@@ -72,7 +72,7 @@ struct Absence {
   std::string operator()(const at::Number& address) const {
     return say("there is no step {step}: there are {count}", {address.step + 1, trace.size()});
   }
-  std::string operator()(const at::End&) const { return {}; }  // each trace has an end
+  std::string operator()(const at::End&) const { return {}; }
 };
 
 Result<Document> opened_object(const Lesson& lesson, const Document& sample, std::uint64_t number) {

@@ -1,4 +1,3 @@
-// Reads the text of a lesson, line by line.
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -37,7 +36,7 @@ std::optional<Movable> movable_from_name(std::string_view text) {
   return std::nullopt;
 }
 
-// Two or more words of a lesson, which are the same in all languages: "title, polygon and teams".
+// "title, polygon and teams": words that are the same in all languages.
 std::string listed(const std::vector<std::string>& words) {
   std::string ends[] = {words.front(), words.back()};
   for (std::size_t i = 1; i + 1 < words.size(); ++i) ends[0] += ", " + words[i];
@@ -59,7 +58,7 @@ class Reader {
   Result<Lesson> read() {
     if (text_.size() > max_lesson_bytes)
       return InputError{ErrorCode::text_too_long, "a lesson has at most 65536 bytes", {}};
-    if (text_.substr(0, 3) == "\xef\xbb\xbf") text_.remove_prefix(3);  // some editors' mark
+    if (text_.substr(0, 3) == "\xef\xbb\xbf") text_.remove_prefix(3);  // the mark of some editors
     while (!text_.empty() && !error_) {
       const std::size_t end = text_.find('\n');
       const std::string_view whole_line = text_.substr(0, end);
@@ -89,7 +88,7 @@ class Reader {
     read_words(line);
   }
 
-  // Reads a line before the first step: a name and its value.
+  // Before the first step: a name and its value.
   void read_heading(std::string_view line) {
     if (line.empty()) return;
     const std::size_t colon = line.find(':');
@@ -99,7 +98,7 @@ class Reader {
     const std::string_view value = trimmed(line.substr(colon + 1));
     if (value.empty()) return refuse("the setting has no value");
     const std::optional<Setting> setting = setting_of(key);
-    // A setting and its alias are the same.
+    // An alias is the same setting.
     const std::string_view given = setting ? name(*setting) : key;
     if (std::find(seen_.begin(), seen_.end(), given) != seen_.end())
       return refuse("the setting is given twice");
@@ -137,7 +136,7 @@ class Reader {
     if (*robot > 0) lesson_.failed = static_cast<std::size_t>(*robot - 1);
   }
 
-  // "star n=9 seed={number}": the numbers may be left out.
+  // "star n=9 seed={number}", in which the numbers may be missing.
   void take_generate(std::string_view value) {
     const std::optional<Family> family = family_from_name(next_word(value));
     bool sound = family.has_value();
@@ -197,7 +196,7 @@ class Reader {
     task_.find_centre = true;
   }
 
-  // Reads a setting of the algorithm here only to check its value.
+  // Here a setting of the algorithm is only checked.
   void take_setting(std::string_view value, Setting setting) {
     Document tried;
     if (read_setting(setting, value, tried)) return refuse(requirement(setting));
@@ -209,7 +208,7 @@ class Reader {
     lesson_.predict = value == "yes";
   }
 
-  // The keys that only a lesson has, in addition to the settings of the program.
+  // The keys of lessons in addition to the settings.
   struct Key {
     std::string_view name;
     void (Reader::*take)(std::string_view value);
@@ -226,7 +225,7 @@ class Reader {
     return row.option.group != OptionGroup::none || row.setting == Setting::overlays;
   }
 
-  // The setting of a key, which has hyphens in place of underscores.
+  // Keys have hyphens in place of underscores.
   static std::optional<Setting> setting_of(std::string_view key) {
     std::string name(key);
     for (char& c : name) c = c == '-' ? '_' : c == '_' ? '-' : c;
@@ -234,7 +233,7 @@ class Reader {
     return setting && is_key(row_of(*setting)) ? setting : std::nullopt;
   }
 
-  // All keys, such as "title, polygon, teams and overlays".
+  // Such as "title, polygon, teams and overlays".
   static std::string names_of_keys() {
     std::vector<std::string> names;
     for (const Key& own : keys) names.emplace_back(own.name);
@@ -243,7 +242,7 @@ class Reader {
     return listed(names);
   }
 
-  // The destination of the words that follow, and the messages if they are too long or missing.
+  // Where the next words go; messages if they are too long or missing.
   struct Part {
     std::string* words = nullptr;  // of lesson_; null before the first part
     std::size_t most = 0;          // bytes
@@ -305,7 +304,7 @@ class Reader {
              "the answer has no text", line_};
   }
 
-  // Reads a word and up to two numbers, counted from 1; nullopt for anything else.
+  // A word and up to two numbers, from 1; nullopt for anything else.
   static std::optional<StepAddress> read_address(std::string_view text) {
     std::array<std::uint32_t, 2> numbers{};
     std::size_t count = 0;
@@ -370,11 +369,11 @@ class Reader {
   std::string_view text_;
   std::size_t line_ = 0;
   Lesson lesson_;
-  std::vector<std::string_view> seen_;  // the names that the text has given so far
+  std::vector<std::string_view> seen_;  // names in the text so far
   Part part_;
   bool gap_ = false;                  // an empty line follows the last words
-  std::optional<std::size_t> asked_;  // the line of the question
-  Task task_;                         // as far as it was read
+  std::optional<std::size_t> asked_;  // line of the question
+  Task task_;                         // so far
   std::size_t task_key_line_ = 0;     // of the first setting of a task
   std::optional<InputError> error_;
 };

@@ -18,8 +18,8 @@ InputError task_error(std::string message) {
   return {ErrorCode::bad_setting, std::move(message), {}};
 }
 
-// A centre of mass within the robots that the number draws: none of them carries less than a tenth of the
-// weight of a fair share.
+// Drawn by the number among the robots: each carries at least a tenth of an equal share of the
+// weight.
 Vec2 drawn_centre(const Points& supports, std::uint64_t number) {
   Rng rng(number);
   Vec2 sum = Vec2::Zero();
@@ -32,7 +32,7 @@ Vec2 drawn_centre(const Points& supports, std::uint64_t number) {
   return sum / total;
 }
 
-// Hides the centre of mass, after reading what each robot carries.
+// First reads what each robot carries.
 std::optional<InputError> hide_centre(Exercise& exercise, std::uint64_t number) {
   Document& document = exercise.start;
   if (document.settings.method != Method::given || document.settings.supports.size() < 3)
@@ -66,8 +66,7 @@ std::optional<InputError> put_robots(Exercise& exercise, std::size_t robots) {
   return std::nullopt;
 }
 
-// The settings of each part that may be changed. The outline, the holes, the method and robots moved
-// by hand are no single settings.
+// Outline, holes, method and robots moved by hand are no single settings.
 struct Part {
   Movable part;
   std::initializer_list<Setting> settings;
@@ -92,7 +91,7 @@ bool may_set(const Task& task, Setting setting) {
   });
 }
 
-// Overlays, units and the step are how a document is shown.
+// These only decide how a document is shown.
 bool is_free(Setting setting) {
   return setting == Setting::overlays || setting == Setting::unit ||
          setting == Setting::weight_unit || setting == Setting::step;
@@ -127,7 +126,7 @@ std::vector<std::string> changed_against(const Task& task, const Document& start
   return changed;
 }
 
-// The loads of the robots against the readings.
+// Compares the robots' loads with the readings.
 std::vector<Goalpost> found(const Exercise& exercise, const ShownPlacement& of) {
   const std::vector<PlacedRobot> robots = placed_robots(of.placement);
   double largest = 0;

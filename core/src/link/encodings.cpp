@@ -10,7 +10,7 @@
 namespace evenlift {
 namespace {
 
-// The number of trailing bits that are 0 in every coordinate.
+// Trailing bits that are 0 in every coordinate.
 int common_zero_bits(const Points& vertices) {
   std::uint64_t any = std::uint64_t{1} << 52;
   for (const Vec2& vertex : vertices) any |= to_bits(vertex.x()) | to_bits(vertex.y());
@@ -19,7 +19,7 @@ int common_zero_bits(const Points& vertices) {
   return zeros;
 }
 
-// The scales that promise the shortest link, at most two. The estimate uses only integers, so every
+// At most two scales that promise the shortest link. The estimate uses only integers, so every
 // platform chooses the same.
 std::vector<Scale> likely_scales(const Points& vertices) {
   std::array<std::size_t, Scale::doubles + 1> with_decimals{};
@@ -58,7 +58,6 @@ std::vector<Scale> likely_scales(const Points& vertices) {
   return scales;
 }
 
-// Estimates the number of bits of the vertices in this encoding.
 std::uint64_t estimated_bits(const Encoding& encoding, const QuantizedVertices& quantized) {
   const bool plain_doubles = !encoding.scale.decimal() && encoding.predictor == Predictor::nothing;
   std::uint64_t bits = 0;
@@ -89,8 +88,7 @@ std::vector<QuantizedPolygon> likely_encodings(const Points& vertices) {
     const QuantizedVertices quantized = quantize(scale, vertices);
     for (const Predictor predictor : all_predictors) {
       const Encoding encoding{scale, predictor};
-      // For many vertices the estimate finds the shortest encoding well enough. For few it does
-      // not, but then there is time to try them all.
+      // The estimate is good enough for many vertices. For few, there is time to try all.
       if (vertices.size() <= 128) {
         encodings.push_back({encoding, quantized});
         continue;

@@ -1,5 +1,5 @@
-// Chooses the encodings of a polygon that are worth trying. This choice is not part of the format:
-// a reader accepts every encoding.
+// Encodings of a polygon that are worth trying. The choice is not part of the format: readers
+// accept every encoding.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,13 @@
 
 namespace evenlift {
 
-// An encoding, and the vertices quantized by its scale.
 struct QuantizedPolygon {
   Encoding encoding;
   QuantizedVertices quantized;
 };
 
-// Returns at least one encoding, and several for a small polygon. It compares only integers, so
-// every platform chooses the same. O(n).
+// At least one, and several for a small polygon. Compares only integers, so every platform chooses
+// the same. O(n).
 std::vector<QuantizedPolygon> likely_encodings(const Points& vertices);
 
 }  // namespace evenlift

@@ -14,15 +14,14 @@ namespace {
 constexpr std::string_view head = "L1.";
 constexpr int length_bits = 17;  // of max_lesson_bytes
 
-// Predicts a text bit by bit: by what followed the last three bytes before, or if that is new, by
-// what followed the last byte. It looks models up but never goes through them, so their order in
-// memory does not matter.
+// Predicts a text bit by bit from what followed its last three bytes before, or if that is new, its
+// last byte. It never goes through the models, so their order does not matter.
 class Predictor {
  public:
-  // Codes the next byte of the text. O(1) on average.
+  // O(1) on average.
   template <class Coder>
   std::uint8_t code_byte(Coder& coder, std::uint8_t byte) {
-    std::uint32_t node = 1;  // the bits of the byte so far, below a leading one
+    std::uint32_t node = 1;  // the bits so far, below a leading one
     for (int bit = 7; bit >= 0; --bit) {
       BitModel& near = model(last_three_ & 0xff, node, 1);
       BitModel& far = model(last_three_, node, 3);
@@ -39,7 +38,7 @@ class Predictor {
  private:
   static bool is_new(const BitModel& model) { return model.count[0] + model.count[1] == 2; }
 
-  // Texts repeat themselves, so what was met once is expected again: a decision counts eight.
+  // A decision counts eight, since texts repeat themselves.
   static void learn(BitModel& model, bool value) {
     auto& count = model.count[value ? 1 : 0];
     count = static_cast<std::uint16_t>(count + 8);
@@ -56,7 +55,7 @@ class Predictor {
   std::uint32_t last_three_ = 0;
 };
 
-// Lets the predictor learn a text that both ends know.
+// Teaches the predictor a text that both ends know.
 struct Learner {
   bool code_bit(bool value, BitModel&) const { return value; }
 };
@@ -68,7 +67,7 @@ Predictor primed() {
   return predictor;
 }
 
-// Where a link to a lesson begins: at the beginning of the text, or after a '#' or '&'.
+// A lesson's link is at the beginning of the text, or after '#' or '&'.
 std::size_t find_lesson_link(std::string_view text) {
   bool at_start = true;
   for (std::size_t at = 0; at < text.size(); ++at) {
@@ -116,7 +115,7 @@ Result<std::string> decode_lesson_link(std::string_view text) {
   Predictor predictor = primed();
   while (lesson.size() < length && length <= max_lesson_bytes && !decoder.failed())
     lesson += static_cast<char>(predictor.code_byte(decoder, 0));
-  // Each lesson has one link, so that nothing can be hidden in another.
+  // Only one link per lesson, so that no other can hide data.
   const Result<std::string> link = encode_lesson_link(lesson);
   if (decoder.failed() || lesson.size() != length || *link != text.substr(begin, end - begin))
     return link_error(ErrorCode::bad_link, "the link contains data that evenlift never writes");

@@ -1,5 +1,5 @@
-// The text from which both ends of a link to a lesson learn what lessons look like. It is part of the
-// format (docs/lesson-primer.txt is the same text, for other readers) and never changes.
+// From this text both ends of a link learn what lessons look like. It is part of the format and
+// never changes. docs/lesson-primer.txt repeats it for other readers.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// The text of share links: address, version, characters, checksum. payload.h explains the payload.
+// The text of share links: address, version, characters, checksum. The payload is in payload.h.
 #include "evenlift/link.h"
 
 #include <algorithm>
@@ -27,8 +27,8 @@ std::optional<InputError> check_point(const Vec2& point, const Place& place) {
   return std::nullopt;
 }
 
-// Early links could contain any finite weight and distance, and all links stay readable. Values
-// that are out of bounds today are refused when robots are placed.
+// Early links could contain any finite weight and distance, and stay readable. Placing robots
+// refuses values out of bounds.
 std::optional<InputError> check_linked_settings(Settings settings, Shown shown) {
   const Settings usual;
   const auto is_positive = [](double value) { return value > 0 && std::isfinite(value); };
@@ -79,7 +79,7 @@ std::optional<InputError> check_linkable(const Document& document) {
 
 // --- A link within a text
 
-// The place of a link in a text that may have an address before it and white space around it.
+// An address may come before a link, and white space around it.
 struct Span {
   std::size_t
       address;  // the first character of the address, which ends with the '#' before `begin`
@@ -99,9 +99,8 @@ Span find_link(std::string_view text) {
   return span;
 }
 
-// The version of a link, and the offset of its payload.
 struct Version {
-  std::uint64_t number;  // 2^64 - 1 for a version that does not fit
+  std::uint64_t number;  // 2^64 - 1 if it does not fit
   std::size_t payload;
 };
 
@@ -144,7 +143,7 @@ Result<std::string> encode_link(const Document& document) {
   if (auto error = check_linkable(document)) return *std::move(error);
   std::string link = std::to_string(static_cast<int>(version_for(document))) + '.';
   append_digits(link, encode_payload(document));
-  if (link.size() > max_link_bytes) {  // no known document has such a long link
+  if (link.size() > max_link_bytes) {  // no known document is this long
     return InputError{ErrorCode::text_too_long, "the link would be longer than 1 MiB", {}};
   }
   return link;

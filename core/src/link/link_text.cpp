@@ -13,9 +13,8 @@ constexpr std::string_view alphabet =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 constexpr std::size_t checksum_digits = 4;
 
-// The CRC-24 of OpenPGP (RFC 4880, 6.1). It detects every change within 24 consecutive bits, which
-// includes a changed character and two swapped neighbours. It misses one in 16 million other
-// changes.
+// The CRC-24 of OpenPGP (RFC 4880, 6.1). It detects every change within 24 consecutive bits, such
+// as a changed character or two swapped neighbours, and all but one in 16 million others.
 std::uint32_t checksum(std::string_view text) {
   std::uint32_t crc = 0xb704ce;
   for (const char c : text) {
@@ -28,7 +27,7 @@ std::uint32_t checksum(std::string_view text) {
   return crc;
 }
 
-// The checksum of the text, as characters of the alphabet.
+// In characters of the alphabet.
 std::string checksum_text(std::string_view text) {
   std::uint32_t rest = checksum(text);
   std::string digits(checksum_digits, ' ');

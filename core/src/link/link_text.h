@@ -1,5 +1,4 @@
-// The characters of links: their digits, their checksum, and what is said of both.
-// docs/link-format.md, "Text", specifies them.
+// The digits and checksum of links, and messages about both (docs/link-format.md, "Text").
 #pragma once
 
 #include <cstddef>
@@ -16,25 +15,25 @@ namespace evenlift {
 bool is_decimal_digit(char c);
 bool is_white_space(char c);
 
-// The end of the link that begins at `begin`, in a text that ends at `end`. Anything appended to an
-// address after '&', such as parameters of visit counters, is not part of the link; nor is
-// punctuation or a closing bracket of the surrounding text. The full stop after the version is.
+// The end of the link from `begin` in a text up to `end`. It excludes what follows '&' in an
+// address, such as parameters of visit counters, and punctuation and closing brackets around the
+// link, but not the full stop after the version.
 std::size_t end_of_link(std::string_view text, std::size_t begin, std::size_t end);
 
-// The value 0 .. 63 of a character of the alphabet.
+// 0 .. 63.
 std::optional<std::uint8_t> digit_of(char c);
 
-// An error whose place is the link, and the character if it is not 0.
+// The error's place is the link, and the character if it is not 0.
 InputError link_error(ErrorCode code, std::string message, std::size_t character = 0);
 
-// The error for the character at `at`, which a link cannot contain.
+// A link cannot contain the character at `at`.
 InputError bad_character(std::string_view text, std::size_t at);
 
-// Completes a link that so far is its version: appends the digits and the checksum. O(digits).
+// `link` is its version so far: appends the digits and the checksum. O(digits).
 void append_digits(std::string& link, const Digits& digits);
 
-// The digits from `payload` to the checksum of the link [begin, end) in a text, or why they cannot
-// be right. O(end - begin).
+// The digits from `payload` to the checksum of the link [begin, end), or why they cannot be right.
+// O(end - begin).
 Result<Digits> read_digits(std::string_view text, std::size_t begin, std::size_t payload,
                            std::size_t end);
 

@@ -13,7 +13,7 @@
 namespace evenlift {
 namespace {
 
-// The bounding box of the quantized vertices, without escaped coordinates.
+// The box of quantized vertices that are not escaped.
 struct NumberBox {
   std::int64_t low[2] = {std::numeric_limits<std::int64_t>::max(),
                          std::numeric_limits<std::int64_t>::max()};
@@ -38,8 +38,8 @@ struct NumberBox {
   }
 };
 
-// Codes the centre of mass. Usually it is on the scale of the vertices and within their bounding
-// box. Otherwise its coordinates are coded as separate numbers.
+// Usually C is on the scale of the vertices and in their bounding box. Otherwise its coordinates
+// are separate numbers.
 template <class Coder>
 Vec2 code_centre(Coder& coder, Vec2 centre, const Scale& scale,
                  const QuantizedVertices& quantized) {
@@ -69,18 +69,17 @@ Vec2 code_centre(Coder& coder, Vec2 centre, const Scale& scale,
   return centre;
 }
 
-// The content of a link.
 struct Content {
   Document settings = defaults_of_links();  // without vertices and centre of mass
-  QuantizedVertices quantized;              // the vertices, by the scale of the encoding
+  QuantizedVertices quantized;              // vertices, by the scale of the encoding
   std::optional<Vec2> centre_of_mass;
   LinkVersion version = LinkVersion::one;
   Records records;   // of version 2
   CodedLists lists;  // of records
 };
 
-// An encoder writes the content, with the vertices in the given encoding. A decoder reads all of
-// it. Returns the encoding of the vertices.
+// An encoder writes the content in this encoding of the vertices. A decoder reads it and returns
+// the encoding.
 template <class Coder>
 Encoding code_content(Coder& coder, Content& content, Encoding encoding) {
   constexpr int widest_count = 16;
@@ -108,7 +107,6 @@ Digits encode_in(const Encoding& encoding, Content& content) {
   return encoder.finish();
 }
 
-// Whether all numbers of the document are finite.
 bool is_finite(const Document& document) {
   for (const Vec2& vertex : document.vertices)
     if (!vertex.allFinite()) return false;
@@ -134,7 +132,7 @@ Points vertices_of_all(const std::vector<Points>& holes) {
   return all;
 }
 
-// The document that was read, without the settings in its records.
+// Without the settings in records.
 Document document_of(const Content& content) {
   Document document = content.settings;
   document.centre_of_mass = content.centre_of_mass;
@@ -157,7 +155,6 @@ LinkVersion version_for(const Document& document) {
 
 namespace {
 
-// Sets the points of a record to their shortest encoding, if there are any.
 void find_shortest(const Encoding& encoding, Content& content, CodedPoints& points,
                    const Points& values) {
   if (values.empty()) return;
@@ -174,7 +171,6 @@ void find_shortest(const Encoding& encoding, Content& content, CodedPoints& poin
   points = std::move(best);
 }
 
-// The points in records, in their shortest encodings.
 CodedLists shortest_lists(const Encoding& encoding, Content& content, const Document& document) {
   CodedLists& lists = content.lists;
   for (const Points& hole : document.holes) lists.hole_sizes.push_back(hole.size());
@@ -192,7 +188,7 @@ CodedLists shortest_lists(const Encoding& encoding, Content& content, const Docu
 Digits encode_payload(const Document& document) {
   Digits best;
   bool first = true;
-  std::optional<CodedLists> lists;  // in the shortest encodings, which the first vertices find
+  std::optional<CodedLists> lists;  // found with the first vertices
   for (QuantizedPolygon& candidate : likely_encodings(document.vertices)) {
     Content content{settings_of_link_1(document), std::move(candidate.quantized),
                     document.centre_of_mass,      version_for(document),
@@ -217,8 +213,8 @@ Payload decode_payload(LinkVersion version, std::span<const std::uint8_t> digits
 
   Document document = document_of(content);
   if (!is_finite(document) || !take_records(content.records, document)) return NoPayload{};
-  // In each encoding a document has exactly one link. So no two links mean the same, and a link
-  // cannot hide data.
+  // In each encoding a document has exactly one link. So no two mean the same, and none can hide
+  // data.
   content.quantized = quantize(encoding.scale, document.vertices);
   content.records = records_of(document);
   for (const auto& [points, values] :

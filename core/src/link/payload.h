@@ -1,5 +1,5 @@
-// The payload of share links: a Document as digits, and back. docs/link-format.md specifies the
-// format. No version ever changes; any change makes a new version.
+// A Document as the digits of a share link, and back (docs/link-format.md). Any change makes a new
+// version.
 #pragma once
 
 #include <cstdint>
@@ -11,26 +11,26 @@
 
 namespace evenlift {
 
-// Version 2 is version 1 followed by records (records.h).
+// Version 2 is version 1 and then records (records.h).
 enum class LinkVersion : std::uint8_t { one = 1, two = 2 };
 
-// The least version that can represent the document. O(1).
+// The least version for the document. O(1).
 LinkVersion version_for(const Document& document);
 
-// Writes the document in a few encodings and returns the shortest result. All its numbers must be
-// finite, its settings within their ranges, and its vertices at most max_link_vertices. O(n).
+// The shortest of a few encodings. All numbers must be finite, settings within their ranges, and
+// vertices at most max_link_vertices. O(n).
 Digits encode_payload(const Document& document);
 
-// The reason why digits are not a document: encode_payload could not have written them in any
-// encoding, or a later program wrote a record with this tag.
+// Why digits are no document: no encoding gives them, or a later program wrote a record with this
+// tag.
 struct NoPayload {};
 struct UnknownRecord {
   unsigned tag = 0;
 };
 using Payload = std::variant<Document, NoPayload, UnknownRecord>;
 
-// All numbers of the returned document are finite, and it has at most max_link_vertices vertices.
-// Work and memory are bounded for any digits. O(digits).
+// All numbers are finite, with at most max_link_vertices vertices. Work and memory are bounded for
+// any digits. O(digits).
 Payload decode_payload(LinkVersion version, std::span<const std::uint8_t> digits);
 
 }  // namespace evenlift

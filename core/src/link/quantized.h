@@ -1,5 +1,4 @@
-// The coordinates of a polygon in a share link: quantized to integers, and the predictors of these
-// integers.
+// Coordinates in share links as integers, and their predictors.
 #pragma once
 
 #include <array>
@@ -12,24 +11,24 @@
 
 namespace evenlift {
 
-// Predicts the number of a coordinate from the preceding vertices, on the same axis.
+// Predicts a coordinate's number from the vertices before, on the same axis.
 enum class Predictor : std::uint8_t {
   nothing,   // always 0
-  previous,  // the number of the last vertex
+  previous,  // the last vertex's number
   line,      // extrapolates the last two linearly
   repeat     // the last one plus the step four vertices ago, for combs
 };
 inline constexpr Predictor all_predictors[] = {Predictor::nothing, Predictor::previous,
                                                Predictor::line, Predictor::repeat};
 
-// The notation of the vertices. The writer tries several encodings and keeps the shortest.
+// The writer tries several encodings and keeps the shortest.
 struct Encoding {
   Scale scale{0};
   Predictor predictor = Predictor::nothing;
 };
 
-// A quantized coordinate. If the scale has no number for the value, the coordinate is `escaped`:
-// the link contains the double itself, and later predictions use the number predicted here.
+// A value without a number on the scale is `escaped`: the link contains the double itself, and
+// later predictions use the number predicted here.
 struct QuantizedCoordinate {
   double value = 0;
   std::int64_t number = 0;
@@ -37,7 +36,7 @@ struct QuantizedCoordinate {
 };
 using QuantizedVertices = std::vector<std::array<QuantizedCoordinate, 2>>;
 
-// The predicted number of vertex i. It wraps around beyond 64 bits. O(1).
+// For vertex i. Wraps around beyond 64 bits. O(1).
 inline std::uint64_t predict(Predictor predictor, const QuantizedVertices& quantized, std::size_t i,
                              std::size_t axis) {
   const auto back = [&](std::size_t steps) {
@@ -49,7 +48,7 @@ inline std::uint64_t predict(Predictor predictor, const QuantizedVertices& quant
   return back(1);
 }
 
-// Quantizes the vertices by the scale. O(n).
+// O(n).
 QuantizedVertices quantize(const Scale& scale, const Points& vertices);
 
 }  // namespace evenlift

@@ -39,8 +39,8 @@ double Scale::value_of(std::int64_t number) const {
 }
 
 int decimals_of(double value) {
-  // If k decimals suffice, so do more, until the integer becomes too large. So testing the largest
-  // k first rejects most values at once.
+  // If k decimals suffice, so do more, until the integer becomes too large. Testing the largest k
+  // first rejects most values at once.
   int most = 0;
   while (most < Scale::most_decimals && std::fabs(value) * powers[most + 1] < limit - 1) ++most;
   if (!Scale(most).number_of(value)) return Scale::doubles;

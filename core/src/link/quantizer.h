@@ -1,5 +1,5 @@
-// The quantizer of share links: coordinates as integers, without loss. An integer counts either
-// steps of a decimal grid or the doubles in ascending order.
+// Coordinates as integers, without loss: steps of a decimal grid, or the doubles in ascending
+// order.
 #pragma once
 
 #include <cstdint>
@@ -7,28 +7,26 @@
 
 namespace evenlift {
 
-// A rule that numbers doubles.
+// Numbers doubles.
 class Scale {
  public:
-  static constexpr int most_decimals = 22;           // 10^22 is the largest power that is a double
+  static constexpr int most_decimals = 22;           // 10^22 is the largest such double
   static constexpr int doubles = most_decimals + 1;  // every double has a number
 
   // `kind` is the number of decimals, 0 .. most_decimals, or `doubles`. With `doubles`, a double
-  // has a number if its lowest `zero_bits` bits are 0 (0 .. 52), and the number omits these bits.
+  // has a number only if its lowest `zero_bits` bits are 0 (0 .. 52), and the number omits these.
   explicit Scale(int kind, int zero_bits = 0) : kind_(kind), zero_bits_(zero_bits) {}
   int kind() const { return kind_; }
   bool decimal() const { return kind_ != doubles; }
   int zero_bits() const { return zero_bits_; }
 
-  // The number of a finite value; nullopt if it has none. O(1).
-  // With k decimals it is the integer m, |m| < 2^51, for which m / 10^k, rounded once, equals the
-  // value in every bit. There is at most one such integer, and none for -0. With `doubles` it is
-  // the bit pattern of the absolute value, complemented for a negative value. So numbers ascend
+  // nullopt if a finite value has no number. O(1). With k decimals it is the only integer m, |m| <
+  // 2^51, for which m / 10^k, rounded once, is the value in every bit; -0 has none. With `doubles`
+  // it is the bit pattern of the absolute value, complemented for a negative value: numbers ascend
   // with values, 0 has number 0, and -0 has number -1.
   std::optional<std::int64_t> number_of(double value) const;
 
-  // The value with this number: the inverse of number_of. Any number has a value, but the value may
-  // be infinite or NaN. O(1).
+  // The inverse of number_of. Any number has a value, which may be infinite or NaN. O(1).
   double value_of(std::int64_t number) const;
 
  private:
@@ -36,8 +34,7 @@ class Scale {
   int zero_bits_;
 };
 
-// The least k for which Scale(k) has a number for the finite value; Scale::doubles without such a
-// k. O(1).
+// The least k for which Scale(k) has a number for a finite value, else Scale::doubles. O(1).
 int decimals_of(double value);
 
 }  // namespace evenlift

@@ -10,7 +10,7 @@ constexpr std::uint32_t whole = std::uint32_t{1} << 30;         // five digits
 constexpr std::uint32_t narrow_limit = std::uint32_t{1} << 24;  // at or below it, emit a digit
 constexpr std::uint32_t top_unit = std::uint32_t{1} << 24;      // one unit of the first digit
 
-// The size of the part of the range that means false.
+// The part that means false.
 std::uint32_t false_part(std::uint32_t range, const BitModel& model) {
   return range / (std::uint32_t{model.count[0]} + model.count[1]) * model.count[0];
 }
@@ -54,8 +54,7 @@ void Encoder::narrow(std::uint32_t offset, std::uint32_t range) {
   }
 }
 
-// Adds one to the digits already written. As a fraction they are and stay below 1, so one of them
-// is below 63.
+// Adds one to the digits written. As a fraction they stay below 1, so one of them is below 63.
 void Encoder::carry() {
   low_ -= whole;
   std::size_t i = digits_.size();
@@ -64,8 +63,8 @@ void Encoder::carry() {
 }
 
 Digits Encoder::finish() {
-  // Any number in [low_, low_ + range_) will do. This finds the one with the fewest digits, since
-  // the decoder reads missing digits as 0.
+  // Finds the number in [low_, low_ + range_) with the fewest digits, since the decoder reads
+  // missing digits as 0.
   std::uint32_t unit = whole;
   std::uint32_t value = (low_ + unit - 1) / unit * unit;
   int count = 0;
@@ -90,7 +89,7 @@ Decoder::Decoder(std::span<const std::uint8_t> digits) : digits_(digits) {
 std::uint32_t Decoder::next_digit() {
   const std::size_t at = read_++;
   if (at < digits_.size()) return digits_[at];
-  if (at >= digits_.size() + 5) failed_ = true;  // an encoder omits at most five digits
+  if (at >= digits_.size() + 5) failed_ = true;  // an encoder omits at most five
   return 0;
 }
 
@@ -98,7 +97,7 @@ std::uint32_t Decoder::code_uniform(std::uint32_t, std::uint32_t count) {
   if (failed_) return 0;
   const std::uint32_t unit = range_ / count;
   const std::uint32_t value = code_ / unit;
-  if (value >= count) {  // in the remainder of the division, which no encoder uses
+  if (value >= count) {  // the remainder of the division: no encoder uses it
     failed_ = true;
     return 0;
   }

@@ -1,16 +1,14 @@
 // An adaptive binary range coder (G. N. N. Martin, Range encoding: an algorithm for removing
-// redundancy from a digitised message, 1979) with digits of six bits. It turns values into base-64
-// digits and back, and wastes less than one digit on a whole link. docs/link-format.md, "Coder",
-// specifies it; every program that reads links must follow that specification.
+// redundancy from a digitised message, 1979) with digits of six bits. It wastes less than one digit
+// on a whole link. Programs that read links must follow docs/link-format.md, "Coder".
 //
-// Encoder and Decoder have the same members. Each member takes the value to write and returns the
-// value that is read: the encoder returns its argument, and the decoder ignores it. So one template
-// over the coder describes the format in both directions. For example,
+// Encoder and Decoder have the same members, which take the value to write and return the value
+// read: the encoder returns its argument, the decoder ignores it. So one template over the coder
+// describes the format in both directions. For example,
 //
 //   settings.seed = code_integer(coder, settings.seed, 64);
 //
-// writes the seed if the coder is an Encoder, and reads the seed from the link if the coder is a
-// Decoder.
+// writes the seed with an Encoder, and reads it with a Decoder.
 #pragma once
 
 #include <bit>
@@ -23,33 +21,31 @@ namespace evenlift {
 
 using Digits = std::vector<std::uint8_t>;  // each 0 .. 63
 
-// An adaptive model of one binary decision: the counts of false and true so far. The more frequent
-// value takes fewer bits.
+// One adaptive binary decision. The more frequent value takes fewer bits.
 struct BitModel {
-  std::uint16_t count[2];   // of false and of true
-  void update(bool value);  // counts one more decision; O(1)
+  std::uint16_t count[2];   // of false and of true so far
+  void update(bool value);  // counts one more; O(1)
 };
 
 class Encoder {
  public:
   static constexpr bool decoding = false;
 
-  // Codes a value of 0 .. count - 1, all equally likely; 1 <= count <= 4096. Amortized O(1).
+  // Codes one of `count` equally likely values 0 .. count - 1; 1 <= count <= 4096. Amortized O(1).
   std::uint32_t code_uniform(std::uint32_t value, std::uint32_t count);
-  // Codes one bit with the probabilities of the model, and updates the model. Amortized O(1).
+  // Codes one bit by the model, and updates it. Amortized O(1).
   bool code_bit(bool value, BitModel& model);
   bool failed() const { return false; }
   void fail() {}
 
-  // Returns the fewest digits that a decoder can read. The encoder is unusable afterwards.
-  // Amortized O(1).
+  // The fewest digits that a decoder can read. The encoder is unusable afterwards. Amortized O(1).
   Digits finish();
 
  private:
   void narrow(std::uint32_t offset, std::uint32_t range);
   void carry();
 
-  std::uint32_t low_ = 0;  // below 2^30: the digits that may still change
+  std::uint32_t low_ = 0;  // below 2^30: digits that may still change
   std::uint32_t range_ = std::uint32_t{1} << 30;
   Digits digits_;
 };
@@ -60,12 +56,11 @@ class Decoder {
 
   explicit Decoder(std::span<const std::uint8_t> digits);
 
-  // The counterparts of the encoder's members. After a failure they always return 0, so check
-  // failed() before using any value.
+  // After a failure they return 0, so check failed() before using a value.
   std::uint32_t code_uniform(std::uint32_t, std::uint32_t count);
   bool code_bit(bool, BitModel& model);
 
-  // True once the digits end too early or prove to be impossible for an encoder.
+  // The digits end too early, or no encoder writes them.
   bool failed() const { return failed_; }
   void fail() { failed_ = true; }
 
@@ -75,14 +70,14 @@ class Decoder {
 
   std::span<const std::uint8_t> digits_;
   std::size_t read_ = 0;
-  std::uint32_t code_ = 0;  // the number that the digits form, minus the encoder's low_; < range_
+  std::uint32_t code_ = 0;  // the digits' number minus the encoder's low_; < range_
   std::uint32_t range_ = std::uint32_t{1} << 30;
   bool failed_ = false;
 };
 
-// --- Codes built from these two, for either coder; all O(1)
+// --- Codes built from these two; all O(1)
 
-// Codes the lowest `count` bits of value, 0 <= count <= 64.
+// The lowest `count` bits of value, 0 <= count <= 64.
 template <class Coder>
 std::uint64_t code_bits(Coder& coder, std::uint64_t value, int count) {
   std::uint64_t result = 0;
@@ -95,7 +90,7 @@ std::uint64_t code_bits(Coder& coder, std::uint64_t value, int count) {
   return result;
 }
 
-// Codes a value of 0 .. greatest; all are about equally likely.
+// A value of 0 .. greatest; all are about equally likely.
 template <class Coder>
 std::uint64_t code_up_to(Coder& coder, std::uint64_t value, std::uint64_t greatest) {
   const int width = static_cast<int>(std::bit_width(greatest));
@@ -107,8 +102,8 @@ std::uint64_t code_up_to(Coder& coder, std::uint64_t value, std::uint64_t greate
   return result;
 }
 
-// Codes an integer below 2^widest: its width in bits, then the bits below the leading one (an Elias
-// code with a uniform width).
+// An integer below 2^widest: its width, then the bits below the leading one (an Elias code with a
+// uniform width).
 template <class Coder>
 std::uint64_t code_integer(Coder& coder, std::uint64_t value, int widest) {
   const auto width = static_cast<int>(coder.code_uniform(

@@ -11,11 +11,11 @@
 namespace evenlift {
 namespace {
 
-// Three numbers, and a name of characters of four bytes between quotes, for each item.
+// Each item has three numbers, and a name in quotes with characters of four bytes.
 constexpr std::size_t most_bytes_of_cargo = max_cargo * (3 * 26 + 4 * max_name_characters + 4);
 static_assert(most_bytes_of_cargo < 1u << widest_length);
 
-// The overlays added after version 1, and the payload of one that is shown.
+// Overlays added after version 1, with the payload of a shown one.
 struct OverlayRecord {
   Tag tag;
   bool Overlays::*overlay;
@@ -24,22 +24,20 @@ constexpr OverlayRecord overlay_records[] = {
     {tag::halo, &Overlays::halo}, {tag::tilt, &Overlays::tilt}, {tag::load, &Overlays::load}};
 constexpr const char* shown = "shown";
 
-// The overlay of a record of this number; null for other records.
 const OverlayRecord* overlay_of_record(Tag number) {
   for (const OverlayRecord& record : overlay_records)
     if (record.tag == number) return &record;
   return nullptr;
 }
 
-// The row of the setting in a record of this number; null for other records.
 const SettingRow* row_of_record(Tag number) {
   for (const SettingRow& row : all_settings())
     if (row.record == number && number != tag::end) return &row;
   return nullptr;
 }
 
-// Whether a link needs the setting. The record of the number of robots means that the robots are
-// balanced, that of supports that they are given. The default goal of teams is `cover`.
+// The record of the number of robots means that they are balanced, that of supports that they are
+// given. The default goal of teams is `cover`.
 bool is_needed(const SettingRow& row, const Document& document, const Document& defaults) {
   const Settings& settings = document.settings;
   if (!is_kept(row, settings)) return false;
@@ -57,7 +55,7 @@ std::string units_text(const Units& units) {
   return text;
 }
 
-// Reads the units. Returns whether units_text() could have written the text.
+// Returns whether units_text() could have written the text.
 bool take_units(const std::string& text, Document& document) {
   document.shown.units = {};
   const std::size_t comma = text.find(',');
@@ -68,14 +66,14 @@ bool take_units(const std::string& text, Document& document) {
   return !text.empty() && units_text(document.shown.units) == text;
 }
 
-// Whether robots of the document's method were moved by hand.
+// Counts only robots of the document's method.
 bool has_moved(const Document& document) {
   const Moved& moved = document.moved;
   return document.settings.method == Method::balanced ? !moved.robots.empty()
                                                       : !moved.teams.empty();
 }
 
-// Reads a number that was unbounded in early links: see check_linked_settings().
+// Early links had no bounds here: see check_linked_settings().
 bool take_unbounded(Setting setting, const std::string& text, Document& document) {
   const std::optional<double> value = read_number(text);
   if (!value || *value < 0) return false;
@@ -143,7 +141,7 @@ bool take_records(const Records& records, Document& document) {
     } else if (number == tag::supports) {
       document.settings.method = Method::given;
     } else if (number == tag::holes) {
-      continue;  // their points are coded like vertices
+      continue;  // coded like vertices
     } else {
       const Setting setting = row_of_record(number)->setting;
       if (setting == Setting::robots) document.settings.method = Method::balanced;

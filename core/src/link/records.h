@@ -1,8 +1,7 @@
-// The records of share links of version 2: the settings added after version 1. Each record is a
-// tag, the number of bytes of its payload, and the payload. The payload of a setting is its text in
-// the syntax of read_setting(). The records of supports and of holes hold numbers of points and, like
-// the vertices, their coordinates instead. Records are in the order of their tags, and tag 0 ends
-// them.
+// The records of share links of version 2: settings added after version 1. A record is a tag, the
+// number of bytes of its payload, and the payload: a setting's text as for read_setting(). The
+// records of supports and holes instead hold numbers of points and, like the vertices, their
+// coordinates. They are in order of tag, and tag 0 ends them.
 #pragma once
 
 #include <cstddef>
@@ -17,16 +16,16 @@
 
 namespace evenlift {
 
-// The number of a record. Numbers never change. The numbers of settings are in their rows
-// (settings.h), and the others here. docs/link-format.md lists all of them and the reserved ones,
-// so that no two later versions give one number different meanings.
+// The number of a record never changes. Those of settings are in their rows (settings.h), the
+// others here. docs/link-format.md lists all, and the reserved ones, so that no two later versions
+// use a number differently.
 using Tag = std::uint8_t;
 namespace tag {
 inline constexpr Tag end = 0;
-inline constexpr Tag units = 11;  // of lengths and of weights, with a comma before the latter
+inline constexpr Tag units = 11;  // of lengths and weights, with a comma before the latter
 inline constexpr Tag holes = 13;
-inline constexpr Tag halo = 18;   // overlays without settings of their own
-inline constexpr Tag moved = 19;  // robots that were moved by hand
+inline constexpr Tag halo = 18;   // overlays without own settings
+inline constexpr Tag moved = 19;  // robots moved by hand
 inline constexpr Tag supports = 21;
 inline constexpr Tag tilt = 28;
 inline constexpr Tag load = 29;
@@ -38,35 +37,31 @@ struct Record {
 };
 using Records = std::vector<Record>;
 
-// Points by the scale of their encoding.
 struct CodedPoints {
   Encoding encoding;
   QuantizedVertices quantized;
 };
 
-// The points in records: the supports; and the vertices of all holes, one hole after another, with
-// the number of vertices of each.
+// The supports, and the vertices of all holes, one hole after another.
 struct CodedLists {
   CodedPoints supports, holes;
   std::vector<std::size_t> hole_sizes;
 };
 
-// The records that the document needs; none if version 1 can represent all of it. O(robots moved by
-// hand).
+// None if version 1 can represent the document. O(robots moved by hand).
 Records records_of(const Document& document);
 
-// Applies the records, whose tags must be known. Returns whether each value is valid for its
-// setting. O(bytes).
+// The tags must be known. Returns whether each value is valid for its setting. O(bytes).
 bool take_records(const Records& records, Document& document);
 
-// Codes the records. A decoder replaces them. It fails at a payload longer than any known setting,
-// and stops at an unknown tag, which remains as the last record. O(bytes).
+// A decoder replaces the records. It fails at a payload longer than any known setting, and stops at
+// an unknown tag, which remains the last record. O(bytes).
 inline constexpr int widest_tag = 8, widest_length = 20, widest_supports = 10, widest_holes = 10,
                      widest_hole = 16;
 static_assert(most_supports < 1u << widest_supports && max_holes < 1u << widest_holes);
 bool is_known(Tag tag);
 
-// The longest payload that a writer produces, in bytes: a number has at most 24. O(1).
+// In bytes: a number has at most 24. O(1).
 std::size_t longest_value(Tag tag);
 
 template <class Coder>
@@ -95,8 +90,8 @@ void code_holes(Coder& coder, CodedPoints& holes, std::vector<std::size_t>& size
   if (!coder.failed()) code_points(coder, holes, all);
 }
 
-// The points of a record that holds points. Returns whether it is one. A decoder refuses a repeated
-// record, which would add to the points.
+// Returns whether the record holds points. A decoder refuses a repeated one, which would add to the
+// points.
 template <class Coder>
 bool code_points_of(Coder& coder, Tag number, CodedLists& lists) {
   if (number != tag::supports && number != tag::holes) return false;

@@ -1,5 +1,4 @@
-// Codes the settings at the start of share links since version 1, and numbers that are not
-// vertices, for either coder.
+// Codes the settings at the start of share links since version 1, and numbers other than vertices.
 #pragma once
 
 #include <algorithm>
@@ -13,12 +12,12 @@
 
 namespace evenlift {
 
-// The values of settings that a link omits: the defaults of 1.0.0, which have not changed since. If
-// a default changes, set the old value here (test_link.cpp).
+// What a link omits: the defaults of 1.0.0, still the same. If a default changes, set the old value
+// here (test_link.cpp).
 inline Document defaults_of_links() { return {}; }
 
-// The settings that version 1 has. Later settings keep their defaults here; records hold them where
-// needed (records.h).
+// The settings of version 1. Later ones keep their defaults here, and have records where needed
+// (records.h).
 inline Document settings_of_link_1(const Document& document) {
   Document first = defaults_of_links();
   const Settings& settings = document.settings;
@@ -33,7 +32,7 @@ inline Document settings_of_link_1(const Document& document) {
   return first;
 }
 
-// Codes a finite number: as a decimal if it has a short one, otherwise as its 64 bits. O(1).
+// A finite number: as a short decimal if there is one, otherwise as 64 bits. O(1).
 template <class Coder>
 double code_number(Coder& coder, double value) {
   int kind = 0;
@@ -51,7 +50,7 @@ double code_number(Coder& coder, double value) {
   return Scale(kind).value_of(negative ? -number : number);
 }
 
-// The overlays of version 1 as bits, without tipping, which was added later.
+// Version 1 has no tipping.
 inline std::uint32_t overlay_mask(const Overlays& shown) {
   return (shown.candidates ? 1u : 0u) | (shown.chords ? 2u : 0u) | (shown.lifting_base ? 4u : 0u) |
          (shown.clockwise ? 8u : 0u) | (shown.counterclockwise ? 16u : 0u);
@@ -71,8 +70,8 @@ std::optional<std::uint32_t> code_teams(Coder& coder, std::optional<std::uint32_
   return static_cast<std::uint32_t>(code_integer(coder, teams.value_or(0), widest));
 }
 
-// Codes the settings that differ from their defaults. When decoding, the document must have the
-// defaults. O(1).
+// Codes settings that differ from their defaults. A decoder's document must have the defaults.
+// O(1).
 template <class Coder>
 void code_settings(Coder& coder, Document& document) {
   const Document defaults = defaults_of_links();
@@ -81,7 +80,7 @@ void code_settings(Coder& coder, Document& document) {
   Settings& settings = document.settings;
   Overlays& overlays = document.shown.overlays;
   std::optional<std::uint32_t>& step = document.shown.step;
-  // Compares bits, because -0 and 0 differ.
+  // Compares bits: -0 and 0 differ.
   const bool ratio = !same_bits(settings.min_ratio, usual.min_ratio);
   const bool weight = !same_bits(settings.weight, usual.weight);
   const auto differs = [&](bool different) {
@@ -95,15 +94,15 @@ void code_settings(Coder& coder, Document& document) {
   if (differs(settings.teams != usual.teams)) settings.teams = code_teams(coder, settings.teams);
   if (differs(settings.method != usual.method)) {
     const auto index =
-        std::max(1u, static_cast<unsigned>(settings.method)) - 1;  // area is the default
+        std::max(1u, static_cast<unsigned>(settings.method)) - 1;  // area, the default
     settings.method = static_cast<Method>(1 + coder.code_uniform(index, 4));
   }
   if (differs(ratio)) settings.min_ratio = code_number(coder, settings.min_ratio);
   if (differs(weight)) settings.weight = code_number(coder, settings.weight);
   if (differs(settings.seed != usual.seed)) settings.seed = code_integer(coder, settings.seed, 64);
   if (differs(!(overlays == defaults.shown.overlays))) {
-    // Overlays at their defaults are not written, so here the default mask can mean that tipping is
-    // shown. Then the mask itself follows.
+    // Default overlays are not written, so here the default mask can mean that tipping is shown.
+    // Then the mask itself follows.
     const std::uint32_t sign = overlay_mask(defaults.shown.overlays),
                         shown = overlay_mask(overlays);
     std::uint32_t mask = coder.code_uniform(overlays.tipping ? sign : shown, 32);

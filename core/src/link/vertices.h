@@ -1,6 +1,6 @@
-// The vertices in share links of version 1, for either coder. Each coordinate is quantized to an
-// integer and predicted from the vertices before it; the residual, the difference from the
-// prediction, is mostly small and is coded with adaptive models of its zero flag, size and sign.
+// The vertices in share links of version 1. Each coordinate is quantized to an integer and
+// predicted from the vertices before. The residual, the difference from the prediction, is mostly
+// small. Adaptive models code its zero flag, size and sign.
 #pragma once
 
 #include <algorithm>
@@ -15,15 +15,14 @@
 
 namespace evenlift {
 
-// A coordinate's number minus its prediction, as a sign, a class of sizes, and the place within
-// that class. Class 0 is 0 itself.
+// A sign, a class of sizes, and the place within that class. Class 0 is 0 itself.
 struct Residual {
   bool negative = false;
   unsigned size_class = 0;
   std::uint64_t place = 0;
 };
 
-// Divides residuals into classes of similar size, like the exponent of a floating-point number.
+// Classes of residuals of similar size, like the exponent of a floating-point number.
 class ResidualClasses {
  public:
   explicit ResidualClasses(const Encoding& encoding)
@@ -32,13 +31,13 @@ class ResidualClasses {
 
   unsigned last() const { return exponents_ ? 2047 : 64; }
 
-  // The number of bits of a place, for a class above 0.
+  // The bits of a place, for a class above 0.
   int place_bits(unsigned size_class) const {
     return exponents_ ? fraction_bits_ : static_cast<int>(size_class) - 1;
   }
 
-  // Class c holds the sizes of c bits. If doubles are written without a prediction, it holds those
-  // with the exponent field c - 1.
+  // Class c holds the sizes of c bits, or for unpredicted doubles those with the exponent field c -
+  // 1.
   Residual residual_of(std::uint64_t number) const {
     Residual residual;
     residual.negative = (number >> 63) != 0;
@@ -55,7 +54,6 @@ class ResidualClasses {
     return residual;
   }
 
-  // The inverse of residual_of.
   std::uint64_t number_of(const Residual& residual) const {
     if (residual.size_class == 0) return 0;
     if (exponents_) {
@@ -72,21 +70,19 @@ class ResidualClasses {
   int fraction_bits_;
 };
 
-// Bounds on all residuals of a polygon. They are written before the vertices, so that impossible
-// cases take no bits.
+// Bounds on all residuals of a polygon. The vertices follow them, so impossible cases take no bits.
 struct Limits {
   unsigned greatest_class = 0;
   bool negatives = false;
   bool escaped = false;
 };
 
-// Whether vertex i is written without a prediction, because no vertex precedes it.
+// Whether no vertex precedes vertex i to predict it.
 inline bool has_no_prediction(Predictor predictor, std::size_t i) {
   return i == 0 && predictor != Predictor::nothing;
 }
 
-// The limits of the vertices in this encoding. Also gives the escaped coordinates their predicted
-// numbers. O(n).
+// Also gives escaped coordinates their predicted numbers. O(n).
 inline Limits limits_of(const Encoding& encoding, QuantizedVertices& quantized) {
   const ResidualClasses classes(encoding);
   Limits limits;
@@ -108,14 +104,13 @@ inline Limits limits_of(const Encoding& encoding, QuantizedVertices& quantized) 
   return limits;
 }
 
-// Writes or reads residuals one after another. The models adapt to the residuals so far.
+// Codes residuals with models that adapt to those so far.
 template <class Coder>
 class ResidualCoder {
  public:
   ResidualCoder(Coder& coder, const ResidualClasses& classes, const Limits& limits)
       : coder_(coder), classes_(classes), limits_(limits) {}
 
-  // Codes whether a coordinate is escaped.
   bool code_escape(bool escaped) {
     return limits_.escaped && coder_.code_bit(escaped, escape_model_);
   }
@@ -140,8 +135,7 @@ class ResidualCoder {
  private:
   static constexpr unsigned steps = 16;
 
-  // Codes one decision per class, from the greatest class down. After 16 decisions it codes the
-  // class directly.
+  // One decision per class, from the greatest down. After 16 decisions the class itself follows.
   unsigned code_class(unsigned size_class) {
     for (unsigned step = 0; step < steps; ++step) {
       const unsigned asked = limits_.greatest_class - step;
@@ -151,7 +145,7 @@ class ResidualCoder {
     return coder_.code_uniform(Coder::decoding ? 0 : size_class - 1, left) + 1;
   }
 
-  // The highest bit has an adaptive model; the other bits are coded uniformly.
+  // Only the highest bit has an adaptive model.
   std::uint64_t code_place(std::uint64_t place, unsigned size_class) {
     const int bits = classes_.place_bits(size_class);
     if (bits == 0) return 0;
@@ -212,7 +206,7 @@ Limits code_limits(Coder& coder, Limits limits, const Encoding& encoding,
   return limits;
 }
 
-// Codes a number without a prediction. O(1).
+// O(1).
 template <class Coder>
 std::int64_t code_unpredicted(Coder& coder, std::int64_t number) {
   auto size = static_cast<std::uint64_t>(number);
@@ -223,9 +217,9 @@ std::int64_t code_unpredicted(Coder& coder, std::int64_t number) {
   return static_cast<std::int64_t>(negative ? 0 - size : size);
 }
 
-// Codes the vertices and returns their encoding, which the decoder reads. Both coders must know
-// `count`. The encoder takes `quantized` in the scale of the encoding. The decoder fills it, and
-// stops early if it fails. O(count).
+// Codes the vertices, and their encoding, which it returns. Both coders must know `count`. The
+// encoder takes `quantized` in the encoding's scale. The decoder fills it, and stops early if it
+// fails. O(count).
 template <class Coder>
 Encoding code_vertices(Coder& coder, Encoding encoding, QuantizedVertices& quantized,
                        std::size_t count) {

@@ -12,7 +12,7 @@
 namespace evenlift {
 namespace {
 
-// An input iterator for the library. It records the position that the library has reached.
+// An input iterator for the library that records how far it has read.
 struct Tap {
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
@@ -31,15 +31,14 @@ struct Tap {
   friend bool operator==(const Tap& a, const Tap& b) { return a.at == b.at; }
 };
 
-// Extracts the reason from the library's message. A message looks like "[...] parse error at line
-// 1, column 3: syntax error while parsing array - REASON; last read: '['; expected ...", always in
-// English.
+// The reason in the library's message, always in English: "[...] parse error at line 1, column 3:
+// syntax error while parsing array - REASON; last read: '['; expected ...".
 std::string reason(std::string_view message) {
   const std::size_t start = message.find(" - ");
   if (start == std::string_view::npos) return "this is not valid JSON";
   message.remove_prefix(start + 3);
-  // The part "last read" quotes the text and may contain anything, even words that look like the
-  // following part, "expected". So only the library's own words count as that part.
+  // "last read" quotes the text and may look like "expected": only the library's own words count as
+  // that part.
   const std::size_t read = message.find("; last read: ");
   if (read == std::string_view::npos) return say("this is not valid JSON: {reason}", {message});
   constexpr std::string_view words[] = {"; expected ':'",
@@ -55,7 +54,6 @@ std::string reason(std::string_view message) {
              {std::string(message.substr(0, read)) + std::string(rest)});
 }
 
-// The handler of the library's events.
 class Handler {
  public:
   Handler(std::string_view text, JsonSink& sink)
@@ -69,8 +67,8 @@ class Handler {
 
   bool null() { return sink_.value({JsonValue::Kind::null, offset(), 0, {}}); }
   bool boolean(bool) { return sink_.value({JsonValue::Kind::boolean, offset(), 0, {}}); }
-  // The library reports "-0" as the signed integer 0, any other non-negative integer as an unsigned
-  // one, and integers beyond 64 bits as number_float.
+  // The library reports "-0" as the signed integer 0, other non-negative integers as unsigned, and
+  // integers beyond 64 bits as number_float.
   bool number_integer(std::int64_t integer) {
     return number(integer == 0 ? -0.0 : static_cast<double>(integer));
   }
@@ -102,7 +100,7 @@ class Handler {
     const auto read = static_cast<std::size_t>(reached_ - text_.data());
     return read == 0 ? 0 : read - 1;
   }
-  // The library finds the end of a number one byte late, unless the text ends with the number.
+  // Unless a number ends the text, the library finds its end one byte late.
   bool number(double value) {
     std::size_t where = offset();
     if (where > 0 && (text_[where] < '0' || text_[where] > '9')) --where;

@@ -1,6 +1,5 @@
-// Reads a JSON text as a stream of events: values with their places, numbers as the nearest
-// doubles, and errors as InputError. It wraps the event reader of nlohmann-json, which neither
-// recurses nor builds a tree.
+// A JSON text as events: values with places, numbers as the nearest doubles, errors as InputError.
+// It wraps the event reader of nlohmann-json, which neither recurses nor builds a tree.
 #pragma once
 
 #include <cstddef>
@@ -17,12 +16,11 @@ struct JsonValue {
   enum class Kind : std::uint8_t { object, array, string, number, boolean, null };
   Kind kind;
   std::size_t offset;  // of the first byte of an object or array, of the last byte of other values
-  double number;       // for a number: the nearest double, finite
+  double number;       // the nearest double, finite
   std::string_view text;  // for a string
 };
 
-// Receives the events. Each function returns whether to continue. A sink that stops stores the
-// reason.
+// Each function returns whether to continue. A sink that stops stores why.
 class JsonSink {
  public:
   virtual bool value(const JsonValue& value) = 0;
@@ -33,8 +31,8 @@ class JsonSink {
   ~JsonSink() = default;
 };
 
-// Reads the whole text into the sink. Returns an error if the text is not valid JSON or nests more
-// than 64 arrays and objects; nullopt if the text is valid or the sink stopped first. O(bytes).
+// An error if the text is not valid JSON or nests more than 64 arrays and objects; nullopt if it is
+// valid or the sink stopped first. O(bytes).
 std::optional<InputError> read_json(std::string_view text, JsonSink& sink);
 
 }  // namespace evenlift

@@ -25,7 +25,7 @@ class TreeBuilder final : public JsonSink {
   }
 
   bool key(std::string_view name, std::size_t) override {
-    // The objects of a long array mostly have the same few names.
+    // Objects of long arrays mostly have the same few names.
     if (tree_.strings_[last_name_] != name) last_name_ = keep(name);
     name_ = last_name_;
     return true;

@@ -1,4 +1,4 @@
-// A JSON text as a tree in two arrays, at 32 bytes a value.
+// Two arrays, with 32 bytes a value.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,7 @@
 
 namespace evenlift {
 
-// The greatest number of values of a text: an array for each of 1,048,576 vertices, its two
-// numbers, and a third more.
+// An array for each of 1,048,576 vertices, its two numbers, and a third more.
 inline constexpr std::size_t max_json_values = std::size_t{1} << 22;
 
 class JsonTree {
@@ -29,16 +28,16 @@ class JsonTree {
   Kind kind(Index i) const { return nodes_[i].kind; }
   std::size_t offset(Index i) const { return nodes_[i].offset; }
   double number(Index i) const { return nodes_[i].number; }
-  // The text of a string, and the name of a member.
+  // Of a string, and of a member.
   std::string_view text(Index i) const { return strings_[nodes_[i].string]; }
   std::string_view name(Index i) const { return strings_[nodes_[i].name]; }
 
-  // Loops over an array or object: for (Index i = first(at); i != end(at); i = next(i)).
+  // For loops: for (Index i = first(at); i != end(at); i = next(i)).
   Index first(Index i) const { return i + 1; }
   Index end(Index i) const { return nodes_[i].next; }
   Index next(Index i) const { return nodes_[i].next; }
 
-  // The member of an object with this name, if any; the last one if several have it. O(members).
+  // The last one with this name, if any. O(members).
   std::optional<Index> member(Index object, std::string_view wanted) const;
   bool is_string(std::optional<Index> i, std::string_view wanted) const;
 
@@ -46,7 +45,7 @@ class JsonTree {
   friend class TreeBuilder;
   struct Node {
     double number;
-    Index next;  // the value after this one and its contents
+    Index next;  // after this value and its contents
     std::uint32_t offset;
     std::uint32_t string, name;
     Kind kind;

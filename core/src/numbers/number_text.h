@@ -1,5 +1,4 @@
-// Numbers as text: the nearest double of a decimal number, and the fewest digits of a double. The
-// results are the same on every platform and in every locale.
+// The results are the same on every platform and in every locale.
 #pragma once
 
 #include <cstddef>
@@ -9,31 +8,31 @@
 
 namespace evenlift {
 
-// The decimal number digits * 10^exponent. The digits do not end in 0, and zero is 0 * 10^0.
+// digits * 10^exponent. The digits do not end in 0, and zero is 0 * 10^0.
 struct Decimal {
   std::uint64_t digits;  // below 10^17
   int exponent;
   bool negative;
 };
 
-// The decimal number with the fewest digits that reads back as the same double; in a tie, the
-// nearest one. The value must be finite. O(1).
+// The fewest digits that read back as the same double; in a tie, the nearest. The value must be
+// finite. O(1).
 Decimal shortest_decimal(double value);
 
-// Appends the result of shortest() (numbers.h). The value must be finite. O(1).
+// Appends shortest() (numbers.h). The value must be finite. O(1).
 void append_shortest(std::string& text, double value);
 
-// A number at the beginning of a text.
+// At the beginning of a text.
 struct ScannedNumber {
   enum class Kind { none, finite, too_large };
   Kind kind;
-  std::size_t length;  // of the number in bytes; 0 for none
-  double value;        // if finite, the nearest double, ties to even; may be -0 or subnormal
+  std::size_t length;  // in bytes; 0 for none
+  double value;        // the nearest double, ties to even; may be -0 or subnormal
 };
 
-// Reads the longest prefix of the text that is a number: an optional sign, at least one digit with
-// at most one decimal point, and an optional exponent ("-1.5e3", ".5", "5."). Spaces, hexadecimal,
-// infinity and NaN are not numbers. O(bytes).
+// The longest prefix that is a number: an optional sign, one or more digits with at most one
+// decimal point, and an optional exponent ("-1.5e3", ".5", "5."). Spaces, hexadecimal, infinity and
+// NaN are not numbers. O(bytes).
 ScannedNumber scan_number(std::string_view text);
 
 }  // namespace evenlift

@@ -1,5 +1,5 @@
-// Numbers from text. std::from_chars gives the same doubles; it can replace this conversion once
-// all supported Emscripten versions have it for doubles.
+// std::from_chars gives the same doubles, and can replace this code once all supported Emscripten
+// versions have it for doubles.
 #include <cfloat>
 #include <cmath>
 #include <cstdlib>
@@ -14,8 +14,8 @@ static_assert(FLT_EVAL_METHOD == 0, "a product of doubles must be rounded once, 
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// The significant digits of a number, as an integer, and its power of ten. At most 768 digits
-// decide the rounding, so beyond `limit` it matters only whether a digit other than 0 follows.
+// At most 768 digits decide the rounding, so beyond `limit` it matters only whether a digit other
+// than 0 follows.
 struct SignificantDigits {
   static constexpr int limit = 800;
   char text[limit];
@@ -25,7 +25,7 @@ struct SignificantDigits {
 
   void take(char digit, bool after_point) {
     if (count == 0 && digit == '0') {
-      if (after_point) --exponent;  // a leading zero is not significant, but moves the point
+      if (after_point) --exponent;  // leading zeros only move the point
       return;
     }
     if (count < limit) {
@@ -38,14 +38,13 @@ struct SignificantDigits {
   }
 };
 
-// The value if both the digits and the power of ten are doubles. Then one operation rounds
-// correctly.
+// If both the digits and the power of ten are doubles, one operation rounds correctly.
 std::optional<double> quick_value(const SignificantDigits& digits) {
   static constexpr double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                       1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                       1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
   if (digits.count > 15 || digits.exponent > 22 || digits.exponent < -22) return std::nullopt;
-  std::uint64_t integer = 0;  // below 10^15, so below 2^53
+  std::uint64_t integer = 0;  // below 10^15 < 2^53
   for (int i = 0; i < digits.count; ++i) {
     integer = 10 * integer + static_cast<unsigned>(digits.text[i] - '0');
   }
@@ -55,8 +54,8 @@ std::optional<double> quick_value(const SignificantDigits& digits) {
   return value;
 }
 
-// The C library's strtod rounds correctly in current glibc, musl and others. It receives digits and
-// an exponent but never a decimal point, which would depend on the locale.
+// strtod rounds correctly in current glibc, musl and others. It receives no decimal point, which
+// would depend on the locale.
 double library_value(const SignificantDigits& digits) {
   char text[SignificantDigits::limit + 16];
   int size = 0;
@@ -68,7 +67,7 @@ double library_value(const SignificantDigits& digits) {
   }
   text[size++] = 'e';
   if (exponent < 0) text[size++] = '-';
-  // At most 4 digits, since the caller handles larger exponents.
+  // At most 4 digits: the caller handles larger exponents.
   const unsigned power = static_cast<unsigned>(exponent < 0 ? -exponent : exponent);
   for (unsigned unit = 1000; unit > 0; unit /= 10) {
     text[size++] = static_cast<char>('0' + power / unit % 10);
@@ -77,7 +76,7 @@ double library_value(const SignificantDigits& digits) {
   return std::strtod(text, nullptr);
 }
 
-// The value without its sign; infinity if it is beyond the largest double.
+// Without the sign; infinity beyond the largest double.
 double nearest_double(const SignificantDigits& digits) {
   if (digits.count == 0) return 0;
   if (const std::optional<double> value = quick_value(digits)) return *value;
@@ -113,7 +112,7 @@ ScannedNumber scan_number(std::string_view text) {
     const bool below = at < text.size() && text[at] == '-';
     if (below || (at < text.size() && text[at] == '+')) ++at;
     if (digit_here()) {
-      // It saturates far beyond any exponent that the digits can compensate.
+      // Saturates far beyond any exponent that the digits can compensate.
       constexpr std::int64_t exponent_limit = std::int64_t{1} << 40;
       std::int64_t exponent = 0;
       for (; digit_here(); ++at) {

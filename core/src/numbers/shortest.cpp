@@ -1,5 +1,5 @@
 // Shortest decimal numbers by Schubfach (R. Giulietti, The Schubfach way to render doubles, 2020).
-// std::to_chars gives the same results; it can replace this once all supported Emscripten versions
+// std::to_chars gives the same results and can replace this once all supported Emscripten versions
 // have it.
 #include <cassert>
 #include <cmath>
@@ -25,23 +25,23 @@ Uint128 multiply(std::uint64_t a, std::uint64_t b) {
   return {a1 * b1 + (middle >> 32) + (other >> 32), (other << 32) | (low & 0xffffffffu)};
 }
 
-// floor(log10(2^e)), floor(log10(3/4 2^e)) and floor(log2(10^e)), for every e that doubles need. In
-// C++20, shifts of negative numbers round down.
+// floor(log10(2^e)), floor(log10(3/4 2^e)) and floor(log2(10^e)), for all e of doubles. In C++20,
+// shifts of negative numbers round down.
 constexpr int floor_log10_pow2(int e) { return (e * 1262611) >> 22; }
 constexpr int floor_log10_three_quarters_pow2(int e) { return (e * 1262611 - 524031) >> 22; }
 constexpr int floor_log2_pow10(int e) { return (e * 1741647) >> 19; }
 
 // 10^e for e from -292 to 324, as 128-bit numbers g with 2^127 <= g < 2^128, rounded up: g =
-// ceil(10^e / 2^(floor_log2_pow10(e) - 127)). They are computed at first use, because constants
-// would add 10 KB to the page that do not compress.
+// ceil(10^e / 2^(floor_log2_pow10(e) - 127)). They are computed at first use: constants would add
+// 10 KB to the page that do not compress.
 class PowersOfTen {
  public:
   static constexpr int least = -292;
   static constexpr int greatest = 324;
 
   PowersOfTen() {
-    // 10^e and 5^e differ only by a power of two. Upwards the products are exact. Downwards each
-    // quotient is floor(2^1023 / 5^n), since dividing a rounded-down quotient again loses nothing.
+    // 10^e and 5^e differ by a power of two. Upwards products are exact. Downwards each quotient is
+    // floor(2^1023 / 5^n): dividing a rounded-down quotient again loses nothing.
     Limbs power{};
     power.limb[0] = 1;
     for (int e = 0; e <= greatest; ++e, power.multiply_by_5()) store(e, power, false);
@@ -58,7 +58,7 @@ class PowersOfTen {
  private:
   struct Limbs {
     static constexpr int count = 32;  // 5^324 has 753 bits; 2^1023 / 5^292 keeps 345
-    std::uint32_t limb[count];        // the lowest first
+    std::uint32_t limb[count];        // lowest first
 
     void multiply_by_5() {
       std::uint64_t carry = 0;
@@ -100,7 +100,7 @@ const Uint128& power_of_ten(int e) {
   return powers[e];
 }
 
-// floor(g * x / 2^128), with its lowest bit set if a bit other than 0 was cut off: "round to odd".
+// floor(g * x / 2^128), with the lowest bit set if a nonzero bit was cut off: "round to odd".
 std::uint64_t product_rounded_to_odd(const Uint128& g, std::uint64_t x) {
   const Uint128 low = multiply(g.low, x);
   Uint128 high = multiply(g.high, x);
@@ -114,15 +114,15 @@ struct UnsignedDecimal {
   int exponent;
 };
 
-// The shortest decimal number of significand * 2^exponent, perhaps with trailing zeros. `at_binade`
-// means that the next smaller double is nearer than the next larger one.
+// The result may end in zeros. `at_binade`: the next smaller double is nearer than the next larger
+// one.
 UnsignedDecimal schubfach(std::uint64_t significand, int exponent, bool at_binade) {
   const bool even = significand % 2 == 0;  // then the rounding interval includes its ends
   const int k = at_binade ? floor_log10_three_quarters_pow2(exponent) : floor_log10_pow2(exponent);
   const int h = exponent + floor_log2_pow10(-k) + 1;
   const Uint128& g = power_of_ten(-k);
 
-  // The value and the ends of its rounding interval, each times 4 / 10^k.
+  // The value and the ends of its rounding interval, times 4 / 10^k.
   const std::uint64_t value = product_rounded_to_odd(g, (4 * significand) << h);
   const std::uint64_t left =
       product_rounded_to_odd(g, (4 * significand - (at_binade ? 1 : 2)) << h) + (even ? 0 : 1);
@@ -130,7 +130,7 @@ UnsignedDecimal schubfach(std::uint64_t significand, int exponent, bool at_binad
       product_rounded_to_odd(g, (4 * significand + 2) << h) - (even ? 0 : 1);
 
   const std::uint64_t s = value / 4;
-  if (s >= 10) {  // one digit fewer, if exactly one of the two neighbours lies inside
+  if (s >= 10) {  // one digit fewer if exactly one neighbour lies inside
     const std::uint64_t tens = s / 10;
     const bool lower_inside = left <= 40 * tens;
     const bool upper_inside = 40 * tens + 40 <= right;
@@ -159,7 +159,7 @@ Decimal shortest_decimal(double value) {
   UnsignedDecimal found;
   if (exponent <= 0 && exponent > -53 &&
       (significand & ((std::uint64_t{1} << -exponent) - 1)) == 0) {
-    found = {significand >> -exponent, 0};  // an integer below 2^53 has no shorter decimal
+    found = {significand >> -exponent, 0};  // has no shorter decimal below 2^53
   } else {
     found = schubfach(significand, exponent, fraction == 0 && biased > 1);
   }
@@ -170,9 +170,8 @@ Decimal shortest_decimal(double value) {
   return {found.digits, found.exponent, negative};
 }
 
-// The rules of ECMAScript's Number::toString, so that the page's scripts print the same text. The
-// exception is -0, which becomes "-0.0": a JSON reader would read "-0" as an integer and lose the
-// sign.
+// The rules of ECMAScript's Number::toString, as in the page's scripts. Only -0 becomes "-0.0": a
+// JSON reader would read "-0" as an integer and lose the sign.
 void append_shortest(std::string& text, double value) {
   const Decimal decimal = shortest_decimal(value);
   if (decimal.digits == 0) {

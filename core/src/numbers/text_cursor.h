@@ -1,4 +1,4 @@
-// A cursor for reading a text, and errors at a place in a text.
+// Reads texts, and tells the places of errors.
 #pragma once
 
 #include <cstddef>
@@ -10,16 +10,15 @@
 
 namespace evenlift {
 
-// The line and column of the byte at `offset`, or of the end of the text if `offset` is beyond it.
-// A line ends with LF, CR LF or CR. Columns count UTF-8 characters. O(offset).
+// Of the byte at `offset`, at most the end of the text. A line ends with LF, CR LF or CR. Columns
+// count UTF-8 characters. O(offset).
 Place place_in_text(std::string_view text, std::size_t offset);
 
-// An error whose place is the byte at `offset`. O(offset).
+// The error's place is the byte at `offset`. O(offset).
 InputError text_error(ErrorCode code, std::string message, std::string_view text,
                       std::size_t offset);
 
-// Describes the byte at `offset` for messages: "'x'", "the end of the line", "the end of the text".
-// Put it into a sentence by say(). O(1).
+// "'x'", "the end of the line", "the end of the text". Put it into a sentence by say(). O(1).
 std::string found_in_text(std::string_view text, std::size_t offset);
 
 bool is_letter(char c);         // of ASCII, in any locale
@@ -27,10 +26,10 @@ char lower_case(char c);        // of ASCII
 bool ends_line(char c);         // LF or CR
 bool is_space_in_line(char c);  // space or tab
 
-// The text without spaces and tabs at its ends. O(length).
+// Without spaces and tabs at the ends. O(length).
 std::string_view trimmed(std::string_view text);
 
-// Reads a text from front to back. The text must outlive the cursor.
+// The text must outlive the cursor.
 class TextCursor {
  public:
   explicit TextCursor(std::string_view text) : text_(text) {}
@@ -42,21 +41,19 @@ class TextCursor {
   bool sees_letter() const { return !at_end() && is_letter(text_[at_]); }
   bool sees_number() const;
 
-  // Skips the next character if it is `c`. Returns whether it was.
+  // Skips `c` if it is the next character. Returns whether it was.
   bool take(char c);
   void skip_spaces_in_line();
   void skip_white_space();
-  // The letters at this place, perhaps none, as a view of the text. take_word() also skips them.
+  // Perhaps no letters; a view of the text. take_word() also skips them.
   std::string_view word() const;
   std::string_view take_word();
-  // The rest of the line, which it skips.
   std::string_view take_rest_of_line();
 
-  // Reads a number into `value` and skips it, or returns the error. `what` completes "expected
-  // ...".
+  // Skips a number, or returns an error. `what` completes "expected ...".
   std::optional<InputError> take_number(double& value, const char* what);
 
-  // The error "expected WHAT but found ..." at this place.
+  // "expected WHAT but found ...".
   InputError expected(const std::string& what) const;
   InputError error(ErrorCode code, std::string message) const;
   InputError error_at(std::size_t offset, ErrorCode code, std::string message) const;
@@ -66,7 +63,7 @@ class TextCursor {
   std::size_t at_ = 0;
 };
 
-// Compares without case; `lower` must be lower case. O(length).
+// Ignores case; `lower` must be lower case. O(length).
 bool same_word(std::string_view word, std::string_view lower);
 
 }  // namespace evenlift

@@ -34,7 +34,7 @@ double coverage_of(const PolygonWithHoles& object, const std::vector<Candidate>&
   return coverage(object, lifting_base(object, robots_of(candidates, taken)));
 }
 
-// The chords of the ends, filled up to `teams` chords: first from the start, then with any others.
+// The chords of the ends, then others up to `teams`, first from the start.
 std::vector<std::uint32_t> chords_of(const Triangles& triangles, const Ring& ring,
                                      const std::vector<std::uint32_t>& start, std::size_t teams) {
   std::vector<std::uint32_t> chords;
@@ -116,7 +116,7 @@ class Widest {
   Optimum best_;
 };
 
-// Calls visit(subset) for each subset of `size` of the numbers below `all`, in lexicographic order.
+// The subsets of `size` of the numbers below `all`, in lexicographic order.
 template <class Visit>
 void for_each_subset(std::uint32_t all, std::size_t size, Visit visit) {
   std::vector<std::uint32_t> subset(size);
@@ -131,7 +131,7 @@ void for_each_subset(std::uint32_t all, std::size_t size, Visit visit) {
   }
 }
 
-// The number of choices, capped at `limit` + 1.
+// At most `limit` + 1.
 std::uint64_t count_choices(std::size_t all, std::size_t size, std::uint64_t limit) {
   double number = 1;
   for (std::size_t i = 0; i < size; ++i)
@@ -140,7 +140,7 @@ std::uint64_t count_choices(std::size_t all, std::size_t size, std::uint64_t lim
                                              : static_cast<std::uint64_t>(std::llround(number));
 }
 
-// Searches for the best choice by all keys.
+// The best choice by all keys.
 class Firmest {
  public:
   Firmest(const PolygonWithHoles& object, const Vec2& centre,
@@ -157,9 +157,8 @@ class Firmest {
     return choices_.keys_of(choices_.part_of(taken));
   }
 
-  // Compares all choices of `teams` teams.
   void compare_all(std::size_t teams, FirmestChoice& best) {
-    // A part contains all teams but the last.
+    // A part lacks the last team.
     std::vector<swaps::Part> parts;
     std::vector<std::vector<std::uint32_t>> of_part;
     for_each_subset(choices_.size(), teams - 1, [&](const std::vector<std::uint32_t>& subset) {
@@ -185,7 +184,7 @@ class Firmest {
     best.proved = best.compared = true;
   }
 
-  // Improves the best choice so far by swaps, which start from it and from the widest choice.
+  // Swaps from the best choice so far, and from the widest one.
   void swap(const Optimum& widest, FirmestChoice& best) const {
     std::vector<std::vector<std::uint32_t>> starts{best.taken};
     if (widest.taken.size() == best.taken.size()) starts.push_back(widest.taken);
@@ -200,8 +199,7 @@ class Firmest {
     }
   }
 
-  // An additional contact never decreases the margin, so no choice exceeds the level of all
-  // candidates together.
+  // A further contact never decreases the margin: no choice exceeds the level of all candidates.
   void bound(const Optimum& widest, FirmestChoice& best) const {
     best.most_level = best_level;
     if (candidates_.size() <= most_candidates_bounded)

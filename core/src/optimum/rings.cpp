@@ -12,8 +12,8 @@ constexpr double impossible = -1;
 
 bool is_over(const Stop& stop) { return stop && stop(); }
 
-// The greatest sums of triangles along consecutive ends from a first one: for each number of
-// further ends and each place of the last one, with the place before it.
+// The greatest sums of triangles along consecutive ends from a first one, by the number of further
+// ends and the place of the last; and the place before it.
 class Chain {
  public:
   // Places up to `length` and up to `most` further ends. O(length^2 most).
@@ -36,7 +36,7 @@ class Chain {
     return sums_[std::size_t{number} * width_ + place];
   }
 
-  // The places of that chain, without the first.
+  // Without the first place.
   std::vector<std::uint32_t> places(std::uint32_t number, std::uint32_t place) const {
     std::vector<std::uint32_t> places;
     for (; number > 0; --number) {
@@ -60,7 +60,7 @@ class Chain {
   std::vector<std::uint32_t> before_;
 };
 
-// The best end of a chain, closed by one more triangle to the place `length`.
+// The best end of a chain, closed by a triangle to the place `length`.
 struct Closed {
   double sum = impossible;
   std::uint32_t number = 0, place = 0;
@@ -80,9 +80,9 @@ Closed close(const Triangles& triangles, const Chain& chain, std::uint32_t first
   return best;
 }
 
-// The best ring through both ends of the chord at place 0, by dynamic programming over the chords
-// in order of slope. The state is the last end used on each side and the number of chords used.
-// There must be a chord.
+// The best ring through both ends of the chord at place 0, by dynamic programming over chords in
+// order of slope. The state is the last end used on each side, and the number of chords used. There
+// must be a chord.
 class BothSides {
  public:
   BothSides(const Triangles& triangles, std::uint32_t first, std::uint32_t teams)
@@ -117,7 +117,7 @@ class BothSides {
   std::size_t index(std::uint32_t right, std::uint32_t left, std::uint32_t used) const {
     return (std::size_t{right} * chords_ + left) * teams_ + (used - 1);
   }
-  // The share between two places about C, counted from the chord's right end.
+  // Between places about C, counted from the chord's right end.
   double step(std::uint32_t from, std::uint32_t to) const {
     return triangles_.share((first_ + from) % triangles_.ends(), to - from);
   }
@@ -172,7 +172,6 @@ std::optional<Ring> best_ring(const Triangles& triangles, std::uint32_t most, co
   Ring best;
   for (std::uint32_t first = 0; first < ends && most > 0; ++first) {
     if (is_over(stop)) return std::nullopt;
-    // The ring begins at its first end.
     const Chain chain(triangles, first, ends - 1 - first, most - 1);
     Closed closed;
     for (std::uint32_t number = 0; number < most; ++number)

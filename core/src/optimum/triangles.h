@@ -1,4 +1,4 @@
-// The areas of P in the triangles between C and two ends of candidates.
+// The areas of P in triangles of C and two ends.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace evenlift::optimum {
 
-// The ends of K chords in their order about C: end i < K is the right end of chord i, and end K + i
-// its left end. The chords must be in candidate order.
+// K chords in candidate order. End i < K is the right end of chord i, and end K + i its left end:
+// the ends are in order about C.
 class Triangles {
  public:
   // O(n K^2).
@@ -21,8 +21,8 @@ class Triangles {
   std::uint32_t ends() const { return 2 * chords_; }
   std::uint32_t chord_of(std::uint32_t end) const { return end % chords_; }
 
-  // The area, as a share of P, in the triangle of C, the end `from`, and the end `steps` places
-  // later, cyclically. steps <= chords(), so that the triangle's angle at C is at most 180 degrees.
+  // The share of P in the triangle of C, the end `from`, and the end `steps` places later,
+  // cyclically. steps <= chords(): the angle at C is at most 180 degrees.
   double share(std::uint32_t from, std::uint32_t steps) const {
     return shares_[from * (chords_ + std::size_t{1}) + steps];
   }

@@ -18,23 +18,23 @@ std::uint32_t number_of_teams(double value) {
       std::clamp(std::ceil(value), 1.0, static_cast<double>(most_teams_for_capacity)));
 }
 
-// A robot of even teams carries weight / (2 teams), so fewer teams than this are never enough.
+// A robot of even teams carries weight / (2 teams), so fewer teams are never enough.
 std::uint32_t least_teams(double weight, double capacity) {
   return number_of_teams(weight / (2 * capacity * (1 + tau)));
 }
 
-// The greater of a team's two loads, as a share of the team's load.
+// The greater load of a team, as a share of both.
 double greater_share(const Chord& chord) {
   return std::max(chord.arm1, chord.arm2) / (chord.arm1 + chord.arm2);
 }
 
-// Follows a method that chooses teams one after another. The number of teams changes the weight of
-// a team but not how its robots share it, so the most uneven team so far has the greatest load.
+// For methods that choose teams one after another. The number of teams changes a team's weight, but
+// not how its robots share it: the most uneven team so far has the greatest load.
 class Growing {
  public:
   Growing(double weight, double capacity) : weight_(weight), capacity_(capacity) {}
 
-  // Adds a team. Returns whether the teams now suffice.
+  // Returns whether the teams now suffice.
   bool add(const Chord& chord) {
     share_ = std::max(share_, greater_share(chord));
     const double greatest = weight_ / ++plan_.tried * share_;
@@ -60,8 +60,7 @@ CapacityPlan plan_by_candidates(const Placement& placement, double capacity) {
   return growing.plan();
 }
 
-// The greatest number of teams with which swapping can start. Robots with a size may have room for
-// fewer.
+// The most teams with which swapping can start. Robots with a size may have room for fewer.
 std::uint32_t most_with_room(const Placement& placement) {
   const std::size_t most =
       std::min<std::size_t>(placement.candidates.size(), most_teams_tried(placement.settings));
@@ -73,7 +72,7 @@ std::uint32_t most_with_room(const Placement& placement) {
           .size());
 }
 
-// With swaps, each number of teams needs its own choice.
+// With swaps, each number of teams has its own choice.
 CapacityPlan plan_by_swap(const Placement& placement, double capacity) {
   const double weight = placement.weight();
   const auto& candidates = placement.candidates;
@@ -103,7 +102,7 @@ CapacityPlan plan_at_random(const Placement& placement, double capacity) {
   return growing.plan();
 }
 
-// The least number of teams in [first, end) that keeps every robot within the capacity.
+// The least number of teams in [first, end) within the capacity.
 CapacityPlan plan_among(const EqualAngles& angles, double weight, double capacity,
                         std::uint32_t first, std::uint32_t end) {
   std::vector<std::uint32_t> numbers;
@@ -122,7 +121,7 @@ CapacityPlan plan_at_equal_angles(const Placement& placement, double capacity) {
   const EqualAngles angles(placement.polygon(), placement.centre_of_mass);
   if (!angles.has_chords()) return {};
   const double weight = placement.weight();
-  // One sweep tries several numbers at once. It begins with few, so that few beyond the least are tried.
+  // One sweep tries several numbers. Beginning with few, it tries few beyond the least.
   std::uint32_t first = least_teams(weight, capacity), numbers = 8;
   for (;; numbers *= 2) {
     const std::uint32_t end = std::min(first + numbers, most_teams_for_capacity + 1);

@@ -20,14 +20,13 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// A linear function of the plane.
 struct Linear {
   double constant = 0;
   Vec2 slope = Vec2::Zero();
   double operator()(const Vec2& q) const { return constant + dot(slope, q); }
 };
 
-// The part of a convex ring where the function is at least 0. O(corners).
+// The part of a convex ring where the function is >= 0. O(corners).
 Points part_above_0(const Points& ring, const Linear& function) {
   const double square = dot(function.slope, function.slope);
   if (!(square > 0)) return function.constant >= 0 ? ring : Points();
@@ -35,14 +34,14 @@ Points part_above_0(const Points& ring, const Linear& function) {
   return clip_left_of_ray(ring, from, -left_normal(function.slope));
 }
 
-// The load of a robot, in parts of the weight that acts at q; and what it may carry besides.
+// The robot's load as a part of the weight at q, and what else it may carry.
 struct Bearing {
   Linear part;
-  double least_room = 0;            // its load by springs, minus its change by the disturbance
+  double least_room = 0;            // its load by springs minus its change by the disturbance
   double greatest_room = infinity;  // its capacity minus its load, minus that change
 };
 
-// The object, with C at the origin and L, or more (known_size.h), as the unit of length.
+// With C at the origin and L, or more (known_size.h), as the unit of length.
 class Lift {
  public:
   explicit Lift(const ShownPlacement& of)
@@ -50,7 +49,7 @@ class Lift {
         robots_(positions(lifting_points(of.placement.teams))),
         unit_(known_size(robots_, of.placement.centre_of_mass, diameter())) {}
 
-  // Nothing if the robots stand on one line.
+  // Nothing if the robots are on one line.
   std::optional<std::vector<Bearing>> bearings() const;
 
   Points seen(const Points& points) const {
@@ -58,15 +57,14 @@ class Lift {
     for (const Vec2& point : points) all.push_back((point - of_.placement.centre_of_mass) / unit_);
     return all;
   }
-  // The corners of a convex ring in the object's coordinates, without those that only rounding makes;
-  // none if it has no area.
+  // The corners in the object's coordinates, without those that only rounding makes; none without
+  // an area.
   Points corners(const Points& ring) const {
     Points all;
     for (const Vec2& point : ring) all.push_back(of_.placement.centre_of_mass + unit_ * point);
     Points hull = convex_hull(all, near_distance(diameter()));
     return hull.size() < 3 ? Points() : hull;
   }
-  // The corners of the object's bounding box, counter-clockwise.
   Points box() const {
     const Box box = bounding_box(of_.placement.vertices());
     return seen(
@@ -112,7 +110,7 @@ std::optional<std::vector<Bearing>> Lift::bearings() const {
   return all;
 }
 
-// The greatest weight for which every robot has room, wherever among these points it stands.
+// The greatest weight for which every robot has room, at any of these points.
 std::optional<double> weight_anywhere(const std::vector<Bearing>& bearings, const Points& points) {
   double most = infinity;
   for (const Bearing& bearing : bearings) {

@@ -1,4 +1,3 @@
-// Plans the number of robots needed if any one of them may fail.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +10,7 @@
 namespace evenlift {
 namespace {
 
-// Places any number of robots with the method of a placement.
+// Places any number of robots by the placement's method.
 class Placer {
  public:
   explicit Placer(const Placement& placement) : placement_(placement) {}
@@ -70,8 +69,8 @@ class Placer {
   std::vector<std::uint32_t> chosen_;
 };
 
-// The greatest load of a robot, intact or after the failure of any one robot; nullopt if the object
-// falls then, or if the load exceeds the capacity.
+// The greatest load, intact or after any one failure; nullopt if the object then falls, or the load
+// exceeds the capacity.
 std::optional<double> greatest_of_all(const Placement& placement, const std::vector<Team>& teams,
                                       double capacity) {
   const Points all = positions(lifting_points(teams));
@@ -88,7 +87,7 @@ std::optional<double> greatest_of_all(const Placement& placement, const std::vec
   return greatest <= capacity ? std::optional(greatest) : std::nullopt;
 }
 
-// Robots that share the weight equally after one failure carry weight / (robots - 1).
+// After one failure, equal loads are weight / (robots - 1).
 std::uint32_t least_that_may_do(const Settings& settings, double capacity, std::uint32_t most) {
   const double number = std::ceil(total_weight(settings) / capacity) + 1;
   const auto by_weight = static_cast<std::uint32_t>(std::clamp(number, 3.0, most + 1.0));

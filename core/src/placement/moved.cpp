@@ -19,8 +19,7 @@
 namespace evenlift {
 namespace {
 
-// The error has no place, because a link or a saved result contains the moved robots, and no
-// setting does.
+// Moved robots are in a link or a saved result, not in a setting: the error has no place.
 InputError refused(const std::string& why) {
   return {ErrorCode::bad_setting, say("robots moved by hand: {why}", {why}), {}};
 }
@@ -84,20 +83,19 @@ std::optional<InputError> move_balanced(Placement& placement,
 
 // --- Teams of two
 
-// A chord with its end on edge `a` listed before its end on edge `b`, whichever is left.
+// The end on edge `a` comes first, whichever is left.
 struct Turned {
   std::uint32_t a = 0, b = 0;
   Chord chord;
   Vec2 on_a = Vec2::Zero(), on_b = Vec2::Zero();
 };
 
-// The cosine of the angle between two directions.
 double closeness(const Vec2& direction, const Vec2& wanted) {
   return dot(direction, wanted) / (length(direction) * length(wanted));
 }
 
-// The chord on two edges whose end on `a` is nearest to a direction from C; nullopt if no chord on
-// them meets the minimum ratio.
+// The chord on two edges whose end on `a` is nearest to a direction from C; nullopt if none meets
+// the minimum ratio.
 std::optional<Turned> towards(const Placement& placement, std::uint32_t a, std::uint32_t b,
                               const Vec2& direction) {
   Chord ends;
@@ -117,7 +115,7 @@ std::optional<Turned> towards(const Placement& placement, std::uint32_t a, std::
   return nearest;
 }
 
-// The edges that contain a lifting point: two at a vertex.
+// The edges at a lifting point: two at a vertex.
 struct EdgesAt {
   std::array<std::uint32_t, 2> edges{};
   std::size_t count = 1;
@@ -134,8 +132,8 @@ EdgesAt edges_at(const Polygon& polygon, std::uint32_t edge, const Vec2& at) {
   return found;
 }
 
-// The chord nearest to a direction, on the edges of the present chord and on the edges that meet
-// them at a vertex where it ends.
+// The nearest chord to a direction, on the present edges and those that meet them where the chord
+// ends at a vertex.
 std::optional<Turned> next_chord(const Placement& placement, const Turned& now,
                                  const Vec2& direction) {
   const Vec2& centre = placement.centre_of_mass;
@@ -155,13 +153,12 @@ std::optional<Turned> next_chord(const Placement& placement, const Turned& now,
   return next;
 }
 
-// The record of a team's new chord. Its point is on the edge of the moved robot.
+// The point is on the moved robot's edge.
 MovedTeam kept(const Placement& placement, std::size_t team, const Turned& turned) {
   return {static_cast<std::uint32_t>(team), edge_point(placement.polygon(), turned.a, turned.on_a),
           turned.b};
 }
 
-// Replaces the former chord of a moved team.
 std::optional<InputError> move_team(const Placement& placement, const MovedTeam& moved,
                                     std::vector<Chord>& chords) {
   const std::size_t n = placement.vertices().size();
@@ -225,7 +222,7 @@ std::optional<Moved> moved_along_range(const Placement& placement, std::size_t r
                      &other = placement.teams[number].robots[1 - end].point;
   Turned now{own.edge, other.edge, chord_of(placement.teams[number]), own.position, other.position};
   bool moved = false;
-  // Each edge is passed at most once, since the chord only comes nearer to the direction.
+  // Passes each edge at most once, since the chord only comes nearer to the direction.
   for (std::size_t steps = 0; steps <= 2 * placement.vertices().size(); ++steps) {
     auto next = next_chord(placement, now, direction);
     if (!next) break;

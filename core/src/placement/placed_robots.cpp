@@ -16,13 +16,13 @@ Points positions_of_all(const Placement& placement) {
 
 double diameter(const Placement& placement) { return placement.polygon().diameter(); }
 
-// The object's boundary, for the directions that robots face.
+// For the directions that robots face.
 class Outline {
  public:
   Outline(const Points& vertices, double near)
       : vertices_(vertices), counter_clockwise_(is_counter_clockwise(vertices)), near_(near) {}
 
-  // A vector of any length towards the object. Only a robot without a body can be at a vertex.
+  // A vector towards the object, of any length. Only robots without a body can be at a vertex.
   Vec2 inward_at(const LiftingPoint& point, bool has_body) const {
     if (has_body) return normal(point.edge);
     const std::size_t n = vertices_.size(), edge = point.edge, next = (edge + 1) % n;
@@ -39,7 +39,7 @@ class Outline {
   }
 
   // The direction halfway between two normals. The first sum vanishes if they are opposite, the
-  // second if they are equal; both sums point the same way.
+  // second if they are equal; both point the same way.
   Vec2 inward_between(std::size_t edge, std::size_t next) const {
     const Vec2 a = normal(edge), b = normal(next);
     const Vec2 apart = left_normal(a) - left_normal(b);
@@ -73,7 +73,7 @@ std::vector<LoadRange> single(const std::vector<double>& loads) {
   return ranges;
 }
 
-// In (-180, 180]: rounding may turn an angle just above -180 degrees into -180.
+// In (-180, 180]: rounding may turn an angle just above -180 into -180.
 double degrees_of(const Vec2& direction) {
   const double degrees = arctangent2(direction.y() + 0.0, direction.x()) * (180 / pi);
   return degrees > -180 ? degrees : 180;
@@ -176,7 +176,7 @@ std::optional<Tilt> tilt_of(const ShownPlacement& of) {
   auto tilt =
       tilt_of(of.shown,
               tipping_distance(of.placement.lifting_base, of.placement.centre_of_mass, size), size);
-  if (tilt && !of.placement.loads) tilt->stays = false;  // it falls on level ground
+  if (tilt && !of.placement.loads) tilt->stays = false;  // falls on level ground
   return tilt;
 }
 
@@ -220,7 +220,7 @@ std::optional<std::vector<LoadRange>> ranges_without(const Placement& placement,
   const double size = diameter(placement), weight = placement.weight();
   const auto springs = spring_loads(others, centre, size, weight);
   if (!springs) return std::nullopt;
-  // The others are as stiff as before, and their mean load is greater.
+  // The others are as stiff as before, but their mean load is greater.
   Disturbance of_others = disturbance;
   of_others.uneven *= static_cast<double>(others.size()) / static_cast<double>(others.size() + 1);
   std::vector<LoadRange> ranges =

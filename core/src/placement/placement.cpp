@@ -17,13 +17,11 @@
 namespace evenlift {
 namespace {
 
-// Whether the placement reaches its goal.
 bool reaches_goal(const Placement& placement) {
   if (placement.teams.empty()) return false;
   return goal_of(placement.settings) == Goal::cover || hold_clearly(placement);
 }
 
-// Fills in all values of a placement that follow from the lifting points.
 void describe_grasp(Placement& placement, const std::vector<LiftingPoint>& points) {
   placement.lifting_base = lifting_base(placement.polygon(), points);
   placement.coverage = coverage(placement.object, placement.lifting_base);
@@ -32,7 +30,6 @@ void describe_grasp(Placement& placement, const std::vector<LiftingPoint>& point
   placement.goal_reached = reaches_goal(placement);
 }
 
-// Gives the robots these loads, in order.
 void take_loads(Placement& placement, const std::vector<double>& loads) {
   std::size_t number = 0;
   for (Team& team : placement.teams) {
@@ -46,7 +43,7 @@ void take_loads(Placement& placement, const std::vector<double>& loads) {
   }
 }
 
-// Summarizes the loads of all robots but one.
+// The loads of all robots but one.
 LoadSummary summarize_others(const Placement& placement, std::size_t robot) {
   LoadSummary summary = *summarize_loads(placement.teams);
   const std::vector<double> loads = planned_loads(placement.teams);
@@ -58,12 +55,11 @@ LoadSummary summarize_others(const Placement& placement, std::size_t robot) {
   return summary;
 }
 
-// The one team that contains all balanced robots.
+// One team of all balanced robots.
 Team team_of(const Placement& placement, const std::vector<LiftingPoint>& robots) {
   return share_evenly(robots, placement.centre_of_mass, placement.weight());
 }
 
-// Places balanced robots, if a set exists.
 void place_balanced(Placement& placement, Effort effort) {
   const BalancedProblem problem(placement.object, placement.centre_of_mass, placement.settings);
   placement.search_ended = effort == Effort::whole || is_quick_to_start(problem);
@@ -75,7 +71,7 @@ void place_balanced(Placement& placement, Effort effort) {
   placement.search_ended = search->finished && !search->cut_short;
 }
 
-// Places the supports. They share the weight like springs, since nobody plans their loads.
+// The supports share the weight like springs: their loads are not planned.
 std::optional<InputError> place_given(Placement& placement) {
   auto robots = place_supports(placement.object, placement.settings);
   if (!robots) return robots.error();
@@ -88,7 +84,7 @@ std::optional<InputError> place_given(Placement& placement) {
   return std::nullopt;
 }
 
-// Whether the robots carry the object. If not, none has a load.
+// If the robots do not carry the object, none has a load.
 bool is_carried(const std::vector<Team>& teams) {
   for (const Team& team : teams)
     for (const Robot& robot : team.robots)
@@ -101,7 +97,7 @@ std::uint32_t requested_teams(const Placement& placement) {
   return placement.settings.teams.value_or(static_cast<std::uint32_t>(placement.candidates.size()));
 }
 
-// Chooses the teams, and stores the candidates that they use.
+// Also stores the candidates that the teams use.
 std::optional<InputError> choose_teams(Placement& placement, Effort effort) {
   const Polygon& polygon = placement.polygon();
   const Vec2& centre = placement.centre_of_mass;
@@ -143,7 +139,6 @@ Result<std::vector<Candidate>> candidates_of(const Polygon& polygon, const Vec2&
   return std::move(found->candidates);
 }
 
-// Checks the settings of balanced robots against each other.
 std::optional<InputError> check_balanced(const Settings& settings) {
   const std::uint32_t least = 2 * settings.survive + 3;
   if (settings.survive == 0 || settings.robots >= least) return std::nullopt;
@@ -238,7 +233,7 @@ Result<Placement> place(PolygonWithHoles object, const std::optional<Vec2>& own_
   placement.settings = settings;
   placement.candidates = std::move(*candidates);
   placement.requested_teams = requested_teams(placement);
-  // If all robots were moved by hand, no search is needed.
+  // If all robots were moved by hand, there is no search.
   if (moved.robots.empty())
     if (auto error = choose_teams(placement, effort)) return *std::move(error);
   if (!moved.any()) {

@@ -10,10 +10,10 @@
 namespace evenlift {
 namespace {
 
-// Far beyond any slope; a hundred times it is still a number.
+// Far beyond any slope, but finite a hundred times over.
 constexpr double most = 1e300;
 
-// The slope at which the point that is `room` away reaches the edge.
+// The slope at which a point `room` away reaches the edge.
 double slope_within(double room, double height) {
   return room > 0 ? std::min(room / height, most) : 0;
 }

@@ -27,7 +27,7 @@ std::optional<InputError> check_coordinates(const Vec2& centre) {
   return std::nullopt;
 }
 
-// Cargo may be so far away that numbers overflow; then the point is outside.
+// Far cargo may make numbers overflow; then the point is outside.
 bool is_strictly_in_hull(const Polygon& polygon, const Vec2& point) {
   if (!point.allFinite()) return false;
   const Points& hull = polygon.hull();

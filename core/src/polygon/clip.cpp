@@ -5,8 +5,8 @@
 namespace evenlift {
 namespace {
 
-// Clips a ring by one half-plane, point by point. It outputs each point that is inside and, before
-// it, the point where the ring crossed the line since the preceding point.
+// Clips a ring by a half-plane, point by point. Outputs each point inside and, before it, where the
+// ring crossed the line since the last point.
 class HalfPlaneClipper {
  public:
   HalfPlaneClipper(const Vec2& a, const Vec2& direction) : a_(a), line_(direction) {}
@@ -29,7 +29,7 @@ class HalfPlaneClipper {
     from_side_ = to_side;
   }
 
-  // The last point of its output for the whole ring, if any.
+  // The last output point for the whole ring, if any.
   std::optional<Vec2> find_last(const Points& ring) const {
     for (std::size_t i = ring.size(); i-- > 0;) {
       const Vec2 &from = ring[i == 0 ? ring.size() - 1 : i - 1], &to = ring[i];
@@ -47,7 +47,7 @@ class HalfPlaneClipper {
   double from_side_ = 0;
 };
 
-// The signed_area of points that arrive one by one.
+// The signed_area of points one by one.
 class RunningArea {
  public:
   void add(const Vec2& v) {

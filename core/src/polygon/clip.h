@@ -1,4 +1,4 @@
-// Clipping of rings, closed polygonal lines, by half-planes (I. E. Sutherland and G. W. Hodgman,
+// Clips rings, closed polygonal lines, by half-planes (I. E. Sutherland and G. W. Hodgman,
 // Reentrant polygon clipping, 1974).
 #pragma once
 
@@ -6,17 +6,16 @@
 
 namespace evenlift {
 
-// The part of a ring on or to the left of the line a -> b. If the ring is not convex, parts of the
-// result may be connected by overlapping edges along the line; its signed area is still correct.
-// O(m).
+// The part on or to the left of the line a -> b. Parts of a ring that is not convex may be
+// connected by overlapping edges along the line; the signed area is still correct. O(m).
 Points clip_left(const Points& ring, const Vec2& a, const Vec2& b);
 
-// Clips by the line through `from` along `direction`. Use it for lines through two points so close
-// that translating them changes the line's direction. O(m).
+// Clips by the line through `from` along `direction`: for two points so close that moving them
+// changes its direction. O(m).
 Points clip_left_of_ray(const Points& ring, const Vec2& from, const Vec2& direction);
 
-// The signed area of the part of a ring to the left of both a -> b and b -> c. It clips twice in
-// one pass, without storing the result. O(m).
+// The signed area to the left of both a -> b and b -> c. Clips twice in one pass, and stores no
+// result. O(m).
 double area_left_of_both(const Points& ring, const Vec2& a, const Vec2& b, const Vec2& c);
 
 }  // namespace evenlift

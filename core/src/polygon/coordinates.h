@@ -8,8 +8,8 @@
 
 namespace evenlift {
 
-// Differences of accepted coordinates are at least 1e-116, so lengths, areas and moments of even
-// the thinnest object stay far from underflow. O(1).
+// Differences of accepted coordinates are at least 1e-116: lengths, areas and moments of even the
+// thinnest object stay far from underflow. O(1).
 inline bool is_too_near_to_0(double coordinate) {
   return coordinate != 0 && std::fabs(coordinate) < min_coordinate;
 }

@@ -2,7 +2,7 @@
 
 namespace evenlift {
 
-// Goes round once, beginning after a vertex that turns. Every polygon has one.
+// Begins after a vertex that turns; every polygon has one.
 Corners::Corners(const Polygon& polygon)
     : before_(polygon.size(), none), after_(polygon.size(), none), is_corner_(polygon.size()) {
   std::size_t first = 0;

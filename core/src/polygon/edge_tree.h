@@ -1,4 +1,4 @@
-// A tree of boxes over the outline of a polygon: each node contains consecutive edges.
+// Each node of the tree has the box of consecutive edges.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace evenlift {
 
-// The two ends of an edge, or of any other segment.
+// Of an edge or any other segment.
 struct LineEnds {
   Vec2 start = Vec2::Zero(), end = Vec2::Zero();
 };
@@ -17,18 +17,18 @@ class EdgeTree {
  public:
   struct Node {
     Box box;
-    std::uint32_t begin = 0, end = 0;   // its edges are begin .. end - 1
-    std::uint32_t left = 0, right = 0;  // its children; 0 in a leaf, because the root is no child
+    std::uint32_t begin = 0, end = 0;   // edges begin .. end - 1
+    std::uint32_t left = 0, right = 0;  // children; 0 in a leaf, since the root is no child
     bool is_leaf() const { return left == 0; }
   };
 
   // O(n).
   explicit EdgeTree(const Polygon& polygon);
-  // Takes any segments; neighbours should be near each other. Without segments there is one leaf,
-  // with no edges. O(n).
+  // Any segments; neighbours should be near each other. Without segments there is one leaf without
+  // edges. O(n).
   explicit EdgeTree(const std::vector<LineEnds>& lines);
 
-  // The root is node 0.
+  // Node 0 is the root.
   const Node& node(std::uint32_t i) const { return nodes_[i]; }
 
  private:
@@ -37,7 +37,7 @@ class EdgeTree {
   std::vector<Node> nodes_;
 };
 
-// The edges of a closed ring, in their order. O(n).
+// Of a closed ring, in order. O(n).
 std::vector<LineEnds> edges_of(const Points& ring);
 
 }  // namespace evenlift

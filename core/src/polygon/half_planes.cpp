@@ -20,12 +20,11 @@ bool normals_are_same(const HalfPlane& a, const HalfPlane& b) {
   return normals_cross(a, b) == 0 && dot_of_differences(a.from, a.to, b.from, b.to) > 0;
 }
 
-// Whether the normal's direction is in [0, 180) degrees. Comparing coordinates is exact.
+// Whether the normal's direction is in [0, 180) degrees. Exact, since it compares coordinates.
 bool points_up(const HalfPlane& a) {
   return a.to.y() > a.from.y() || (a.to.y() == a.from.y() && a.to.x() > a.from.x());
 }
 
-// The normal without rounding.
 struct ExactNormal {
   explicit ExactNormal(const HalfPlane& a)
       : x(Dyadic(a.to.x()) - Dyadic(a.from.x())), y(Dyadic(a.to.y()) - Dyadic(a.from.y())) {}
@@ -34,15 +33,14 @@ struct ExactNormal {
 
 Dyadic exact_cross(const ExactNormal& a, const ExactNormal& b) { return a.x * b.y - a.y * b.x; }
 
-// The threshold of a floating-point filter. The terms of the sum below have relative errors below
-// 2^-44, so the sum has the right sign if it exceeds this fraction of the sum of their absolute
-// values.
+// A floating-point filter: the terms of the sum below have relative errors below 2^-44, so the sum
+// has the right sign above this fraction of the sum of absolute values.
 constexpr double filter_threshold = 0x1p-40;
-// Below this size products may underflow, which breaks the error bound.
+// Smaller products may underflow, which breaks the error bound.
 constexpr double smallest_safe = 1e-250;
 
 // The exact sign of the determinant of the rows (normal, bound). If the normals of i and j turn
-// left, it is positive if their corner lies inside k.
+// left, it is positive if their corner is inside k.
 int corner_side(const HalfPlane& i, const HalfPlane& j, const HalfPlane& k) {
   const double terms[] = {i.bound * normals_cross(j, k), -j.bound * normals_cross(i, k),
                           k.bound * normals_cross(i, j)};
@@ -55,23 +53,23 @@ int corner_side(const HalfPlane& i, const HalfPlane& j, const HalfPlane& k) {
       .sign();
 }
 
-// The 1-norm of the normal. For parallel normals it is proportional to the length.
+// The normal's 1-norm, for parallel normals proportional to the length.
 Dyadic exact_size(const HalfPlane& a) {
   const ExactNormal n(a);
   return (n.x.sign() < 0 ? -n.x : n.x) + (n.y.sign() < 0 ? -n.y : n.y);
 }
 
-// Whether a's line lies farther out than b's, for normals of the same direction: -1, 0 or 1.
+// Whether a's line is farther out than b's, for normals of one direction: -1, 0 or 1.
 int compare_bounds(const HalfPlane& a, const HalfPlane& b) {
   return (Dyadic(a.bound) * exact_size(b) - Dyadic(b.bound) * exact_size(a)).sign();
 }
 
-// The sign of the width of the strip between two half-planes with opposite normals.
+// For half-planes with opposite normals.
 int strip_width_sign(const HalfPlane& a, const HalfPlane& b) {
   return (Dyadic(a.bound) * exact_size(b) + Dyadic(b.bound) * exact_size(a)).sign();
 }
 
-// The half-planes sorted by the direction of the normal; for each direction only the tightest.
+// Sorted by normal; of each direction only the tightest half-plane.
 Indices by_direction(const std::vector<HalfPlane>& planes) {
   const auto goes_before = [&](std::uint32_t i, std::uint32_t j) {
     const bool up_i = points_up(planes[i]), up_j = points_up(planes[j]);
@@ -89,8 +87,8 @@ Indices by_direction(const std::vector<HalfPlane>& planes) {
   return tightest;
 }
 
-// Whether the angle from the normal of i counter-clockwise to the normal of j is below 180 degrees
-// by an angle whose sine is at most `sine`. `side` > 0 is the cross product of the two normals.
+// Whether the angle from i's normal counter-clockwise to j's is below 180 degrees by an angle whose
+// sine is at most `sine`. `side` > 0 is the normals' cross product.
 bool nearly_opposite(const HalfPlane& i, const HalfPlane& j, double side, double sine) {
   const Vec2 ni = i.normal(), nj = j.normal();
   return dot(ni, nj) < 0 && side <= sine * length(ni) * length(nj);
@@ -102,7 +100,7 @@ NormalGap widest_gap(const std::vector<HalfPlane>& planes, const Indices& order,
   for (std::size_t k = 0; k < order.size(); ++k) {
     const std::size_t i = order[k], j = order[(k + 1) % order.size()];
     const double side = normals_cross(planes[i], planes[j]);
-    // No two neighbours have the same direction, so they are opposite if they do not turn.
+    // No neighbours have the same direction, so if they do not turn, they are opposite.
     int compared = side > 0 ? -1 : side < 0 ? 1 : 0;
     if (side > 0 && nearly_opposite(planes[i], planes[j], side, sine)) compared = 0;
     if (compared > widest.compare_to_half_turn) widest = {i, j, compared};
@@ -112,7 +110,7 @@ NormalGap widest_gap(const std::vector<HalfPlane>& planes, const Indices& order,
 
 // The half-planes that bound the intersection, counter-clockwise: at least three, or none if it is
 // empty. Every gap must be below 180 degrees. The lines enter a double-ended queue by direction. A
-// new line removes lines from either end if it cuts off their corner.
+// new line removes those at either end whose corner it cuts off.
 Indices bounding_planes(const std::vector<HalfPlane>& planes, const Indices& order) {
   Indices queue;
   std::size_t front = 0;
@@ -133,7 +131,7 @@ Indices bounding_planes(const std::vector<HalfPlane>& planes, const Indices& ord
   while (size() > 2 && front_is_cut_by(queue.back())) ++front;
   if (size() < 3) return {};
   queue.erase(queue.begin(), queue.begin() + static_cast<std::ptrdiff_t>(front));
-  // If one corner lies in all half-planes, the intersection is not empty.
+  // If one corner is in all half-planes, the intersection is not empty.
   for (const std::size_t k : order) {
     if (k != queue[0] && k != queue[1] &&
         corner_side(planes[queue[0]], planes[queue[1]], planes[k]) < 0)
@@ -153,7 +151,7 @@ bool have_common_point(const std::vector<HalfPlane>& planes) {
   const Indices order = by_direction(planes);
   const NormalGap gap = widest_gap(planes, order, 0);
   if (gap.compare_to_half_turn > 0) return true;
-  // The strip between the two opposite half-planes contains a point of all the others.
+  // The strip between the opposite half-planes has a point of all the others.
   if (gap.compare_to_half_turn == 0)
     return strip_width_sign(planes[gap.before], planes[gap.after]) >= 0;
   return !bounding_planes(planes, order).empty();

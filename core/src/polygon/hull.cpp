@@ -13,7 +13,7 @@
 namespace evenlift {
 namespace {
 
-// Appends to `hull` the monotone chain of left turns through [first, last), without its last point.
+// Appends the monotone chain of left turns through [first, last), without its last point.
 template <class Iterator>
 void append_chain(Iterator first, Iterator last, Points& hull) {
   const std::size_t base = hull.size();
@@ -25,8 +25,8 @@ void append_chain(Iterator first, Iterator last, Points& hull) {
   hull.pop_back();
 }
 
-// The two corners that are farthest apart along the longer side of the bounding box. If all corners
-// lie near one line, these are the two ends.
+// The corners farthest apart along the longer side of the bounding box: the ends if all are near
+// one line.
 std::pair<Vec2, Vec2> extremes(const Points& hull) {
   const auto by_x = std::minmax_element(hull.begin(), hull.end(), lexicographically_before);
   const auto by_y = std::minmax_element(hull.begin(), hull.end(), [](const Vec2& a, const Vec2& b) {
@@ -47,11 +47,11 @@ double distance_from_line(const Points& hull, const Vec2& a, const Vec2& b) {
   return greatest / length(b - a);
 }
 
-// Whether all corners lie within `flat` of one line. The least width of a convex polygon is
-// perpendicular to one of its sides. O(h) for most hulls of h corners, O(h^2) for nearly flat ones.
+// Whether all corners are within `flat` of one line. A convex polygon is narrowest perpendicular to
+// a side. O(h) for most hulls of h corners, O(h^2) for nearly flat ones.
 bool is_flat(const Points& hull, const std::pair<Vec2, Vec2>& ends, double flat) {
-  // In a strip of width 2 flat that contains both ends, which are farthest apart along an axis, no
-  // point is farther than 4 flat from the line through the ends.
+  // The ends are farthest apart along an axis. In a strip of width 2 flat with both, no point is
+  // farther than 4 flat from the line through them.
   if (distance_from_line(hull, ends.first, ends.second) > 4 * flat) return false;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     if (distance_from_line(hull, hull[i], hull[(i + 1) % hull.size()]) <= 2 * flat) return true;
@@ -64,20 +64,19 @@ double squared_distance(const Vec2& a, const Vec2& b) {
   return dot(d, d);
 }
 
-// Whether the corner c between a and b results from rounding alone: within `flat` of either, or on
-// the side from a to b, within tau of its length.
+// Whether only rounding makes the corner c between a and b: within `flat` of either, or on the side
+// from a to b, within tau of its length.
 bool is_on_side(const Vec2& a, const Vec2& c, const Vec2& b, double flat) {
   if (squared_distance(a, c) <= flat * flat || squared_distance(c, b) <= flat * flat) return true;
   const double squared = squared_distance(a, b), along = dot(c - a, b - a);
   return along >= 0 && along <= squared && std::fabs(orient(a, b, c)) <= tau * squared;
 }
 
-// Removes the corners that result from rounding alone: those within `flat` of the preceding corner,
-// and those on a straight run, whose distance from the side that spans the run is at most tau of
-// its length. The tip of a thin hull may be as near to the line of that side, but lies beyond its
-// ends. The search begins with the corner farthest from the first, which cannot lie within a
-// straight run. A corner is removed only together with all others of its run, so many slight turns
-// that add up remain.
+// Removes the corners that only rounding makes: those within `flat` of the corner before, and those
+// on a straight run, at most tau of its length from the side that spans it. The tip of a thin hull
+// may be as near to that side's line, but is beyond its ends. The search begins with the corner
+// farthest from the first, which cannot be within a straight run. A corner goes only with all
+// others of its run, so many slight turns that add up remain.
 Points without_straight_corners(const Points& hull, double flat) {
   const std::size_t n = hull.size();
   std::size_t start = 0;
@@ -103,7 +102,7 @@ Points without_straight_corners(const Points& hull, double flat) {
   return kept;
 }
 
-// The hull of points that are sorted from left to right.
+// Sorted from left to right.
 Points hull_of_sorted(Points points, double flat) {
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 2) return points;
@@ -117,14 +116,14 @@ Points hull_of_sorted(Points points, double flat) {
   return flat > 0 ? without_straight_corners(hull, flat) : hull;
 }
 
-// A side of a hull with the point beyond it, by bisection over the triangles between the first
-// corner and the sides; nullopt if the point is inside or on the boundary. O(log h).
+// A side with the point beyond it, by bisection over the triangles between the first corner and the
+// sides; nullopt if there is none. O(log h).
 std::optional<std::size_t> side_before(const Points& hull, const Vec2& p) {
   const std::size_t n = hull.size();
   if (orient(hull[0], hull[1], p) < 0) return 0;
   if (orient(hull[n - 1], hull[0], p) < 0) return n - 1;
   std::size_t low = 1,
-              high = n - 1;  // p is left of the line to `low`, and not left of that to `high`
+              high = n - 1;  // p is left of the line to `low`, not of that to `high`
   while (high - low > 1) {
     const std::size_t middle = low + (high - low) / 2;
     (orient(hull[0], hull[middle], p) > 0 ? low : high) = middle;
@@ -132,16 +131,15 @@ std::optional<std::size_t> side_before(const Points& hull, const Vec2& p) {
   return orient(hull[low], hull[high], p) < 0 ? std::optional(low) : std::nullopt;
 }
 
-// Adds a point to a hull, using the sides that the point is beyond. Returns nullopt if a corner
-// next to the point may result from rounding, because then the whole hull matters. O(h), with
-// little arithmetic.
+// Adds a point to a hull by the sides that it is beyond. nullopt if a corner next to it may result
+// from rounding: then the whole hull matters. O(h), with little arithmetic.
 std::optional<Points> with_point(const Points& hull, const Vec2& p, double flat) {
   const std::size_t n = hull.size();
   const auto side = [&](std::size_t i) { return orient(hull[i % n], hull[(i + 1) % n], p); };
   const auto visible = side_before(hull, p);
   if (!visible) return hull;
   if (is_on_side(hull[*visible], p, hull[(*visible + 1) % n], flat)) return hull;
-  // The sides that p is beyond or in line with: `number` sides, starting at `first`.
+  // Sides that p is beyond or in line with: `number` from `first` on.
   std::size_t first = *visible, number = 1;
   while (number < n && side(first + n - 1) <= 0) {
     first = (first + n - 1) % n;
@@ -154,7 +152,7 @@ std::optional<Points> with_point(const Points& hull, const Vec2& p, double flat)
   widened.push_back(p);
   for (std::size_t i = first + number; i <= first + n; ++i) widened.push_back(hull[i % n]);
   // Rounding alone may now explain one corner on either side. Only the whole hull shows whether
-  // several such corners form one run.
+  // several such corners are one run.
   const auto is_straight = [&](std::size_t i) {
     const std::size_t m = widened.size();
     return is_on_side(widened[(i + m - 1) % m], widened[i % m], widened[(i + 1) % m], flat);
@@ -169,7 +167,7 @@ std::optional<Points> with_point(const Points& hull, const Vec2& p, double flat)
   return widened;
 }
 
-// The number of corners from which it pays to search for the sides that change.
+// From here on it pays to search for the sides that change.
 constexpr std::size_t many_corners = 64;
 
 }  // namespace
@@ -201,9 +199,9 @@ double diameter(const Points& hull) {
   const std::size_t n = hull.size();
   const auto corner = [&](std::size_t i) -> const Vec2& { return hull[i % n]; };
   double greatest = 0;
-  // For each side, finds the corner farthest from its line. The two corners that are farthest apart
-  // are such a corner and an end of such a side. For two sides that are parallel up to rounding,
-  // either corner of the other side may seem farther.
+  // Finds the corner farthest from each side's line. Of the two corners farthest apart, one is such
+  // a corner and the other an end of its side. If two sides are parallel up to rounding, either
+  // corner of the other side may seem farther.
   std::size_t far = 1;
   for (std::size_t side = 0; side < n; ++side) {
     const Vec2 &a = corner(side), &b = corner(side + 1);

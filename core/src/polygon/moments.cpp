@@ -10,15 +10,15 @@
 namespace evenlift {
 namespace {
 
-// Twice the signed area and six times its first moments, relative to a point. The sums of the
-// absolute terms bound the rounding errors even if most of the terms cancel.
+// Twice the signed area and six times its first moments, relative to a point. Sums of absolute
+// terms bound the rounding errors even if most terms cancel.
 struct Sums {
   DoubleDouble doubled_area, x, y;
   double size_area = 0, size_moments = 0;
 };
 
 Sums double_double_sums(const Points& vertices, const Vec2& corner) {
-  // Products below 2^-969 lose bits. Counting every term as at least this large covers the loss.
+  // Products below 2^-969 lose bits. Counting each term as at least this large covers that.
   constexpr double least_size = 0x1p-960;
   Sums sums;
   const auto relative = [&](const Vec2& v) {
@@ -43,7 +43,7 @@ Sums double_double_sums(const Points& vertices, const Vec2& corner) {
   return sums;
 }
 
-// The sums without rounding, relative to the origin.
+// Relative to the origin.
 struct ExactSums {
   Dyadic doubled_area, x, y;
 };
@@ -61,10 +61,10 @@ ExactSums exact_sums(const Points& vertices) {
   return sums;
 }
 
-// The double nearest to the quotient; in a tie, the even one. The divisor must not be 0.
+// In a tie, the even double. The divisor must not be 0.
 double rounded_quotient(const Dyadic& numerator, const Dyadic& divisor) {
-  // Each round adds about fifty correct bits. Afterwards the exact quotient lies between this one
-  // and a neighbour.
+  // Each round adds about fifty correct bits. Then the exact quotient is between this one and a
+  // neighbour.
   double quotient = 0;
   for (int i = 0; i < 3; ++i)
     quotient += approximate_quotient(numerator - Dyadic(quotient) * divisor, divisor);
@@ -87,16 +87,16 @@ Moments exact_moments(const Points& vertices) {
 
 }  // namespace
 
-// The sums are in double-double, relative to a corner of the bounding box, so that polygons far from
-// the origin lose no digits. If the error bound allows more than one double, as with thin polygons
-// and centroids near 0, exact sums decide.
+// The sums are in double-double, relative to a corner of the bounding box: polygons far from the
+// origin lose no digits. If the error bound allows several doubles, as for thin polygons and
+// centroids near 0, exact sums decide.
 Moments moments(const Points& vertices, const Vec2& corner) {
   const Sums sums = double_double_sums(vertices, corner);
   const DoubleDouble divisor = DoubleDouble(3.0) * sums.doubled_area;
   const DoubleDouble x = sums.x / divisor + DoubleDouble(corner.x());
   const DoubleDouble y = sums.y / divisor + DoubleDouble(corner.y());
 
-  // Each operation has an error of at most 2^-100 of its operands, and a sum has fewer than 2^22
+  // Each operation errs by at most 2^-100 of its operands, and a sum has fewer than 2^22
   // operations.
   constexpr double unit = 0x1p-78;
   const double size = std::fabs(divisor.hi);

@@ -1,4 +1,4 @@
-// The area and the centroid within a closed line.
+// The area and centroid of a ring.
 #pragma once
 
 #include "evenlift/vec.h"
@@ -10,9 +10,9 @@ struct Moments {
   Vec2 centroid;
 };
 
-// The area and the centroid within a ring, each rounded to the nearest doubles. The ring may run
-// along a line there and back, as those of polygons with holes do (polygon_with_holes.h). `corner`
-// is the lower left corner of its bounding box. Its area must not be 0. O(n).
+// Each is rounded to the nearest double. The ring may run along a line there and back, as in
+// polygons with holes (polygon_with_holes.h). `corner` is the lower left of its bounding box. The
+// area must not be 0. O(n).
 Moments moments(const Points& ring, const Vec2& corner);
 
 }  // namespace evenlift

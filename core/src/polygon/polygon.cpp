@@ -58,8 +58,8 @@ bool all_on_one_line(const Points& vertices) {
 
 }  // namespace
 
-// The lowest of the leftmost vertices is a corner of the convex hull and never straight, so its
-// turn gives the polygon's orientation.
+// The lowest of the leftmost vertices is a corner of the convex hull and never straight: its turn
+// is the polygon's.
 bool is_counter_clockwise(const Points& vertices) {
   std::size_t lowest = 0;
   for (std::size_t i = 1; i < vertices.size(); ++i) {

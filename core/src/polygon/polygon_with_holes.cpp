@@ -14,7 +14,7 @@
 namespace evenlift {
 namespace {
 
-// In an error ring 0 is the outline, and ring k is hole k - 1.
+// Ring 0 is the outline, ring k is hole k - 1.
 InputError in_hole(std::size_t hole, InputError error) {
   if (error.place.kind == Place::Kind::nowhere) error.place.kind = Place::Kind::hole;
   error.place.ring = error.place.other_ring = hole + 1;
@@ -33,7 +33,7 @@ Rings rings_of(const Polygon& outline, const std::vector<Polygon>& holes) {
   return rings;
 }
 
-// A place at two vertices or edges of the list of all rings, that of the later ring first.
+// The vertex or edge of the later ring comes first.
 Place place_of(const Rings& rings, Place::Kind kind, std::size_t a, std::size_t b) {
   const auto ring_of = [&](std::size_t i) {
     return static_cast<std::size_t>(std::upper_bound(rings.ends.begin(), rings.ends.end(), i) -
@@ -80,8 +80,8 @@ std::optional<InputError> check_rings(const Rings& rings) {
   return check_inside(swept);
 }
 
-// The holes in an order in which each is near the one before it, so that the ways between them are
-// short and few of them cross an edge of H. O(k^2) for k holes.
+// Orders holes so that each is near the one before: the ways between them are short, and few cross
+// an edge of H. O(k^2) for k holes.
 std::vector<const Polygon*> chain_of(Vec2 at, const std::vector<Polygon>& holes) {
   std::vector<const Polygon*> chain;
   for (const Polygon& hole : holes) chain.push_back(&hole);
@@ -154,7 +154,7 @@ Result<PolygonWithHoles> object_of(const Document& document) {
   return PolygonWithHoles::create(*std::move(outline), document.holes);
 }
 
-// The ray from the point to the right crosses the boundary an odd number of times.
+// The ray to the right crosses the boundary an odd number of times.
 bool is_inside(const Polygon& polygon, const Vec2& point) {
   bool odd = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

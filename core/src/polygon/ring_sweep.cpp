@@ -14,13 +14,13 @@ using Pair = std::pair<Index, Index>;
 
 int sign(double value) { return (value > 0) - (value < 0); }
 
-// An edge with its ends in sweep order.
+// Ends are in sweep order.
 struct Segment {
   Vec2 left, right;
 };
 
 // Whether two closed segments have a common point other than a shared end. Neighbours, which share
-// an end, have one only if one segment overlaps the other.
+// one, do only if they overlap.
 bool meet_improperly(const Segment& s, const Segment& t) {
   const int t_left = sign(orient(s.left, s.right, t.left)),
             t_right = sign(orient(s.left, s.right, t.right));
@@ -30,7 +30,7 @@ bool meet_improperly(const Segment& s, const Segment& t) {
       s.left == t.left || s.left == t.right || s.right == t.left || s.right == t.right;
   const bool parallel = t_left == 0 && t_right == 0;
   if (parallel) {
-    // Collinear segments overlap in more than an end if each begins before the other ends.
+    // Collinear segments share more than an end if each begins before the other ends.
     return lexicographically_before(s.left, t.right) && lexicographically_before(t.left, s.right);
   }
   if (neighbours) return false;
@@ -72,7 +72,7 @@ class Sweep {
 
  private:
   // The vertical order of two active segments where the later one begins. It never changes before
-  // two segments meet, so the set stays sorted. If the two meet there, `found_` stores them.
+  // two segments meet, so the set stays sorted. `found_` stores two that meet there.
   struct Below {
     Sweep* sweep;
     bool operator()(Index a, Index b) const { return sweep->is_below(a, b); }
@@ -128,8 +128,8 @@ class Sweep {
     return i == rings_.begin(ring) ? rings_.ends[ring] - 1 : i - 1;
   }
 
-  // At the first vertex of a ring in sweep order: the ring lies within the ring of the edge below
-  // the vertex if that ring's inside is above the edge, and beside that ring otherwise.
+  // At a ring's first vertex in sweep order. The ring is in the ring of the edge below if that
+  // ring's inside is above the edge, else beside it.
   void find_around(Index v) {
     const Index ring = ring_of_[v];
     seen_[ring] = true;

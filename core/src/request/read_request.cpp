@@ -19,11 +19,11 @@ using Kind = JsonTree::Kind;
 using Index = JsonTree::Index;
 using Problem = std::optional<InputError>;
 
-// The members that a command may have besides "command".
+// `members` are allowed next to "command".
 struct CommandEntry {
   std::string_view name;
   Command command;
-  std::string_view members;  // with spaces around each
+  std::string_view members;  // each between spaces
 };
 constexpr CommandEntry commands[] = {
     {"place", Command::place,
@@ -54,7 +54,6 @@ class Reader {
   Problem take_members(Index object, Request& request) const;
   Problem take_pose_options(Index object, Request& request) const;
 
-  // The polygon, its centre of mass and the settings of an object.
   Result<Document> document(Index object) const;
   Result<Points> points(Index array) const;
   Result<Vec2> point(Index at) const;
@@ -74,7 +73,7 @@ class Reader {
   const JsonTree& tree_;
 };
 
-// The text of a string, or the digits of a number: a seed may have more digits than a double holds.
+// A number's digits as text: a seed may have more than a double holds.
 std::string Reader::value_text(Index at) const {
   if (tree_.kind(at) == Kind::string) return std::string(tree_.text(at));
   if (tree_.kind(at) != Kind::number) return {};
@@ -87,7 +86,7 @@ std::string Reader::value_text(Index at) const {
 }
 
 // Supports and their capacities may be arrays: [[0, 0], [1, 0]] as "0,0 1,0" and [30, null] as
-// "30,none". An empty text, which is no value of a setting, for any other array.
+// "30,none". Other arrays become the empty text, which is no value of a setting.
 std::string Reader::list_text(Index array) const {
   std::string text;
   for (Index i = tree_.first(array); i != tree_.end(array); i = tree_.next(i)) {
@@ -124,8 +123,7 @@ Problem Reader::take_flag(Index object, std::string_view name, bool& flag) const
   if (!at) return std::nullopt;
   if (tree_.kind(*at) != Kind::boolean)
     return error(*at, "\"" + std::string(name) + "\" must be true or false");
-  // The offset is that of the last letter: "true" and "false" have the same ending but different
-  // lengths.
+  // The offset is that of the last letter, since "true" and "false" differ in length.
   const std::size_t last = tree_.offset(*at);
   flag = last >= 3 && text_.substr(last - 3, 4) == "true";
   return std::nullopt;
@@ -160,7 +158,7 @@ Result<Points> Reader::points(Index array) const {
   return points;
 }
 
-// The holes, in place of those of the text.
+// They replace those of the text.
 Problem Reader::take_holes(Index array, Document& document) const {
   if (tree_.kind(array) != Kind::array)
     return error(array, "\"holes\" must be an array of rings, each an array of points [x, y]");
@@ -197,7 +195,7 @@ Result<Document> Reader::document(Index object) const {
   if (const auto holes = tree_.member(object, "holes"))
     if (auto wrong = take_holes(*holes, document)) return *std::move(wrong);
   if (const auto centre = tree_.member(object, "centre_of_mass")) {
-    document.moved = {};  // like any setting that determines places
+    document.moved = {};  // as with any setting that determines places
     if (tree_.kind(*centre) == Kind::null) {
       document.centre_of_mass.reset();
       return document;
@@ -228,8 +226,8 @@ Problem Reader::take_settings(Index object, Document& document) const {
       if (setting_from_name(tree_.name(k)) == setting)
         return error(i, "the setting \"" + name + "\" is given twice", ErrorCode::bad_setting);
   }
-  // The order of members does not matter: the robot's whole size is read before its parts, and
-  // supports before their capacities and the method.
+  // Members have no order: the robot's size is read before its parts, and supports before their
+  // capacities and the method.
   for (const bool first : {true, false})
     for (Index i = tree_.first(*settings); i != tree_.end(*settings); i = tree_.next(i)) {
       const Setting setting = *setting_from_name(tree_.name(i));
@@ -270,7 +268,7 @@ Result<Cargo> Reader::cargo_item(Index at) const {
   return item;
 }
 
-// Replaces the cargo of the text. Its ranges are checked with the other settings.
+// Replaces the text's cargo. Its ranges are checked with the other settings.
 Problem Reader::take_cargo(Index array, Document& document) const {
   std::vector<Cargo>& cargo = document.settings.cargo;
   cargo.clear();

@@ -17,8 +17,8 @@ namespace evenlift {
 
 enum class Command : std::uint8_t { place, candidates, svg, poses, link, experiment, version };
 
-// A polygon of an experiment. A text that is not a polygon does not count in the averages, and the
-// answer gives the reason.
+// Of an experiment. A text that is no polygon does not count in the averages; the answer gives the
+// reason.
 struct NamedPolygon {
   std::string set, name;
   Result<Document> document;
@@ -35,8 +35,8 @@ struct Request {
   experiment::ExperimentSettings experiment;
 };
 
-// Reads a request. A member that its command does not have is an error, so no typing error goes
-// unnoticed. The geometry is not checked. O(bytes).
+// Members that the command does not have are errors, so no typing error goes unnoticed. The
+// geometry is not checked. O(bytes).
 Result<Request> read_request(std::string_view text);
 
 }  // namespace evenlift

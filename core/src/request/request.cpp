@@ -38,7 +38,6 @@ std::string svg_answer(const Request& request, const Placement& placement) {
   return one_member("svg", placement_svg({placement, shown}, link ? *link : std::string()));
 }
 
-// Answers all requests that need a placement.
 std::string placed_answer(Request request) {
   if (request.even_out) {
     auto even = with_even_supports(request.document);

@@ -31,9 +31,8 @@ Sum sum_at(const Points& robots, const Vec2& b) {
   return sum;
 }
 
-// The polygon of all b for which no robot's g exceeds m. A larger g would make the sum exceed its
-// value at b = 0, so the polygon contains the least sum. It is dual to H: an edge of H becomes a
-// corner.
+// The b for which no g exceeds m. A larger g would make the sum exceed that at b = 0, so this
+// polygon contains the least sum. It is dual to H: edges become corners.
 Points region_of_least_sum(const Points& hull, std::size_t m) {
   Points region;
   for (std::size_t i = 0; i < hull.size(); ++i) {
@@ -56,7 +55,7 @@ Vec2 centroid_of(const Points& ring) {
   return area > 0 ? Vec2(ring[0] + weighted / (3 * area)) : ring[0];
 }
 
-// The greatest share over the lines through one robot and each of the others.
+// The greatest share over the lines through p and each other robot.
 double best_through(const Points& robots, const Vec2& p) {
   double best = 0;
   for (const Vec2& q : robots) {
@@ -96,7 +95,7 @@ double best_share_by_cuts(const Points& robots, const Points& hull) {
   double least = static_cast<double>(robots.size());  // the sum at b = 0
   double bound = 0;                                   // no sum is less
   for (int step = 0; step < most_steps && region.size() >= 3; ++step) {
-    // A line through the region's centroid leaves at most 5/9 of its area on either side.
+    // A line through the centroid leaves at most 5/9 of the area on either side.
     const Vec2 middle = centroid_of(region);
     const Sum sum = sum_at(robots, middle);
     least = std::min(least, sum.value);

@@ -1,4 +1,4 @@
-// Computes the depth of C among the robots, with a line that turns once around C.
+// The depth of C among the robots, by a line that turns once around C.
 #include <algorithm>
 #include <cmath>
 
@@ -11,20 +11,20 @@
 namespace evenlift {
 namespace {
 
-// Whether a robot within tolerance of the line counts as being on the side in question.
+// For a robot within tolerance of the line.
 enum class OnTheLine { counts, does_not };
 
-// Looking along the unit vector u, a robot at d from C is on the side if u . d >= -near (counts) or
-// u . d > near (does not). The directions u of one robot form an arc: closed and slightly more than
-// a half-turn, or open and slightly less. Pseudo-angles represent it.
+// Along the unit vector u, a robot at d from C is on the side if u . d >= -near (counts) or u . d >
+// near (does not). Its directions u form an arc of pseudo-angles: closed and slightly more than a
+// half-turn, or open and slightly less.
 struct Arc {
   double begin, end;
 };
 
 Arc arc_of(const Vec2& d, double near, OnTheLine on_the_line) {
   const double distance = length(d);
-  // The ends are where u . d is -near or near: u has this component along d and `across`
-  // perpendicular to it.
+  // Where u . d is -near or near. There u has this component along d, and `across` perpendicular to
+  // it.
   const double along = on_the_line == OnTheLine::counts ? -near : near;
   const double across = std::sqrt((distance - near) * (distance + near));
   const Vec2 side = across * left_normal(d);
@@ -33,12 +33,12 @@ Arc arc_of(const Vec2& d, double near, OnTheLine on_the_line) {
 
 // The least number of arcs that overlap in one direction.
 int least_overlap(const std::vector<Arc>& arcs, OnTheLine on_the_line) {
-  // Event 2 i is the beginning of arc i, event 2 i + 1 its end.
+  // Event 2 i begins arc i, event 2 i + 1 ends it.
   const auto angle = [&](std::uint32_t event) {
     const Arc& arc = arcs[event / 2];
     return event % 2 == 0 ? arc.begin : arc.end;
   };
-  // Closed arcs that meet overlap; open arcs that meet leave a gap.
+  // Where closed arcs meet, they overlap; open arcs leave a gap.
   const std::uint32_t first_of_equal = on_the_line == OnTheLine::counts ? 0 : 1;
   const SortedIndices events =
       sorted_indices(2 * arcs.size(), [&](std::uint32_t i, std::uint32_t j) {
@@ -57,9 +57,9 @@ int least_overlap(const std::vector<Arc>& arcs, OnTheLine on_the_line) {
 
 // The least number of robots on one side of a line through C.
 //
-// C and each robot are at most L apart, and `near` is at least tau L. So an arc differs from a
-// half-turn by at least tau at either end. The rounding of directions, about 1e-16, matters only at
-// the limit of the tolerance.
+// C and each robot are at most L apart, and `near` is at least tau L. So arcs differ from a
+// half-turn by at least tau at either end, and the rounding of directions, about 1e-16, matters
+// only at the limit of the tolerance.
 int depth(const Points& robots, const Vec2& centre, double near, OnTheLine on_the_line) {
   std::vector<Arc> arcs;
   arcs.reserve(robots.size());

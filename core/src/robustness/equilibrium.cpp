@@ -34,8 +34,8 @@ struct Edge {
   Vec2 from, to;
 };
 
-// The edge that C lies beyond the farthest; of those as far within tolerance, the one whose first
-// robot has the smallest number.
+// The edge that C is farthest beyond; of equal ones within tolerance, the one whose first robot has
+// the smallest number.
 std::vector<std::uint32_t> farthest_edge(const Points& robots, const Points& hull,
                                          const Vec2& centre, double near) {
   double farthest = 0;

@@ -1,4 +1,3 @@
-// Computes the state of the lift after one robot fails.
 #include <algorithm>
 
 #include "evenlift/closure.h"
@@ -12,7 +11,7 @@
 namespace evenlift {
 namespace {
 
-// The robots of all teams, and the values that do not depend on which robot fails.
+// All robots, and what does not depend on which one fails.
 class Crew {
  public:
   Crew(const PolygonWithHoles& object, const Vec2& centre, double weight,
@@ -25,7 +24,7 @@ class Crew {
         teams_(teams),
         contacts_(contacts(object, lifting_points(teams))),
         positions_(positions(lifting_points(teams))) {
-    // The others are as stiff as before, and their mean load is greater.
+    // The others are as stiff as before, but their mean load is greater.
     const auto m = static_cast<double>(positions_.size());
     disturbance_.uneven *= (m - 1) / m;
     const Points hull = convex_hull(positions_, near());
@@ -52,7 +51,7 @@ class Crew {
     return rest;
   }
 
-  // The other teams carry the weight in proportion to their former loads.
+  // The other teams carry the weight in proportion to their loads before.
   std::optional<double> greatest_by_plan(std::size_t robot) const {
     const std::size_t failed = find_robot(teams_, robot).team;
     double greatest = 0, borne = 0;

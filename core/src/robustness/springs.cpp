@@ -1,11 +1,10 @@
 // The loads of equally stiff robots that cannot pull.
 //
 // Of all loads f >= 0 that balance the weight, those with the least sum of squares are max(0, g)
-// for a function g(q) = a + b . q of the robot's place. This g minimizes 1/2 sum max(0, g)^2 - m
-// g(C), in units of weight / m: a convex function of (a, b), whose gradient is the lack of balance.
+// for a function g(q) = a + b . q of the robot's place. It minimizes 1/2 sum max(0, g)^2 - m g(C),
+// in units of weight / m: a convex function of (a, b) whose gradient is the lack of balance.
 // Newton's step leads to the g that balances the weight with the robots that carry load at present.
-// Some of them may have to pull: they go slack, others start to carry, and so on until the loads
-// settle.
+// Those that would have to pull go slack, others start to carry, and so on until the loads settle.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,14 +17,14 @@
 namespace evenlift {
 namespace {
 
-// A linear function of the plane, relative to C.
+// Relative to C.
 struct Linear {
   double at_centre = 0;
   Vec2 slope = Vec2::Zero();
   double operator()(const Vec2& q) const { return at_centre + dot(slope, q); }
 };
 
-// The function with this value at the centroid and these slopes along the axes of the frame.
+// With this value at the centroid and these slopes along the frame's axes.
 Linear in_frame(const StandardFrame& frame, double at_mean, const Vec2& along_axes) {
   const Vec2 slope = along_axes.x() * frame.axis[0] + along_axes.y() * frame.axis[1];
   return {at_mean - dot(slope, frame.mean), slope};
@@ -35,19 +34,19 @@ class Springs {
  public:
   explicit Springs(const Points& robots)
       : robots_(robots), m_(static_cast<double>(robots.size())), frame_(standard_frame(robots)) {
-    pressure_ = in_frame(frame_, 1, frame_(Vec2::Zero()));  // the solution if no robot goes slack
+    pressure_ = in_frame(frame_, 1, frame_(Vec2::Zero()));  // if no robot goes slack
     settle();
   }
 
-  // The load of the robot in units of weight / m. A negative value is the distance from carrying
-  // any load. Within tolerance of 0 it is 0.
+  // In units of weight / m. A negative value is the distance from carrying load. Within tolerance
+  // of 0 it is 0.
   double pressure(std::size_t i) const {
     const double value = pressure_(robots_[i]);
     return std::fabs(value) <= tau ? 0 : value;
   }
 
  private:
-  // The error in balance of the loads max(0, g), for a weight of 1 and in the robots' own frame.
+  // The error in balance of the loads max(0, g), for a weight of 1 in the robots' frame.
   double lack_of_balance() const {
     double sum = 0;
     Vec2 moment = Vec2::Zero();
@@ -60,7 +59,7 @@ class Springs {
     return std::max(std::fabs(sum / m_ - 1), off.cwiseAbs().maxCoeff());
   }
 
-  // The slope of the convex function along the step, at `times` times the step.
+  // The convex function's slope along the step, at `times` times the step.
   double slope_along(const Linear& step, double times) const {
     double sum = 0;
     for (const Vec2& q : robots_) {
@@ -70,7 +69,7 @@ class Springs {
     return sum - m_ * step.at_centre;
   }
 
-  // The step from the present function to the one that balances the weight with the loaded robots.
+  // The step to the function that balances the weight with the loaded robots.
   Linear newton_step(const Points& bearing, const StandardFrame& frame) const {
     double sum = 0;
     Vec2 moment = Vec2::Zero();
@@ -82,12 +81,11 @@ class Springs {
     return in_frame(frame, (m_ - sum) / k, (m_ * frame(Vec2::Zero()) - moment) / k);
   }
 
-  // If the loaded robots are on one line, or at one place, and C is not, they cannot balance the
-  // weight. Then the function turns about them, rising on the side of C, until others start to
-  // carry.
+  // Loaded robots on one line, or at one place, cannot balance the weight if C is elsewhere. The
+  // function then turns about them, rising towards C, until others start to carry.
   static std::optional<Linear> turn(const StandardFrame& frame) {
     if (frame.axis[1] != Vec2::Zero()) return std::nullopt;
-    Vec2 beside = -frame.mean;  // from the line, or the place, to C
+    Vec2 beside = -frame.mean;  // from the line or place to C
     if (frame.axis[0] != Vec2::Zero()) {
       const Vec2 along = frame.axis[0] / length(frame.axis[0]);
       beside -= dot(beside, along) * along;
@@ -103,8 +101,7 @@ class Springs {
     return turn(frame).value_or(newton_step(bearing, frame));
   }
 
-  // The multiple of the step to take: it at least halves the slope along the step, on either side
-  // of 0.
+  // The multiple of the step that at least halves the slope along it, on either side of 0.
   double stride(const Linear& step, double slope) const {
     double low = 0, high = std::numeric_limits<double>::infinity(), times = 1;
     for (int i = 0; i < 100; ++i) {
@@ -143,7 +140,7 @@ class Springs {
   Linear pressure_;
 };
 
-// The rate at which the robots' loads change as C moves, for a weight of 1.
+// The change of loads as C moves, for a weight of 1.
 class Changes {
  public:
   // `bearing` are the loaded robots.
@@ -155,7 +152,7 @@ class Changes {
   // Whether the loaded robots resist every motion of C. If not, others start to carry.
   bool determined() const { return determined_; }
 
-  // The length of S^-1 (p - mean), with S the sum of (p - mean) (p - mean)' over the loaded robots.
+  // S^-1 (p - mean)|, with S the sum of (p - mean) (p - mean)' over the loaded robots.
   double per_length(const Vec2& p) const {
     const Vec2 q = frame_(p);
     return length(q.x() * frame_.axis[0] + q.y() * frame_.axis[1]) / parts_;

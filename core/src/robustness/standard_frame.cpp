@@ -8,14 +8,13 @@
 namespace evenlift {
 namespace {
 
-// Whether all points are within tolerance of the line through the centroid along the direction.
+// Within tolerance of the line through the centroid.
 bool on_one_line(const Vec2& direction, const Points& offsets) {
   return std::all_of(offsets.begin(), offsets.end(), [&](const Vec2& d) {
     return std::fabs(cross(direction, d)) <= tau * length(direction);
   });
 }
 
-// The axis divided by the root of the mean square along it.
 Vec2 with_mean_square_1(const Vec2& axis, const Points& offsets) {
   double square = 0;
   for (const Vec2& d : offsets) square += dot(axis, d) * dot(axis, d);
@@ -38,7 +37,7 @@ StandardFrame standard_frame(const Points& points) {
   frame.axis[0] = with_mean_square_1(farthest, offsets);
   if (on_one_line(farthest, offsets)) return frame;
   const Vec2 across = with_mean_square_1(left_normal(farthest), offsets);
-  double together = 0;  // the mean product of the coordinates, removed from the second axis
+  double together = 0;  // the coordinates' mean product, removed from the second axis
   for (const Vec2& d : offsets) together += dot(frame.axis[0], d) * dot(across, d);
   together /= static_cast<double>(points.size());
   frame.axis[1] = with_mean_square_1(across - together * frame.axis[0], offsets);

@@ -1,6 +1,6 @@
-// Coordinates in which a set of points has its centroid at the origin and the same mean square
-// along every direction. The loads of springs do not depend on the choice of linear coordinates,
-// and in these a long, thin set is as well conditioned as a round one.
+// Coordinates in which points have their centroid at the origin and the same mean square along
+// every direction. The loads of springs are the same in all linear coordinates, but in these a
+// long, thin set is as well conditioned as a round one.
 #pragma once
 
 #include <vector>
@@ -11,16 +11,16 @@ namespace evenlift {
 
 struct StandardFrame {
   Vec2 mean = Vec2::Zero();
-  // A point p has the coordinates axis[k] . (p - mean), each with the mean square 1. If all points
-  // are within tolerance (tau) of one line, the second axis is 0. If they are within tolerance of
-  // one place, both axes are 0.
+  // A point p has the coordinates axis[k] . (p - mean), each with the mean square 1. Within
+  // tolerance (tau), the second axis is 0 for points on one line, and both are 0 for points at one
+  // place.
   Vec2 axis[2] = {Vec2::Zero(), Vec2::Zero()};
 
   Vec2 operator()(const Vec2& p) const { return {dot(axis[0], p - mean), dot(axis[1], p - mean)}; }
 };
 
-// The frame of at least one point, in units of L. The first axis points to the point farthest from
-// the centroid. O(m).
+// For at least one point, in units of L. The first axis points to the point farthest from the
+// centroid. O(m).
 StandardFrame standard_frame(const Points& points);
 
 }  // namespace evenlift

@@ -12,9 +12,9 @@
 namespace evenlift {
 namespace {
 
-// A line, and its part from 0 to `reach` with the robots.
+// A line whose part from 0 to `reach` has the robots.
 struct Stand {
-  Vec2 from = Vec2::Zero(), along = Vec2::Zero();  // `along` has unit length
+  Vec2 from = Vec2::Zero(), along = Vec2::Zero();  // `along` has length 1
   double reach = 0;
 };
 
@@ -29,7 +29,7 @@ bool holds(const Stand& stand, const Vec2& centre, double near) {
   return across <= near && along >= -near && along <= stand.reach + near;
 }
 
-// The distance of the point to the left of the line a b.
+// The point's distance to the left of the line a b.
 double left_of(const Vec2& a, const Vec2& b, const Vec2& point) {
   return orient(a, b, point) / length(b - a);
 }
@@ -61,7 +61,7 @@ Support on_area(const Points& robots, const Points& hull, const Vec2& centre, do
   return support;
 }
 
-// Of the edges of H within tolerance of C, the nearest one.
+// The nearest edge of H within tolerance of C.
 std::optional<Stand> edge_below(const Points& hull, const Vec2& centre, double near) {
   std::optional<Stand> nearest;
   double least = 0;

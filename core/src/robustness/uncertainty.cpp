@@ -16,7 +16,7 @@ constexpr double most = std::numeric_limits<double>::max();
 
 double finite(double value) { return std::min(value, most); }
 
-// The sums over j of |P_ij| for the robots with these loads; 0 for those that carry nothing.
+// The sums over j of |P_ij| for robots with these loads; 0 without load.
 std::vector<double> sums_of_projection(const Points& robots, const Vec2& centre, double unit,
                                        const std::vector<double>& loads) {
   std::vector<std::size_t> bearing;
@@ -71,7 +71,7 @@ LoadChanges load_changes(const Points& robots, const Vec2& centre, double diamet
     for (std::size_t i = 0; i < robots.size(); ++i)
       changes.by[i] = finite(changes.by[i] + mean * (disturbance.uneven * sums[i]));
   }
-  // If only rounding puts C outside H, no bound is known but the whole weight.
+  // If only rounding puts C outside H, the only known bound is the whole weight.
   changes.at_worst = worst_loads(robots, centre, diameter, weight, disturbance.reach)
                          .value_or(std::vector<double>(robots.size(), weight));
   return changes;
@@ -102,7 +102,7 @@ std::optional<double> radius_within_capacity(const SpringLoads& springs, double 
   double radius = std::max(0.0, std::min(springs.same_within, tipping_distance) - reach);
   for (std::size_t i = 0; i < springs.loads.size(); ++i) {
     const double more = besides.by.empty() ? 0 : besides.by[i];
-    // Heights that are off make a robot go slack sooner.
+    // With heights that are off, a robot goes slack sooner.
     if (more > 0 && springs.per_length[i] > 0)
       radius = std::min(radius, std::max(0.0, springs.loads[i] - more) / springs.per_length[i]);
     if (!capacities[i]) continue;

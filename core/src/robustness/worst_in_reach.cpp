@@ -1,4 +1,4 @@
-// Computes the greatest load that each robot can come to carry while C is anywhere within reach.
+// The worst loads with C anywhere within reach.
 #include <algorithm>
 
 #include "evenlift/hull.h"
@@ -9,8 +9,8 @@
 namespace evenlift {
 namespace {
 
-// The point of a convex polygon, a segment or a point that is nearest to the origin: the origin
-// itself if that is inside. O(h).
+// The point nearest to the origin of a convex polygon, a segment or a point; the origin itself if
+// inside. O(h).
 Vec2 nearest_to_origin(const Points& hull) {
   const std::size_t h = hull.size();
   bool inside = h > 2;
@@ -26,13 +26,13 @@ Vec2 nearest_to_origin(const Points& hull) {
   return inside ? Vec2(Vec2::Zero()) : nearest;
 }
 
-// The greatest share t of a robot at p while C is within reach of the origin. The rest of the weight
-// acts at some point of H, so C lies on t p + (1 - t) H, which shrinks towards p as t grows. Its
-// distance from the origin is a convex function of t. For the direction n of its nearest point, it
-// is at least n . (t p + (1 - t) v) for the corner v of H that is least along n, and Newton's method
-// goes down to the t for which that is the reach.
+// The greatest share t of a robot at p with C within reach of the origin. The rest of the weight
+// acts at a point of H, so C is on t p + (1 - t) H, which shrinks towards p as t grows. Its
+// distance from the origin is convex in t. For the direction n of its nearest point, it is at least
+// n . (t p + (1 - t) v) for the corner v of H least along n. Newton's method goes down to the t for
+// which that is the reach.
 double greatest_share(const Vec2& p, const Points& hull, double reach) {
-  constexpr int most_steps = 100;  // seldom more than six
+  constexpr int most_steps = 100;  // seldom above six
   double t = 1;
   for (int i = 0; i < most_steps; ++i) {
     Points shrunk;
@@ -59,7 +59,7 @@ std::optional<std::vector<double>> worst_loads(const Points& robots, const Vec2&
   if (!support) return std::nullopt;
   Points hull = convex_hull(robots, near_distance(support->unit));
   for (Vec2& corner : hull) corner = (corner - centre) / support->unit;
-  // The tolerance may leave C slightly outside H.
+  // The tolerance may leave C a little outside H.
   const double within = std::max(reach / support->unit, length(nearest_to_origin(hull)));
   std::vector<double> loads;
   for (const Vec2& robot : robots)

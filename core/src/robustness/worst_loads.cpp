@@ -1,4 +1,3 @@
-// Computes the greatest load that each robot can come to carry.
 #include <algorithm>
 
 #include "evenlift/load_models.h"
@@ -9,7 +8,7 @@
 namespace evenlift {
 namespace {
 
-// On a line, q (load_models.h) is its other end.
+// There q (load_models.h) is the line's other end.
 std::vector<double> shares_on_line(const Points& at) {
   double least = 0, greatest = 0;
   for (const Vec2& robot : at) {
@@ -25,9 +24,8 @@ std::vector<double> shares_on_line(const Points& at) {
   return shares;
 }
 
-// The edges of H in their order about C, which is inside. Each share is the distance of C from the
-// edge through which the ray leaves, divided by the robot's distance from it: the lever about that
-// edge.
+// The edges of H in order about C, which is inside. A share is the lever about the edge through
+// which the ray leaves: C's distance from it, divided by the robot's.
 class Rim {
  public:
   explicit Rim(const Points& hull) {
@@ -44,8 +42,8 @@ class Rim {
     const std::size_t n = corners_.size();
     const auto next = std::upper_bound(angles_.begin(), angles_.end(), pseudo_angle(-robot));
     const auto edge = static_cast<std::size_t>(next - angles_.begin()) + n - 1;
-    // Rounding may assign a ray near a corner to the neighbouring edge. The edge through which it
-    // leaves is the one with the least share.
+    // Near a corner, rounding may choose the neighbouring edge. The ray leaves through the edge
+    // with the least share.
     return std::min(
         {share(robot, (edge - 1) % n), share(robot, edge % n), share(robot, (edge + 1) % n)});
   }

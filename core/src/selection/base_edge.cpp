@@ -12,10 +12,10 @@
 namespace evenlift {
 namespace {
 
-// The amounts by which bounds exceed their computed values, so that rounding cannot make them too
-// low: for the area of a clipped polygon, in units of L^2; for each summed distance, in units of L;
-// and, as a factor, for areas. Each is at least a thousand times the error, and only causes the
-// full evaluation of a few more ends.
+// Bounds exceed computed values by these, so that rounding cannot make them too low: for the area
+// of a clipped polygon in units of L^2, for each summed distance in units of L, and as a factor for
+// areas. Each is at least a thousand times the error, which only makes a few more ends be evaluated
+// in full.
 constexpr double clipping = 1e-13, per_distance = 1e-12, rounded_up = 1 + 1e-9;
 
 // The signed distance of v from the line a -> b, positive to the right: outside, for an edge of H.
@@ -76,8 +76,8 @@ Wedge::Wedge(const Surroundings& surroundings, Metric metric, const Vec2& h1, co
 }
 
 // Only the area in the triangle h1 h2 p counts in the end. To save time, this removes the area that
-// C does not see between h1 and h2, except for a rim twice as wide as the distance by which a p in
-// the direction of a corner may miss it.
+// C does not see between h1 and h2, except for a rim of twice the distance by which a p in the
+// direction of a corner may miss it.
 void Wedge::collect_area() {
   outside_ = clip_left(surroundings_->boundary, h2_, h1_);
   if (is_convex()) {
@@ -92,7 +92,7 @@ void Wedge::collect_area() {
   outside_area_ = signed_area(outside_);
 }
 
-// If C lies on the edge, rounding decides its side, and the answer is still yes.
+// If C is on the edge, rounding decides its side; the answer is still yes.
 bool Wedge::is_convex() const {
   const double past_180 = -cross(h1_, h2_) / std::min(length(h1_), length(h2_));
   constexpr double rounding = 0x1p-44;
@@ -105,9 +105,8 @@ void Wedge::collect_outer_vertices() {
     return item;
   };
   const auto note = [&](const Surroundings::Seen& vertex, SeenAt seen_at) {
-    // A vertex within H adds nothing. But if H is a segment, a vertex in the direction of a corner
-    // may lie beyond the corner on the segment's line: not outside that line, yet outside the new
-    // edge.
+    // A vertex within H adds nothing. But if H is a segment, a vertex in a corner's direction may
+    // be beyond it on the segment's line: not outside that line, yet outside the new edge.
     const double distance = std::max(0.0, this->distance(vertex.position));
     if (distance == 0 && seen_at == SeenAt::between) return;
     outer_.push_back(
@@ -161,9 +160,8 @@ Wedge::Split Wedge::split_at(const Vec2& p) const {
           static_cast<std::size_t>(end - outer_.begin())};
 }
 
-// Calls visit(vertex, distance outside the new edge, whether the new edge is h1 p). A vertex in the
-// direction of p keeps the longer of its two arms, so that the mirror image of a shape has the same
-// sum.
+// Calls visit(vertex, distance outside the new edge, whether that is h1 p). A vertex in the
+// direction of p keeps its longer arm, so that mirror images have the same sum.
 template <class Visit>
 void Wedge::for_each_arm(const Vec2& p, Visit visit) const {
   const Split split = split_at(p);
@@ -195,8 +193,8 @@ std::vector<Wedge::Arm> Wedge::arms(const Vec2& p) const {
 }
 
 double Wedge::distance_bound(const Vec2& p) const {
-  // The sum of the positive parts is at least the positive part of the sum. The sum of the
-  // distances of points from a line follows from the sum of their positions.
+  // The sum of positive parts is at least the positive part of the sum. The sum of distances from a
+  // line follows from the sum of positions.
   const auto sum_outside = [](const Vec2& a, const Vec2& b, const Vec2& sum, std::size_t number) {
     const Vec2 line = b - a;
     return -cross(line, sum - static_cast<double>(number) * a) / length(line);
@@ -207,7 +205,6 @@ double Wedge::distance_bound(const Vec2& p) const {
   return distance_sum_ - std::max(0.0, left1) - std::max(0.0, left2) + distance_error_bound();
 }
 
-// Bounds the rounding errors of the sums.
 double Wedge::distance_error_bound() const {
   return per_distance * surroundings_->diameter * static_cast<double>(outer_.size() + 1);
 }
@@ -224,7 +221,7 @@ bool Wedge::prepare_close_bounds() {
   if (area_bins_ || distance_blocks_) return true;
   constexpr std::size_t few_vertices = 48;
   constexpr int few_evaluations = 4;
-  constexpr double narrow = 1e-3;  // rounding would spoil the bins of a narrower wedge
+  constexpr double narrow = 1e-3;  // rounding would spoil narrower bins
   if (std::max(outside_.size(), outer_.size()) < few_vertices || ++evaluations_ <= few_evaluations)
     return false;
   switch (metric_) {

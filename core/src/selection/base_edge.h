@@ -1,5 +1,5 @@
-// An edge of the lifting base H seen from C, and the gain f(p) of a new lifting point p beyond it,
-// for each metric (algorithm.md, Selection).
+// An edge of the lifting base H seen from C, and the gain f(p) of a new lifting point p beyond it
+// (algorithm.md, Selection).
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace evenlift {
 
-// The object as seen from C. All wedges share one.
+// The object seen from C, for all wedges.
 struct Surroundings {
   Surroundings(const PolygonWithHoles& object, const Vec2& centre);  // O(n log n)
 
@@ -19,13 +19,13 @@ struct Surroundings {
     Vec2 position;  // relative to C
     double pseudo_angle;
   };
-  Points boundary;  // of the object, relative to C, counter-clockwise (polygon_with_holes.h)
-  std::vector<Seen> vertices;  // of the outline, other than C, by pseudo-angle
+  Points boundary;             // relative to C, counter-clockwise (polygon_with_holes.h)
+  std::vector<Seen> vertices;  // of the outline, except C, by pseudo-angle
   bool convex = false;         // and without holes
   double diameter = 0;         // L
 };
 
-// The gain of one end of a chord: the exact value, or an upper bound that costs less.
+// The gain of one end of a chord: exact, or an upper bound that costs less.
 enum class Certainty { bound, close_bound, exact };
 struct Gain {
   double value = 0;
@@ -36,33 +36,32 @@ struct Gain {
 // The wedge between C and an edge of H, and the parts of P in it beyond the edge.
 class Wedge {
  public:
-  // The wedge of the edge h1 h2 of H, whose corners are relative to C and counter-clockwise. If H
-  // is a segment, each of its two sides is such an edge. O(n) for area and distance, O(1) for
-  // circle.
+  // h1 and h2 are relative to C, and counter-clockwise. If H is a segment, each of its sides is an
+  // edge. O(n) for area and distance, O(1) for circle.
   Wedge(const Surroundings& surroundings, Metric metric, const Vec2& h1, const Vec2& h2);
 
   const Vec2& h1() const { return h1_; }
   const Vec2& h2() const { return h2_; }
 
-  // Signed distance of p (relative to C) from the edge's line, positive outside H. O(1).
+  // The signed distance of p (relative to C) from the edge's line, positive outside H. O(1).
   double distance(const Vec2& p) const;
 
-  // f(p) for a p in the wedge beyond the edge, or an upper bound of it. O(log n).
+  // f(p) or an upper bound, for p in the wedge beyond the edge. O(log n).
   Gain estimate(const Vec2& p) const;
 
-  // A better value than `known`: after an estimate a close bound, then f(p) itself. The first few
-  // calls evaluate f(p) directly, until close bounds are likely to pay. The first close bound costs
-  // as much as a few evaluations, the others O(sqrt(m) log m).
+  // A better value than `known`: after an estimate a close bound, then f(p). The first few calls
+  // evaluate f(p), until close bounds are likely to pay. The first of these costs a few
+  // evaluations, the others O(sqrt(m) log m).
   Gain sharpen(const Vec2& p, const Gain& known);
 
-  // f(p) itself. O(m) for the m vertices and crossings of P in the wedge beyond the edge.
+  // f(p). O(m) for the m vertices and crossings of P in the wedge beyond the edge.
   double evaluate(const Vec2& p) const;
 
-  // For the metric distance: the vertices over which f(p) sums. O(m).
+  // For the metric distance: the vertices in the sum f(p). O(m).
   struct Arm {
     Vec2 vertex;
-    double before, after;  // its distance outside the edge, and outside the new edge
-    bool up_to_p;          // whether the new edge is h1 p, not p h2
+    double before, after;  // distances outside the edge and the new one
+    bool up_to_p;          // the new edge is h1 p, not p h2
   };
   std::vector<Arm> arms(const Vec2& p) const;
 
@@ -78,8 +77,8 @@ class Wedge {
   bool prepare_close_bounds();
   double close_bound(const Vec2& p) const;
   double distance_error_bound() const;
-  // Divides the outer vertices, seen from C, into those before p, those in the direction of p,
-  // which are [begin, end), and those after p.
+  // The outer vertices seen from C: before p, in the direction of p, which are [begin, end), and
+  // after p.
   struct Split {
     std::size_t begin, end;
   };
@@ -92,7 +91,7 @@ class Wedge {
   Vec2 h1_, h2_;
   double pseudo_angle1_ = 0;  // of h1
 
-  Points outside_;  // area: P beyond the edge; if the wedge is convex, not far outside the wedge
+  Points outside_;  // area: P beyond the edge; in a convex wedge, not far outside it
   double outside_area_ = 0;
 
   struct Outer {
@@ -101,7 +100,7 @@ class Wedge {
     double distance;      // outside the edge's line, not negative
   };
   std::vector<Outer> outer_;  // distance: vertices of P in the wedge beyond the edge, by direction
-  Points sums_;               // sums_[k] is the sum of the first k positions
+  Points sums_;               // sums_[k]: of the first k positions
   double distance_sum_ = 0;
 
   int evaluations_ = 0;  // until the close bounds exist

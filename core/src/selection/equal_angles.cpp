@@ -17,8 +17,8 @@ double angle_of(const Polygon& polygon, const Vec2& centre, std::uint32_t vertex
 
 Vec2 direction(double angle) { return {cosine(angle), sine(angle)}; }
 
-// An opening: an open range of directions, from the angle `from` to `to` within [0, pi], in which
-// lines through C meet the same edges ahead of C and the same edges behind it.
+// An open range of directions, from the angle `from` to `to` in [0, pi], in which lines through C
+// meet the same edges ahead of C and behind it.
 class Opening {
  public:
   Opening(const RayCaster& rays, double from, double to, const Edges& ahead, const Edges& behind)
@@ -37,12 +37,11 @@ class Opening {
   }
 
  private:
-  static constexpr int worth_narrowing = 4;  // chords; narrowing costs about as much as two
+  static constexpr int worth_narrowing = 4;  // chords; narrowing costs about two
 
-  // The edges that could be farthest from C on some line in the opening, in the same order. The
-  // distance of an edge is greatest at an end of the opening. Within the opening it is at least the
-  // lesser of the distances at the two ends times the cosine of the width. A margin ensures that
-  // rounding loses no edge that ties.
+  // The edges that could be farthest from C on a line of the opening, in the same order. An edge's
+  // distance is greatest at an end of the opening. Inside it is at least the lesser of those at the
+  // ends, times the cosine of the width. A margin keeps ties in spite of rounding.
   Edges far_ones(const Edges& edges, double side) const {
     const double width = to_ - from_;
     if (edges.size() < 2 || width > 1) return edges;
@@ -76,7 +75,7 @@ EqualAngles::EqualAngles(const Polygon& polygon, const Vec2& centre)
       [&](double from, double to, const Edges&, const Edges&) { measure_ += to - from; });
 }
 
-// Visits the openings by ascending angle: visit(from, to, edges ahead, edges behind).
+// By ascending angle: visit(from, to, edges ahead, edges behind).
 template <class VisitOpening>
 void EqualAngles::for_each_opening(VisitOpening visit) const {
   RadialSweep sweep(polygon_, view_);
@@ -108,10 +107,10 @@ void EqualAngles::for_each_chord(const std::vector<std::uint32_t>& numbers,
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (numbers[i] > 0) all.push_back({i, static_cast<double>(numbers[i])});
 
-  double before = 0;  // measure of the openings before the current one
+  double before = 0;  // measure of the openings before
   for_each_opening([&](double from, double to, const Edges& ahead, const Edges& behind) {
-    // A target on the boundary between two openings belongs to the lower one. The last opening
-    // takes all remaining targets, so that rounding of the sums loses none.
+    // A target between two openings belongs to the lower one. The last opening takes all that
+    // remain: rounding of the sums loses none.
     const double after = before + (to - from);
     Opening opening(rays_, from, to, ahead, behind);
     for (Progress& number : all) {

@@ -19,17 +19,16 @@ class EqualAngles {
   // O(n log n).
   EqualAngles(const Polygon& polygon, const Vec2& centre);
 
-  // The total angle of the directions in [0, pi) whose lines through C meet the boundary on both
-  // sides of C. Directions along radial edges are excluded.
+  // The total angle of directions in [0, pi) whose lines through C meet the boundary on both sides
+  // of C, without those along radial edges.
   double measure_rad() const { return measure_; }
 
-  // Whether there are such directions, apart from rounding gaps between radial edges.
+  // Apart from rounding gaps between radial edges.
   bool has_chords() const { return measure_ > tau; }
 
-  // For each of `numbers`, visits the chords of a placement of that number of teams: visit(i,
-  // chord) for a chord of numbers[i], by ascending angle. If `visit` returns false, the visits for
-  // that number end. O(n), and for each chord O(number of edges that its line meets), mostly O(1)
-  // for many chords.
+  // For each of `numbers` of teams, visit(i, chord) for the chords of numbers[i], by ascending
+  // angle, until it returns false. O(n), and for each chord O(number of edges that its line meets),
+  // mostly O(1) for many chords.
   using Visit = std::function<bool(std::size_t i, const Chord& chord)>;
   void for_each_chord(const std::vector<std::uint32_t>& numbers, const Visit& visit) const;
 

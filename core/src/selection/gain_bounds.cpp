@@ -10,7 +10,7 @@
 namespace evenlift {
 namespace {
 
-// The direction with this pseudo-angle and |x| + |y| = 1: the inverse of pseudo_angle.
+// The inverse of pseudo_angle, with |x| + |y| = 1.
 Vec2 direction_with_pseudo_angle(double angle) {
   if (angle >= 4) angle -= 4;
   if (angle < 1) return {1 - angle, angle};
@@ -19,7 +19,7 @@ Vec2 direction_with_pseudo_angle(double angle) {
   return {angle - 3, angle - 4};
 }
 
-// The share, up to `level`, of the area between C and a segment whose ends have the levels s and t.
+// Of the area between C and a segment whose ends have the levels s and t.
 double share_up_to(double level, double s, double t) {
   if (s > t) std::swap(s, t);
   if (t <= level) return 1;
@@ -28,8 +28,8 @@ double share_up_to(double level, double s, double t) {
   return along + (1 - along) * (level / t);
 }
 
-// The number of parts for m items: about the number of items in each part. In measurements, more
-// than a few dozen bins did not make bounds cheaper.
+// About as many as items in each part. In measurements, more than a few dozen bins made bounds no
+// cheaper.
 std::size_t number_of_parts(std::size_t m, std::size_t most) {
   return std::clamp(static_cast<std::size_t>(std::sqrt(static_cast<double>(m))), std::size_t{1},
                     most);
@@ -39,7 +39,7 @@ std::size_t number_of_parts(std::size_t m, std::size_t most) {
 
 struct AreaBins::Piece {
   std::size_t bin;
-  double area;  // between C and the piece, positive if it runs counter-clockwise
+  double area;  // from C to the piece, positive counter-clockwise
   double level_from, level_to;
 };
 
@@ -51,8 +51,8 @@ AreaBins::AreaBins(const Points& region, const Vec2& h1, const Vec2& h2, double 
   make_bins(number_of_parts(region.size(), 64));
   const std::vector<Piece> pieces = split(region);
   measure_levels(pieces);
-  // Each sum has at most this number of terms, and each term has an error of about 1e-16 of the
-  // object's size squared. Measuring a piece adds a few dozen more roundings.
+  // Each sum has at most this many terms, with errors of about 1e-16 of the object's size squared.
+  // Measuring a piece adds a few dozen roundings.
   constexpr double per_term = 1e-14, before = 100;
   error_bound_ =
       per_term * diameter * diameter * (static_cast<double>(pieces.size() + bins_.size()) + before);
@@ -82,8 +82,8 @@ std::size_t AreaBins::bin_of(const Vec2& v) const {
   return static_cast<std::size_t>(std::clamp(part, 0.0, static_cast<double>(bins_.size() - 1)));
 }
 
-// The level where the line a -> b meets a rim, in units of the rim's vector. The line passes
-// through h1 at the first rim and h2 at the last.
+// Where the line a -> b meets a rim, in units of the rim's vector. The line goes through h1 at the
+// first rim and h2 at the last.
 double AreaBins::level_at_rim(const Vec2& a, const Vec2& b, std::size_t rim) const {
   if (rim == 0) return one_norm(h1_);
   if (rim == bins_.size()) return one_norm(h2_);
@@ -126,7 +126,7 @@ void AreaBins::measure_levels(const std::vector<Piece>& pieces) {
   for (Bin& bin : bins_) bin.lowest = infinity;
   for (const Piece& piece : pieces) {
     Bin& bin = bins_[piece.bin];
-    // A clockwise piece bounds the region on the side of C, where the triangle is the better bound.
+    // A clockwise piece bounds the region towards C, where the triangle is the better bound.
     if (piece.area > 0) bin.lowest = std::min({bin.lowest, piece.level_from, piece.level_to});
     highest[piece.bin] = std::max({highest[piece.bin], piece.level_from, piece.level_to});
   }
@@ -145,8 +145,7 @@ void AreaBins::measure_levels(const std::vector<Piece>& pieces) {
   }
 }
 
-// An upper bound of the area of the region in the bin up to a level. It assumes that the region
-// fills the bin between two known levels.
+// An upper bound: as if the region filled the bin between two known levels.
 double AreaBins::Bin::inside_at_most(double level) const {
   const double steps = (level - lowest) / step;
   if (!(steps < levels)) return inside[levels];
@@ -222,8 +221,8 @@ double DistanceBlocks::least_sum_beyond(const Vec2& a, const Vec2& b, std::size_
   return sum / line.length;
 }
 
-// The sum over any subset of the points is a lower bound. This takes the points above the level
-// where the line meets the block's middle direction.
+// Any subset of the points gives a lower bound. This takes those above the level where the line
+// meets the block's middle direction.
 double DistanceBlocks::least_sum_of_block(const Line& line, std::size_t block) const {
   const Vec2& ahead = aheads_[block];
   const double level = dot(ahead, ahead) * (line.side / cross(line.along, ahead));

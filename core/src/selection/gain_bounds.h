@@ -1,5 +1,5 @@
-// Close upper bounds of gains by area and distance that cost less than the gains themselves. They
-// sum up the content of a wedge in bins by direction, and in each bin by distance outward.
+// Close upper bounds of gains by area and distance, cheaper than the gains: sums of a wedge in bins
+// by direction, and in each bin by distance outward.
 #pragma once
 
 #include <array>
@@ -10,17 +10,15 @@
 
 namespace evenlift {
 
-// Bounds the area of a region beyond the line h1 h2 and within the wedge from h1 to h2, or hardly
-// outside it.
+// For the area of a region beyond the line h1 h2 in the wedge from h1 to h2, or hardly outside it.
 class AreaBins {
  public:
   // `region` is a counter-clockwise ring, which may touch itself. All points are relative to C, and
-  // h2 is at most 180 degrees to the left of h1. O((m + c) levels) if the m edges of the region
-  // cross the rims of bins c times.
+  // h2 is at most 180 degrees to the left of h1. O((m + c) levels) if the region's m edges cross
+  // the rims of bins c times.
   AreaBins(const Points& region, const Vec2& h1, const Vec2& h2, double diameter);
 
-  // An upper bound of the area of the region within the triangle h1 h2 p, for p in the wedge.
-  // O(bins).
+  // For the region's area in the triangle h1 h2 p, with p in the wedge. O(bins).
   double bound(const Vec2& p) const;
 
  private:
@@ -28,10 +26,10 @@ class AreaBins {
   struct Bin {
     Vec2 outward = Vec2::Zero();  // the level of v is outward . v; it is 1 on the segment between
                                   // the vectors of the bin's two rims
-    double unit = 0;              // the area between C and level 1
-    double base = 0;              // the area between C and h1 h2
-    double lowest = 0, step = 0;  // the levels are lowest + j step; step is 0 if the bin is empty
-    std::array<double, levels + 1> inside{};  // the area of the region up to each level
+    double unit = 0;              // area between C and level 1
+    double base = 0;              // area between C and h1 h2
+    double lowest = 0, step = 0;  // levels are lowest + j step; step is 0 in an empty bin
+    std::array<double, levels + 1> inside{};  // area of the region up to each level
     double inside_at_most(double level) const;
   };
   struct Piece;  // of the region's boundary, within one bin
@@ -42,21 +40,20 @@ class AreaBins {
   double level_at_rim(const Vec2& a, const Vec2& b, std::size_t rim) const;
 
   Vec2 h1_, h2_;
-  double pseudo_angle1_ = 0, width_ = 0;  // of h1, and from h1 to h2
+  double pseudo_angle1_ = 0, width_ = 0;  // of h1; from h1 to h2
   Points rims_;                           // directions from h1 to h2, with |x| + |y| = 1
   std::vector<Bin> bins_;
   double error_bound_ = 0;  // of rounding
 };
 
-// Bounds sums of the distances by which points lie beyond a line.
+// Bounds sums of distances of points beyond a line.
 class DistanceBlocks {
  public:
-  // The points are relative to C and in counter-clockwise order about it. O(m log m).
+  // Points are relative to C and counter-clockwise about it. O(m log m).
   explicit DistanceBlocks(Points points);
 
-  // A lower bound, up to rounding, of the sum of max(0, d) over the points `first` to `last` - 1,
-  // where d is the distance of a point to the right of the line a -> b. O(blocks log(size of a
-  // block)).
+  // Up to rounding, a lower bound of the sum of max(0, d) over the points `first` to `last` - 1,
+  // with d the distance to the right of the line a -> b. O(blocks log(size of a block)).
   double least_sum_beyond(const Vec2& a, const Vec2& b, std::size_t first, std::size_t last) const;
 
  private:
@@ -64,10 +61,10 @@ class DistanceBlocks {
   double least_sum_of_block(const Line& line, std::size_t block) const;
 
   Points points_;
-  std::size_t size_;            // of a block; the last one may be smaller
+  std::size_t size_;            // of a block; the last may be smaller
   Points aheads_;               // the middle direction of each block
-  std::vector<double> levels_;  // ahead . v of the points of each block, ascending
-  Points sums_;                 // of the points of the block from that level up
+  std::vector<double> levels_;  // ahead . v of each block's points, ascending
+  Points sums_;                 // of the block's points from that level up
 };
 
 }  // namespace evenlift

@@ -14,9 +14,8 @@
 namespace evenlift {
 namespace {
 
-// The floor for score_slack. Rounding the ends of an edge of H turns its line, which then moves far
-// at a vertex distant from a short edge. So the floor of the metric distance grows as the shortest
-// edge shrinks.
+// For score_slack. Rounding an edge's ends turns its line, which moves far at a vertex distant from
+// a short edge. So the floor of the metric distance grows as the shortest edge shrinks.
 double floor_of(double size, Metric metric, const Points& hull) {
   if (!scores_are_lengths(metric)) return score_floor * size * size;
   double shortest = short_edge * size;
@@ -46,7 +45,7 @@ Selector::Selector(const PolygonWithHoles& object, const Vec2& centre,
       ends_.push_back({relative, pseudo_angle(relative), 0, {}, {}});
     }
   }
-  // Sorting pairs of pseudo-angle and index is twice as fast as sorting indices alone.
+  // Pairs of pseudo-angle and index sort twice as fast as indices alone.
   std::vector<std::pair<double, Index>> ends;
   ends.reserve(ends_.size());
   for (Index i = 0; i < ends_.size(); ++i) ends.emplace_back(ends_[i].pseudo_angle, i);
@@ -85,7 +84,7 @@ void Selector::take(std::uint32_t candidate) {
   if (stands_) drop_colliding(candidate);
 }
 
-// Also clears the line, because another one of the tied candidates may now be the first.
+// Also clears the line, since another of the tied candidates may now be first.
 void Selector::drop_colliding(Index taken) {
   const Chord& team = candidates_[taken].chord;
   const auto collides = [&](const LiftingPoint& point) {
@@ -110,7 +109,7 @@ double Selector::evaluate(const End& end, Index wedge) const {
   return gains(wedges_[wedge], end.position) ? wedges_[wedge].evaluate(end.position) : 0;
 }
 
-// Finds the gain of an end. If it has two wedges, the one with the larger gain becomes its first.
+// Of two wedges, the one with the larger gain becomes the end's first.
 void Selector::evaluate(End& end) {
   end.gain = {evaluate(end, end.wedge), Certainty::exact};
   if (!end.other_wedge) return;
@@ -120,7 +119,7 @@ void Selector::evaluate(End& end) {
   std::swap(end.wedge, *end.other_wedge);
 }
 
-// Improves the bound of an inexact candidate by one step, at the less certain end.
+// One step, at the less certain end of an inexact candidate.
 void Selector::sharpen(Index candidate) {
   End &first = ends_[2 * candidate], &second = ends_[2 * candidate + 1];
   End& end = first.gain.certainty <= second.gain.certainty ? first : second;
@@ -128,7 +127,6 @@ void Selector::sharpen(Index candidate) {
   end.gain = wedges_[end.wedge].sharpen(end.position, end.gain);
 }
 
-// The candidate that the rule selects from the given ones.
 Selector::Index Selector::best_by(Rule rule, Indices indices) const {
   std::erase_if(indices, [&](Index i) { return !is_eligible(rule, candidates_[i]); });
   for (const Key key : keys_of(rule))
@@ -137,12 +135,11 @@ Selector::Index Selector::best_by(Rule rule, Indices indices) const {
   return indices.front();
 }
 
-// The best score of the candidates that are not taken. By lazy greedy selection (greedy_selector.h)
-// it first evaluates the candidate with the largest bound. Candidates that cannot tie with the best
-// keep their bounds.
+// The best score of the open candidates. Lazy greedy selection (greedy_selector.h) evaluates the
+// largest bound first. Candidates that cannot tie with the best keep their bounds.
 double Selector::find_best_score() {
   double best = -std::numeric_limits<double>::infinity();
-  Indices open;  // candidates without exact gains
+  Indices open;  // without exact gains
   for (Index i = 0; i < candidates_.size(); ++i) {
     if (!is_open(i)) continue;
     if (exact(i))
@@ -153,7 +150,7 @@ double Selector::find_best_score() {
   const auto smaller_bound = [&](Index a, Index b) {
     return bound(a) != bound(b) ? bound(a) < bound(b) : a > b;
   };
-  // Candidates that cannot tie with the first one need not enter the heap.
+  // Those that cannot tie with the first need not enter the heap.
   if (!open.empty())
     best = std::max(best, score(*std::max_element(open.begin(), open.end(), smaller_bound)));
   std::erase_if(open, [&](Index i) { return exact(i) || !ties(best, bound(i)); });
@@ -171,8 +168,7 @@ double Selector::find_best_score() {
   return best;
 }
 
-// Finds and evaluates the candidates that are not taken and tie for the best score, in candidate
-// order.
+// Finds and evaluates the open candidates that tie for the best, in candidate order.
 Selector::Indices Selector::find_leaders() {
   best_score_ = find_best_score();
   Indices leaders;
@@ -191,8 +187,7 @@ void Selector::line_up(Indices leaders) {
   std::reverse(line_.begin(), line_.end());
 }
 
-// Adds the ends of a candidate to H. Returns whether H changed. O(h) for its h corners, plus new
-// wedges.
+// Adds a candidate's ends to H. Returns whether H changed. O(h) for h corners, plus new wedges.
 bool Selector::widen_base(Index candidate) {
   Points hull =
       widen_hull(hull_, ends_[2 * candidate].position, ends_[2 * candidate + 1].position, near_);
@@ -204,8 +199,8 @@ bool Selector::widen_base(Index candidate) {
   const auto corner = [](const Points& corners, std::size_t i) -> const Vec2& {
     return corners[i % corners.size()];
   };
-  // Corners that stay are in the same order in both hulls, and at most two corners are new.
-  // Starting each search at the last corner found takes O(h) for all corners.
+  // Corners that stay have the same order in both hulls, and at most two are new. Each search
+  // starts at the last corner found: O(h) in all.
   std::size_t found = 0;
   for (std::size_t i = 0; i < hull_.size(); ++i) {
     const Vec2 &h1 = hull_[i], &h2 = corner(hull_, i + 1);
@@ -213,7 +208,7 @@ bool Selector::widen_base(Index candidate) {
     while (steps < old_hull.size() && corner(old_hull, found + steps) != h1) ++steps;
     if (steps < old_hull.size()) {
       found = (found + steps) % old_hull.size();
-      // If H is a segment, its sides never stay, because points on its line follow a special rule.
+      // The sides of a segment H never stay, since points on its line follow a special rule.
       if (old_hull.size() > 2 && corner(old_hull, found + 1) == h2) {
         edges_.push_back(old_edges[found]);
         continue;
@@ -226,11 +221,11 @@ bool Selector::widen_base(Index candidate) {
   return true;
 }
 
-// Assigns the ends that C sees in a new wedge to it. An end in the direction of a corner also
-// belongs to the wedge on the other side of the corner.
+// Assigns to a new wedge the ends that C sees in it. An end in the direction of a corner is also in
+// the wedge beyond it.
 void Selector::enter_wedge(Index index) {
   const Wedge& wedge = wedges_[index];
-  // Whether `other` is the wedge on the other side of the corner in the direction of the end.
+  // Whether `other` is beyond the corner in the direction of the end.
   const auto is_beyond_corner = [&](Index other, SeenAt seen_at) {
     if (other == index) return false;
     return seen_at == SeenAt::first_corner ? wedges_[other].h2() == wedge.h1()
@@ -253,7 +248,7 @@ void Selector::enter_wedge(Index index) {
       });
 }
 
-// The gain of an end, as far as it can be computed cheaply.
+// As far as it is cheap.
 Gain Selector::estimate(const End& end) const {
   const auto by = [&](Index wedge) {
     return gains(wedges_[wedge], end.position) ? wedges_[wedge].estimate(end.position) : Gain{};
@@ -264,14 +259,14 @@ Gain Selector::estimate(const End& end) const {
   return {larger, larger == 0 ? Certainty::exact : Certainty::bound};
 }
 
-// Whether p, which C sees in the wedge, is outside H by more than the tolerance. If H is a segment,
-// its line counts as part of it.
+// Whether p, which C sees in the wedge, is outside H by more than the tolerance. A segment H
+// includes its line.
 bool Selector::gains(const Wedge& wedge, const Vec2& p) const {
   const double distance = wedge.distance(p);
   if (distance <= 0) return false;
   if (distance > near_) return true;
   if (hull_.size() <= 2) return false;
-  // p is close to the line, but beyond a corner it may be far from H.
+  // Near the line p may be far from H, beyond a corner.
   for (std::size_t i = 0; i < hull_.size(); ++i) {
     if (distance_to_segment(hull_[i], hull_[(i + 1) % hull_.size()], p) <= near_) return false;
   }

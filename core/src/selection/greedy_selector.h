@@ -1,4 +1,4 @@
-// The greedy choice of teams among candidates (algorithm.md, Selection).
+// The greedy choice of teams (algorithm.md, Selection).
 #pragma once
 
 #include <cstdint>
@@ -14,40 +14,39 @@
 
 namespace evenlift {
 
-// Chooses by lazy greedy evaluation (M. Minoux, Accelerated greedy algorithms for maximizing
-// submodular set functions, 1978). Each end of a candidate has an upper bound of its gain. Bounds
-// are refined, and finally evaluated, only while they can still win. Gains do not always diminish
-// here, so an end gets a new bound when the edge of H in front of it changes; otherwise it keeps
-// its bound. While new teams leave H unchanged, no gain changes, and the candidates that tie for
-// the best wait in line.
+// Lazy greedy evaluation (M. Minoux, Accelerated greedy algorithms for maximizing submodular set
+// functions, 1978). Each end of a candidate has an upper bound of its gain, which is refined, and
+// finally evaluated, only while it can still win. Gains do not always diminish here, so an end gets
+// a new bound when the edge of H in front of it changes. While H stays the same, so do all gains,
+// and the candidates that tie for the best wait in line.
 class Selector {
  public:
-  // `most_teams` bounds the number of teams to take. With `stands`, which must outlive the
-  // selector, candidates that collide with a taken team drop out.
+  // Takes at most `most_teams`. With `stands`, which must outlive the selector, candidates that
+  // collide with a taken team drop out.
   Selector(const PolygonWithHoles& object, const Vec2& centre,
            const std::vector<Candidate>& candidates, Metric metric,
            std::size_t most_teams = ~std::size_t{0}, FirstTeam first = FirstTeam::even,
            const Stands* stands = nullptr);
 
-  // Takes the best candidate as the next team. Returns false if no candidate is left.
+  // Takes the best candidate. Returns false if none is left.
   bool take_next();
 
-  // Takes this candidate as the next team, whatever its score.
+  // Takes this candidate, whatever its score.
   void take(std::uint32_t candidate);
 
   const std::vector<std::uint32_t>& taken() const { return taken_; }
 
-  // Whether a candidate that is not taken collides with a team.
+  // Whether it collides with a taken team.
   bool dropped_out(std::uint32_t candidate) const { return states_[candidate] == State::dropped; }
 
-  // The score of a candidate against the teams taken so far, at least one.
+  // Against the teams taken so far, at least one.
   double score(std::uint32_t candidate);
 
-  // Evaluates the candidates for the next team, as take_next() does, but takes none.
+  // Like take_next(), but takes none.
   void compare() { find_leaders(); }
 
-  // The known gain of an end of a candidate (0: r1, 1: r2), the wedge of the edge of H in front of
-  // it, and whether it is outside H. At least one team must be taken.
+  // The known gain of a candidate's end (0: r1, 1: r2), the wedge of the edge of H in front of it,
+  // and whether it is outside H. There must be a team.
   const Gain& gain(std::uint32_t candidate, std::uint32_t end) const {
     return ends_[2 * candidate + end].gain;
   }
@@ -58,10 +57,10 @@ class Selector {
     return gains(wedge(candidate, end), ends_[2 * candidate + end].position);
   }
 
-  // The corners of H, relative to C.
+  // Corners of H, relative to C.
   const Points& base() const { return hull_; }
 
-  // The floor of ties(): scores that differ by at most the floor always tie. It depends on H.
+  // Scores that differ by at most the floor always tie. It depends on H.
   double floor() const { return floor_; }
 
  private:
@@ -72,8 +71,8 @@ class Selector {
     Vec2 position;  // relative to C
     double pseudo_angle = 0;
     Index wedge = 0;  // into wedges_
-    // An end in the direction of a corner of H belongs to the edges on both sides. The larger gain
-    // counts, so that the mirror image of a shape has the same scores.
+    // An end in the direction of a corner of H belongs to both edges. The larger gain counts, so
+    // that mirror images have the same scores.
     std::optional<Index> other_wedge;
     Gain gain;
   };
@@ -110,17 +109,17 @@ class Selector {
   double floor_;  // see floor()
 
   std::vector<End> ends_;      // of candidate i: 2 i (r1) and 2 i + 1 (r2)
-  Indices by_direction_;       // ends by pseudo-angle
-  Points hull_;                // corners of H relative to C, counter-clockwise
-  Indices edges_;              // the wedge of each edge of H, from corner i to i + 1
-  std::vector<Wedge> wedges_;  // including past ones, so that indices stay valid
+  Indices by_direction_;       // by pseudo-angle
+  Points hull_;                // relative to C, counter-clockwise
+  Indices edges_;              // the wedge of each edge, from corner i to i + 1
+  std::vector<Wedge> wedges_;  // with past ones, so that indices stay valid
 
   const Stands* stands_;
-  std::size_t out_ = 0;        // candidates that are taken or dropped
+  std::size_t out_ = 0;        // candidates taken or dropped
   std::vector<State> states_;  // of the candidates
   std::vector<std::uint32_t> taken_;
-  Indices line_;                  // the next candidates while H does not change, last first
-  std::size_t best_in_line_ = 0;  // the number of those with exactly the best score
+  Indices line_;                  // next candidates while H does not change, last first
+  std::size_t best_in_line_ = 0;  // how many of them have exactly the best score
   double best_score_ = 0;
 };
 

@@ -1,5 +1,4 @@
-// The rules by which the selection takes a candidate, and by which the walkthrough explains the
-// choice.
+// The rules of the choice, which also explain it in the walkthrough.
 #pragma once
 
 #include <algorithm>
@@ -15,11 +14,10 @@
 
 namespace evenlift {
 
-// The quantities by which candidates are compared.
 enum class Key : std::uint8_t { score, ratio, length };
 
-// The keys of a rule, in order. At each key the candidates that tie with the best remain. Of the
-// candidates that remain at the end, the first in candidate order wins.
+// In order. At each key the candidates that tie with the best remain. The first of the last ones in
+// candidate order wins.
 inline std::span<const Key> keys_of(Rule rule) {
   static constexpr Key by_length[] = {Key::length, Key::ratio},
                        by_ratio[] = {Key::ratio, Key::length},
@@ -52,14 +50,14 @@ inline double value_of(Key key, const Candidate& candidate, double score) {
   return key == Key::score ? score : key == Key::ratio ? candidate.chord.ratio : candidate.length;
 }
 
-// Whether a value ties with the best one, which is the largest; `floor` is the selector's floor.
+// The best value is the largest; `floor` is the selector's.
 inline bool ties(Key key, double best, double value, double floor) {
   if (key == Key::ratio) return ratios_tie(best, value);
   if (key == Key::length) return lengths_tie(best, value);
   return value >= best - score_slack(std::fabs(best), floor);
 }
 
-// Keeps the candidates that tie with the best in a key; value(i) returns their values.
+// Keeps candidates i that tie with the best value(i) of a key.
 template <class Value>
 void keep_best(std::vector<std::uint32_t>& indices, Key key, double floor, Value value) {
   double best = -std::numeric_limits<double>::infinity();

@@ -12,8 +12,8 @@ namespace {
 using Index = std::uint32_t;
 using Indices = std::vector<Index>;
 
-// A row of places, each with an index or nothing, and the least index among the first places: a
-// tree in which each inner node holds the least of its two children. O(log n) per change or query.
+// A row of places, each with an index or nothing, and the least index among the first ones: a tree
+// whose inner nodes hold the lesser child. O(log n) per change or query.
 class LeastIndex {
  public:
   static constexpr Index nothing = std::numeric_limits<Index>::max();
@@ -32,8 +32,7 @@ class LeastIndex {
   Index of_first(std::size_t places) const {
     if (places == leaves_) return least_[1];
     Index least = nothing;
-    // The first places are the subtrees to the left of the path up from the first leaf that does
-    // not count.
+    // The subtrees to the left of the path up from the first leaf that does not count.
     for (std::size_t node = leaves_ + places; node > 1; node /= 2)
       if (node % 2 == 1) least = std::min(least, least_[node - 1]);
     return least;
@@ -41,11 +40,11 @@ class LeastIndex {
 
  private:
   std::size_t leaves_ = 1;
-  Indices least_;  // the root is node 1, the children of node i are 2 i and 2 i + 1
+  Indices least_;  // the root is node 1, the children of i are 2 i and 2 i + 1
 };
 
-// Removes the candidates that `count` choices cannot reach. The best remaining ratio is always at
-// least the count-th, and each taken ratio ties with it. Thousands may tie when few are needed.
+// Removes candidates that `count` choices cannot reach: the best remaining ratio is always at least
+// the count-th, and taken ratios tie with it. Thousands may tie when few are needed.
 void leave_out_unreachable(const std::vector<Candidate>& candidates, std::size_t count,
                            Indices& left) {
   if (left.size() <= count) return;
@@ -78,8 +77,8 @@ std::vector<std::uint32_t> order_of_taking(const std::vector<Candidate>& candida
   std::vector<std::size_t> place(candidates.size());  // of each candidate in by_length
   for (std::size_t k = 0; k < by_length.size(); ++k) place[by_length[k]] = k;
 
-  // The places of candidates whose ratio ties with the best remaining one. The best only falls, so
-  // this set only grows.
+  // The places whose ratio ties with the best remaining one. It only falls, so they only become
+  // more.
   std::set<std::size_t> places;
   LeastIndex indices(by_length.size());
   std::vector<bool> taken(candidates.size(), false);

@@ -1,4 +1,3 @@
-// Tests which robots collide.
 #include <algorithm>
 #include <cmath>
 
@@ -13,15 +12,14 @@ struct Segment {
   Vec2 from, to;
 };
 
-// Whether the ends of a segment lie on different sides of another segment's line, both by more than
-// `near`.
+// Whether the other's ends are on different sides of the line, by more than `near`.
 bool parts_ends(const Segment& line, const Segment& other, double near) {
   const double close = near * length(line.to - line.from);
   const double a = orient(line.from, line.to, other.from), b = orient(line.from, line.to, other.to);
   return std::fabs(a) > close && std::fabs(b) > close && (a > 0) != (b > 0);
 }
 
-// Whether two segments cross by more than `near`; segments that only touch do not cross.
+// By more than `near`; segments that touch do not cross.
 bool cross_each_other(const Segment& a, const Segment& b, double near) {
   return parts_ends(a, b, near) && parts_ends(b, a, near);
 }
@@ -40,7 +38,7 @@ bool Stands::bodies_collide(const LiftingPoint& a, const LiftingPoint& b) const 
   return apart > 0 && length(stand(a) - stand(b)) < apart;
 }
 
-// Without a reach an arm is within its own body, which keeps the other arm away.
+// Without a reach an arm is in its own body, which keeps the other arm away.
 bool Stands::arms_collide(const LiftingPoint& a, const LiftingPoint& b) const {
   if (robot_.reach <= 0) return false;
   const Segment arm_a{contact(a), stand(a)}, arm_b{contact(b), stand(b)};

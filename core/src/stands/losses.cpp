@@ -5,7 +5,6 @@
 namespace evenlift {
 namespace {
 
-// Sorts ranges, clips them to the edge and joins those that meet.
 void unite(std::vector<Stretch>& stretches, double length) {
   for (Stretch& s : stretches) s = {std::clamp(s.from, 0.0, length), std::clamp(s.to, 0.0, length)};
   std::erase_if(stretches, [](const Stretch& s) { return !(s.from < s.to); });

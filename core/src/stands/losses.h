@@ -1,4 +1,4 @@
-// One edge, and the ranges that it loses, with the reasons.
+// The ranges that an edge loses, and why.
 #pragma once
 
 #include <array>
@@ -10,18 +10,18 @@
 
 namespace evenlift {
 
-// All of WhyUnusable except `narrow`, the last one.
+// All of WhyUnusable but the last, `narrow`.
 inline constexpr std::size_t reasons_to_lose = static_cast<std::size_t>(WhyUnusable::narrow);
 
 class Losses {
  public:
-  // Removes an open range, which may reach beyond the edge. O(1).
+  // An open range, which may reach beyond the edge. O(1).
   void add(WhyUnusable why, const Stretch& lost) {
     lost_[static_cast<std::size_t>(why)].push_back(lost);
   }
 
-  // The parts of an edge of this length, from its beginning to its end, each with the first reason
-  // for its loss, or without a reason. Neighbours differ in the reason. O(k log k) for k ranges.
+  // The parts of an edge of this length, in order, each with the first reason for its loss, or
+  // none. Neighbours differ. O(k log k) for k ranges.
   struct Part {
     Stretch part;
     std::optional<WhyUnusable> why;

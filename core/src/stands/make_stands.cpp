@@ -1,4 +1,3 @@
-// Makes the stands for given settings.
 #include <memory>
 #include <string>
 #include <utility>
@@ -12,7 +11,7 @@
 namespace evenlift {
 namespace {
 
-// Names the robot's whole size, since the radius need not be the reason.
+// Names the whole size, since the radius need not be the reason.
 InputError no_room(const Settings& settings) {
   const RobotSize& robot = settings.robot;
   const bool arm = robot.reach > 0, body = robot.radius > 0 || arm,

@@ -4,8 +4,8 @@
 
 namespace evenlift {
 
-// Separating axes: the two are apart if their projections onto the normal of any side are apart.
-// Rounding is harmless, because `around` includes a margin.
+// Separating axes: projections onto the normal of some side are apart. Rounding is harmless:
+// `around` includes a margin.
 bool NearEdges::meets(const Surrounding& around, const Box& box) {
   const Vec2 half = box.size() / 2, middle = box.middle() - around.start;
   const auto apart = [&](const Vec2& axis, double low, double high) {

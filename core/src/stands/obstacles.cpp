@@ -9,7 +9,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Extends to include values of x.
 struct Extent {
   double low = infinity, high = -infinity;
   void add(double x) {
@@ -27,7 +26,7 @@ double x_at(const Vec2& p, const Vec2& q, double y) {
   return p.x() + std::clamp(part, 0.0, 1.0) * (q.x() - p.x());
 }
 
-// The values of x on a segment where y is from `low` to `high`, both included.
+// x on a segment where y is from `low` to `high`, both included.
 Extent within(const Vec2& p, const Vec2& q, double low, double high) {
   Extent extent;
   for (const Vec2& end : {p, q})
@@ -37,7 +36,7 @@ Extent within(const Vec2& p, const Vec2& q, double low, double high) {
   return extent;
 }
 
-// Where a segment crosses the line at height y; its upper ends count, its lower ones do not.
+// Crossing the line at height y; upper ends count, lower ones do not.
 Extent crossing(const Vec2& p, const Vec2& q, double y) {
   Extent extent;
   if ((p.y() < y) != (q.y() < y)) extent.add(x_at(p, q, y));
@@ -46,8 +45,8 @@ Extent crossing(const Vec2& p, const Vec2& q, double y) {
 
 Vec2 upside_down(const Vec2& v) { return {v.x(), -v.y()}; }
 
-// The depths at which the hand must be beneath the object, to tau L. There are none if its depth is
-// less than a tenth of its width.
+// Where the hand must be beneath the object, to tau L. Empty if its depth is less than a tenth of
+// its width.
 struct HandDepths {
   double from, to;
   HandDepths(const RobotSize& robot, double near)
@@ -57,9 +56,9 @@ struct HandDepths {
 
 }  // namespace
 
-// Intersects the line along which the body's middle moves with the capsule of the body's radius
-// about the other edge. A line meets a convex set in one interval, whose ends are on the discs
-// about the two vertices or on the two straight sides.
+// Intersects the line of the body's middle with the capsule of its radius about the other edge: one
+// interval, as for any convex set. Its ends are on the discs about the vertices or on the straight
+// sides.
 std::optional<Stretch> lost_to_body(const SeenObstacle& other, const RobotSize& robot,
                                     double near) {
   const double radius = robot.radius - near, height = robot.radius + robot.reach;
@@ -87,15 +86,14 @@ std::optional<Stretch> lost_to_body(const SeenObstacle& other, const RobotSize& 
   return extent.stretch();
 }
 
-// The part of the other edge on the object's side of the line does not obstruct the arm.
+// On the object's side of the line the other edge does not obstruct the arm.
 std::optional<Stretch> lost_to_arm(const SeenObstacle& other, const RobotSize& robot) {
   const Vec2 &p = other.p, &q = other.q;
   if (robot.reach <= 0 || std::max(p.y(), q.y()) <= 0) return std::nullopt;
   return within(p, q, 0, robot.radius + robot.reach).stretch();
 }
 
-// The hand's rectangle at these depths, narrower by tau L on each side, must not meet the other
-// edge.
+// The hand at these depths, narrower by tau L on each side, must not meet the other edge.
 std::optional<Stretch> lost_to_hand(const SeenObstacle& other, const RobotSize& robot,
                                     double near) {
   const HandDepths depths(robot, near);

@@ -9,7 +9,6 @@
 namespace evenlift {
 namespace {
 
-// Whether each vertex is in a no-go part.
 std::vector<char> forbidden_vertices(const Polygon& polygon, const std::vector<EdgePart>& no_go,
                                      double near) {
   std::vector<char> forbidden(polygon.size(), 0);
@@ -51,7 +50,7 @@ Stands::Stands(const PolygonWithHoles& object, const RobotSize& robot,
   const Polygon& polygon = object.outline();
   const Surveyor surveyor(object, robot, no_go);
   const std::vector<char> forbidden = forbidden_vertices(polygon, no_go, near_);
-  // The clearance at a vertex where no robot may stand.
+  // How far robots keep from a vertex where none may stand.
   const auto margin_at = [&](std::size_t vertex) {
     return has_body() || forbidden[vertex] ? 2 * near_ : 0;
   };

@@ -22,7 +22,6 @@ std::vector<LineEnds> edges_of_holes(const PolygonWithHoles& object) {
   return edges;
 }
 
-// A line as seen from an edge (SeenObstacle).
 SeenObstacle seen_from(const EdgeFrame& frame, const LineEnds& line) {
   const auto seen = [&](const Vec2& p) {
     const Vec2 offset = p - frame.start;
@@ -31,8 +30,8 @@ SeenObstacle seen_from(const EdgeFrame& frame, const LineEnds& line) {
   return {seen(line.start), seen(line.end)};
 }
 
-// A hand that meets no edge is beyond them, not within the object, if an odd number of edges
-// separates it from the contact.
+// A hand that meets no edge is beyond them, outside the object, if an odd number of edges separates
+// it from the contact.
 void add_parted(std::vector<double> parted, WhyUnusable why, Losses& losses) {
   std::sort(parted.begin(), parted.end());
   for (std::size_t i = 0; i < parted.size(); i += 2) losses.add(why, {parted[i], parted[i + 1]});
@@ -143,7 +142,7 @@ void Surveyor::add_holes(const Surrounding& around, const EdgeFrame& frame, Loss
 SeenObstacle Surveyor::seen_from(std::uint32_t edge, const EdgeFrame& frame,
                                  std::uint32_t other) const {
   SeenObstacle obstacle = evenlift::seen_from(frame, edges_.edge(other));
-  // Set the shared vertex exactly; its projection would be rounded.
+  // Exact: a projection would be rounded.
   if (other == polygon_.next(edge)) obstacle.p = {frame.length, 0};
   if (other == polygon_.previous(edge)) obstacle.q = {0, 0};
   return obstacle;

@@ -1,4 +1,4 @@
-// Computes the losses of each edge: to no-go parts, to corners, and to other edges.
+// What edges lose to no-go parts, corners and other edges.
 #pragma once
 
 #include <cstdint>

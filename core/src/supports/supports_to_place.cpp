@@ -1,4 +1,4 @@
-// Finds places for robots that the user is about to move.
+// Places for robots that the user will move.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -9,7 +9,7 @@
 namespace evenlift {
 namespace {
 
-// Rounds to about a thousandth of a length, so that coordinates and links are short.
+// Rounds to about a thousandth of a length, for short coordinates and links.
 class ShortNumbers {
  public:
   explicit ShortNumbers(double length) {
@@ -22,8 +22,8 @@ class ShortNumbers {
   double up_ = 1, down_ = 1;  // powers of ten; one of them is 1
 };
 
-// Places for the robots along the sides of a square, from its corner at the lower left; nothing if
-// one of them would not be beneath the object. `size` is half of the square's side.
+// Places along the sides of a square, from its lower left corner; none if one is not beneath the
+// object. `size` is half a side.
 Points on_square(const SupportPlacer& placer, const ShortNumbers& rounded, const Vec2& middle,
                  double size, std::size_t robots) {
   Points supports;
@@ -42,8 +42,8 @@ Points on_square(const SupportPlacer& placer, const ShortNumbers& rounded, const
   return supports;
 }
 
-// Where the middle of the square may be, from the centre of mass and as parts of its size: `wanted`,
-// and then all others with the centre of mass inside the square, the nearest first.
+// Where the square's middle may be, from C in parts of its size: `wanted`, then all others with C
+// inside the square, the nearest first.
 std::vector<Vec2> middles(const Vec2& wanted) {
   std::vector<Vec2> all = {wanted};
   for (int x = -3; x <= 3; ++x)
@@ -71,7 +71,7 @@ Points supports_to_place(const PolygonWithHoles& object, const Vec2& centre, std
   };
   for (const double size : {largest, largest / 2})
     if (Points supports = fits(offsets[0], size); !supports.empty()) return supports;
-  // Smaller robots would hide each other, so the square may also lie on another side of C.
+  // Smaller robots would hide each other, so the square may also be beside C.
   for (double size = largest; size > 1e-3 * diameter; size /= 2)
     for (const Vec2& offset : offsets)
       if (Points supports = fits(offset, size); !supports.empty()) return supports;

@@ -10,11 +10,10 @@
 namespace evenlift::swaps {
 namespace {
 
-// Covers the rounding of u . w, which is below 1e-15: u is a unit vector, and w has a length of at
-// most the root of 2, with torques in units of R. The slack only causes more choices to be examined
-// in full.
+// Covers the rounding of u . w, below 1e-15: u is a unit vector, and w at most as long as the root
+// of 2, with torques in units of R. It only makes more choices be examined in full.
 constexpr double slack = 1e-9;
-// The number of directions kept. A choice that none of them rules out is tried in all of them.
+// A choice that no direction rules out is tried in all.
 constexpr std::size_t most_directions = 64;
 
 void append(const Chord& chord, std::vector<LiftingPoint>& robots) {
@@ -107,7 +106,7 @@ bool Choices::surely_below(const Trial& trial, std::uint32_t level) {
     return stays_below(first, u) && stays_below(second, u);
   });
   if (telling == directions_.end()) return false;
-  // A direction that ruled out one choice often rules out the next: try it first.
+  // A direction that ruled out one choice often rules out the next.
   std::rotate(directions_.begin(), telling, telling + 1);
   return true;
 }

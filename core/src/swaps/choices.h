@@ -1,4 +1,4 @@
-// Choices of teams on trial, and quick proofs that a choice cannot be the best.
+// Choices on trial, and quick proofs that a choice cannot be the best.
 #pragma once
 
 #include <cstdint>
@@ -13,56 +13,55 @@
 
 namespace evenlift::swaps {
 
-// Some teams of a choice: a candidate, or the teams that stay while one team is swapped.
+// A candidate, or the teams that stay while one is swapped.
 struct Part {
   std::vector<LiftingPoint> robots;
   std::vector<Wrench> wrenches;
   double ratios = 0;
 };
 
-// A choice on trial has two parts: a candidate, and the part to which it is added. Parts are
-// numbered: the candidates first, then the parts that stay.
+// A candidate, and the part to which it is added. Parts are numbered: first the candidates, then
+// the parts that stay.
 struct Trial {
   std::uint32_t candidate = 0, other = 0;
-  double coverage = 0;           // or an upper bound
+  double coverage = 0;           // or its upper bound
   std::uint8_t sharpness = 0;    // 0 and 1: bounds, 2: exact
-  std::uint8_t most_level = 3;   // an upper bound of its margin level
-  std::uint8_t least_level = 0;  // a lower bound
+  std::uint8_t most_level = 3;   // upper bound of its margin level
+  std::uint8_t least_level = 0;  // lower bound
 };
 
 class Choices {
  public:
-  // The polygon, the candidates and the stands must outlive it. O(K log n).
+  // Polygon, candidates and stands must outlive it. O(K log n).
   Choices(const PolygonWithHoles& object, const Vec2& centre,
           const std::vector<Candidate>& candidates, const HoldRequirements& firm,
           const Stands* stands = nullptr);
 
-  // The teams on these candidates, except the team with the number `without`.
+  // The teams on these candidates, without the team of that number.
   Part part_of(const std::vector<std::uint32_t>& taken,
                std::optional<std::size_t> without = std::nullopt) const;
 
   HoldKeys keys_of(const Part& part) const;
 
-  // The number of candidates, and the number of parts that stay.
+  // The number of candidates, and of parts that stay.
   std::uint32_t size() const { return static_cast<std::uint32_t>(parts_.size()); }
   std::uint32_t parts() const { return static_cast<std::uint32_t>(staying_.size()); }
 
-  // Replaces the parts that stay.
   void set_parts(std::vector<Part> parts);
 
-  // Whether no robot of one part collides with a robot of the other. O(robots).
+  // Whether no robots of the two parts collide. O(robots).
   bool fit(std::uint32_t candidate, std::uint32_t other) const;
 
-  // A trial with a first bound of its coverage. O(robots).
+  // With a first bound of its coverage. O(robots).
   Trial trial(std::uint32_t candidate, std::uint32_t other) const;
 
-  // Sharpens the bound of the coverage, at last to the exact value.
+  // Bounds the coverage more closely, at last exactly.
   void sharpen(Trial& trial) const;
 
-  // Whether a known direction proves that the margin of the trial is below `level` (> 0).
+  // Whether a known direction proves a margin below `level` (> 0).
   bool surely_below(const Trial& trial, std::uint32_t level);
 
-  // Whether the margin reaches that level. If not, its weakest direction becomes a known direction.
+  // Whether the margin reaches the level. If not, its weakest direction becomes known.
   bool reaches(const Trial& trial, std::uint32_t level);
 
   double ratios(const Trial& trial) const {
@@ -79,16 +78,16 @@ class Choices {
 
   const PolygonWithHoles& object_;
   const std::vector<Candidate>& candidates_;
-  const Stands* stands_;  // of robots with a size, or null
+  const Stands* stands_;  // null if robots have no size
   Vec2 centre_;
-  std::array<double, 3> bounds_;  // of the levels 1 to 3, ascending
+  std::array<double, 3> bounds_;  // of levels 1 to 3, ascending
   balanced::CoarseCover coarse_cover_;
   balanced::Cover cover_;
   Margins margins_;
   std::vector<Part> parts_;                   // of the candidates
-  std::vector<Part> staying_;                 // the parts that stay
+  std::vector<Part> staying_;                 // parts that stay
   std::vector<Wrench> directions_;            // where choices are weak, latest success first
-  mutable std::vector<LiftingPoint> robots_;  // of one trial after another
+  mutable std::vector<LiftingPoint> robots_;  // of trial after trial
 };
 
 }  // namespace evenlift::swaps

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint8_t exact = 2;
 
-// The trials of one level, the one with the greatest possible coverage first; ties in any order.
+// The trials of one level, the greatest possible coverage first; ties in any order.
 class ByCoverage {
  public:
   ByCoverage(std::vector<Trial>& trials, std::vector<std::uint32_t> which)
@@ -25,7 +25,7 @@ class ByCoverage {
     std::pop_heap(heap_.begin(), heap_.end(), covers_less());
     heap_.pop_back();
   }
-  // Call it after the coverage of the first trial has decreased.
+  // After the first trial's coverage has decreased.
   void sift() {
     std::pop_heap(heap_.begin(), heap_.end(), covers_less());
     std::push_heap(heap_.begin(), heap_.end(), covers_less());
@@ -45,7 +45,7 @@ class ByCoverage {
   std::vector<std::uint32_t> heap_;
 };
 
-// Examines the trials level by level, the best level first.
+// Level by level, the best first.
 class Round {
  public:
   Round(Choices& choices, std::vector<Trial> trials, const HoldKeys& now)
@@ -65,7 +65,7 @@ class Round {
     return {level, trial.coverage, choices_.ratios(trial)};
   }
 
-  // The trials that may reach a level and are not certainly worse than the present choice.
+  // Trials that may reach a level and are not certainly worse than the present choice.
   std::vector<std::uint32_t> possible(std::uint32_t level, double least) {
     std::vector<std::uint32_t> which;
     for (std::uint32_t i = 0; i < trials_.size(); ++i) {
@@ -77,22 +77,22 @@ class Round {
     return which;
   }
 
-  // Whether the known directions prove that the trial is below the level.
+  // Whether known directions prove that the trial is below the level.
   bool fails(Trial& trial, std::uint32_t level) {
     if (trial.least_level >= level || !choices_.surely_below(trial, level)) return false;
     trial.most_level = static_cast<std::uint8_t>(level - 1);
     return true;
   }
 
-  // Among the trials at the level that are better than the present choice, the trials whose
-  // coverage ties with the largest. No trial is above the level.
+  // Of the trials at the level that are better than the present choice, those that tie for the
+  // largest coverage. No trial is above the level.
   std::vector<std::uint32_t> best_by_coverage(std::uint32_t level) {
     double least = level == now_.level ? now_.coverage - coverage_tie : -1;
     ByCoverage queue(trials_, possible(level, least));
     std::vector<std::uint32_t> found;
     while (!queue.empty() && trials_[queue.first()].coverage >= least) {
       Trial& trial = trials_[queue.first()];
-      // Until a trial at a better level is found, no coverage is too small, so the margin is tested
+      // Until a trial is found at a better level, no coverage is too small, so the margin is tested
       // first.
       const bool margin_first = least < 0;
       if (fails(trial, level) || (margin_first && !reaches(trial, level))) {

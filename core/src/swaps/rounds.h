@@ -1,4 +1,4 @@
-// One round: the best of all choices on trial.
+// One round: the best choice on trial.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@ struct Better {
   HoldKey decided_by = HoldKey::level;
 };
 
-// The best of the trials that are better than the present choice; nothing if there is none. Trials
-// are in their order of preference.
+// The best trial if it is better than the present choice, else nothing. Trials are in order of
+// preference.
 std::optional<Better> best_trial(Choices& choices, std::vector<Trial> trials, const HoldKeys& now);
 
 }  // namespace evenlift::swaps

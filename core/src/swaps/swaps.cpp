@@ -19,7 +19,7 @@ using swaps::Choices;
 using swaps::Part;
 using swaps::Trial;
 
-// The candidates, ordered so that a team that keeps its candidate keeps its number.
+// A team that keeps its candidate keeps its number.
 std::vector<std::uint32_t> arranged(const std::vector<std::uint32_t>& before,
                                     std::vector<std::uint32_t> after) {
   for (std::size_t team = 0; team < before.size(); ++team) {
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> arranged(const std::vector<std::uint32_t>& before,
   return after;
 }
 
-// Each free candidate, with each of the parts that stay.
+// Free candidates, with each of the parts that stay.
 std::vector<Trial> trials_with_others(const Choices& choices,
                                       const std::vector<std::uint32_t>& taken) {
   std::vector<char> is_taken(choices.size());
@@ -52,13 +52,13 @@ class Swapper {
   SwapHistory run() {
     if (taken_.size() == 2 && choices_.size() <= most_candidates_for_pairs) try_pairs();
     make_swaps();
-    // One team fewer may hold where these teams do not.
+    // One team fewer may hold where these do not.
     if (keys_.level < best_level && taken_.size() >= 2 && try_one_more()) make_swaps();
     return std::move(history_);
   }
 
  private:
-  // Swaps teams until no swap makes the choice better.
+  // Until no swap makes the choice better.
   void make_swaps() {
     const std::size_t most_rounds = 4 * taken_.size();
     history_.settled = false;
@@ -68,7 +68,7 @@ class Swapper {
     }
   }
 
-  // Moves both teams to the best two candidates, if these are better.
+  // Moves both teams to the best two candidates, if better.
   void try_pairs() {
     choices_.set_parts({});
     std::vector<Trial> trials;
@@ -79,7 +79,7 @@ class Swapper {
       take(*best, arranged(taken_, {best->trial.candidate, best->trial.other}), SwapKind::pair);
   }
 
-  // Makes the best swap. Returns whether there was one.
+  // Returns whether there was a swap.
   bool try_swaps() {
     std::vector<Part> parts;
     for (std::size_t team = 0; team < taken_.size(); ++team)
@@ -93,7 +93,7 @@ class Swapper {
     return true;
   }
 
-  // Replaces all teams by the result for one team fewer plus the best further team. Returns whether
+  // Replaces all teams by the result for one team fewer and the best further team. Returns whether
   // that is better.
   bool try_one_more() {
     Swapper fewer(choices_, {history_.start.begin(), history_.start.end() - 1});

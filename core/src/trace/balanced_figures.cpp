@@ -1,4 +1,3 @@
-// The figures of the steps of balanced robots.
 #include "trace/step_figures.h"
 
 namespace evenlift {
@@ -30,7 +29,7 @@ void StepFigures::three() {
   add_balanced(placement_.weight() / 3);
 }
 
-// The arms, and next to them the same arms end to end, each divided by the number of robots.
+// The arms, and beside them the arms end to end, each divided by the number of robots.
 void StepFigures::many() {
   const std::vector<LiftingPoint>& robots = detail_.balanced->robots;
   const auto number = static_cast<double>(robots.size());
@@ -78,7 +77,6 @@ void StepFigures::add_even_chords() {
     add(FigureKind::even_chord, chords[i], i, chords[i].ratio);
 }
 
-// The robots that stayed, and the robots that complete them.
 void StepFigures::start() {
   add(FigureKind::base_before, detail_.base_before);
   add(FigureKind::base, detail_.base);
@@ -104,7 +102,6 @@ void StepFigures::round() {
   add_balanced(0);
 }
 
-// The remaining robots, with the loads that they carry if they are equally stiff.
 void StepFigures::failure() {
   const BalancedDetail& balanced = *detail_.balanced;
   add(FigureKind::base_before, detail_.base_before);
@@ -117,7 +114,6 @@ void StepFigures::failure() {
         balanced.loads.empty() ? 0 : balanced.loads[i]);
 }
 
-// The lifting base of the balanced robots, and the teams of two with their lifting base.
 void StepFigures::pairs() {
   const Placement& pairs = *trace_.in_pairs;
   add(FigureKind::base_before, detail_.base_before);

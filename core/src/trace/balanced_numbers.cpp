@@ -1,4 +1,3 @@
-// The numbers of the steps of balanced robots.
 #include <algorithm>
 
 #include "evenlift/placed_robots.h"

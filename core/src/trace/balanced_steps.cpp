@@ -13,8 +13,8 @@ namespace {
 
 bool same_place(const LiftingPoint& a, const LiftingPoint& b) { return a.position == b.position; }
 
-// Matches each robot of a set to a robot of the preceding set: the one at the same place. The few
-// robots that moved are matched so that the sum of their squared distances is least.
+// Matches each robot to the one at its place in the set before, and the few that moved by the least
+// sum of squared distances.
 std::vector<std::uint32_t> matched(const std::vector<LiftingPoint>& robots,
                                    const std::vector<LiftingPoint>& before) {
   std::vector<std::uint32_t> match(robots.size(), no_index), left;
@@ -56,7 +56,7 @@ std::vector<std::uint32_t> in_order(std::size_t robots) {
   return numbers;
 }
 
-// From the last set, where robots are numbered in order, back to the first.
+// From the last set, numbered in order, back to the first.
 void number_robots(Trace& trace) {
   const BalancedHistory& history = trace.history;
   trace.robot_numbers.assign(history.moves.size() + 1,
@@ -68,7 +68,6 @@ void number_robots(Trace& trace) {
   }
 }
 
-// The set of the start with this number of robots.
 const BalancedSet* start_of(const Trace& trace, std::size_t robots) {
   for (const BalancedSet& set : trace.history.start)
     if (set.robots.size() == robots) return &set;
@@ -81,8 +80,8 @@ const BalancedSet* last_set(const Trace& trace) {
   return history.moves.empty() ? &history.start.back() : &history.moves.back().set;
 }
 
-// The set of the start whose completion is shown in full: the first one of more than two robots, or
-// else the last; null if all were found at once.
+// The set whose completion is shown in full: the first of more than two robots, else the last; null
+// if all were found at once.
 const BalancedSet* shown_completion(const Trace& trace) {
   const BalancedSet* shown = nullptr;
   for (const BalancedSet& set : trace.history.start) {
@@ -100,14 +99,13 @@ const BalancedSet* set_after_round(const Trace& trace, std::uint32_t round) {
   return set;
 }
 
-// The chosen chord about M. On a large outline the chords found are a sample, which need not
-// contain it.
+// On a large outline the chords found are a sample, which need not contain the chosen one.
 Chord chord_taken(const LiftingPoint& r1, const LiftingPoint& r2, const Vec2& middle) {
   return {r1, r2, length(r1.position - middle), length(r2.position - middle), 1};
 }
 
-// The completion of a set: the robots that stay, the point about which a chord was drawn, and the
-// possible chords about it. A set that was found at once has no completion.
+// The robots that stay, the point about which a chord was drawn, and the possible chords about it.
+// Sets found at once have none.
 void look_at_completion(const Trace& trace, const BalancedSet& set, BalancedDetail& detail) {
   if (set.at_once) return;
   detail.rest = set.kept;
@@ -142,7 +140,6 @@ void look_at_exchange(const Trace& trace, std::size_t move, BalancedDetail& deta
   }
 }
 
-// One robot fails.
 void look_at_failure(const Trace& trace, StepDetail& detail, BalancedDetail& balanced) {
   balanced.failed = detail.step.item;
   const auto failed = static_cast<std::ptrdiff_t>(detail.step.item);
@@ -164,7 +161,7 @@ void look_at_failures(const Trace& trace, StepDetail& detail, BalancedDetail& ba
   for (std::uint32_t i = 0; i < balanced.robots.size(); ++i) balanced.numbers.push_back(i / 2);
 }
 
-// The same number of robots in teams of two; nullopt if that is impossible.
+// As many robots in teams of two; nullopt if impossible.
 std::optional<Placement> place_in_pairs(const Trace& trace) {
   Settings settings = trace.placement.settings;
   if (settings.robots % 2 != 0) return std::nullopt;
@@ -176,7 +173,6 @@ std::optional<Placement> place_in_pairs(const Trace& trace) {
   return *std::move(pairs);
 }
 
-// The numbers of the robots in a step about this set.
 std::vector<std::uint32_t> numbers_of(const Trace& trace, const BalancedSet& set) {
   const BalancedHistory& history = trace.history;
   if (history.found && &set == &history.start.back()) return trace.robot_numbers.front();
@@ -260,7 +256,7 @@ void look_at_balanced(const Trace& trace, StepDetail& detail) {
   if (has_base(step))
     detail.base = lifting_base(trace.polygon(),
                                step.chapter == Chapter::failures ? balanced.robots : set->robots);
-  // These steps show the set before two more robots complete it.
+  // Here the set lacks the two robots that complete it.
   if (step.kind == StepKind::rest || step.kind == StepKind::mirror) {
     balanced.robots = balanced.rest;
     balanced.numbers = in_order(balanced.robots.size());

@@ -1,4 +1,4 @@
-// The steps of cargo: how each item moves the centre of mass.
+// How each item of cargo moves the centre of mass.
 #include "trace/step_figures.h"
 #include "trace/step_numbers.h"
 
@@ -15,7 +15,7 @@ void StepNumbers::cargo() {
   add("moved_by", length(after.centre - before.centre));
 }
 
-// The lever between what was there before and the item: it turns about the new centre of mass.
+// The lever between what was there and the item turns about the new centre of mass.
 void StepFigures::cargo() {
   const Cargo& item = placement_.settings.cargo[item_];
   const Vec2 before = with_cargo(item_).centre;

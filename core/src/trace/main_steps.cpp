@@ -12,10 +12,10 @@ constexpr std::uint32_t swaps_shown = 3;
 constexpr std::uint32_t supports_shown = 4;
 constexpr std::uint32_t cargo_shown = 3;
 
-// The edge pair that represents all of them.
+// Represents all edge pairs.
 std::uint32_t telling_pair(const Trace& trace) {
   constexpr std::uint32_t most_looked_at = 200;
-  constexpr double as_long = 1 + 1e-6;  // so that congruent shapes choose the same pair
+  constexpr double as_long = 1 + 1e-6;  // so that congruent shapes choose alike
   const auto pairs = static_cast<std::uint32_t>(trace.pairs.size());
   std::uint32_t telling = 0, looked_at = 0;
   double longest = 0;
@@ -31,7 +31,7 @@ std::uint32_t telling_pair(const Trace& trace) {
   return telling;
 }
 
-// The swaps that gain the most coverage, in order.
+// Swaps that gain the most coverage, in order.
 std::vector<std::uint32_t> telling_swaps(const Trace& trace) {
   const BalancedHistory& history = trace.history;
   std::vector<double> gains;

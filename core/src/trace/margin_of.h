@@ -1,4 +1,4 @@
-// The margin of the robots in a trace.
+// The margin of robots in a trace.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace evenlift {
 
-// The margin (closure.h) of robots that lift at these points. Counts only contacts far enough from
-// corners; none without such contacts.
+// The margin (closure.h) of robots that lift at these points, by contacts far enough from corners;
+// none without any.
 inline std::optional<double> margin_of(const Trace& trace,
                                        const std::vector<LiftingPoint>& robots) {
   const Placement& placement = trace.placement;

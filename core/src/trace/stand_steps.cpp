@@ -1,4 +1,4 @@
-// The step of robots with a size: the usable boundary, and the obstacles along the rest.
+// For robots with a size: the usable boundary, and what obstructs the rest.
 #include <algorithm>
 
 #include "evenlift/stands.h"
@@ -67,7 +67,7 @@ void StepNumbers::stands() {
       add(name(static_cast<WhyUnusable>(why)), stands.lost[why] / stands.boundary);
 }
 
-// The unusable parts, for each reason a robot that does not fit, and one that fits.
+// The unusable parts, a robot that does not fit for each reason, and one that fits.
 void StepFigures::stands() {
   const std::vector<UnusablePart>& parts = placement_.stands->unusable();
   for (std::uint32_t i = 0; i < parts.size(); ++i) {

@@ -31,7 +31,7 @@ void StepFigures::polygon() {
   for (std::uint32_t i = 0; i < holes.size(); ++i) add(FigureKind::hole, holes[i].vertices(), i);
 }
 
-// Fans of triangles, which together have the area of the object.
+// Fans of triangles, whose areas add up to the object's.
 void StepFigures::centroid() {
   const std::vector<Polygon>& holes = trace_.object().holes();
   add_fan(trace_.polygon(), {});
@@ -39,8 +39,8 @@ void StepFigures::centroid() {
   centre();
 }
 
-// A fan of triangles from vertex 1 of the outline or of a hole. Triangles of the outline that fold
-// back are subtracted, and so are those of a hole that do not.
+// From vertex 1 of the outline or a hole. Triangles of the outline that fold back are subtracted,
+// as are those of a hole that do not.
 void StepFigures::add_fan(const Polygon& ring, std::optional<std::uint32_t> hole) {
   const Points& v = ring.vertices();
   const bool adds = ring.counter_clockwise() != hole.has_value();
@@ -116,7 +116,6 @@ void StepFigures::candidates() {
 
 // --- Teams ---------------------------------------------------------------------------------------
 
-// The remaining candidates, with their scores.
 void StepFigures::scores() {
   add(FigureKind::base_before, detail_.base_before);
   for (std::uint32_t i = 0; i < placement_.candidates.size(); ++i) {
@@ -186,7 +185,7 @@ void StepFigures::share() { add_team(item_, true); }
 void StepFigures::loads() {
   if (trace_.given()) return add_supports(placement_.loads.has_value());
   if (trace_.balanced()) {
-    if (!detail_.balanced) return;  // no robots were placed
+    if (!detail_.balanced) return;  // no robots
     add_arms();
     return add_balanced(placement_.loads->max);
   }
@@ -213,7 +212,7 @@ void StepFigures::contacts() {
   add_contacts(trace_.contacts.size());
 }
 
-// The contacts up to the one that cuts, which is shown with its edge and its normal line.
+// The contacts up to the one that cuts, with its edge and normal line.
 void StepFigures::cut() {
   const Contact& contact = trace_.contacts[item_];
   add_regions(detail_.clockwise, detail_.counterclockwise);

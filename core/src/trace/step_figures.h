@@ -1,4 +1,4 @@
-// The figures that each kind of step shows.
+// The figures of the steps.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,7 @@
 
 namespace evenlift {
 
-// Collects the figures of one step, back to front. The step's row in steps.cpp names the function
-// that collects them.
+// The figures of one step, back to front. Its row in steps.cpp names the function.
 class StepFigures : LookedAtStep {
  public:
   StepFigures(const Trace& trace, const StepDetail& detail) : LookedAtStep(trace, detail) {}
@@ -62,7 +61,7 @@ class StepFigures : LookedAtStep {
   void falls();
   void cargo();
 
-  // With the centre of mass in front of all others.
+  // The centre of mass is in front.
   std::vector<Figure> take() &&;
 
  private:

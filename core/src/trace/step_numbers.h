@@ -1,4 +1,4 @@
-// The numbers of each kind of step, under their JSON names.
+// The numbers of the steps, under their JSON names.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,7 @@
 
 namespace evenlift {
 
-// Collects the numbers of one step. The step's row in steps.cpp names the function that collects
-// them.
+// Each step's row in steps.cpp names the function for its numbers.
 class StepNumbers : LookedAtStep {
  public:
   StepNumbers(const Trace& trace, const StepDetail& detail) : LookedAtStep(trace, detail) {}

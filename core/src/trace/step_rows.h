@@ -1,4 +1,4 @@
-// The common parts of the tables of steps.
+// What the tables of steps share.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace evenlift {
 
-// Whether a table has one row for each kind of step, in the order of the enumeration.
+// One row for each kind of step, in order.
 template <class Row, std::size_t size>
 constexpr bool has_each_step(const Row (&rows)[size]) {
   for (std::size_t i = 0; i < size; ++i)
@@ -17,13 +17,13 @@ constexpr bool has_each_step(const Row (&rows)[size]) {
   return size == step_kind_count;
 }
 
-// The input of a row's functions: one step of a trace.
+// One step of a trace, for a row's functions.
 class LookedAtStep {
  protected:
   LookedAtStep(const Trace& trace, const StepDetail& detail)
       : trace_(trace), placement_(trace.placement), detail_(detail), item_(detail.step.item) {}
 
-  // The object with the first items of its cargo.
+  // With its first items of cargo.
   Loaded with_cargo(std::size_t items) const {
     return evenlift::with_cargo(placement_.own_centre, placement_.settings, items);
   }

@@ -1,4 +1,3 @@
-// The kinds of steps and of figures: one row for each.
 #include <algorithm>
 #include <iterator>
 
@@ -15,8 +14,7 @@ constexpr std::string_view chapter_names[] = {
     "exchange", "swaps",      "loads",      "failures",      "grasp"};
 static_assert(std::size(chapter_names) == chapter_count);
 
-// The name of a kind of step, and its numbers and figures. Its words are in a row of
-// output/trace_words/step_words.cpp.
+// The words are in a row of output/trace_words/step_words.cpp.
 struct StepRow {
   StepKind kind;
   std::string_view name;

@@ -1,4 +1,4 @@
-// The steps of given supports: where they stand, and what each carries.
+// Where given supports stand, and what each carries.
 #include <algorithm>
 
 #include "evenlift/placed_robots.h"
@@ -16,15 +16,13 @@ Points first_places(const Placement& placement, std::size_t number) {
   return places;
 }
 
-// The loads of springs as a function of the place, load(p) = level + slope . (p - C), where it is
-// above 0.
+// The loads of springs, load(p) = level + slope . (p - C), where above 0.
 struct Sinking {
   double level = 0;
   Vec2 slope = Vec2::Zero();
 };
 
-// The line of least squares through the robots that carry something; level if they stand on one
-// line.
+// The line of least squares through the robots that carry load; level if they are on one line.
 Sinking sinking_of(const Placement& placement) {
   const Vec2& centre = placement.centre_of_mass;
   Vec2 mean = Vec2::Zero();
@@ -101,7 +99,6 @@ void StepFigures::support() {
   add(FigureKind::robot, Points{place.position}, item_);
 }
 
-// The lifting base of the first supports.
 void StepFigures::add_base_of(FigureKind kind, std::size_t supports) {
   std::vector<LiftingPoint> points = lifting_points(placement_.teams);
   points.resize(supports);
@@ -121,7 +118,7 @@ void StepFigures::by_lever() {
   add_supports(true);
 }
 
-// The triangles of C and two robots; the area of each is the share of the third.
+// Triangles of C and two robots: each area is the share of the third.
 void StepFigures::by_areas() {
   const Points places = first_places(placement_, 3);
   for (std::uint32_t i = 0; i < 3; ++i)
@@ -130,8 +127,8 @@ void StepFigures::by_areas() {
   add_supports(true);
 }
 
-// Lines on which springs would carry the same, like contour lines of a tilted board, and the
-// direction in which it sinks.
+// Lines where springs would carry the same, like contour lines of a tilted board, and the direction
+// in which it sinks.
 void StepFigures::by_springs() {
   constexpr int lines = 7;
   const Sinking sinking = sinking_of(placement_);
@@ -151,7 +148,6 @@ void StepFigures::by_springs() {
 
 void StepFigures::extremes() { add_supports(true); }
 
-// The edge of H over which the object tips.
 void StepFigures::falls() {
   add(FigureKind::base, placement_.lifting_base);
   const std::vector<std::uint32_t> over = equilibrium(placement_).tips_over;

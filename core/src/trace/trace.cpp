@@ -17,8 +17,8 @@
 namespace evenlift {
 namespace {
 
-// The rays in the order of the sweep that finds the chords. The sweep lists a chord between two
-// vertices at the forward vertex; here the backward vertex also lists it.
+// In the order of the sweep that finds the chords. It lists a chord between two vertices at the
+// forward one; here the backward one also lists it.
 Trace::Rays make_rays(const Polygon& polygon, const Vec2& centre,
                       const std::vector<VertexChord>& chords) {
   const RadialView view(polygon, centre);
@@ -72,7 +72,6 @@ class BlockWriter {
   std::uint64_t steps_ = 0;
 };
 
-// The steps that find candidates for teams.
 void write_candidates(const Trace& trace, BlockWriter& blocks) {
   blocks.add(Chapter::vertex_chords, {StepKind::radial}, !trace.radial_edges.empty());
   blocks.add(Chapter::vertex_chords, {StepKind::ray}, trace.rays.vertices.size());
@@ -80,7 +79,7 @@ void write_candidates(const Trace& trace, BlockWriter& blocks) {
   blocks.add(Chapter::pairs, {StepKind::sections, StepKind::outcome}, trace.pairs.size());
   blocks.add(Chapter::pairs, {StepKind::opposite}, trace.opposite.size());
   blocks.add(Chapter::pairs, {StepKind::range}, trace.ranges.size());
-  // With robots that have a size, a pair may offer several chords, without a step for each.
+  // With a size, a pair may offer several chords, without a step for each.
   blocks.add(Chapter::pairs, {StepKind::duplicates}, trace.placement.stands ? 0 : 1);
   blocks.add(Chapter::candidates, {StepKind::candidates});
 }
@@ -96,7 +95,6 @@ void write_teams(const Trace& trace, BlockWriter& blocks, std::initializer_list<
   blocks.add(last, {StepKind::fewer}, teams == 0 || teams < placement.requested_teams);
 }
 
-// The swaps, round by round.
 void write_rounds(const BalancedHistory& history, BlockWriter& blocks) {
   const auto moves_of = [&](std::uint32_t round) {
     return static_cast<std::uint32_t>(
@@ -196,7 +194,6 @@ std::optional<InputError> check_steps(std::uint64_t steps) {
       {}};
 }
 
-// The candidates, and the source of each.
 std::optional<InputError> collect_candidates(Trace& trace) {
   const double min_ratio = trace.placement.settings.min_ratio;
   const Positions positions = trace.placement.settings.positions;
@@ -225,7 +222,6 @@ std::optional<InputError> collect_candidates(Trace& trace) {
   return std::nullopt;
 }
 
-// The results of the stages before the selection.
 std::optional<InputError> collect(Trace& trace) {
   if (auto error = check_steps(2 * count_edge_pairs(trace.polygon(), trace.centre))) return error;
   auto chords = vertex_chords(trace.polygon(), trace.centre);
@@ -247,7 +243,6 @@ std::vector<Team> teams_on(const Placement& placement, const std::vector<std::ui
   return distribute_weight(chords_of(placement.candidates, taken), placement.weight());
 }
 
-// Repeats the swaps.
 void trace_swaps(Trace& trace) {
   const Placement& placement = trace.placement;
   const Settings& settings = placement.settings;
@@ -264,7 +259,7 @@ void trace_swaps(Trace& trace) {
 }  // namespace
 
 Result<Trace> make_trace(const Placement& placement, HistoryLength length, const Units& units) {
-  // The steps show the teams where the method placed them.
+  // Teams are shown where the method placed them.
   if (!placement.moved.teams.empty()) {
     const auto found = place(placement.object, placement.own_centre, placement.settings);
     if (!found) return found.error();
@@ -298,7 +293,7 @@ Result<Trace> make_trace(const Placement& placement, HistoryLength length, const
     if (auto error = trace_search(trace, length)) return *error;
   if (trace.by_candidates())
     if (auto error = collect(trace)) return *error;
-  // During a drag the page does not swap teams, so the trace does not either.
+  // During a drag the page does not swap teams, so neither does the trace.
   if (swaps_teams(placement.settings) && placement.search_ended) trace_swaps(trace);
   trace.contacts = contacts(trace.polygon(), contact_points(trace.placement));
   if (auto error = check_steps(write_blocks(trace))) return *error;
@@ -355,7 +350,7 @@ std::uint32_t nearest_step(const Trace& trace, const Step& step) {
 }
 
 Progress progress_at(const Trace& trace, std::uint32_t k) {
-  // The number of steps of a kind up to step k.
+  // Steps of a kind up to step k.
   const auto number = [&](StepKind kind) {
     std::uint32_t steps = 0;
     for (const Trace::Block& block : trace.blocks) {
@@ -406,8 +401,8 @@ Points lifting_base(const Trace& trace, const Progress& known) {
   return lifting_base(trace.polygon(), lifting_points({teams.begin(), teams.begin() + number}));
 }
 
-// The sweep turns left from the direction of the x axis, but slopes rise from just after the
-// vertical to the vertical itself. So the order is that of the sweep, started after the vertical.
+// The sweep turns left from the x axis, but slopes rise from just after the vertical to the
+// vertical: the order is the sweep's, from after the vertical.
 std::vector<std::uint32_t> chords_by_slope(const Trace& trace) {
   std::vector<std::uint32_t> falling, others;
   for (std::uint32_t i = 0; i < trace.rays.vertices.size(); ++i) {

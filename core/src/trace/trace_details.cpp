@@ -1,4 +1,3 @@
-// The details of one step beyond the trace itself.
 #include <algorithm>
 
 #include "evenlift/predicates.h"
@@ -21,7 +20,7 @@ void cut_regions(const Trace& trace, std::uint32_t contacts, StepDetail& detail)
   detail.counterclockwise_before = before.counterclockwise.exists;
 }
 
-// H before and with a team and, for a choice among candidates, the scores.
+// H before and with a team, and the scores of a choice among candidates.
 void look_at_team(const Trace& trace, StepDetail& detail) {
   const std::uint32_t team = detail.step.item;
   if (trace.by_candidates() && detail.step.kind != StepKind::base)
@@ -30,7 +29,6 @@ void look_at_team(const Trace& trace, StepDetail& detail) {
   detail.base = lifting_base(trace, team + 1);
 }
 
-// H before and after a swap.
 void look_at_bases_of_swap(const Trace& trace, StepDetail& detail) {
   Progress known;
   known.base_teams = static_cast<std::uint32_t>(trace.placement.teams.size());
@@ -51,7 +49,7 @@ bool centre_is_outside(const Trace& trace) {
     const bool within_x = (p.x() <= c.x()) == (c.x() <= q.x());
     const bool within_y = (p.y() <= c.y()) == (c.y() <= q.y());
     if (side == 0 && within_x && within_y) return false;
-    // Half-open, so that a vertex to the left of C counts for one of its two edges.
+    // Half-open: a vertex to the left of C counts for one of its edges.
     if ((p.y() > c.y()) != (q.y() > c.y()) && (side > 0) == (q.y() > p.y())) outside = !outside;
   }
   return outside;

@@ -1,4 +1,4 @@
-// Shows the quantity that a metric measures, with figures from the same wedges of H as the scores.
+// What a metric measures, by the same wedges of H as the scores.
 #include <algorithm>
 
 #include "evenlift/trace.h"
@@ -61,7 +61,7 @@ class GainScene {
     }
   }
 
-  // An arm leads from a vertex outside the line from -> to to its foot on the line.
+  // From a vertex outside the line from -> to to its foot.
   void add_arm(FigureKind kind, const Vec2& vertex, const Vec2& from, const Vec2& to,
                double distance) {
     if (!(distance > 0)) return;

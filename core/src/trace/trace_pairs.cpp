@@ -1,5 +1,4 @@
-// The details of an edge pair and of two opposite vertices: the decision of the candidate stage and
-// its reasons.
+// What the candidate stage decides about an edge pair or two opposite vertices, and why.
 #include "candidates/pair_candidate.h"
 #include "chords/section.h"
 #include "evenlift/predicates.h"
@@ -21,7 +20,7 @@ Outcome outcome_of(const PairVerdict& verdict) {
   return accepted ? Outcome::nearer_end : Outcome::too_uneven;
 }
 
-// Adjusts a pair's candidate to robots with a size.
+// For robots with a size.
 void find_standing(const Trace& trace, PairDetail& detail) {
   const double near = near_distance(trace.polygon().diameter());
   if (!detail.candidate) {
@@ -70,11 +69,11 @@ PairDetail look_at_pair(const Trace& trace, std::uint32_t index) {
   detail.ends = {begin.chord, end.chord};
   detail.reflected = {2 * centre - b.first, 2 * centre - b.last};
   if (!detail.verdict.parallel) detail.meeting = centre + bisecting_offset(centre, a, b);
-  // The candidate stage also compares the ends by g alone.
+  // As the candidate stage does, by g alone.
   const auto evenness = [](double g) { return g < 1 ? g : 1 / g; };
   detail.nearer = evenness(detail.verdict.g0) > evenness(detail.verdict.g1) ? 0 : 1;
 
-  // With a minimum ratio of 0 the pair would have this candidate.
+  // The candidate if the minimum ratio were 0.
   if (detail.verdict.candidate) {
     detail.chosen = detail.verdict.candidate->chord;
   } else {

@@ -1,4 +1,3 @@
-// The steps that a learner could guess, and their choices.
 #include <algorithm>
 #include <numeric>
 
@@ -8,13 +7,11 @@
 namespace evenlift {
 namespace {
 
-// The candidates of the teams before a swap.
 const std::vector<std::uint32_t>& taken_before(const Trace& trace, std::uint32_t swap) {
   return swap == 0 ? trace.swaps->start : trace.swaps->swaps[swap - 1].taken;
 }
 
-// The question about a swap. With several teams it alternates between the team that leaves and the
-// place where it goes.
+// With several teams, questions alternate between the team that leaves and the place where it goes.
 std::optional<QuestionKind> asked_of_swap(const Trace& trace, std::uint32_t number) {
   const Swap& swap = trace.swaps->swaps[number];
   if (swap.kind != SwapKind::single) return std::nullopt;
@@ -37,7 +34,7 @@ std::vector<LiftingPoint> robots_on(const Trace& trace, const std::vector<std::u
   return robots;
 }
 
-// The candidates to which the team of a swap could move.
+// Where the team of a swap could move.
 std::vector<std::uint32_t> open_to(const Trace& trace, std::uint32_t swap, std::uint32_t team) {
   std::vector<std::uint32_t> taken = taken_before(trace, swap);
   const Stands* stands = trace.placement.stands.get();
@@ -55,7 +52,7 @@ std::vector<std::uint32_t> open_to(const Trace& trace, std::uint32_t swap, std::
 
 bool is_choice(const Trace& trace, std::uint32_t k) {
   const Step step = trace.step(k);
-  if (step.kind == StepKind::scores)  // one candidate alone is not a choice
+  if (step.kind == StepKind::scores)  // one candidate is no choice
     return trace.placement.candidates.size() > step.item + std::size_t{1};
   if (step.kind == StepKind::completion || step.kind == StepKind::exchange)
     return look_at(trace, k).balanced->chords.size() > 1;

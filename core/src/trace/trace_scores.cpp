@@ -1,4 +1,4 @@
-// The details of a choice: the score of every candidate, by the selection's own gain functions.
+// The scores of a choice, by the selection's own gain functions.
 #include "evenlift/trace.h"
 #include "exact/sorted_indices.h"
 #include "selection/greedy_selector.h"
@@ -7,8 +7,7 @@
 namespace evenlift {
 namespace {
 
-// Repeats the selection's tournament and records where each candidate drops out. A candidate's
-// `stage` is the number of keys that it survived.
+// Repeats the selection. A candidate's `stage` is the number of keys that it survived.
 class Tournament {
  public:
   Tournament(const std::vector<Candidate>& candidates, const TeamScores& scores, double floor)
@@ -38,7 +37,6 @@ class Tournament {
     return ranking;
   }
 
-  // The key that eliminated a candidate.
   DecidedBy lost_by(std::uint32_t i) const {
     if (stage_[i] == keys_.size()) return DecidedBy::order;
     if (stage_[i] == 0) return DecidedBy::first_key;
@@ -63,7 +61,7 @@ class Tournament {
   const std::vector<Candidate>& candidates_;
   const TeamScores& scores_;
   std::span<const Key> keys_;
-  std::vector<std::uint32_t> left_;  // those that can still be taken
+  std::vector<std::uint32_t> left_;  // can still be taken
   std::vector<std::uint8_t> stage_;
 };
 

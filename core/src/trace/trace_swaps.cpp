@@ -1,4 +1,3 @@
-// The details of a swap of teams.
 #include "trace/margin_of.h"
 
 namespace evenlift {

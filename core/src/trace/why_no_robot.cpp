@@ -1,5 +1,4 @@
-// Explains why no balanced robot stands at a place: computes the best set with a robot there and
-// compares it.
+// Compares the best set with a robot at the place.
 #include <algorithm>
 
 #include "evenlift/plane.h"
@@ -24,7 +23,7 @@ bool has_robot(const std::vector<LiftingPoint>& robots, const Vec2& place) {
                      [&](const LiftingPoint& robot) { return robot.position == place; });
 }
 
-// Finds the move that put a robot at its place, searching backwards from the step's set.
+// Searches backwards for the move that put a robot at its place.
 void find_arrival(const Trace& trace, const BalancedSet& set, const Vec2& place,
                   WhyNoRobot& answer) {
   const BalancedHistory& history = trace.history;
@@ -41,8 +40,8 @@ void find_arrival(const Trace& trace, const BalancedSet& set, const Vec2& place,
   }
 }
 
-// Separates the robots of a set that stay from those that come, first the one at the place in
-// question. A robot that comes to another's former place counts as one that stays.
+// Separates robots that stay from those that come, the one in question first. A robot that comes to
+// another's place counts as staying.
 void part_by_place(const std::vector<LiftingPoint>& before, const Vec2& place, BalancedSet& set) {
   for (const LiftingPoint& robot : set.robots)
     (has_robot(before, robot.position) ? set.kept : set.came).push_back(robot);

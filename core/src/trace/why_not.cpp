@@ -9,7 +9,7 @@
 namespace evenlift {
 namespace {
 
-// The team whose choice a question at step k is about.
+// Whose choice a question at step k is about.
 std::uint32_t team_at(const Trace& trace, std::uint32_t k) {
   const Step step = trace.step(k);
   if (step.kind == StepKind::scores || step.kind == StepKind::team || step.kind == StepKind::base)
@@ -18,7 +18,7 @@ std::uint32_t team_at(const Trace& trace, std::uint32_t k) {
   return taken == 0 ? 0 : taken - 1;
 }
 
-// Whether a lifting point is on an edge: its own, or the one that meets it at a vertex.
+// Its own edge, or the one that meets it at a vertex.
 bool lies_on(const Trace& trace, const LiftingPoint& point, std::uint32_t edge) {
   if (point.edge == edge) return true;
   const double near = near_distance(trace.polygon().diameter());
@@ -37,7 +37,6 @@ bool is_same(const Trace& trace, const Chord& a, const Chord& b) {
   return same_chord(a, b, near_distance(trace.polygon().diameter()));
 }
 
-// The candidate with this chord.
 std::optional<std::uint32_t> candidate_at(const Trace& trace, const Chord& chord) {
   const std::vector<Candidate>& candidates = trace.placement.candidates;
   for (std::uint32_t i = 0; i < candidates.size(); ++i)
@@ -58,8 +57,8 @@ bool is_uneven_opposite(const Trace& trace, const Chord& chord) {
   return false;
 }
 
-// The reason according to the edge pair of a chord. A chord that ends at a vertex may belong to
-// several pairs; the pair with the best chord is the most informative.
+// A chord that ends at a vertex may belong to several edge pairs. The one with the best chord tells
+// most.
 void answer_by_pair(const Trace& trace, const Chord& chord, WhyNot& answer) {
   answer.why = Why::no_pair;
   for (std::uint32_t i = 0; i < trace.pairs.size(); ++i) {
@@ -77,7 +76,6 @@ void answer_by_pair(const Trace& trace, const Chord& chord, WhyNot& answer) {
 
 constexpr std::size_t most_chords_through = 256;
 
-// The chords through C along the line of a direction.
 std::vector<Chord> chords_through(const Trace& trace, const Vec2& direction) {
   std::vector<Chord> chords;
   if (!(length(direction) > 0)) return chords;
@@ -135,7 +133,7 @@ std::optional<Chord> chord_at(const Trace& trace, const Vec2& point) {
   std::optional<Chord> best;
   bool reaches = false;
   for (const Chord& chord : chords_through(trace, direction)) {
-    // The arm of the end on the point's side.
+    // On the point's side.
     const double arm = points_right(direction) ? chord.arm2 : chord.arm1;
     const bool reaches_it = arm >= wanted - near_distance(trace.polygon().diameter());
     const double size = chord.arm1 + chord.arm2, best_size = best ? best->arm1 + best->arm2 : 0;

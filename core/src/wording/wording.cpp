@@ -17,7 +17,7 @@ Translations& translations() {
   return all;
 }
 
-// Calls text() for what is between the places of a pattern, and place() for their names.
+// Calls text() between the places, and place() for their names.
 template <class Text, class Place>
 void read_pattern(std::string_view pattern, const Text& text, const Place& place) {
   while (!pattern.empty()) {
@@ -55,7 +55,7 @@ std::string_view translated(std::string_view english) {
   return found == all.end() ? english : found->second;
 }
 
-// Not inline, since the page has a thousand of them.
+// Not inline, as the page has a thousand of them.
 Value::Value(std::string_view text) : text_(text.data() ? text.data() : ""), size_(text.size()) {}
 Value::Value(const char* text) : Value(std::string_view(text)) {}
 Value::Value(const std::string& text) : Value(std::string_view(text)) {}

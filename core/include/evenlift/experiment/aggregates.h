@@ -12,14 +12,14 @@ namespace evenlift::experiment {
 
 struct Statistics {
   double mean = 0;
-  std::optional<double> deviation;  // standard, of a sample (divided by n - 1); none for one value
+  std::optional<double> deviation;  // standard, divided by n - 1; none for one value
 };
 
-// Mean and deviation of one or more values, added in order. O(n).
+// Of one or more values, added in order. O(n).
 Statistics statistics(const std::vector<double>& values);
 
-// The averages for a method and a number of robots, over all polygons measured with both. For teams
-// of two, these are the polygons on which the algorithm can also place that number of teams.
+// The averages for a method and a number of robots, over all polygons measured with both: for teams
+// of two, those on which the algorithm can also place that number of teams.
 struct Aggregate {
   Method method = Method::area;
   std::uint32_t robots = 0;
@@ -28,36 +28,34 @@ struct Aggregate {
   Statistics load_max;         // kg
   Statistics max_share;        // 0.5 .. 1 (figures 5.5, 5.6)
   Statistics coverage;         // 0 .. 1 (figures 5.7, 5.8)
-  double closed = 0;           // share of these polygons in form closure, 0 .. 1
-  double held_clear = 0;       // the same by contacts that are clear of corners, 0 .. 1
-  // `closable` is the number of polygons with form closure in at least one placement of teams of
-  // two, by any method. `form_closure` is the fraction of them with form closure by this method
-  // (figure 5.11). `no_area_possible` and `no_area` apply the thesis's own, weaker test.
+  double closed = 0;           // share of polygons in form closure, 0 .. 1
+  double held_clear = 0;       // the same by contacts clear of corners
+  // `closable` polygons have form closure in a placement of teams of two by any method;
+  // `form_closure` is the share of them with form closure by this method (figure 5.11).
+  // `no_area_possible` and `no_area` are the same by the thesis's own, weaker test.
   std::uint32_t closable = 0, no_area_possible = 0;
   std::optional<double> form_closure, no_area;
 };
 
-// The test of a placement: form closure, or the thesis's own test.
+// Form closure, or the thesis's own test.
 using Closed = double Measurement::*;
 
-// Whether some placement of teams of two on the polygon passes the test. Balanced robots do not
-// count, so the same polygons are left out as in the thesis. O(rows).
+// Whether some placement of teams of two passes the test. Balanced robots do not count, so the same
+// polygons are left out as in the thesis. O(rows).
 bool can_close(const PolygonResult& result, Closed closed);
 
-// The aggregates of one set's results, by method, then by robots. O(rows).
+// The aggregates by method, then by robots. O(rows).
 std::vector<Aggregate> aggregate(const std::vector<PolygonResult>& results);
 
-// The aggregates of one set.
 struct SetAggregates {
   std::string set;
   std::vector<Aggregate> aggregates;
 };
 
-// One row for each aggregate, under a heading; deviations and form_closure are empty if they do not
-// exist. O(rows).
+// One row for each aggregate, under a heading; missing values are empty. O(rows).
 std::string aggregates_csv(const std::vector<SetAggregates>& sets);
 
-// The aggregate for a method and a number of robots, or null. O(rows).
+// Null if there is none. O(rows).
 const Aggregate* find(const std::vector<Aggregate>& aggregates, Method method,
                       std::uint32_t robots);
 

@@ -9,21 +9,20 @@
 
 namespace evenlift::experiment {
 
-// Returns a value of an aggregate; nothing if the aggregate does not have it.
+// A value of an aggregate, if it has it.
 using Pick = std::optional<double> (*)(const Aggregate&);
 std::optional<double> pick_spread(const Aggregate& a);
 std::optional<double> pick_share(const Aggregate& a);
 std::optional<double> pick_coverage(const Aggregate& a);
 std::optional<double> pick_closure(const Aggregate& a);
 
-// The mean of the methods that choose among candidates, with that number of robots; nothing unless
-// all of them have a value. O(rows).
+// The mean of the methods that choose among candidates; nothing unless all have a value. O(rows).
 std::optional<double> algorithm_average(const std::vector<Aggregate>& aggregates,
                                         std::uint32_t robots, Pick pick);
 
-// The ratio of the method's spread of loads to the algorithm's with that number of robots, for
-// objects of experiment_weight. Nothing if either is missing, or if the algorithm's loads are even
-// to within τ of their mean. O(rows).
+// The method's spread of loads divided by the algorithm's, for objects of experiment_weight.
+// Nothing if either is missing, or if the algorithm's loads are even to within τ of their mean.
+// O(rows).
 std::optional<double> spread_times(const std::vector<Aggregate>& aggregates, Method method,
                                    std::uint32_t robots);
 
@@ -31,8 +30,7 @@ struct Range {
   double least = 0, most = 0;
 };
 
-// The least and the greatest spread_times() for 2, 4, .. most_robots; nothing if no value exists.
-// O(rows most_robots).
+// The least and the greatest spread_times() for 2, 4, .. most_robots, if any. O(rows most_robots).
 std::optional<Range> spread_ratio(const std::vector<Aggregate>& aggregates, Method method,
                                   std::uint32_t most_robots);
 

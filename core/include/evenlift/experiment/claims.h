@@ -1,5 +1,5 @@
-// Every number that chapter 5 of the thesis states in its text (and 6.1 repeats), with the same
-// number for the measured polygons.
+// Every number in the text of chapter 5 of the thesis (and in 6.1), with the same number for the
+// measured polygons.
 #pragma once
 
 #include <string>
@@ -11,23 +11,22 @@ namespace evenlift::experiment {
 
 struct Claim {
   std::string section;  // of the thesis
-  std::string what;     // the quantity, and how it is counted if the thesis leaves that open
-  std::string thesis;   // the thesis's number; "—" if its text gives no number for this
-  std::string ours;     // the number from the data; "—" if the data have none
+  std::string what;     // and how it is counted if the thesis leaves that open
+  std::string thesis;   // "—" if its text gives no number
+  std::string ours;     // "—" if the data have none
 };
 
-// The claims of one set from its sorted `results` and their `aggregates`. Every set has the same
-// claims in the same order. O(rows).
+// The claims of one set from its sorted `results` and their `aggregates`: the same for every set,
+// in the same order. O(rows).
 std::vector<Claim> make_claims(const std::vector<PolygonResult>& results,
                                const std::vector<Aggregate>& aggregates);
 
-// The claims of one set.
 struct SetClaims {
   std::string set;
   std::vector<Claim> claims;
 };
 
-// A table in Markdown with a column for each set, ending in a newline. O(claims).
+// A table with a column for each set, ending in a newline. O(claims).
 std::string claims_markdown(const std::vector<SetClaims>& sets);
 
 // {"sets": [names], "rows": [{"section", "what", "thesis", "ours": [of each set]}]} O(claims).

@@ -1,4 +1,4 @@
-// The thesis's figures as data: the points of a chart and a sentence about them.
+// The thesis's figures: the points of a chart and a sentence about them.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace evenlift::experiment {
 struct FigurePoint {
   std::uint32_t robots = 0;
   double value = 0;            // as in the aggregates: a load, or a share of 1
-  std::uint32_t polygons = 0;  // the number of polygons in the average
+  std::uint32_t polygons = 0;  // in the average
 };
 
 struct FigureSeries {
@@ -23,25 +23,25 @@ struct FigureSeries {
 
 struct Figure {
   std::string set;       // the averaged set; empty for a single polygon
-  std::string id;        // number of the thesis's figure, such as "5.3"
-  std::string title;     // the measured quantity, in words
+  std::string id;        // of the thesis's figure, such as "5.3"
+  std::string title;     // the quantity, in words
   std::string unit;      // "kg" or another weight unit, or "%" for shares, shown times 100
-  std::string column;    // the column of the aggregates that has the values
-  std::string sentence;  // the main result, in words made from the data
-  std::vector<FigureSeries> series;  // by method; omits methods without values
+  std::string column;    // of the aggregates that has the values
+  std::string sentence;  // the main result, made from the data
+  std::vector<FigureSeries> series;  // by method, if it has values
 };
 
-// The largest number of robots measured on at least a fifth of the method's polygons, so that no
-// point of a chart averages only a few. 0 without polygons. O(rows).
+// The most robots measured on at least a fifth of the method's polygons, so that no point averages
+// only a few; 0 without polygons. O(rows).
 std::uint32_t most_robots_shown(const std::vector<Aggregate>& aggregates, Method method);
 
-// Figures 5.3 to 5.8 and 5.11 of one set: teams of two up to most_robots_shown() for area, and
-// balanced robots up to most_robots_shown() for balanced. O(rows).
+// Figures 5.3 to 5.8 and 5.11 of one set: teams of two up to most_robots_shown() for area, balanced
+// robots up to that for balanced. O(rows).
 std::vector<Figure> make_figures(const SetAggregates& set);
 
-// The quantities of section 5.1 for one polygon with every method, against the number of robots:
-// greatest load, spread of loads, coverage, and form closure (for random placements, the fraction
-// of samples in form closure). `settings` are the settings of the measurements. O(rows).
+// The quantities of section 5.1 for one polygon with every method, by number of robots: greatest
+// load, spread of loads, coverage, and form closure (for random, the share of samples). `settings`
+// are those of the measurements. O(rows).
 std::vector<Figure> make_polygon_figures(const PolygonResult& result,
                                          const ExperimentSettings& settings);
 

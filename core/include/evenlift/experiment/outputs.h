@@ -1,4 +1,4 @@
-// All outputs of an experiment, from the results of its polygons.
+// All outputs of an experiment.
 #pragma once
 
 #include <string>
@@ -13,16 +13,16 @@ namespace evenlift::experiment {
 
 struct Outputs {
   std::string measurements_csv, aggregates_csv, polygons_csv;
-  std::vector<std::pair<std::string, std::string>> refused;  // polygon, reason for leaving it out
+  std::vector<std::pair<std::string, std::string>> refused;  // polygon, reason
   std::vector<Figure> figures;                               // by the thesis's figure, then by set
   std::vector<SetClaims> claims;                             // empty for a single polygon
   std::vector<FewRobots> few_robots;                         // empty for a single polygon
 };
 
-// The outputs for sets of polygons, each with its averages. O(rows).
+// Each set has its averages. O(rows).
 Outputs make_outputs(const std::vector<ResultSet>& sets);
 
-// The outputs for one polygon: its measurements and make_polygon_figures(). O(rows).
+// The measurements and make_polygon_figures(). O(rows).
 Outputs make_polygon_outputs(const PolygonResult& result, const ExperimentSettings& settings);
 
 // {"measurements", "aggregates", "polygons": the CSV files as strings; "thesis": the table in

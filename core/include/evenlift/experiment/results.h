@@ -1,5 +1,5 @@
-// The measurements of many polygons, and their texts: tidy CSV, and the part files that assemble an
-// interrupted or shared run.
+// The measurements of many polygons as CSV, and the part files that assemble an interrupted or
+// shared run.
 #pragma once
 
 #include <cstdint>
@@ -13,27 +13,27 @@
 namespace evenlift::experiment {
 
 struct PolygonResult {
-  std::string set;      // name of the set of polygons with which it is averaged
-  std::string polygon;  // name, unique in its set
-  std::string problem;  // why it could not be measured; empty if it could
+  std::string set;      // the polygons with which it is averaged
+  std::string polygon;  // unique in its set
+  std::string problem;  // why it could not be measured, or empty
   std::uint32_t vertices = 0;
   bool convex = false;
-  std::uint32_t candidates = 0;           // greatest number of teams that the algorithm can place
+  std::uint32_t candidates = 0;           // the most teams that the algorithm can place
   std::vector<Measurement> measurements;  // by method, then by robots
   bool operator==(const PolygonResult&) const = default;
 };
 
-// The seconds of each stage ("candidates", or a method's name).
+// Seconds by stage ("candidates", or a method's name).
 using Times = std::vector<std::pair<std::string, double>>;
 
 // 16 hexadecimal digits that distinguish texts (FNV-1a, 64 bits). O(bytes).
 std::string fingerprint(std::string_view bytes);
 
-// The fingerprint of everything on which a polygon's result depends: settings, centre of mass and
-// vertices. O(n).
+// Everything on which a polygon's result depends counts: settings, centre of mass and vertices.
+// O(n).
 std::string fingerprint(const Document& document, const ExperimentSettings& settings);
 
-// The fingerprint of a file that could not be read.
+// Of a file that could not be read.
 inline constexpr const char* refused_fingerprint = "refused";
 
 // A result without measurements yet. O(1).
@@ -51,7 +51,7 @@ struct ResultSet {
 // Divides sorted results into sets and keeps their order. O(n).
 std::vector<ResultSet> group_by_set(std::vector<PolygonResult> results);
 
-// One finished polygon. write_part() returns it as text that ends in a newline. O(rows).
+// A finished polygon. write_part() ends its text with a newline. O(rows).
 struct Part {
   ExperimentSettings settings;
   std::string fingerprint;  // of its input
@@ -61,17 +61,16 @@ struct Part {
 };
 std::string write_part(const Part& part);
 
-// Reads exactly the output of write_part(). Nothing for any other text, such as one that lacks a
-// line. O(bytes).
+// Reads exactly what write_part() returns; nothing for any other text. O(bytes).
 std::optional<Part> read_part(std::string_view text);
 
-// One row for each set, polygon, method and number of robots, in that order, under a heading;
-// numbers have the fewest digits that read back to the same double. The columns are the fields of
-// Measurement; `chosen` is empty if there is none. O(rows).
+// One row for each set, polygon, method and number of robots, in that order, under a heading. The
+// columns are the fields of Measurement; numbers have the fewest digits that read back to the same
+// double, and `chosen` may be empty. O(rows).
 std::string measurements_csv(const std::vector<ResultSet>& sets);
 
-// One row for each polygon: its size, and the number of teams that the algorithm can place or the
-// reason why it was refused. O(polygons).
+// One row for each polygon: its size, and the number of teams that the algorithm can place or why
+// it was refused. O(polygons).
 std::string polygons_csv(const std::vector<ResultSet>& sets);
 
 // One row for each polygon and stage, with its seconds.

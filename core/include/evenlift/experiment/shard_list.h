@@ -1,4 +1,4 @@
-// The list of polygons that a finished shard of an experiment leaves for the merge.
+// The polygons of a finished shard of an experiment, for the merge.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace evenlift::experiment {
 
-// The i-th of n equal parts of the work, 1 <= i <= n <= max_shards.
+// Part i of n equal parts, 1 <= i <= n <= max_shards.
 inline constexpr std::uint32_t max_shards = 100000;
 struct Shard {
   std::uint32_t i = 1, n = 1;
@@ -27,8 +27,7 @@ struct ShardList {
   std::vector<Entry> entries;
 };
 
-// The list as text, and the list from its text. read_shard_list() returns nothing for a text that
-// write_shard_list() did not write. O(entries).
+// read_shard_list() returns nothing for a text that write_shard_list() did not write. O(entries).
 std::string write_shard_list(const ShardList& list);
 std::optional<ShardList> read_shard_list(std::string_view text);
 

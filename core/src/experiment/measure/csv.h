@@ -1,4 +1,4 @@
-// Writes and reads comma-separated values (RFC 4180) with line feeds.
+// Comma-separated values (RFC 4180) with line feeds.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@ namespace evenlift::experiment::csv {
 
 using Row = std::vector<std::string>;
 
-// A field, in quotes if necessary. O(bytes).
+// In quotes if necessary. O(bytes).
 std::string field(std::string_view text);
 
-// A row and its line feed. O(bytes).
+// With its line feed. O(bytes).
 std::string line(const Row& row);
 
-// All rows; nothing if a quote is open at the end, text follows a closing quote, or the last line
-// does not end in a line feed. O(bytes).
+// Nothing if a quote is open at the end, text follows a closing quote, or the last line does not
+// end in a line feed. O(bytes).
 std::optional<std::vector<Row>> read(std::string_view text);
 
 }  // namespace evenlift::experiment::csv

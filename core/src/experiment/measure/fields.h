@@ -1,5 +1,4 @@
-// Reads the fields of a row one after another, and the settings stored as fields in parts and shard
-// lists.
+// Reads the fields of a row one after another, and settings as fields of parts and shard lists.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +28,7 @@ class Fields {
     return good_ ? static_cast<std::uint32_t>(*value) : 0;
   }
 
-  // Whether all fields have been read, and all were valid.
+  // Whether all fields were read and valid.
   bool done() const { return good_ && at_ == row_.size(); }
 
  private:

@@ -1,5 +1,5 @@
-// The measurements of balanced robots (evenlift/experiment/measure.h), and the tests of form
-// closure that all methods share.
+// The measurements of balanced robots (evenlift/experiment/measure.h), and tests of form closure
+// for all methods.
 #pragma once
 
 #include <vector>
@@ -9,13 +9,13 @@
 
 namespace evenlift::experiment {
 
-// Whether robots at these points are in form closure by the contacts that are clear of corners,
-// with the usual distance (closure.h).
+// Whether robots at these points are in form closure by the contacts clear of corners, with the
+// usual distance (closure.h).
 bool holds_clearly(const Polygon& polygon, const Vec2& centre,
                    const std::vector<LiftingPoint>& points);
 
-// Fills in three tests of robots at these points: form closure (in_form_closure), the thesis's own
-// test (no_region_has_area), and a clear hold (holds_clearly).
+// Fills in form closure (in_form_closure), the thesis's own test (no_region_has_area), and a clear
+// hold (holds_clearly).
 void test_closure(const Subject& subject, const std::vector<LiftingPoint>& points, Measurement& m);
 
 // measure() for Method::balanced.

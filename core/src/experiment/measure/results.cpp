@@ -174,7 +174,7 @@ std::optional<Part> read_part(std::string_view text) {
                                            : false;
     if (!read) return std::nullopt;
   }
-  // The same numbers can be written in other ways, but write_part writes them in this way.
+  // Refuses numbers that write_part would write in another way.
   if (write_part(part) != text) return std::nullopt;
   return part;
 }

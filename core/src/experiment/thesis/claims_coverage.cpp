@@ -26,7 +26,6 @@ std::string mean_and_deviation(const std::vector<double>& values, double sign) {
   return with_deviation(percent(sign * s.mean, 1), s.deviation, 100, 1, " %");
 }
 
-// Whether the three metrics choose the same teams.
 void add_choices(std::vector<Claim>& claims, const Results& results) {
   claims.push_back({"5.4", "All three metrics choose the same second team", "79 %",
                     rate(same_choice(results, 2))});
@@ -44,7 +43,6 @@ void add_choices(std::vector<Claim>& claims, const Results& results) {
        "most", rate(alike_coverage(results, 0.1))});
 }
 
-// The coverage of the algorithm.
 void add_algorithm(std::vector<Claim>& claims, const Results& results, const Rows& rows,
                    std::uint32_t most_robots) {
   const auto mean = mean_of_figure(rows, most_robots);
@@ -60,7 +58,6 @@ void add_algorithm(std::vector<Claim>& claims, const Results& results, const Row
                     mean_and_deviation(final_coverages(results), 1)});
 }
 
-// Its coverage compared with the other methods, and after the centre of mass has moved.
 void add_comparisons(std::vector<Claim>& claims, const Results& results) {
   claims.push_back(
       {"5.4",

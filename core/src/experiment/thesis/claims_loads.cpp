@@ -72,7 +72,7 @@ void add_shares(std::vector<Claim>& claims, const Rows& rows) {
   }
 }
 
-// The smallest number of robots whose greatest load is within the capacity, on average.
+// The fewest robots whose greatest load is within the capacity, on average.
 std::string robots_needed(const Rows& rows, Method method, double capacity) {
   const Aggregate* least = nullptr;
   for (const Aggregate& a : rows)

@@ -21,8 +21,7 @@ std::string rate(const Count& count);  // "56 % (63 of 113)"
 std::string with_deviation(const std::string& value, const std::optional<double>& deviation,
                            double scale, int decimals, const char* unit);
 
-// Each function adds its claims. `most_robots` is the largest number of robots in teams of two in
-// the charts.
+// `most_robots` is the largest number of robots in teams of two in the charts.
 void add_loads(std::vector<Claim>& claims, const Rows& rows, std::uint32_t most_robots);  // 5.3
 void add_coverage(std::vector<Claim>& claims, const Results& results, const Rows& rows,
                   std::uint32_t most_robots);                                            // 5.4

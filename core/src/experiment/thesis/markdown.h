@@ -7,8 +7,7 @@
 
 namespace evenlift::experiment::markdown {
 
-// A cell that shows a text unchanged. Names of polygons and sets may contain anything, so HTML and
-// Markdown syntax is escaped.
+// A cell that shows a text unchanged. Names may contain anything, so HTML and Markdown are escaped.
 inline std::string cell(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -26,7 +25,6 @@ inline std::string cell(std::string_view text) {
   return out;
 }
 
-// A line of cells.
 inline std::string row(const std::vector<std::string>& cells) {
   std::string text = "|";
   for (const std::string& c : cells) text += " " + c + " |";

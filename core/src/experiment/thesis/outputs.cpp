@@ -6,7 +6,7 @@ namespace evenlift::experiment {
 
 namespace {
 
-// Turns a list of sets, each with its figures, into a list of figures, each with its sets.
+// Turns sets with figures into figures with sets.
 std::vector<Figure> by_figure(std::vector<std::vector<Figure>> sets) {
   std::vector<Figure> figures;
   for (std::size_t i = 0; !sets.empty() && i < sets.front().size(); ++i)

@@ -11,7 +11,7 @@ namespace {
 
 using Value = double Measurement::*;
 
-// The greatest number of robots in teams of two, or of balanced robots if there are no teams.
+// The most robots in teams of two, or of balanced robots if there are no teams.
 std::uint32_t most_robots(const PolygonResult& result) {
   std::uint32_t in_teams = 0, balanced = 0;
   for (const Measurement& m : result.measurements) {

@@ -32,8 +32,8 @@ std::string times(const Range& range) {
   return least == most ? least : say("{least} to {most}", {least, most});
 }
 
-// Names the method whose values vary most between the polygons, and the method whose values vary
-// least. The greatest deviation over all numbers of robots decides.
+// Names the methods whose values vary most and least between the polygons, by the greatest
+// deviation over all numbers of robots.
 template <class Write>
 std::string deviations(const Rows& rows, std::uint32_t most_robots, Pick pick, Write write) {
   const Aggregate *most = nullptr, *least = nullptr;

@@ -9,8 +9,7 @@
 
 namespace evenlift::experiment {
 
-// A sentence from the aggregates, with teams of two up to most_robots robots; 0 if there are no
-// teams. O(rows most_robots).
+// With teams of two up to most_robots robots; 0 if there are no teams. O(rows most_robots).
 using Sentence = std::string (*)(const std::vector<Aggregate>& aggregates,
                                  std::uint32_t most_robots);
 
@@ -26,7 +25,7 @@ std::string closure_sentence(const std::vector<Aggregate>&, std::uint32_t);
 std::string in_unit(double value, const std::string& unit);
 std::string in_kg(double value);
 std::string in_percent(double share);
-// The method of placement in words: "by area", "at equal angles", "in balance".
+// In words: "by area", "at equal angles", "in balance".
 std::string by(Method method);
 // "1, 2 and 3"; empty if there are no items.
 std::string listed(const std::vector<std::string>& items);

@@ -1,4 +1,4 @@
-// Directions given in degrees.
+// Directions in degrees.
 #pragma once
 
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace evenlift {
 
-// The unit vector in this direction, counter-clockwise from the x axis. Exact for multiples of 90
-// degrees, so that a block turned by them keeps its right angles. O(1).
+// Counter-clockwise from the x axis. Exact for multiples of 90 degrees, so that a block turned by
+// them keeps its right angles. O(1).
 inline Vec2 direction_of(double degrees) {
   const double turn = std::fmod(degrees, 360);
   const double quarters = std::floor(turn / 90 + 0.5);

@@ -1,4 +1,4 @@
-// The parts of a DXF drawing that its objects refer to: the unit, layers and blocks.
+// The unit, layers and blocks of a DXF drawing.
 #pragma once
 
 #include <map>
@@ -12,8 +12,8 @@
 
 namespace evenlift {
 
-// A unit of $INSUNITS: evenlift's own, or the name of a unit for which evenlift has no label. Empty
-// if the drawing has no unit.
+// A unit of $INSUNITS: evenlift's own, or the name of one without a label. Empty if the drawing has
+// none.
 struct DxfUnit {
   LengthUnit label = LengthUnit::none;
   const char* other = "";
@@ -34,17 +34,17 @@ struct DxfDrawing {
   DxfUnit unit;
   std::vector<std::size_t> entities;  // where the sections ENTITIES begin, after their names
 
-  // Names are compared without the case of ASCII letters. Of two with the same name, the first
-  // counts. nullptr if there is none. O(log n).
+  // The case of ASCII letters does not matter. Of two with one name the first counts. nullptr if
+  // there is none. O(log n).
   const DxfLayer* layer(std::string_view name) const;
   const DxfBlock* block(std::string_view name) const;
 
-  std::map<std::string, DxfLayer> layers;  // both by their names in lower case
+  std::map<std::string, DxfLayer> layers;  // both by names in lower case
   std::map<std::string, DxfBlock> blocks;
 };
 
-// Reads all except the objects themselves, and checks that the text consists of pairs of lines up
-// to its end, EOF. The views are of the text. O(bytes log n).
+// Reads all except the objects, and checks that the text is pairs of lines up to EOF. The views are
+// of the text. O(bytes log n).
 Result<DxfDrawing> read_dxf_drawing(std::string_view text);
 
 }  // namespace evenlift

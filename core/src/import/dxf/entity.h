@@ -1,4 +1,4 @@
-// The objects of a DXF drawing, read one after another.
+// The objects of a DXF drawing.
 #pragma once
 
 #include <optional>
@@ -18,27 +18,25 @@ struct DxfVertex {
   int flags = 0;
 };
 
-// An object with its groups, whose values are views of the text. A group that should be a number
-// and is none counts as 0; bad_number() returns the first such place.
+// The values are views of the text. A group that should be a number and is none counts as 0;
+// bad_number() returns the first one's place.
 class DxfEntity {
  public:
   std::string_view type;
   std::vector<DxfGroup> groups;
-  std::vector<DxfVertex> vertices;  // of a POLYLINE: its VERTEX objects
+  std::vector<DxfVertex> vertices;  // the VERTEX objects of a POLYLINE
 
   void begin(std::string_view new_type);
   double number(const DxfGroup& group);
-  // The value of the first group with this code. O(groups).
+  // Of the first group with this code. O(groups).
   double number_of(int code, double otherwise);
   std::string_view text_of(int code) const;
-  // x and y: the groups `code` and `code` + 10.
   Vec2 point_of(int code) { return {number_of(code, 0), number_of(code + 10, 0)}; }
   // The bits of a group, 70 in most objects.
   int flags_of(int code = 70);
-  // The cosine of the angle between the object's plane and the drawing's is negative: it is seen
-  // from behind, and the x axis of its own coordinates points to the left.
+  // Then the x axis of the object's own coordinates points to the left.
   bool seen_from_behind() { return number_of(230, 1) < 0; }
-  // How far the normal of its plane leans to the side, at most 1.
+  // How far the plane's normal leans to the side, at most 1.
   double tilt();
   const std::optional<std::size_t>& bad_number() const { return bad_number_; }
   void add_bad_number(std::size_t offset) {
@@ -49,14 +47,13 @@ class DxfEntity {
   std::optional<std::size_t> bad_number_;
 };
 
-// Reads the objects of a section or block whose groups are known to be complete.
+// The groups of the section or block must be complete.
 class DxfEntities {
  public:
   DxfEntities(std::string_view text, std::size_t from)
       : text_(text), from_(from), groups_(text, from) {}
 
-  // The next object, valid until the next call; nullptr at the end of the block or section, or
-  // after an error. O(bytes of the object).
+  // Valid until the next call; nullptr at the end, or after an error. O(bytes of the object).
   DxfEntity* next();
   std::size_t bytes_read() const { return groups_.offset() - from_; }  // so far
   std::optional<InputError> error() const;

@@ -1,4 +1,4 @@
-// DXF as text: pairs of lines, a code and a value.
+// Pairs of lines, a code and a value.
 #pragma once
 
 #include <cstddef>
@@ -13,15 +13,15 @@ struct DxfGroup {
   std::size_t offset;  // of the value in the text
 };
 
-// Reads one pair of lines after another. The text must outlive the reader.
+// The text must outlive the reader.
 class DxfGroups {
  public:
   explicit DxfGroups(std::string_view text, std::size_t from = 0) : text_(text), at_(from) {}
 
-  // The next pair; nullopt at the end, or if the code is not an integer. O(bytes of the pair).
+  // nullopt at the end, or if the code is not an integer. O(bytes of the pair).
   std::optional<DxfGroup> next();
   bool broken() const { return broken_; }
-  // Where the last pair begins, and where the next one does.
+  // Where the last pair begins, and the next one.
   std::size_t code_offset() const { return code_at_; }
   std::size_t offset() const { return at_; }
 

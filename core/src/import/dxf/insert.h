@@ -1,4 +1,4 @@
-// INSERT: copies of a block, scaled, turned, and perhaps in columns and rows.
+// INSERT: copies of a block, perhaps in columns and rows.
 #pragma once
 
 #include <string_view>
@@ -15,8 +15,8 @@ struct DxfInsert {
   Affine place;  // of the first copy, without scale
   double scale_x = 1, scale_y = 1;
 
-  // The map from the block's coordinates to those of the drawing or block that contains the INSERT.
-  // Steps between columns and rows turn with the block, and are not scaled. O(1).
+  // From the block's coordinates to those around the INSERT. Steps between columns and rows turn
+  // with the block, but are not scaled. O(1).
   Affine copy(double column, double row, const Vec2& base) const;
 };
 

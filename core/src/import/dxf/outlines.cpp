@@ -13,7 +13,7 @@ namespace {
 constexpr Affine behind{-1, 0, 0, 1, 0, 0};
 constexpr DxfName mesh{"mesh", "meshes"};
 
-// Of a flat object, which may be seen from behind.
+// For flat objects, which may be seen from behind.
 Outline placed(DxfEntity& entity, Outline outline) {
   return entity.seen_from_behind() ? transformed(outline, behind) : std::move(outline);
 }
@@ -46,8 +46,8 @@ DxfDrawn lightweight_polyline(DxfEntity& entity, double) {
   return drawn;
 }
 
-// A polyline that a spline was fitted to keeps the corners of its frame, with the bit 16, before
-// the vertices of the curve, with the bit 8.
+// A polyline with a fitted spline lists the corners of its frame, with the bit 16, before the
+// curve's vertices, with the bit 8.
 void drop_spline_frame(std::vector<DxfVertex>& vertices) {
   const auto has = [](int bit) {
     return [bit](const DxfVertex& vertex) { return (vertex.flags & bit) != 0; };
@@ -98,12 +98,12 @@ DxfDrawn arc(DxfEntity& entity, double same_point) {
   return {placed(entity, std::move(outline))};
 }
 
-// Parameters are in radians. A difference of a whole turn gives a closed ellipse.
+// Parameters are in radians. Ends a whole turn apart give a closed ellipse.
 DxfDrawn ellipse(DxfEntity& entity, double same_point) {
   const Vec2 centre = entity.point_of(10), major = entity.point_of(11);
   const double ratio = entity.number_of(40, 1), from = entity.number_of(41, 0),
                to = entity.number_of(42, 2 * pi);
-  // An ellipse lies in the world's plane. Seen from behind, its minor axis points the other way.
+  // An ellipse lies in the world's plane. From behind, its minor axis points the other way.
   const Vec2 minor = (entity.seen_from_behind() ? -ratio : ratio) * left_normal(major);
   const Affine frame{major.x(), major.y(), minor.x(), minor.y(), centre.x(), centre.y()};
   double angle = std::fmod(to - from, 2 * pi);

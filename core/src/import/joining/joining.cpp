@@ -14,11 +14,10 @@
 namespace evenlift {
 namespace {
 
-// Ends closer than this part of the drawing's larger side are at the same place: they differ only
-// by rounding.
+// Ends closer than this part of the drawing's larger side differ only by rounding.
 constexpr double rounding = 1e-9;
 
-// A set of nodes that become one; each set is known by its least node.
+// Sets of nodes that become one; the least node names its set.
 class Sets {
  public:
   explicit Sets(std::size_t count) : parent_(count) {
@@ -38,7 +37,7 @@ class Sets {
   std::vector<std::size_t> parent_;
 };
 
-// The pieces of one layer, or of several, as a graph.
+// The pieces of one or more layers as a graph.
 class Drawing {
  public:
   Drawing(const std::vector<DrawnPiece>& pieces, std::vector<std::size_t> chosen, double side)
@@ -46,14 +45,14 @@ class Drawing {
 
   void connect(std::optional<double> reach);
   void add_outlines(Joining& joining) const;
-  // The chosen pieces that belong to no outline.
+  // The chosen pieces in no outline.
   std::vector<std::size_t> open() const;
   double gap() const { return gap_; }
   std::size_t repeated() const { return repeated_; }
   std::optional<std::pair<Vec2, Vec2>> apart() const { return apart_; }
 
  private:
-  // A line or curve between two ends, before ends become nodes.
+  // A line or curve, before its ends become nodes.
   struct Atom {
     Vec2 from;
     CurvePiece curve;
@@ -75,15 +74,15 @@ class Drawing {
   std::vector<std::size_t> chosen_;
   double side_;
   std::vector<Atom> atoms_;
-  std::vector<std::size_t> from_, to_;  // the places of each atom's ends
-  Points places_;                       // different places, in order by x, then y
+  std::vector<std::size_t> from_, to_;  // of each atom's ends
+  Points places_;                       // different ones, by x, then y
   std::vector<std::vector<std::pair<double, std::size_t>>> divided_;  // by atom: where, and place
   Sets sets_;
   std::vector<Face> faces_;
   std::vector<GraphEdge> edges_;
   std::vector<std::pair<std::size_t, std::size_t>> bridges_;  // straight lines across wide gaps
   std::vector<std::size_t> piece_at_;                         // a piece that ends at each place
-  std::vector<std::size_t> loose_;  // the ends that are open if only rounding is forgiven
+  std::vector<std::size_t> loose_;                            // open if only rounding is forgiven
   double gap_ = 0;
   std::size_t repeated_ = 0;
   std::optional<std::pair<Vec2, Vec2>> apart_;
@@ -99,8 +98,8 @@ void Drawing::take_atoms() {
   }
 }
 
-// Numbers the ends by place, so that nothing depends on the order of the pieces, and joins those
-// that differ only by rounding.
+// Numbers ends by place, so that the order of the pieces does not matter, and joins those that
+// differ only by rounding.
 void Drawing::number_places() {
   for (const Atom& atom : atoms_) {
     places_.push_back(atom.from);
@@ -158,7 +157,7 @@ void Drawing::divide_lines(double near, const std::vector<std::size_t>& number) 
   }
 }
 
-// The rank of each straight line, the longest first; lines with the same ends have the same rank.
+// The longest straight line has the first rank; lines with the same ends share one.
 std::vector<std::size_t> Drawing::line_ranks() {
   using Key = std::tuple<double, std::size_t, std::size_t>;
   std::vector<Key> keys;
@@ -175,7 +174,7 @@ std::vector<std::size_t> Drawing::line_ranks() {
   return ranks;
 }
 
-// The edges between nodes, each once.
+// Each edge once.
 std::vector<GraphEdge> Drawing::edges() {
   const std::vector<std::size_t> ranks = line_ranks();
   std::vector<GraphEdge> all;
@@ -184,7 +183,7 @@ std::vector<GraphEdge> Drawing::edges() {
     std::size_t from = sets_.of(from_[a]);
     const auto add = [&](std::size_t to, CurvePiece curve) {
       to = sets_.of(to);
-      // A line of no length is nothing; a curve may return to its start.
+      // A line of no length is nothing, but a curve may return to its start.
       if (from == to && curve.kind == CurvePiece::Kind::line) return;
       curve.end = places_[to];
       all.push_back({from, to, curve, ranks[a], atom.piece});
@@ -218,7 +217,7 @@ std::vector<std::size_t> Drawing::open_ends() {
   return open;
 }
 
-// The other end of the line at each end: a line shorter than `near` must not vanish.
+// The other end of each end's line, since a line shorter than `near` must not vanish.
 std::vector<std::size_t> Drawing::other_ends() const {
   std::vector<std::size_t> other(places_.size(), places_.size());
   for (const GraphEdge& edge : edges_) {
@@ -229,8 +228,8 @@ std::vector<std::size_t> Drawing::other_ends() const {
   return other;
 }
 
-// Within a safe distance an end that was open at first joins all that is near, so that lines that
-// were drawn several times lie on each other; and it divides a line that passes it.
+// Within a safe distance, an end that was open at first joins all that is near, so that lines drawn
+// several times coincide, and divides a line that it lies on.
 void Drawing::join_loose_ends(double near) {
   const std::vector<std::size_t> other = other_ends();
   const PointGrid grid(places_, near);
@@ -248,8 +247,8 @@ void Drawing::join_loose_ends(double near) {
   divide_lines(near, loose_);
 }
 
-// Joins pairs of open ends, the nearest first: they become one point, or if they are farther apart
-// than usual, a straight line between them.
+// Joins open ends, the nearest first, into one point, or by a straight line if farther apart than
+// usual.
 void Drawing::join_pairs_of_open_ends(double near) {
   const std::vector<std::size_t> open = open_ends(), other = other_ends();
   Points at;
@@ -332,7 +331,7 @@ std::vector<std::size_t> Drawing::open() const {
   std::vector<char> used(pieces_.size());
   for (const Face& face : faces_)
     for (const HalfEdge& half : face.boundary) used[edges_[half.edge].piece] = 1;
-  // A piece of which nothing is left lies on another.
+  // A piece with nothing left lies on another.
   std::vector<char> left(pieces_.size());
   for (const GraphEdge& edge : edges_) left[edge.piece] = 1;
   std::vector<std::size_t> open;
@@ -348,7 +347,6 @@ bool is_nearer(const TwoEnds& ends, const TwoEnds& others) {
   return ends && (!others || apart(ends) < apart(others));
 }
 
-// The ends of pieces; those of one piece follow each other.
 Points ends_of(const std::vector<DrawnPiece>& pieces, const std::vector<std::size_t>& chosen) {
   Points ends;
   for (const std::size_t piece : chosen) {
@@ -358,7 +356,7 @@ Points ends_of(const std::vector<DrawnPiece>& pieces, const std::vector<std::siz
   return ends;
 }
 
-// The open pieces whose ends meet no end of another piece. `all` are the ends of all pieces.
+// The open pieces whose ends meet no other. `all` are the ends of all pieces.
 std::vector<std::size_t> alone(const Points& all, const std::vector<std::size_t>& open,
                                double near) {
   const PointGrid grid(all, near);
@@ -420,7 +418,6 @@ Joining join(const std::vector<DrawnPiece>& pieces, std::optional<double> reach)
     if (is_nearer(drawing.apart(), joining.apart)) joining.apart = drawing.apart();
     return drawing.open();
   };
-  // By layer, in the order of their names.
   std::stable_sort(all.begin(), all.end(),
                    [&](std::size_t a, std::size_t b) { return pieces[a].layer < pieces[b].layer; });
   std::size_t layers = 0;

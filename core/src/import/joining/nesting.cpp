@@ -11,7 +11,7 @@
 namespace evenlift {
 namespace {
 
-// The vertices from the least one on, counter-clockwise, by which repeated outlines are found.
+// Counter-clockwise from the least vertex: repeated outlines become equal.
 Points in_order(Points points) {
   if (signed_area(points) < 0) std::reverse(points.begin(), points.end());
   std::rotate(points.begin(), std::min_element(points.begin(), points.end(), is_before),
@@ -54,8 +54,8 @@ bool is_on_boundary(const OutlineInOrder& outline, const Vec2& p) {
   return false;
 }
 
-// Whether the inner outline lies in the outer one, either apart from it or perhaps touching it. Of
-// long outlines some vertices are looked at.
+// Whether the inner outline lies in the outer one, and may touch it only if `perhaps`. Looks at
+// some vertices of long outlines.
 enum class Touching : std::uint8_t { no, perhaps };
 bool contains(const OutlineInOrder& outer, const OutlineInOrder& inner, Touching touching) {
   if ((inner.box.low.array() < outer.box.low.array()).any() ||
@@ -71,7 +71,7 @@ bool contains(const OutlineInOrder& outer, const OutlineInOrder& inner, Touching
     if (on ? touching == Touching::no : !in) return false;
     some_inside = some_inside || !on;
   }
-  // All on the boundary: the middle of an edge tells.
+  // If all are on the boundary, the middle of an edge decides.
   for (std::size_t i = step; i < inner.key.size() && !some_inside; i += step) {
     const Vec2 middle = (inner.key[i - 1] + inner.key[i]) / 2;
     if (is_on_boundary(outer, middle)) continue;
@@ -81,7 +81,7 @@ bool contains(const OutlineInOrder& outer, const OutlineInOrder& inner, Touching
   return some_inside;
 }
 
-// The smallest outline around each, which comes last among those before it.
+// The smallest outline around each, the last of those before it.
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 std::vector<std::size_t> outlines_around(const std::vector<OutlineInOrder>& sorted,
                                          Touching touching) {
@@ -96,7 +96,6 @@ bool is_filled(int winding, Fill fill) {
   return fill == Fill::even_odd ? winding % 2 != 0 : winding != 0;
 }
 
-// The outlines and the holes that they came with, sorted.
 std::vector<OutlineInOrder> all_in_order(const std::vector<ClosedOutline>& outlines) {
   std::vector<OutlineInOrder> all;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
@@ -108,8 +107,7 @@ std::vector<OutlineInOrder> all_in_order(const std::vector<ClosedOutline>& outli
   return all;
 }
 
-// Whether the second of two outlines in order adds nothing to the first. A shape in a hole of the
-// same form adds something, and so does one with other holes.
+// A shape in a hole of the same form is no repetition, nor is one with other holes.
 bool repeats(const OutlineInOrder& first, const OutlineInOrder& second,
              const std::vector<ClosedOutline>& outlines) {
   if (first.key != second.key || second.role == Role::hole) return false;

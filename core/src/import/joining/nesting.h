@@ -1,4 +1,4 @@
-// Finds holes: outlines that lie inside others.
+// Finds holes among outlines.
 #pragma once
 
 #include <cstddef>
@@ -9,23 +9,22 @@
 
 namespace evenlift {
 
-// How a drawing fills an outline: not at all, or by one of the two rules of SVG.
+// How a drawing fills an outline: not at all, or by a rule of SVG.
 enum class Fill : std::uint8_t { none, nonzero, even_odd };
 
-// An outline that is a shape, and the outlines that are its holes, by their numbers.
+// A shape and its holes, by the numbers of their outlines.
 struct OutlineWithHoles {
   std::size_t outline;
   std::vector<std::size_t> holes;
 };
 
-// The shapes that a path of several rings fills, in the order of their outlines' areas, the largest
-// first. A ring is a hole if it is filled around but not inside; of a ring with only filled places on
-// both sides the inside is a shape of its own. Rings may touch. Rings that cross are separate
-// shapes. O(k^2 + n) for k rings of n vertices in all, plus O(m) for up to 256 vertices of each ring
-// in the box of one with m.
+// The shapes that a path of several rings fills, the largest first. A ring is a hole if it is
+// filled around but not inside. If both sides are filled, the inside is a shape of its own. Rings
+// may touch. Rings that cross are separate shapes. O(k^2 + n) for k rings of n vertices in all,
+// plus O(m) for up to 256 vertices of each ring in the box of one with m.
 std::vector<OutlineWithHoles> filled_shapes(const std::vector<const Points*>& rings, Fill fill);
 
-// A closed outline of a drawing. One that is filled may have holes by its fill.
+// A filled one may have holes by its fill.
 struct ClosedOutline {
   const Points* points = nullptr;
   const std::vector<Points>* holes = nullptr;  // or null for none
@@ -34,15 +33,13 @@ struct ClosedOutline {
 
 struct Nesting {
   std::vector<OutlineWithHoles> shapes;  // by area, the largest first; of equal ones by coordinates
-  std::size_t holes = 0;                 // in all, without those that filled outlines came with
-  std::size_t repeated = 0;              // outlines that repeat another exactly, and were dropped
+  std::size_t holes = 0;                 // in all, without those of filled outlines
+  std::size_t repeated = 0;              // exact repetitions, which were dropped
 };
 
-// Makes holes of outlines by depth. A filled outline is a shape wherever it lies. One without a fill
-// that is directly inside a shape is a hole of it; otherwise, also in a hole, it is a shape. Outlines
-// that cross or touch are separate shapes. The shapes do not depend on the order of the outlines.
-// O(k^2 + n) for k outlines of n vertices in all, plus O(m) for up to 256 vertices of each outline in
-// the box of one with m.
+// Makes holes by depth. A filled outline is always a shape. One without a fill is a hole if it is
+// directly inside a shape, else, also in a hole, a shape. Outlines that cross or touch are separate
+// shapes. The order does not matter. The complexity is that of filled_shapes.
 Nesting nest(const std::vector<ClosedOutline>& outlines);
 
 }  // namespace evenlift

@@ -13,7 +13,7 @@ namespace {
 
 using Kind = CurvePiece::Kind;
 
-// The edge as seen from its lesser end: what two edges must share to be the same.
+// What two edges share if they are the same, seen from the lesser end.
 struct Look {
   std::size_t low, high;
   Kind kind;
@@ -47,7 +47,7 @@ bool same(const Look& a, const Look& b, double near) {
          length(a.first - b.first) <= near && length(a.second - b.second) <= near;
 }
 
-// A half-edge as an edge and a direction, in one number.
+// An edge and a direction in one number.
 std::size_t half(std::size_t edge, bool back) { return 2 * edge + (back ? 1 : 0); }
 std::size_t twin(std::size_t h) { return h ^ 1u; }
 
@@ -100,7 +100,7 @@ class Graph {
     }
   }
 
-  // The direction in which a half-edge leaves its node, and how far it bends to the left.
+  // Where a half-edge leaves its node, and how far it bends to the left.
   std::pair<double, double> direction(std::size_t h) const {
     const GraphEdge& edge = edges_[h / 2];
     const CurvePiece& curve = edge.curve;
@@ -123,7 +123,7 @@ class Graph {
     return {pseudo_angle(way), bend};
   }
 
-  // The boundaries of all faces, with the face to the left of each half-edge.
+  // Also sets the face to the left of each half-edge.
   std::vector<std::vector<std::size_t>> walks() {
     std::vector<std::tuple<std::size_t, double, double, std::size_t>> around;
     for (std::size_t e = 0; e < edges_.size(); ++e) {
@@ -135,7 +135,7 @@ class Graph {
       }
     }
     std::sort(around.begin(), around.end());
-    // Arriving by a half-edge, the boundary goes on by the next one clockwise.
+    // After a half-edge, the boundary goes on by the next one clockwise.
     std::vector<std::size_t> next(2 * edges_.size());
     for (std::size_t first = 0; first < around.size();) {
       std::size_t last = first;
@@ -161,7 +161,7 @@ class Graph {
     return walks;
   }
 
-  // An edge with the same face on both sides joins two parts that would be separate without it.
+  // An edge with the same face on both sides alone joins two parts.
   void drop_bridges() {
     for (std::size_t e = 0; e < edges_.size(); ++e)
       if (walk_of_[half(e, false)] == walk_of_[half(e, true)]) alive_[e] = 0;

@@ -1,4 +1,4 @@
-// Points in the cells of a square grid, to find those near a point or along a line.
+// A square grid of points.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace evenlift {
 
 class PointGrid {
  public:
-  // The points must outlive it. The cells are `cell` > 0 wide. O(n log n).
+  // The points must outlive it. Cells are `cell` > 0 wide. O(n log n).
   PointGrid(const Points& points, double cell) : points_(points), cell_(cell) {
     low_ = bounding_box(points).low;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -26,8 +26,8 @@ class PointGrid {
     });
   }
 
-  // Calls visit(i) for the points within `near` of `at`, itself included. If very many points are
-  // that near, only some of them are visited. O(log n + visits) if `near` is about a cell.
+  // Visits the points i within `near` of `at`, itself included; only some if very many are that
+  // near. O(log n + visits) if `near` is about a cell.
   template <class Visit>
   void for_each_near(const Vec2& at, double near, Visit visit) const {
     const auto [x0, y0] = cell_of(at - Vec2(near, near));
@@ -38,8 +38,8 @@ class PointGrid {
       });
   }
 
-  // Calls visit(i) for all points within `near` of the segment, and perhaps others close to it.
-  // O((cells along it + visits) log n).
+  // Visits the points i within `near` of the segment, and perhaps others close to it. O((cells
+  // along it + visits) log n).
   template <class Visit>
   void for_each_along(const Vec2& a, const Vec2& b, double near, Visit visit) const {
     const Vec2 &left = a.x() <= b.x() ? a : b, &right = a.x() <= b.x() ? b : a;
@@ -47,7 +47,7 @@ class PointGrid {
                        x1 = cell_of(right + Vec2(near, near)).first;
     const double width = right.x() - left.x();
     for (std::int64_t x = x0; x <= x1; ++x) {
-      // The heights of the segment above this column.
+      // The segment's heights above this column.
       const double from = low_.x() + static_cast<double>(x) * cell_ - near,
                    to = from + cell_ + 2 * near;
       const auto height = [&](double at) {

@@ -1,4 +1,4 @@
-// An order of points that does not depend on where they come from.
+// An order of points that does not depend on their source.
 #pragma once
 
 #include "evenlift/vec.h"

@@ -8,22 +8,21 @@
 namespace evenlift {
 namespace {
 
-// The ellipsoid WGS 84: half its greater axis in metres, and the square of its eccentricity.
+// WGS 84: half the greater axis in metres, and the square of the eccentricity.
 constexpr double half_axis = 6378137;
 constexpr double flattening = 1 / 298.257223563;
 constexpr double eccentricity_squared = flattening * (2 - flattening);
 
-// The lengths of a degree of longitude (x) and of latitude (y) at a latitude, in metres.
+// In metres along x (longitude) and y (latitude).
 Vec2 degree_at(double latitude) {
   const double angle = latitude * (pi / 180);
   const double height = sine(angle);
   const double square = 1 - eccentricity_squared * height * height;
-  const double across = half_axis / std::sqrt(square);  // the radius in the prime vertical
-  const double along = across * (1 - eccentricity_squared) / square;  // that of the meridian
+  const double across = half_axis / std::sqrt(square);  // radius in the prime vertical
+  const double along = across * (1 - eccentricity_squared) / square;  // of the meridian
   return Vec2(across * cosine(angle), along) * (pi / 180);
 }
 
-// The nearest number with four decimals.
 double with_four_decimals(double value) { return std::floor(value * 10000 + 0.5) / 10000; }
 
 InputError refused(const char* why) { return {ErrorCode::bad_coordinate, why, {}}; }

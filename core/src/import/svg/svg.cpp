@@ -1,6 +1,6 @@
-// SVG 1.1 and the parts of 2 that programs write: shapes that have an area, with y turned upwards.
-// pugixml reads the XML. It expands no entities except character references and XML's own five, and
-// loads nothing.
+// SVG 1.1 and the parts of 2 that programs write: shapes with an area, with y upwards. pugixml
+// reads the XML. It expands only character references and XML's own five entities, and loads
+// nothing.
 #include <algorithm>
 #include <cmath>
 
@@ -15,10 +15,10 @@
 namespace evenlift {
 namespace {
 
-// A node costs pugixml up to 64 bytes, however short its text.
+// A node costs pugixml up to 64 bytes.
 constexpr std::size_t max_nodes = std::size_t{1} << 22;
 
-// For a picture that evenlift saved: the document of the first link in its <metadata>.
+// The document of the first link in the <metadata> of evenlift's own pictures.
 std::optional<Document> document_of_metadata(const pugi::xml_node& svg) {
   struct Finder final : pugi::xml_tree_walker {
     std::optional<Document> found;
@@ -52,14 +52,14 @@ InputError SvgReader::error_at(const pugi::xml_node& node, ErrorCode code,
 }
 
 void SvgReader::problem(const pugi::xml_node& node, const std::string& what) {
-  // Finding the line number costs as much as the text before it: once is enough.
+  // Finding the line number costs as much as the text before it.
   InputError error = has_problem_ ? InputError{ErrorCode::bad_syntax, what, {}}
                                   : error_at(node, ErrorCode::bad_syntax, what);
   has_problem_ = true;
   gathering_.add_problem(std::move(error));
 }
 
-// The root element of a drawing that is well-formed and within the limits.
+// The root of a well-formed drawing within the limits.
 Result<pugi::xml_node> SvgReader::load() {
   const auto nodes = static_cast<std::size_t>(
       std::count_if(text_.begin(), text_.end(), [](char c) { return c == '<' || c == '='; }));
@@ -89,7 +89,6 @@ Result<pugi::xml_node> SvgReader::load() {
   return root;
 }
 
-// Gathers the shapes below the root.
 std::optional<InputError> SvgReader::walk(const pugi::xml_node& root, const SvgPaper& paper) {
   Context whole;
   whole.matrix = {paper.across, 0, 0, -paper.down, 0, 0};  // in SVG y points down
@@ -110,7 +109,7 @@ std::optional<InputError> SvgReader::walk(const pugi::xml_node& root, const SvgP
   return std::nullopt;
 }
 
-// Forgets a walk that found no shape that is seen.
+// For another walk, if no shape is seen.
 void SvgReader::start_again() {
   gathering_ = Gathering(options_);
   pieces_.clear();

@@ -1,4 +1,4 @@
-// Names and attributes of an SVG's elements.
+// Names and attributes of SVG elements.
 #pragma once
 
 #include <pugixml.hpp>
@@ -6,7 +6,7 @@
 
 namespace evenlift {
 
-// A name without its prefix, as in "href" for "xlink:href".
+// The "href" of "xlink:href".
 inline std::string_view without_prefix(std::string_view name) {
   const std::size_t colon = name.rfind(':');
   return colon == std::string_view::npos ? name : name.substr(colon + 1);

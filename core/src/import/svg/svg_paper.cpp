@@ -9,12 +9,12 @@
 namespace evenlift {
 namespace {
 
-// In CSS an inch has 96 px.
+// In px, as in CSS.
 constexpr double inch = 96;
 
 struct Aspect {
   bool stretched = false, slice = false;
-  double across = 0.5, down = 0.5;  // how much of the room that remains is before the drawing
+  double across = 0.5, down = 0.5;  // part of the free space before the drawing
 };
 
 double share(std::string_view word) { return word == "Min" ? 0 : word == "Max" ? 1 : 0.5; }
@@ -42,7 +42,7 @@ Vec2 scale_of(const Aspect& aspect, const Vec2& box, const Vec2& size) {
   return {both, both};
 }
 
-// A side of the drawing in px; nullopt if the text is no length above 0, or one in per cent.
+// In px; nullopt if it is no length above 0, or in per cent.
 std::optional<double> side_in_pixels(std::string_view text) {
   const auto length = svg_length(text);
   const auto* pixels = std::get_if<std::optional<double>>(&length);
@@ -54,7 +54,7 @@ struct PaperUnit {
   std::string_view name;
   LengthUnit unit;
 };
-// Lengths in these units are sizes on paper; pixels are not.
+// Pixels are no size on paper.
 constexpr PaperUnit paper_units[] = {{"mm", LengthUnit::mm}, {"cm", LengthUnit::cm},
                                      {"in", LengthUnit::in}, {"pt", LengthUnit::mm},
                                      {"pc", LengthUnit::mm}, {"q", LengthUnit::mm}};
@@ -83,12 +83,12 @@ double pixels_of(LengthUnit unit) {
   return 1;
 }
 
-// The px of a user unit across and down; nullopt if the view box is malformed.
+// In px across and down; nullopt for a malformed view box.
 std::optional<Vec2> user_unit(const SvgSize& size, const std::optional<SvgViewBox>& box,
                               std::optional<double> width, std::optional<double> height) {
   if (svg_trimmed(size.view_box).empty()) return Vec2(1, 1);
   if (!box || !(box->size.x() > 0) || !(box->size.y() > 0)) return std::nullopt;
-  // A side that is missing follows from the other one.
+  // A missing side follows from the other one.
   if (!width) width = *height * (box->size.x() / box->size.y());
   if (!height) height = *width * (box->size.y() / box->size.x());
   return scale_of(aspect_of(size.aspect), box->size, {*width, *height});

@@ -1,4 +1,4 @@
-// Reads one SVG: walks over its elements and gathers the shapes that are seen.
+// Gathers the shapes of one SVG that are seen.
 #pragma once
 
 #include <cstddef>
@@ -28,18 +28,17 @@ class SvgReader {
   // What an element inherits.
   struct Context {
     Affine matrix;
-    std::string_view layer;         // the label of the nearest layer or group that has one
-    std::string_view name_of_copy;  // of the <use> of which this element is the original
+    std::string_view layer;         // label of the nearest layer or group that has one
+    std::string_view name_of_copy;  // of the <use> that copies this element
     SvgViewport viewport;
     SvgLook look;
     bool in_copy = false;
   };
-  // An open piece of an outline, in the import's coordinates.
-  // The largest number of bytes and elements in all copies together, so that copies of copies
-  // cannot multiply without end. An element counts as 64 bytes.
+  // In all copies together, so that copies of copies cannot multiply without end. An element counts
+  // as 64 bytes.
   static constexpr std::size_t most_copied_bytes = std::size_t{1} << 26;
 
-  // A path that has a fill and no stroke.
+  // With a fill and no stroke.
   struct FilledPath {
     std::string_view d;
     Affine matrix;
@@ -48,7 +47,7 @@ class SvgReader {
   // svg.cpp: the document.
   InputError error_at(const pugi::xml_node& node, ErrorCode code, std::string message) const;
   void problem(const pugi::xml_node& node, const std::string& what);
-  // The value; or nullopt, and the shape is left out.
+  // On nullopt the shape is left out.
   template <class T>
   std::optional<T> checked(const pugi::xml_node& node, const char* what, SvgResult<T> result) {
     if (auto* wrong = std::get_if<SvgProblem>(&result)) {
@@ -72,7 +71,7 @@ class SvgReader {
   std::optional<InputError> chosen_child(const pugi::xml_node& node, const Context& context,
                                          int depth);
   std::optional<InputError> copy(const pugi::xml_node& node, Context& inside, int depth);
-  // A drawing or symbol with its own viewport, whose size `sized` gives: the <use>, or itself.
+  // Has its own viewport. `sized` gives its size: the <use>, or itself.
   std::optional<InputError> nested(const pugi::xml_node& node, const pugi::xml_node& sized,
                                    Context& inside, int depth);
   bool enter(const pugi::xml_node& node, std::string_view name, Context& inside);
@@ -96,7 +95,7 @@ class SvgReader {
                bool circle);
   void line(const pugi::xml_node& node, const Context& context);
   std::string called(const pugi::xml_node& node, const Context& context) const;
-  // A length of the element; the context's viewport is the whole of a length in per cent.
+  // The context's viewport is 100 per cent.
   std::optional<std::optional<double>> length(const pugi::xml_node& node, const Context& context,
                                               const char* attribute);
   void add(const Outline& outline, const Context& context, const std::string& called,
@@ -109,29 +108,29 @@ class SvgReader {
   ImportOptions options_;
   pugi::xml_document document_;
   SvgStyles styles_;
-  std::vector<std::pair<std::string_view, pugi::xml_node>> by_id_;  // sorted, once it is needed
+  std::vector<std::pair<std::string_view, pugi::xml_node>> by_id_;  // sorted once needed
   bool has_ids_ = false;
 
-  // What a walk gathers. A second walk takes shapes without paint too.
+  // Gathered by a walk. A second walk also takes shapes without paint.
   Gathering gathering_;
   std::vector<DrawnPiece> pieces_;
   std::size_t piece_points_ = 0;
-  std::vector<pugi::xml_node> open_;  // the elements around the present one
+  std::vector<pugi::xml_node> open_;  // elements around the present one
   std::size_t copied_bytes_ = 0;
   std::size_t hidden_ = 0, unpainted_ = 0, hairs_ = 0;
   std::vector<std::string> hidden_names_;
-  FilledPath filled_;  // the shape before, if it was such a path
+  FilledPath filled_;  // the shape before, if it was one
   bool takes_unpainted_ = false, has_problem_ = false, has_texts_ = false;
 };
 
-// The label that a drawing program gives to an element, or the empty text.
+// From a drawing program; may be empty.
 std::string_view label_of(const pugi::xml_node& node);
-// The element's name for people: its label, title or id.
+// For people: the label, title or id.
 std::string_view own_name(const pugi::xml_node& node);
 
-// Leaves out curves of a hair: those that return to within `meet` of where they begin, and whose
-// control points stay within `reach` of it. Programs draw them at corners, where they would make
-// one vertex of the polygon twice. Returns how many. O(pieces).
+// Drops hairs and returns their number. A hair returns to within `meet` of its beginning, and its
+// control points stay within `reach` of it. Programs draw hairs at corners, where they would double
+// a vertex. O(pieces).
 std::size_t drop_hairs(Outline& outline, double reach, double meet);
 
 }  // namespace evenlift

@@ -1,4 +1,3 @@
-// What an SVG draws: its shapes as outlines, in the import's coordinates.
 #include <algorithm>
 #include <cmath>
 
@@ -9,12 +8,12 @@
 namespace evenlift {
 namespace {
 
-// A curve smaller than this part of its shape that returns to its beginning is no intended loop.
+// A curve below this part of its shape that returns to its beginning is no intended loop.
 constexpr double hair = 1.0 / 200;
-// A curved part of a path is a speck below this part of the path: half the default tolerance, which
-// is a thousandth at most.
+// A curved part of a path below this part of the path is a speck: half the default tolerance, which
+// is at most a thousandth.
 constexpr double speck = 1.0 / 2000;
-// A hair has few pieces: an arc of a full turn has four or five.
+// A hair has few pieces; a full turn has four or five.
 constexpr std::size_t most_pieces_of_a_hair = 8;
 
 bool is_near(const Vec2& a, const Vec2& b, double distance) {
@@ -32,8 +31,8 @@ bool stays_near(const CurvePiece& piece, const Vec2& start, double reach) {
          (piece.kind != Kind::cubic || is_near(piece.second, start, reach));
 }
 
-// The end of the hair that begins with the piece at `first`, or `first` if none begins there.
-// Curves of no length are no hair: an arc of a half turn may end with one.
+// The end of the hair that begins at `first`, else `first`. Curves of no length are no hair: an arc
+// of a half turn may end with one.
 std::size_t end_of_hair(const Outline& outline, std::size_t first, const Vec2& start, double reach,
                         double meet) {
   std::size_t end = first;
@@ -47,8 +46,7 @@ std::size_t end_of_hair(const Outline& outline, std::size_t first, const Vec2& s
   return end;
 }
 
-// Leaves out specks: closed parts of a path that would vanish when its curves are flattened.
-// Returns how many.
+// Drops closed parts of a path that vanish when curves are flattened. Returns their number.
 std::size_t drop_specks(std::vector<SvgOutline>& outlines) {
   double side = 0;
   for (const SvgOutline& each : outlines)
@@ -101,7 +99,7 @@ std::string_view own_name(const pugi::xml_node& node) {
   return value_of(node, "id");
 }
 
-// The name of the copy, else of the element, else of the layer.
+// Of the copy, else the element, else the layer.
 std::string SvgReader::called(const pugi::xml_node& node, const Context& context) const {
   std::string_view name = context.name_of_copy;
   if (name.empty()) name = own_name(node);
@@ -127,11 +125,11 @@ std::optional<std::optional<double>> SvgReader::length(const pugi::xml_node& nod
   return checked(node, attribute, svg_length(value_of(node, attribute), whole));
 }
 
-// The outline in the import's coordinates, without hairs.
+// Without hairs, in the import's coordinates.
 Outline SvgReader::placed(const Outline& outline, const Context& context) {
   Outline image = transformed(outline, context.matrix);
   const double side = larger_side(control_box(image));
-  // At most a tenth, so that no tolerance makes a hair of the whole outline.
+  // At most a tenth, so that no tolerance makes the whole outline a hair.
   const double reach = std::clamp(options_.tolerance.value_or(0), hair * side, side / 10);
   hairs_ += drop_hairs(image, reach, same_point * side);
   return image;
@@ -210,7 +208,7 @@ void SvgReader::rectangle(const pugi::xml_node& node, const Context& context,
   const double left = x->value_or(0), bottom = y->value_or(0), w = width->value_or(0),
                h = height->value_or(0);
   if (!(w > 0) || !(h > 0)) return;
-  // A missing radius equals the other one.
+  // A missing radius is the other one.
   double a = std::min(rx->value_or(ry->value_or(0)), w / 2);
   double b = std::min(ry->value_or(rx->value_or(0)), h / 2);
   if (!(a > 0) || !(b > 0)) a = b = 0;
@@ -240,8 +238,8 @@ void SvgReader::ellipse(const pugi::xml_node& node, const Context& context,
       circle ? "circle" : "ellipse");
 }
 
-// Whether a path with only a stroke repeats a path with only a fill just before it. LibreOffice
-// writes each shape so.
+// Whether a path with only a stroke repeats the one before, which has only a fill: LibreOffice
+// writes shapes so.
 bool SvgReader::is_stroke_of_filled(const pugi::xml_node& node, const Context& context) {
   const std::string_view d = value_of(node, "d");
   const bool strokes = context.look.is_stroked() && !context.look.is_filled();

@@ -15,7 +15,7 @@ namespace {
 struct NamedProperty {
   std::string_view name;
   SvgProperty property;
-  bool has_attribute;  // the property may also be written as an attribute
+  bool has_attribute;  // may also be an attribute
 };
 constexpr NamedProperty properties[] = {{"display", SvgProperty::display, true},
                                         {"visibility", SvgProperty::visibility, true},
@@ -48,7 +48,7 @@ std::string_view without_space(std::string_view text) {
   return text;
 }
 
-// The place of the first of `marks` outside quotes, and outside parentheses if they count.
+// The first of `marks` outside quotes, and outside parentheses if they count.
 std::size_t find_outside(std::string_view text, std::string_view marks, std::size_t from,
                          bool parentheses) {
   char quote = 0;
@@ -78,7 +78,6 @@ struct Value {
   bool important;
 };
 
-// Cuts a mark such as "!important" off the value.
 bool cut_important(std::string_view& value) {
   const std::size_t mark = value.rfind('!');
   if (mark == std::string_view::npos ||
@@ -88,7 +87,7 @@ bool cut_important(std::string_view& value) {
   return true;
 }
 
-// Calls take() for each declaration of a property of the table.
+// Properties outside the table are skipped.
 template <class Take>
 void each_declaration(std::string_view text, Take take) {
   for (std::size_t at = 0; at < text.size();) {
@@ -117,7 +116,6 @@ void append_without_comments(std::string& text, std::string_view css) {
   }
 }
 
-// The place after the block whose opening brace is at `open`.
 std::size_t after_block(std::string_view css, std::size_t open) {
   int depth = 0;
   for (std::size_t at = open; at < css.size();) {
@@ -136,13 +134,13 @@ bool is_name(std::string_view text) {
   });
 }
 
-// A sheet for paper or for another medium than a screen does not count.
+// Sheets for paper or media other than screens do not count.
 bool is_for_screens(std::string_view media) {
   media = without_space(media);
   return media.empty() || same_word(media, "all") || same_word(media, "screen");
 }
 
-// A number or a percentage that is at most 0.
+// A number or percentage of at most 0.
 bool is_zero(std::string_view value) {
   const ScannedNumber number = scan_number(value);
   return number.kind == ScannedNumber::Kind::finite && number.value <= 0;
@@ -189,7 +187,7 @@ SvgLook inherited(SvgLook look, const SvgDeclared& declared) {
   return look;
 }
 
-// The declarations for one element, of which the strongest wins.
+// The strongest declaration of each property wins.
 class SvgStyles::Cascade {
  public:
   void take(SvgProperty property, std::string_view value, bool important, std::uint32_t specificity,
@@ -223,7 +221,7 @@ bool SvgStyles::read(const pugi::xml_node& root) {
   text_ = std::move(finder.text);
   if (!read_rules(text_)) return false;
 
-  // Of the declarations with the same selector and property, the first is the one that wins.
+  // Of the same selector and property, the winning declaration comes first.
   std::sort(declarations_.begin(), declarations_.end(),
             [](const Declaration& a, const Declaration& b) {
               return std::tie(a.selector, a.property, b.important, b.order) <
@@ -269,8 +267,7 @@ std::optional<SvgStyles::Selector> SvgStyles::simple_selector(std::string_view t
 
 bool SvgStyles::read_rule(std::string_view selectors, std::string_view body) {
   if (!body.empty() && body.back() == '}') body.remove_suffix(1);
-  // The values of the rule, at most one for each property, before they are repeated for each
-  // selector of the list.
+  // At most one value for each property, before the selectors of the list repeat them.
   std::array<Value, svg_property_count> values{};
   each_declaration(body, [&](const Value& value) {
     Value& kept = values[static_cast<std::size_t>(value.property->property)];

@@ -1,5 +1,4 @@
-// How an SVG's elements look: properties from attributes, the style attribute and style sheets, and
-// their inheritance.
+// How an SVG's elements look, by attributes, the style attribute, style sheets and inheritance.
 #pragma once
 
 #include <array>
@@ -15,7 +14,7 @@
 
 namespace evenlift {
 
-// The properties that decide whether and where an element is seen.
+// They decide whether and where an element is seen.
 enum class SvgProperty : std::uint8_t {
   display,
   visibility,
@@ -36,7 +35,7 @@ enum class SvgProperty : std::uint8_t {
 };
 inline constexpr auto svg_property_count = static_cast<std::size_t>(SvgProperty::count);
 
-// The values that are declared for one element; those that are not declared are empty.
+// Declared for one element; empty if not.
 struct SvgDeclared {
   std::array<std::string_view, svg_property_count> values;
   std::string_view operator[](SvgProperty property) const {
@@ -44,7 +43,7 @@ struct SvgDeclared {
   }
 };
 
-// The values that an element inherits, as far as they decide whether and where a shape is seen.
+// What an element inherits.
 struct SvgLook {
   bool visible = true;
   bool fill = true, fill_opaque = true;
@@ -54,15 +53,14 @@ struct SvgLook {
   bool is_stroked() const { return stroke && stroke_opaque && stroke_wide; }
 };
 
-// Whether neither the element nor anything in it is seen: display is none, or opacity is 0.
+// Whether the element and all in it are unseen: display is none, or opacity is 0.
 bool hides_all(const SvgDeclared& declared);
-// The look of an element in a parent of the given look.
 SvgLook inherited(SvgLook look, const SvgDeclared& declared);
 
-// The style sheets of a drawing. Of their selectors count `tag`, `.class`, `#id`, `tag.class`,
-// `tag#id` and `*`, and lists of these. At-rules and all other selectors are skipped. Of the
-// declarations for an element, the last one of the highest specificity wins, and `!important` wins
-// over all others. The drawing must outlive the sheets, and they may not be copied.
+// A drawing's style sheets. They read the selectors `tag`, `.class`, `#id`, `tag.class`, `tag#id`
+// and `*`, and lists of these; others and at-rules are skipped. The last declaration of the highest
+// specificity wins, and `!important` over all others. The drawing must outlive the sheets, which
+// may not be copied.
 class SvgStyles {
  public:
   SvgStyles() = default;
@@ -77,7 +75,7 @@ class SvgStyles {
   // O(bytes of its attributes, times the logarithm of the number of declarations).
   SvgDeclared of(const pugi::xml_node& node) const;
 
-  // A skipped selector gives paint, so a shape that seems to have none may have some.
+  // Then shapes that seem to have no paint may have some.
   bool skipped_paint() const { return skipped_paint_; }
 
  private:
@@ -102,8 +100,8 @@ class SvgStyles {
   bool read_rule(std::string_view selectors, std::string_view body);
   void apply(const Selector& selector, Cascade& cascade) const;
 
-  std::string text_;                       // all sheets without comments
-  std::vector<Declaration> declarations_;  // by selector; of each property only the one that wins
+  std::string text_;                       // without comments
+  std::vector<Declaration> declarations_;  // by selector; only the winning one of each property
   bool skipped_paint_ = false;
 };
 

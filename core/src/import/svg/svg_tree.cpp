@@ -1,4 +1,3 @@
-// The tree of an SVG's elements: what is seen, where, and how often.
 #include <algorithm>
 
 #include "evenlift/wording.h"
@@ -9,7 +8,7 @@
 namespace evenlift {
 namespace {
 
-// The greatest depth of nested elements. The reader recurses to this depth.
+// Of nested elements; the reader recurses to this depth.
 constexpr int max_depth = 256;
 
 template <std::size_t size>
@@ -17,7 +16,7 @@ bool is_one_of(std::string_view name, const std::string_view (&names)[size]) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
-// Elements that are not drawn in their own place.
+// Not drawn in their own place.
 constexpr std::string_view unseen[] = {
     "defs",  "clipPath",       "mask", "pattern", "marker", "symbol",         "style", "metadata",
     "title", "linearGradient", "desc", "script",  "filter", "radialGradient", "font",  "namedview"};
@@ -33,7 +32,7 @@ constexpr Other others[] = {{"text", "text", "texts", true},
                             {"image", "picture", "pictures", false},
                             {"foreignObject", "foreign object", "foreign objects", false}};
 
-// The properties that move a shape and are not read.
+// They move a shape and are not read.
 struct Mover {
   SvgProperty property;
   const char* name;
@@ -44,8 +43,7 @@ constexpr Mover movers[] = {{SvgProperty::translate, "translate"},
 
 Affine moved(double x, double y) { return {1, 0, 0, 1, x, y}; }
 
-// Whether a <switch> may choose this element. Programs put first what only they can read, and then
-// the same for all others.
+// Programs put first into a <switch> what only they can read, then the same for others.
 bool may_be_chosen(const pugi::xml_node& node) {
   if (local_name(node) == "foreignObject" || !value_of(node, "requiredExtensions").empty())
     return false;
@@ -53,7 +51,7 @@ bool may_be_chosen(const pugi::xml_node& node) {
   return !languages || std::string_view(languages.value()).substr(0, 2) == "en";
 }
 
-// What is after # in the reference to the original; or nullopt if it is in another file.
+// What is after # in the reference; nullopt if it is to another file.
 std::optional<std::string_view> id_of_original(const pugi::xml_node& node) {
   std::string_view href;
   for (const pugi::xml_attribute attribute : node.attributes()) {
@@ -133,7 +131,7 @@ bool SvgReader::transform(const pugi::xml_node& node, const SvgDeclared& declare
   return true;
 }
 
-// Applies the element's look and transform to `inside`. False if the element is left out.
+// Returns false if the element is left out.
 bool SvgReader::enter(const pugi::xml_node& node, std::string_view name, Context& inside) {
   const SvgDeclared declared = styles_.of(node);
   if (hides_all(declared)) {
@@ -212,7 +210,7 @@ bool SvgReader::has_room_to_copy(const pugi::xml_node& node) {
   return copied_bytes_ <= most_copied_bytes;
 }
 
-// The element that <use> copies; a null node if there is none, and the copy is left out.
+// A null node if there is no original, and the copy is left out.
 pugi::xml_node SvgReader::original_of(const pugi::xml_node& node) {
   const std::optional<std::string_view> id = id_of_original(node);
   if (!id) {
@@ -243,7 +241,7 @@ void SvgReader::index_ids() {
   Finder finder;
   document_.traverse(finder);
   by_id_ = std::move(finder.found);
-  // Of elements with the same id the first counts.
+  // Of equal ids the first counts.
   std::stable_sort(by_id_.begin(), by_id_.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   has_ids_ = true;
@@ -284,13 +282,13 @@ std::optional<InputError> SvgReader::nested(const pugi::xml_node& node, const pu
   if (!x || !y || !width || !height) return std::nullopt;
   inside.matrix = inside.matrix * moved(x->value_or(0), y->value_or(0));
   const std::optional<SvgViewBox> box = svg_view_box(value_of(node, "viewBox"));
-  // A side that is not given is that of the box around.
+  // A missing side is that of the box around.
   SvgViewport size{*width ? *width : inside.viewport.width,
                    *height ? *height : inside.viewport.height};
   if (box && !size.width) size.width = box->size.x();
   if (box && !size.height) size.height = box->size.y();
   for (const auto& each : {size.width, size.height})
-    if (each && !(*each > 0)) return std::nullopt;  // not drawn, as the standard says
+    if (each && !(*each > 0)) return std::nullopt;  // not drawn, by the standard
   if (box && !(box->size.minCoeff() > 0)) return std::nullopt;
   inside.viewport = size;
   if (box) {

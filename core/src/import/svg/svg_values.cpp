@@ -16,7 +16,7 @@ namespace {
 
 bool is_separator(char c) { return is_space_in_line(c) || ends_line(c) || c == ',' || c == '\f'; }
 
-// Quarter turns are exact, because they are by far the most common.
+// Quarter turns, by far the most common, are exact.
 double exact_or(double degrees, double at_0, double at_90, double at_180, double at_270,
                 double (*function)(double)) {
   double turn = std::fmod(degrees, 360);
@@ -35,12 +35,12 @@ Affine rotation(double degrees) {
   return {c, s, -s, c, 0, 0};
 }
 
-// A unit of CSS, in user units or degrees.
+// A CSS unit, in user units or degrees.
 struct NamedUnit {
   std::string_view name;
   double size;
 };
-// In CSS an inch has 96 px.
+// A CSS inch has 96 px.
 constexpr NamedUnit length_units[] = {{"", 1},           {"px", 1},        {"mm", 96 / 25.4},
                                       {"cm", 96 / 2.54}, {"in", 96},       {"pt", 96.0 / 72},
                                       {"pc", 16},        {"q", 96 / 101.6}};
@@ -56,8 +56,8 @@ std::optional<double> unit_size(std::string_view name, const NamedUnit (&units)[
   return std::nullopt;
 }
 
-// A function of a transform, and the kinds of its arguments, one letter for each: a length, an
-// angle, a ratio or a number. At least `fewest` of them must be there.
+// One letter of `arguments` for the kind of each: a length, an angle, a ratio or a number. At least
+// `fewest` must be there.
 struct TransformFunction {
   std::string_view name, arguments;
   std::size_t fewest;
@@ -100,7 +100,7 @@ struct Argument {
   std::string_view unit;
 };
 
-// At most `most` numbers with their units; nothing for any other text.
+// Numbers with their units; nothing for any other text.
 std::optional<std::vector<Argument>> arguments_of(std::string_view text, std::size_t most) {
   std::vector<Argument> arguments;
   while (!(text = svg_trimmed(text)).empty()) {
@@ -140,7 +140,7 @@ std::optional<Affine> transform_of(std::string_view name, const std::vector<Argu
   return std::nullopt;
 }
 
-// The word or length of one side of transform-origin.
+// A word or length.
 SvgResult<double> origin_along(std::string_view word, std::optional<double> whole) {
   constexpr std::pair<std::string_view, double> shares[] = {
       {"left", 0}, {"top", 0}, {"center", 0.5}, {"right", 1}, {"bottom", 1}};
@@ -159,7 +159,6 @@ std::string at_character(std::size_t offset, const char* what) {
   return say("character {number}: {problem}", {offset + 1, what});
 }
 
-// Reads a path from front to back, one command after another.
 class PathReader {
  public:
   explicit PathReader(std::string_view text) : text_(text) {}
@@ -202,9 +201,9 @@ class PathReader {
   std::string_view text_;
   std::size_t at_ = 0;
   std::vector<SvgOutline> outlines_;
-  Vec2 position_ = Vec2::Zero(), origin_ = Vec2::Zero();  // the origin of a command's coordinates
+  Vec2 position_ = Vec2::Zero(), origin_ = Vec2::Zero();  // of a command's coordinates
   bool open_ = false;                                     // an outline has begun
-  char last_ = 0;                                         // the last command, in lower case
+  char last_ = 0;                                         // in lower case
   Vec2 last_control_ = Vec2::Zero();
   std::size_t parts_ = 0;
   std::string problem_;
@@ -220,7 +219,7 @@ bool PathReader::number(double& value) {
   return true;
 }
 
-// One character: the next number may follow immediately.
+// The next number may follow this character immediately.
 bool PathReader::flag(bool& value) {
   skip_separators();
   if (at_ == text_.size() || (text_[at_] != '0' && text_[at_] != '1'))
@@ -245,18 +244,18 @@ bool PathReader::arc(const Vec2& from) {
   if (!numbers(v, 3) || !flag(large) || !flag(sweep) || !numbers(to, 2)) return false;
   const Vec2 end = absolute(to[0], to[1]);
   double rx = std::abs(v[0]), ry = std::abs(v[1]);
-  if (end == from) return true;  // as the standard says
+  if (end == from) return true;  // by the standard
   if (rx == 0 || ry == 0) {
     outline().line_to(end);
     return true;
   }
-  // SVG 1.1, F.6.5, in coordinates in which the ellipse is the unit circle.
+  // SVG 1.1, F.6.5, with the ellipse as the unit circle.
   const Affine turn = rotation(v[2]);
   const Vec2 half = (from - end) / 2;
   Vec2 h((turn.a * half.x() + turn.b * half.y()) / rx,
          (turn.c * half.x() + turn.d * half.y()) / ry);
   const double size = length(h);
-  if (size > 1) {  // the ellipse is too small to reach both ends: it grows
+  if (size > 1) {  // too small to reach both ends, the ellipse grows
     rx *= size;
     ry *= size;
     h /= size;
@@ -307,7 +306,7 @@ bool PathReader::quadratic(char lower, const Vec2& from, Vec2& control) {
   return true;
 }
 
-// `control` becomes the last control point if the segment has one.
+// `control` becomes the segment's last control point, if any.
 bool PathReader::segment(char lower, const Vec2& from, Vec2& control) {
   switch (lower) {
     case 'l':
@@ -325,10 +324,10 @@ bool PathReader::segment(char lower, const Vec2& from, Vec2& control) {
   }
 }
 
-// One segment of a command, whose letter is in lower case.
+// The letter is in lower case.
 bool PathReader::piece(char lower, bool relative) {
   if (!has_room()) return false;
-  if (!open_) {  // after Z the next outline begins at the start of the last one
+  if (!open_) {  // after Z an outline begins at the start of the last one
     outlines_.push_back({{position_, {}}, false});
     open_ = true;
   }

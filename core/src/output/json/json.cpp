@@ -83,7 +83,7 @@ std::string closure_json(const Closure& closure) {
       1);
 }
 
-// The greatest distance that C may be off while no robot carries more than the limit.
+// How far C may be off while no robot carries more than the limit.
 std::string com_radius_json(const ShownPlacement& of, const std::optional<ModelLoads>& models) {
   if (!models) return "null";
   const auto radius = com_radius_within(of, *models, capacities_of(of));
@@ -98,8 +98,8 @@ std::string failure_plan_json(const std::optional<FailurePlan>& plan) {
        {"robots_tried", std::to_string(plan->tried)}});
 }
 
-// By the planned loads; on slopes, when braked or on uneven ground, by the greatest ends of their
-// ranges. A C uncertainty alone changes nothing, as in version 1.0.0.
+// By the planned loads; on slopes, when braked or on uneven ground, by the greatest ends of the
+// ranges. As in 1.0.0, a C uncertainty alone changes nothing.
 std::vector<std::size_t> overloaded_in_json(const ShownPlacement& of) {
   Shown level = of.shown;
   level.com_radius = 0;
@@ -136,7 +136,7 @@ void add_moved(std::vector<json::Member>& members, const Moved& moved) {
   if (moved.any()) members.push_back({"moved", json::text(moved_text(moved))});
 }
 
-// Parts of edges: edges counted from 1, with positions from 0 to 1 along each.
+// Edges count from 1, with positions from 0 to 1.
 std::string unusable_json(const Placement& placement) {
   std::vector<std::string> items;
   const Polygon& polygon = placement.polygon();
@@ -148,7 +148,6 @@ std::string unusable_json(const Placement& placement) {
   return json::long_array(items, 1);
 }
 
-// Adds the places where robots with a size can stand.
 void add_stands(std::vector<json::Member>& members, const Placement& placement) {
   if (!placement.stands) return;
   members.push_back({"robot", json::robot(placement.settings.robot)});
@@ -156,7 +155,7 @@ void add_stands(std::vector<json::Member>& members, const Placement& placement) 
   members.push_back({"unusable", unusable_json(placement)});
 }
 
-// Adds at which slope the object tips, and where a further load may stand, if the settings ask for it.
+// The slope at which the object tips and, if asked for, where a further load may stand.
 void add_carrying(std::vector<json::Member>& members, const ShownPlacement& of) {
   const Carrying& carrying = of.shown.carrying;
   members.push_back({"tilt", json::tilt(tilt_of(of), 1)});
@@ -178,7 +177,7 @@ std::string verdict_json(const Judgement& judgement) {
       {{"kind", json::text(name(judgement.kind))}, {"reasons", json::array(reasons)}});
 }
 
-// Adds the supports that do not fit, and those over which the object tips if it falls.
+// Supports that do not fit, and those over which a falling object tips.
 void add_misfits(std::vector<json::Member>& members, const Placement& placement) {
   std::vector<std::string> items, tips_over;
   for (const Misfit& misfit : misfits(placement))
@@ -203,9 +202,8 @@ std::string requirements_json(const std::vector<Requirement>& requirements) {
   return json::long_array(items, 1);
 }
 
-// Adds the settings that the results do not show, so that a program can open the result with all of
-// them: the number of teams if it is "max" or the robots are balanced, and the overlays; each only
-// if it is not the default.
+// Settings that the results do not show, so that a program can open the result: the number of teams
+// if it is "max" or the robots are balanced, and the overlays; each only if it is not the default.
 void add_asked(std::vector<json::Member>& members, const Settings& settings,
                const Overlays& overlays) {
   const Settings usual;

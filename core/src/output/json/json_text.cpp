@@ -19,8 +19,7 @@ void append(std::string& out, const Member& member) {
   out += member.second;
 }
 
-// The items, separated by `between`, in one allocation: a placement's robots alone may need
-// hundreds of megabytes.
+// One allocation, since a placement's robots alone may need hundreds of megabytes.
 template <class Items>
 std::string joined(std::string_view open, const Items& items, std::string_view between,
                    std::string_view close) {

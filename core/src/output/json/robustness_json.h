@@ -1,5 +1,4 @@
-// The members of a placement's JSON about loads and robustness. `depth` is the nesting level of the
-// value.
+// Loads and robustness in a placement's JSON, at nesting level `depth`.
 #pragma once
 
 #include <optional>
@@ -18,11 +17,11 @@ std::string models(const std::optional<ModelLoads>& models, int depth);
 
 std::string ranges(const std::vector<LoadRange>& ranges);
 
-// With a disturbance, includes the ranges of the loads.
+// Includes the ranges of the loads if there is a disturbance.
 std::string robustness(const ShownPlacement& of, const std::optional<ModelLoads>& models,
                        int depth);
 
-// With a disturbance, includes the greatest loads within it, and whether the object stays upright.
+// With a disturbance, includes the greatest loads within it and whether the object stays upright.
 std::string failures(const std::vector<std::optional<RestOfRobots>>& failures,
                      const std::vector<bool>& overloads, bool with_disturbance, int depth);
 

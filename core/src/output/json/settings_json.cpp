@@ -3,7 +3,7 @@
 namespace evenlift::json {
 namespace {
 
-// Whether the document's method uses a setting; unused settings are omitted.
+// Settings that the method does not use are omitted.
 bool is_of_use(const SettingRow& row, const Settings& settings) {
   if (row.setting == Setting::goal)
     return swaps_teams(settings) || (settings.method == Method::balanced && settings.goal);

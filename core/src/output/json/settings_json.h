@@ -1,4 +1,4 @@
-// The settings of a document as members of a JSON object, from the table of settings.
+// A document's settings as members of a JSON object.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace evenlift::json {
 
-// Adds the settings from `first` to `last` in a list (SettingRow::in_document, in_result) that
-// affect the document's method, in the order of Setting. O(output).
+// From `first` to `last` of a list (SettingRow::in_document, in_result), those that affect the
+// document's method, in the order of Setting. O(output).
 void add_settings(std::vector<Member>& members, const Document& document, Listed SettingRow::*list,
                   Setting first, Setting last);
 

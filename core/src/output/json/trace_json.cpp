@@ -29,7 +29,7 @@ std::string figure_json(const Figure& figure) {
   return json::object(members);
 }
 
-// All figures except the outline and the holes, which are the same in every step.
+// Without the outline and holes, which are the same in every step.
 std::string objects_json(const Trace& trace, const StepDetail& detail, std::size_t& left_out) {
   std::vector<std::string> items;
   for (const Figure& figure : figures(trace, detail)) {

@@ -26,7 +26,7 @@ std::string_view name(PoseOrigin origin) { return origin == PoseOrigin::file ? "
 // Zero has no sign in a table or a message.
 double without_sign(double value) { return value == 0 ? 0 : value; }
 
-// The robots at their stands, with coordinates relative to the origin.
+// At their stands, relative to the origin.
 std::vector<PlacedRobot> robots_from(const Placement& placement, PoseOrigin origin) {
   std::vector<PlacedRobot> robots = placed_robots(placement);
   for (PlacedRobot& robot : robots) {
@@ -82,8 +82,7 @@ std::string as_json(const std::vector<PlacedRobot>& robots, bool carried, const 
 
 // --- The message of ROS 2
 
-// A number that every YAML reader treats as a floating-point number: some require the point, and a
-// sign in the exponent.
+// Some YAML readers require a point, and a sign in the exponent, of a floating-point number.
 std::string yaml_number(double value) {
   std::string text = shortest(without_sign(value));
   const std::size_t exponent = text.find('e');
@@ -92,8 +91,8 @@ std::string yaml_number(double value) {
   return text;
 }
 
-// The rotation about z that turns x into the direction, as the z and w of its quaternion, w >= 0.
-// Uses the half-angle formulas where they have no cancellation.
+// The z and w of the quaternion that turns x about z to the direction, w >= 0, by half-angle
+// formulas where they have no cancellation.
 std::array<double, 2> half_turn(const Vec2& direction) {
   const double x = direction.x(), y = direction.y() + 0.0;  // straight back is a left turn
   if (x >= 0) {

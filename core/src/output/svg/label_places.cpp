@@ -8,11 +8,11 @@
 namespace evenlift::labels {
 namespace {
 
-// Costs are in units of "one pixel farther away".
+// A cost of 1 is one pixel farther away.
 constexpr double cost_of_edge = 60;
 constexpr double cost_of_inside = 40;
 constexpr double cost_of_chord = 25;
-constexpr double cost_of_turning = 24;  // to the side opposite the preferred one
+constexpr double cost_of_turning = 24;  // to the opposite side
 constexpr int directions = 24;
 constexpr double distances[] = {5, 12, 22};
 constexpr double room = 2;                    // between two labels
@@ -43,7 +43,7 @@ bool touches(const Box& a, const Box& b) {
          b.low.y() <= a.high.y();
 }
 
-// Whether the bounding boxes meet and the box has corners on both sides of the segment's line.
+// Whether the boxes meet and the box has corners on both sides of the segment's line.
 bool meets(const Segment& s, const Box& box) {
   if (!touches(bounds(s), box)) return false;
   const Vec2 along = s.second - s.first;
@@ -57,12 +57,12 @@ bool meets(const Segment& s, const Box& box) {
   return left && right;
 }
 
-// The box of `size` that touches `owner` grown by `distance`, in a direction from its middle.
+// The box of `size` in this direction that touches `owner` grown by `distance`.
 Box beside(const Box& owner, const Vec2& size, double distance, const Vec2& direction) {
   const Vec2 half = (owner.high - owner.low) / 2;
   const Vec2 middle = owner.low + half;
-  // Diagonally, the distance mostly follows an ellipse around owner and label, so that they are
-  // closer than their boxes' corners would allow.
+  // Diagonally, the distance mostly follows an ellipse around owner and label: they are closer than
+  // the corners of their boxes allow.
   const Vec2 reach = half + size / 2 + Vec2(distance, distance);
   const double scale =
       1 / std::max(std::abs(direction.x()) / reach.x(), std::abs(direction.y()) / reach.y());
@@ -72,7 +72,6 @@ Box beside(const Box& owner, const Vec2& size, double distance, const Vec2& dire
   return {at - size / 2, at + size / 2};
 }
 
-// The obstacles near a label.
 struct Nearby {
   std::vector<Segment> edges, chords;
 };

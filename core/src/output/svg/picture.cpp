@@ -12,12 +12,12 @@ void add_area(std::vector<Shape>& shapes, Role role, const Points& points) {
   if (!points.empty()) shapes.push_back({role, points});
 }
 
-// For `count` lines: every stride-th line is shown.
+// Of `count` lines, every stride-th is shown.
 std::size_t stride(std::size_t count, std::size_t most) {
   return count <= most ? 1 : (count - 1) / most + 1;
 }
 
-// Adds the candidates that no team uses, in order.
+// Candidates of no team, in order.
 void add_candidates(std::vector<Shape>& shapes, const Placement& placement, std::size_t most) {
   std::vector<bool> taken(placement.candidates.size(), false);
   for (const std::uint32_t i : placement.team_candidates) taken[i] = true;
@@ -88,14 +88,14 @@ std::vector<Shape> make_picture(const Placement& placement, const Overlays& over
   shapes.push_back({.role = Role::object,
                     .points = placement.vertices(),
                     .holes = placement.object.rings_of_holes()});
-  // Without contacts every point is free, so there is no region to draw.
+  // Without contacts every point is free: there is no region.
   const bool touches = placement.closure.margin.has_value();
   if (touches && overlays.clockwise)
     add_area(shapes, Role::clockwise, placement.closure.clockwise.clipped);
   if (touches && overlays.counterclockwise)
     add_area(shapes, Role::counterclockwise, placement.closure.counterclockwise.clipped);
   if (overlays.lifting_base) add_area(shapes, Role::lifting_base, placement.lifting_base);
-  // Balanced robots and supports are not chosen among candidates.
+  // Balanced robots and supports have no candidates.
   if (overlays.candidates && !is_one_team(placement.settings.method))
     add_candidates(shapes, placement, most_lines);
   const auto teams = static_cast<std::uint32_t>(placement.teams.size());
@@ -108,7 +108,7 @@ std::vector<Shape> make_picture(const Placement& placement, const Overlays& over
   }
   add_cargo(shapes, placement);
   shapes.push_back({Role::centre_of_mass, {placement.centre_of_mass}});
-  // The first teams, which matter most, are on top.
+  // The first teams matter most and are on top.
   for (std::uint32_t i = teams; i-- > 0;) {
     for (const Robot& robot : placement.teams[i].robots)
       shapes.push_back({Role::robot, {robot.point.position}, i, robot.load});

@@ -28,13 +28,13 @@ namespace evenlift {
 namespace svg {
 namespace {
 
-// The greatest number of readable loads, or names of cargo. The JSON contains all loads.
+// Of readable loads, or names of cargo. The JSON contains all loads.
 constexpr std::size_t most_labels = 150;
 
-// Smaller discs of cargo would be invisible.
+// A smaller disc would be invisible.
 constexpr double smallest_cargo_disc = 3;
 
-// A text beside a part of the picture.
+// Beside a part of the picture.
 struct Label {
   labels::Request request;
   std::string words;
@@ -55,7 +55,7 @@ class Drawing {
     number_size_ = 1.15 * disc_;
     label_size_ = robots <= 12 ? 14 : robots <= 40 ? 12 : 10;
     chord_width_ = robots <= 24 ? 2 : robots <= 200 ? 1.25 : 0.6;
-    // Lines to C only show that the robots belong together.
+    // Lines to C only show which robots belong together.
     if (is_one_team(placement.settings.method)) chord_width_ = 0.75;
     const std::vector<LoadRange> loads =
         placement.loads ? loads_when_disturbed(of_) : std::vector<LoadRange>();
@@ -71,7 +71,7 @@ class Drawing {
   std::string without_caption() { return document(drawn(), {}, {}); }
 
  private:
-  // Draws step by step: later steps avoid and explain the shapes drawn before.
+  // Later steps avoid and explain the shapes drawn before.
   std::string drawn() {
     std::string drawing;
     for (const Shape& shape : make_picture(placement_, of_.shown.overlays)) drawing += drawn(shape);
@@ -152,12 +152,12 @@ class Drawing {
       case Role::cargo_lever:
         return lever(shape);
       case Role::own_centre:
-        // In front of the arrow, which may begin there.
+        // In front of the arrow, which may begin here.
         if (is_on_paper(paper_(shape.points[0]))) own_centre_ = paper_(shape.points[0]);
         seen_.own_centre = own_centre_.has_value();
         break;
       case Role::robot:
-        break;  // robots() draws robots at the same place together
+        break;  // robots() draws robots at one place together
     }
     return "";
   }
@@ -168,7 +168,7 @@ class Drawing {
                                attribute("stroke-linejoin", "round"));
   }
 
-  // With its holes empty: they do not belong to the inside of its path.
+  // Holes are empty: the inside of the path excludes them.
   std::string object(const Shape& shape) {
     outline_ = visible(paper_(shape.points));
     const std::string look = attribute("fill", object_colour) +
@@ -197,7 +197,7 @@ class Drawing {
     return circles;
   }
 
-  // Items that overhang too far are not on the paper.
+  // Items that overhang too far are off the paper.
   std::string cargo(const Shape& shape) {
     const Vec2 at = paper_(shape.points[0]);
     if (!is_on_paper(at)) return "";
@@ -220,7 +220,7 @@ class Drawing {
     return at.x() > 0 && at.x() < paper_.width && at.y() > 0 && at.y() < paper_.height;
   }
 
-  // With a single team H is a segment, drawn as a broad stroke under its chord.
+  // With one team H is a segment: a broad stroke under the chord.
   std::string hull(const Shape& shape) {
     seen_.hull = shape.points.size() >= 3;
     const std::string stroke = attribute("stroke", hull_outline_colour);
@@ -233,7 +233,7 @@ class Drawing {
     return holes_.empty() ? base : base + empty_holes();
   }
 
-  // The ground in the holes, over what was drawn above the object.
+  // The ground in the holes covers what was drawn above the object.
   std::string empty_holes() const {
     return element("path", attribute("class", "holes") + path(holes_) +
                                attribute("fill", ground_colour) +
@@ -250,7 +250,7 @@ class Drawing {
         region_fill(clockwise) +
         attribute("stroke", clockwise ? clockwise_colour : counterclockwise_colour) +
         attribute("stroke-width", 1.5) + attribute("stroke-opacity", 0.7) +
-        // Both regions may shrink to the same line; then one is dashed so that both are visible.
+        // Both regions may shrink to the same line: one is dashed.
         (shape.points.size() == 2 && !clockwise ? attribute("stroke-dasharray", "8 8") : "");
     if (shape.points.size() > 1) return drawn_path(name, area, true, look);
     return element("circle", attribute("class", name) + attribute("cx", area[0].x()) +
@@ -258,21 +258,20 @@ class Drawing {
                                  look);
   }
 
-  // A disc, or a rounded box for several numbers.
+  // A disc; a rounded box for several numbers.
   labels::Box disc(const Stand& stand) const {
     const double needed = text_width(stand.numbers, number_size_, 0.6) + 0.9 * disc_;
     const Vec2 half(std::max(disc_, needed / 2), disc_);
     return {stand.at - half, stand.at + half};
   }
 
-  // Text centred on a point; the middle of a capital is 0.36 of the size above its baseline.
+  // The middle of a capital is 0.36 of the size above its baseline.
   static std::string centred(const Vec2& at, double size, std::string_view words,
                              const std::string& look) {
     return text(at + Vec2(0, 0.36 * size), size, words,
                 attribute("text-anchor", "middle") + attribute("font-weight", 600) + look);
   }
 
-  // The unusable boundary, and the robots with their size.
   std::string stands() {
     const Stands& rules = *placement_.stands;
     seen_.body = rules.has_body();
@@ -281,7 +280,7 @@ class Drawing {
     return unusable_boundary(placement_, paper_) + bodies(sized_, rules.robot(), paper_);
   }
 
-  // An arrow from C in a direction in which the object can slide freely.
+  // From C in a direction in which the object can slide freely.
   std::string slide() {
     const Closure& closure = placement_.closure;
     seen_.slide = closure.translation_free && closure.translation && !placement_.teams.empty();
@@ -293,8 +292,8 @@ class Drawing {
     return "<g class=\"slide\">\n" + arrow(tail, head, slide_colour) + "</g>\n";
   }
 
-  // A pale body beneath each disc, not to scale, and the mark of its team. Among very many robots
-  // they would hide each other.
+  // A pale body, not to scale, and the team's mark beneath each disc. Very many would hide each
+  // other.
   std::string around_robots() const {
     std::string out;
     if (stands_.size() > most_labels) return out;
@@ -320,11 +319,11 @@ class Drawing {
 
   std::string robots() const {
     std::string out = around_robots();
-    for (std::size_t i = stands_.size(); i-- > 0;) {  // the first teams on top
+    for (std::size_t i = stands_.size(); i-- > 0;) {  // first teams on top
       const labels::Box box = disc(stands_[i]);
       const Vec2 size = box.high - box.low;
       constexpr const char* white = "#FFFFFF";
-      const bool beneath = stands_[i].beneath;  // a pale disc with a dashed rim
+      const bool beneath = stands_[i].beneath;  // pale, with a dashed rim
       out += element("rect", attribute("class", beneath ? "robot beneath" : "robot") +
                                  attribute("x", box.low.x()) + attribute("y", box.low.y()) +
                                  attribute("width", size.x()) + attribute("height", size.y()) +
@@ -347,7 +346,7 @@ class Drawing {
     return false;
   }
 
-  // Everything that words must not cover, or should avoid.
+  // What words must not cover, or should avoid.
   labels::Surroundings surroundings() const {
     const Vec2 centre = paper_(placement_.centre_of_mass);
     labels::Surroundings around;
@@ -385,7 +384,7 @@ class Drawing {
     }
   }
 
-  // Beneath each item if there is room.
+  // Beneath the item if there is room.
   void add_names_of_cargo(std::vector<Label>& wanted) const {
     if (cargo_.size() > most_labels) return;
     for (const auto& [item, box] : cargo_)
@@ -394,7 +393,6 @@ class Drawing {
                              attribute("class", "cargo-name") + attribute("fill", text_colour)));
   }
 
-  // The loads of the robots and the names of the cargo.
   std::string named() {
     std::vector<Label> wanted;
     add_loads(wanted);
@@ -403,7 +401,7 @@ class Drawing {
     for (const Label& each : wanted) requests.push_back(each.request);
     const std::vector<std::optional<labels::Box>> places = labels::place(requests, surroundings());
 
-    // A white border keeps words readable on hatching or a line.
+    // Keeps words readable on hatching or a line.
     const std::string border = attribute("stroke", "#FFFFFF") + attribute("stroke-width", 3.5) +
                                attribute("stroke-linejoin", "round") +
                                attribute("paint-order", "stroke");
@@ -419,7 +417,7 @@ class Drawing {
 
   const ShownPlacement of_;
   const Placement& placement_;
-  const std::vector<PlacedRobot> sized_;  // all robots, or none if they are points
+  const std::vector<PlacedRobot> sized_;  // all, or none if they are points
   const Paper paper_;
   double disc_ = 0;  // a robot's radius
   double number_size_ = 0, label_size_ = 0, chord_width_ = 0;
@@ -429,7 +427,7 @@ class Drawing {
   Points outline_;
   std::vector<Points> holes_;
   std::vector<labels::Segment> chords_;
-  std::vector<std::pair<std::uint32_t, labels::Box>> cargo_;  // the items, and their discs' boxes
+  std::vector<std::pair<std::uint32_t, labels::Box>> cargo_;  // items, and their discs' boxes
   std::optional<Vec2> own_centre_;
   Seen seen_;
 };

@@ -1,4 +1,4 @@
-// Robots with a size in a picture: the unusable boundary, and the robots to scale.
+// The unusable boundary, and robots to scale.
 #pragma once
 
 #include <string>
@@ -11,21 +11,21 @@
 
 namespace evenlift::svg {
 
-// The robots, team after team, if they have a size; otherwise empty. O(n + robots).
+// All teams in turn; empty if the robots have no size. O(n + robots).
 std::vector<PlacedRobot> robots_with_size(const Placement& placement);
 
-// The points that must fit on the paper: the vertices, the outlines of these robots' bodies and the
-// discs of cargo. O(n + robots + items).
+// What must fit on the paper: vertices, the bodies of these robots, and discs of cargo. O(n +
+// robots + items).
 Points extent(const Placement& placement, const std::vector<PlacedRobot>& robots);
 
-// Empty for points that may stand anywhere. O(parts).
+// Empty if points may stand anywhere. O(parts).
 std::string unusable_boundary(const Placement& placement, const Paper& paper);
 
-// The robots with a size. O(robots).
+// O(robots).
 std::string bodies(const std::vector<PlacedRobot>& robots, const RobotSize& size,
                    const Paper& paper);
 
-// The box of a robot's body, in pixels. O(1).
+// In pixels. O(1).
 Box body_box(const PlacedRobot& robot, const RobotSize& size, const Paper& paper);
 
 }  // namespace evenlift::svg

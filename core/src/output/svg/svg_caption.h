@@ -1,4 +1,4 @@
-// The caption below the picture: the verdict, the settings, and a key to the visible colours.
+// The verdict, the settings, and a key to the visible colours, below the picture.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace evenlift::svg {
 
-// The entries of the key that the picture needs.
+// What the picture's key must explain.
 struct Seen {
   bool hull = false, clockwise = false, counterclockwise = false;
   bool no_go = false, unusable = false, body = false, overload = false, slide = false;
@@ -22,15 +22,15 @@ struct Caption {
   double height = 0;  // in pixels
 };
 
-// The caption begins `top` pixels from above and is `width` pixels wide.
+// `top` and `width` are in pixels.
 Caption make_caption(const ShownPlacement& of, const Seen& seen, double top, double width);
 
-// The fill of a region, hatched at +45 degrees (clockwise) or -45, so that the regions differ even
-// without colour and where they overlap. `fills` defines the fills.
+// Hatched at +45 degrees (clockwise) or -45, so that regions differ without colour and where they
+// overlap. `fills` defines both.
 std::string region_fill(bool clockwise);
 std::string fills();
 
-// The usual sign for a centre of mass: a disc with two opposite quarters filled.
+// The usual sign: a disc with two opposite quarters filled.
 std::string centre_mark(const Vec2& at, double radius);
 
 }  // namespace evenlift::svg

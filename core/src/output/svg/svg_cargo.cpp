@@ -14,7 +14,6 @@ namespace {
 
 constexpr std::size_t most_characters = 24;  // of a name
 
-// The first characters of a text in UTF-8.
 std::string first_characters(const std::string& text, std::size_t number) {
   std::size_t end = 0, characters = 0;
   for (; end < text.size(); ++end) {

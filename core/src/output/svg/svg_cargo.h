@@ -1,4 +1,4 @@
-// The cargo in a picture: discs whose area tells its weight, and the object's own centre of mass.
+// Discs of cargo, whose area tells the weight, and the object's own centre of mass.
 #pragma once
 
 #include <string>
@@ -8,15 +8,15 @@
 
 namespace evenlift::svg {
 
-// Adds the corners of the discs' boxes, except of items that overhang so far that the object would
-// become small. O(n + items).
+// The corners of their boxes, except of items that overhang so far that the object would become
+// small. O(n + items).
 void add_discs_of_cargo(const Placement& placement, Points& points);
 
-// The disc of an item, and the hollow mark of the object's own centre of mass. O(1).
+// The mark is hollow. O(1).
 std::string cargo_disc(const Vec2& at, double radius);
 std::string own_centre_mark(const Vec2& at, double radius);
 
-// The words beside an item: its name, cut if it is long, or else its weight. O(1).
+// The item's name, cut if long, or else its weight. O(1).
 std::string cargo_label(const Cargo& item, const Units& units);
 
 }  // namespace evenlift::svg

@@ -1,4 +1,4 @@
-// The slopes at which the object tips, and where a further load may stand, in a picture.
+// At which slopes the object tips, and where a further load may stand.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace evenlift::svg {
 
-// The object's visible rings with the region in green and the rest striped. Both are in pixels.
+// The region is green, and the rest of the object striped. Both are in pixels.
 std::string load_region(const std::vector<Points>& rings, const Points& region);
 std::string load_swatch();
 
-// Circles about C for slopes, up to the farthest corner of the lifting base. Empty without a height
-// of C, or if the object falls.
+// Circles about C, up to the farthest corner of the lifting base. Empty without a height of C, or
+// if the object falls.
 std::string tilt_marks(const ShownPlacement& of, const Paper& paper);
 std::string tilt_swatch();
 

@@ -1,11 +1,11 @@
-// Places in the SVG picture, in pixels with y down.
+// Places in the picture, in pixels with y down.
 #pragma once
 
 #include "evenlift/vec.h"
 
 namespace evenlift::svg {
 
-// Maps polygon coordinates (y up) to pixels, with the object's box in the middle of the ground.
+// Maps polygon coordinates (y up) to pixels. The object's box is in the middle of the ground.
 struct Paper {
   // The object is at most `share` of the usual size.
   Paper(const Points& vertices, double share);
@@ -18,10 +18,10 @@ struct Paper {
   Points operator()(const Points& points) const;
 };
 
-// The part of a convex area, segment or spot (in pixels) on the ground. O(points).
+// The part on the ground of a convex area, segment or spot in pixels. O(points).
 Points clipped(Points area, const Paper& paper);
 
-// The outline (in pixels) without vertices that look the same as the preceding one. O(n).
+// In pixels, without vertices that look like the one before. O(n).
 Points visible(const Points& outline);
 
 }  // namespace evenlift::svg

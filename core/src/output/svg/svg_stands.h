@@ -1,4 +1,4 @@
-// The robots of a picture. Each has a disc; several at almost the same place share one.
+// The discs of the robots; robots at almost the same place share one.
 #pragma once
 
 #include <optional>
@@ -13,23 +13,24 @@
 namespace evenlift::svg {
 
 struct Stand {
-  Vec2 at = Vec2::Zero();        // in pixels
-  std::string numbers;           // of the robots: "3", "1·4", "×5" for five
-  std::size_t team = 0;          // of a robot that stands alone, from 1; 0 if it has no team of two
-  std::vector<LoadRange> loads;  // of the robots
+  Vec2 at = Vec2::Zero();           // in pixels
+  std::string numbers;              // "3", "1·4", "×5" for five robots
+  std::size_t team = 0;             // of a robot alone, from 1; 0 without a team of two
+  std::vector<LoadRange> loads;     // of the robots
   std::vector<std::size_t> robots;  // their numbers (loads.h)
-  std::optional<Box> body;          // of the first of them, if robots have a size
-  bool beneath = false;             // they stand beneath the object (supports.h)
+  std::optional<Box> body;          // of the first one, if robots have a size
+  bool beneath = false;             // beneath the object (supports.h)
 };
 
-// Robots closer than `apart` pixels share a stand, but not one beneath with one at the edge. The first teams come first.
-// O(robots * stands); a picture has room for a few thousand stands.
-// `sized` contains the robots with a size: all or none. `loads` are those of all robots, or empty if the object falls.
+// Robots closer than `apart` pixels share a stand, but not one beneath with one at the edge. The
+// first teams come first. `sized` has all robots if they have a size, else none; `loads` is empty
+// if the object falls. O(robots * stands); a picture has room for a few thousand stands.
 std::vector<Stand> find_stands(const Placement& placement, const std::vector<PlacedRobot>& sized,
                                const std::vector<LoadRange>& loads, const Paper& paper,
                                double apart);
 
-// "16.7 kg", "14.2–19.2 kg"; for several robots "2 × 16.7 kg", "16.7 + 15.9 kg" or their sum, "Σ 50.1 kg".
+// "16.7 kg", "14.2–19.2 kg"; for several robots "2 × 16.7 kg", "16.7 + 15.9 kg" or the sum, "Σ 50.1
+// kg".
 std::string load_text(const Stand& stand, double largest, const Units& units);
 
 }  // namespace evenlift::svg

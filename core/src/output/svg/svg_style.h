@@ -1,4 +1,4 @@
-// Colours and sizes of the SVG picture, in CSS pixels at its natural size.
+// Colours, and sizes in CSS pixels at the picture's natural size.
 #pragma once
 
 #include <string_view>

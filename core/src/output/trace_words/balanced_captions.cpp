@@ -1,4 +1,4 @@
-// Captions and formulas of the steps for balanced robots.
+// Captions and formulas for balanced robots.
 #include <algorithm>
 
 #include "evenlift/output/robustness_words.h"
@@ -29,7 +29,6 @@ std::string coverage_change(double before, double after) {
 
 Piece margin_or_0(const std::optional<double>& margin) { return margin_text(margin.value_or(0)); }
 
-// The best of the sets tried, with the criteria of the goal.
 const char* best_of_sets(const Settings& settings) {
   return goal_of(settings) == Goal::hold
              ? "The first robot was tried at {points} points along the outline, and this set is the best of all (room between the robots first, then a strong hold, then coverage). Its coverage is {coverage}."

@@ -1,4 +1,3 @@
-// Descriptions of the figures of a step.
 #include <array>
 #include <cmath>
 
@@ -10,7 +9,6 @@
 namespace evenlift {
 namespace {
 
-// One figure, with the words and numbers for its description.
 class FigureWords {
  public:
   FigureWords(const Trace& trace, const StepDetail& detail, const Figure& figure)
@@ -98,7 +96,7 @@ class FigureWords {
   std::uint32_t index_;
 };
 
-// A description, and the texts for its {names}.
+// With the texts for the {names}.
 struct FigureRow {
   FigureKind kind;
   std::string_view pattern;

@@ -1,5 +1,5 @@
-// The captions of the object's steps: the outline and its holes, the cargo, the centre of mass, and
-// the boundary that robots with a size can use, with its formula.
+// Captions of the outline and holes, the cargo, C, and the boundary that robots with a size can
+// use, with its formula.
 #include <cmath>
 #include <string>
 #include <utility>
@@ -13,9 +13,9 @@
 namespace evenlift {
 namespace {
 
-// Where a point is on the drawing, seen from the centre of mass, to the nearest eighth of a turn.
+// As seen from C, to the nearest eighth of a turn.
 const char* side_of(const Vec2& way) {
-  constexpr double flat = 0.41421356;  // the tangent of half the angle between two directions
+  constexpr double flat = 0.41421356;  // tangent of half the angle between two directions
   const double across = std::fabs(way.x()), along = std::fabs(way.y());
   if (along <= flat * across)
     return way.x() > 0 ? "to the right of the centre of mass" : "to the left of the centre of mass";
@@ -111,7 +111,6 @@ std::string StepCaptions::centroid() const {
        fill("The centroid is {point}.", {point_text(trace_, trace_.object().centroid())})});
 }
 
-// The object's own centre of mass, if it was given.
 std::string StepCaptions::own_centre() const {
   const double moved = length(placement_.own_centre - trace_.object().centroid());
   if (moved == 0) return {};

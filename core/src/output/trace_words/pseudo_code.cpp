@@ -1,4 +1,4 @@
-// The algorithm as pseudo-code, one statement per line.
+// The algorithm, one statement per line.
 #include "output/trace_words/pseudo_code.h"
 
 #include <algorithm>
@@ -89,7 +89,7 @@ constexpr Line tail[] = {
     {Statement::second_order,
      "second order := does the curvature stop every motion that is left?"}};
 
-// Adapts the lines to positions in the range and to the goal `hold`.
+// For positions in the range and for the goal `hold`.
 void adapt(std::vector<Line>& lines, const Settings& settings) {
   const auto at = [&](Statement statement) {
     return std::find_if(lines.begin(), lines.end(),

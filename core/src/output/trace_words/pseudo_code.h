@@ -1,4 +1,4 @@
-// The statements of the algorithm by name. Each step executes one.
+// Each step executes one statement.
 #pragma once
 
 #include <cstdint>
@@ -61,7 +61,6 @@ enum class Statement : std::uint8_t {
   second_order,
 };
 
-// The statement that a step of one kind executes.
 Statement statement_of_outcome(const Trace& trace, const StepDetail& detail);
 Statement statement_of_scores(const Trace& trace, const StepDetail& detail);
 Statement statement_of_team(const Trace& trace, const StepDetail& detail);

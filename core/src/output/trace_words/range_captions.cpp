@@ -1,4 +1,4 @@
-// Captions of the steps for ranges and for swaps of teams.
+// Captions for ranges and swaps of teams.
 #include <algorithm>
 
 #include "evenlift/output/words.h"
@@ -26,7 +26,7 @@ std::string StepCaptions::range() const {
                   {counted_from_1(first), counted_from_1(last)})});
 }
 
-// Each team that moves has a candidate of its own.
+// Each moved team has its own candidate.
 std::string StepCaptions::moves_of_swap() const {
   const SwapDetail& swap = *detail_.swap;
   const std::string teams = numbers_from_1(swap.teams), to = numbers_from_1(swap.to);

@@ -1,4 +1,3 @@
-// One to three sentences for each kind of step.
 #include "output/trace_words/step_captions.h"
 
 #include <algorithm>
@@ -12,7 +11,7 @@
 namespace evenlift {
 namespace {
 
-// The best candidate and its value. Its score is always exact.
+// The score of the best candidate is always exact.
 const char* best_by(Rule rule) {
   switch (rule) {
     case Rule::longest_even:
@@ -161,7 +160,7 @@ std::string StepCaptions::outcome() const {
                     pair.candidate && !pair.stands ? same_chord(*pair.candidate) : ""});
 }
 
-// Whether robots with a size can stand there. Empty if the load ratio is already too low.
+// For robots with a size. Empty if the load ratio is already too low.
 std::string StepCaptions::standing(const PairDetail& pair) const {
   switch (*pair.standing) {
     case Standing::there:
@@ -178,10 +177,10 @@ std::string StepCaptions::standing(const PairDetail& pair) const {
              : "";
 }
 
-// The source of the chord that was kept for a candidate.
+// Where a candidate's chord came from.
 std::string StepCaptions::same_chord(std::uint32_t candidate) const {
   const std::uint32_t source = trace_.source_of_candidate[candidate];
-  if (source == no_index) return {};  // edges that face each other only where the hands lift
+  if (source == no_index) return {};  // facing edges only where the hands lift
   if (source < trace_.pairs.size())
     return fill("Edge pair {pair} has the same chord.", {counted_from_1(source)});
   const OppositeVertices& two = trace_.opposite[source - trace_.pairs.size()];
@@ -270,8 +269,8 @@ std::string StepCaptions::ranking(const TeamScores& scores) const {
   return order.size() > most ? fill("{ranking}, and so on.", {text}) : text + ".";
 }
 
-// The value of a ranking from which the i-th must look different: the nearest earlier value that
-// differs, or for the first value the next.
+// The value from which the i-th must look different: the nearest earlier one that differs, or for
+// the first the next.
 double StepCaptions::neighbour(const TeamScores& scores, std::size_t i) {
   const auto value = [&](std::size_t j) { return scores.of_candidate[scores.ranking[j]].value; };
   for (std::size_t j = i; j-- > 0;)
@@ -396,7 +395,7 @@ std::string StepCaptions::share() const {
 std::string StepCaptions::loads() const {
   const LoadSummary& loads = *placement_.loads;
   if (trace_.given()) return loads_in_words(placement_);
-  // With another model than the plan, the text begins with "As planned".
+  // If the model is not the plan's, the text begins with "As planned".
   const std::string planned = loads_in_words(placement_, LoadModel::springs);
   if (trace_.balanced()) return planned;
   return sentences({planned, written(load(loads.min)) == written(load(loads.max))

@@ -1,4 +1,4 @@
-// The captions of all kinds of steps.
+// The captions of the steps.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace evenlift {
 
-// Writes the caption of one step. The step's row in step_words.cpp selects the function.
+// Each step's row in step_words.cpp selects a caption.
 class StepCaptions : LookedAtStep {
  public:
   StepCaptions(const Trace& trace, const StepDetail& detail) : LookedAtStep(trace, detail) {}

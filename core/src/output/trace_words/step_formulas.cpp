@@ -18,7 +18,7 @@ bool add_up(const Piece& a, const Piece& b, const Piece& total) {
   return !x || !y || !all || std::abs(*x + *y - *all) <= 1e-9 * *all;
 }
 
-// "a + b = total", or "≈" if the numbers as written do not add up.
+// "a + b = total", or "≈" if the written numbers do not add up.
 std::string sum(const Piece& a, const Piece& b, const Piece& total) {
   return fill(add_up(a, b, total) ? "{a} + {b} = {total}" : "{a} + {b} ≈ {total}", {a, b, total});
 }
@@ -103,7 +103,6 @@ std::string StepFormulas::cargo() const {
        point_text(trace_, item.at), weight(after.weight), point_text(trace_, after.centre)});
 }
 
-// The ratio of the most even chord of a ray.
 std::string StepFormulas::ray() const {
   const std::uint32_t begin = trace_.rays.begins[item_], end = trace_.rays.begins[item_ + 1];
   if (begin == end) return {};

@@ -1,4 +1,4 @@
-// The formulas of all kinds of steps.
+// The formulas of the steps.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,7 @@
 
 namespace evenlift {
 
-// Writes the formula of one step with its numbers filled in. The step's row in step_words.cpp
-// selects the function.
+// The formula of a step with its numbers. Its row in step_words.cpp selects the function.
 class StepFormulas : LookedAtStep {
  public:
   StepFormulas(const Trace& trace, const StepDetail& detail) : LookedAtStep(trace, detail) {}

@@ -1,5 +1,4 @@
-// The texts of each kind of step, one row each. Their numbers and figures are rows of
-// trace/steps.cpp.
+// Numbers and figures of steps are rows of trace/steps.cpp.
 #include "output/trace_words/step_words.h"
 
 #include <iterator>
@@ -114,7 +113,6 @@ std::string_view letters_of_choice(const StepDetail& detail) {
              : "";
 }
 
-// The letters of the formula for robots with a size.
 std::string_view letters_of_stands(const RobotSize& robot) {
   const bool stands_off = robot.radius + robot.reach > 0, has_depth = robot.depth > 0;
   if (stands_off && has_depth)
@@ -132,7 +130,7 @@ std::string_view title(Chapter chapter) {
   return translated(titles[static_cast<std::size_t>(chapter)]);
 }
 
-// Captions and formulas without a number are looked up here.
+// Looks up captions and formulas without a number.
 std::string caption(const Trace& trace, const StepDetail& detail) {
   return written((StepCaptions(trace, detail).*row_of(detail).caption)());
 }

@@ -4,7 +4,7 @@
 
 namespace evenlift {
 
-// The statement of the pseudo-code that a step executes. O(1).
+// The statement that a step executes. O(1).
 Statement statement_of(const Trace& trace, const StepDetail& detail);
 
 }  // namespace evenlift

@@ -1,4 +1,4 @@
-// The captions and formulas of the steps of given supports.
+// Captions and formulas for given supports.
 #include <algorithm>
 #include <string>
 

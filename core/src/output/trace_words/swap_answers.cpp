@@ -1,4 +1,3 @@
-// Questions about swaps of teams, and the results of other answers.
 #include "output/trace_words/swap_answers.h"
 
 #include "evenlift/output/trace_words.h"
@@ -9,7 +8,6 @@
 namespace evenlift {
 namespace {
 
-// Compares a choice of teams with the choice that was made.
 std::string against_the_best(const HoldKeys& other, const HoldKeys& best) {
   if (other.level == 0 && best.level > 0) return "the robots would not hold the object";
   if (other.level < best.level) return "their margin would be smaller";

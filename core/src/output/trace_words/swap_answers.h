@@ -1,4 +1,4 @@
-// Texts shared by the steps and the questions about swaps of teams.
+// Texts that steps and questions about swaps share.
 #pragma once
 
 #include <array>
@@ -8,10 +8,10 @@
 
 namespace evenlift {
 
-// Two shares of 1 as percentages, with enough decimals to show which is larger.
+// As percentages, with enough decimals to show which is larger.
 std::array<std::string, 2> told_apart(double a, double b);
 
-// The question for a learner before a swap.
+// Asks a learner before a swap.
 std::string swap_question(const StepDetail& detail, const Question& question);
 
 }  // namespace evenlift

@@ -1,4 +1,3 @@
-// Questions, and answers to "why not this one?".
 #include <algorithm>
 
 #include "evenlift/output/trace_words.h"
@@ -10,8 +9,7 @@
 namespace evenlift {
 namespace {
 
-// A candidate's value of the quantity that a rule compares first. Without a default, the compiler
-// requires a sentence for each rule.
+// What a rule compares first. Without a default, the compiler requires a sentence for each rule.
 const char* value_by(Rule rule) {
   switch (rule) {
     case Rule::longest_even:
@@ -78,7 +76,7 @@ std::string behind(const Trace& trace, const WhyNot& answer) {
             counted_from_1(answer.rank)})});
 }
 
-// The question of the step that shows the chord of two balanced robots.
+// For the step that shows the chord of two balanced robots.
 std::string chord_question(const Trace& trace, const StepDetail& detail) {
   const BalancedDetail& balanced = *detail.balanced;
   if (balanced.moved.empty())
@@ -94,7 +92,6 @@ std::string chord_question(const Trace& trace, const StepDetail& detail) {
                     "Which chord with M in its middle should two robots take for the best set?"});
 }
 
-// Why a chord is not a candidate.
 std::string why_no_candidate(const Trace& trace, const WhyNot& answer) {
   const double least = trace.placement.settings.min_ratio;
   switch (answer.why) {
@@ -129,7 +126,7 @@ std::string why_no_candidate(const Trace& trace, const WhyNot& answer) {
   }
 }
 
-// Why a candidate is not the team, or why it is.
+// Or why the candidate is the team.
 std::string why_not_chosen(const Trace& trace, const WhyNot& answer) {
   switch (answer.why) {
     case Why::not_even:
@@ -153,7 +150,6 @@ std::string why_not_chosen(const Trace& trace, const WhyNot& answer) {
   }
 }
 
-// Both sets' values of the key that decides between them.
 std::string compared(const SetComparison& sets) {
   const BalancedKeys &other = sets.keys, &now = sets.keys_now;
   const auto fail = [](int steady) { return whole(static_cast<std::size_t>(std::max(0, steady))); };

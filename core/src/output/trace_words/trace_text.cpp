@@ -12,9 +12,9 @@ namespace evenlift {
 namespace {
 
 constexpr int most_decimals = 9;
-constexpr double least_fixed = 1e-5;  // below this, fixed() would show almost no digits
+constexpr double least_fixed = 1e-5;  // below, fixed() would show almost no digits
 
-// About four significant digits. Large numbers have no decimals.
+// About four significant digits, but no decimals of large numbers.
 int decimals_shown(double scale) { return scale >= 1e4 ? 0 : decimals_for(scale) + 1; }
 
 std::string rounded(double value, int decimals, double scale) {
@@ -144,7 +144,7 @@ Piece weight_text(const Trace& trace, double value, double largest) {
 Piece margin_text(double value) { return with_decimals(value, margin_decimals(value)); }
 
 std::string cargo_text(const Trace& trace, std::uint32_t item) {
-  // The name is the user's, so it is not looked up.
+  // Does not look up the name, which is the user's.
   const std::string number_and_name[] = {written(counted_from_1(item)),
                                          trace.placement.settings.cargo[item].name};
   return number_and_name[1].empty() ? say_written("Cargo {item}", number_and_name, 1)

@@ -1,4 +1,4 @@
-// Why a team stands where it does, for readers who do not know the algorithm.
+// Why a team stands there, for readers who do not know the algorithm.
 #include <string>
 
 #include "evenlift/output/trace_words.h"
@@ -8,7 +8,7 @@
 namespace evenlift {
 namespace {
 
-// A score with its unit, with enough decimals to distinguish it from `other`.
+// With enough decimals to differ from `other`.
 std::string with_unit(const Trace& trace, const TeamScores& scores, double value, double other) {
   const std::string number = written(score_text(trace, scores.rule, value, other));
   const bool length = scores.rule != Rule::score || scores_are_lengths(trace.metric());
@@ -24,7 +24,7 @@ const char* first_team_is(const TeamScores& scores) {
              : "The first team takes the longest chord with two equal halves: the farther apart the robots stand, the wider the lifting base can become.";
 }
 
-// The chord's lead over the next best, or the key that decided between the two.
+// Over the next best chord, or the key that decided between them.
 std::string lead(const Trace& trace, const TeamScores& scores) {
   const std::uint32_t winner = scores.ranking[0], second = scores.ranking[1];
   const Candidate &a = trace.placement.candidates[winner], &b = trace.placement.candidates[second];

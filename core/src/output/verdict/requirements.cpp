@@ -19,8 +19,7 @@ using Value = std::optional<double>;
 
 bool has_robots(const ShownPlacement& of) { return !of.placement.teams.empty(); }
 
-// The planned loads, under all conditions that are given. Nothing if the object falls, or tips
-// under these conditions.
+// The planned loads under all given conditions. Nothing if the object falls or tips under them.
 std::optional<std::vector<LoadRange>> loads_of(const ShownPlacement& of) {
   if (!of.placement.loads || tips_when_disturbed(of)) return std::nullopt;
   return loads_when_disturbed(of);
@@ -50,7 +49,7 @@ Value within_capacity(const ShownPlacement& of) {
   return overloaded_robots(of, greatest).empty() ? 1 : 0;
 }
 
-// Whether any one robot may fail, on level ground and under the given conditions.
+// Whether any one robot may fail, level and under the given conditions.
 Value steady(const ShownPlacement& of) {
   if (!has_robots(of) || robustness(of.placement).failures_clear < 1) return false;
   const Disturbance disturbance = disturbance_of(of.shown);
@@ -70,7 +69,7 @@ Value greatest_after_failure(const ShownPlacement& of) {
   return greatest;
 }
 
-// The slope in degrees at which it tips in the worst direction; nothing if the height of C is 0.
+// In degrees, in the worst direction; nothing if the height of C is 0.
 Value tipping_angle(const ShownPlacement& of) {
   const auto tilt = tilt_of(of);
   return tilt ? Value(tilt->degrees) : std::nullopt;
@@ -81,7 +80,7 @@ enum class Unit : std::uint8_t { none, number, share, weight, length, degrees };
 
 struct Row {
   std::string_view name;
-  std::string_view words;  // a sentence if it is true or false, and otherwise its subject
+  std::string_view words;  // a sentence if it is yes or no, else its subject
   bool yes_or_no;
   Unit unit;
   Value (*value)(const ShownPlacement&);
@@ -160,7 +159,6 @@ InputError refused(const std::string& condition) {
                   values, quotable ? 3 : 2));
 }
 
-// A share in per cent; any other value as it is.
 double in_unit(double value, Unit unit) { return unit == Unit::share ? 100 * value : value; }
 
 std::string with_unit(const std::string& number, Unit unit, const Units& units) {
@@ -247,7 +245,7 @@ std::string value_in_words(const Requirement& requirement, const Units& units) {
   const double limit = in_unit(requirement.condition.limit, unit);
   const double largest = std::max(std::abs(value), std::abs(limit));
   std::string number = unit == Unit::none ? plain(value) : amount(value, largest);
-  // A value that misses its limit does not look the same.
+  // A value that misses its limit must not look the same.
   if (!requirement.kept && number == amount(limit, largest)) number = significant(value, 6);
   return with_unit(number, unit, units);
 }

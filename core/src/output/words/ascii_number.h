@@ -1,11 +1,11 @@
-// Numbers rounded as in words.h, but for programs: the minus sign is "-".
+// Rounds as words.h does, but for programs: the minus sign is "-".
 #pragma once
 
 #include <string>
 
 namespace evenlift {
 
-// With exactly `decimals` (0 .. 9) digits after the point; never "-0". From 1e15 on as shortest().
+// Exactly `decimals` (0 .. 9) digits after the point; never "-0". From 1e15 on as shortest().
 std::string ascii_fixed(double value, int decimals);
 
 }  // namespace evenlift

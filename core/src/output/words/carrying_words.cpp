@@ -19,8 +19,8 @@ std::string length_in_words(double length, const Units& units) {
   return with_length_unit(plain(length), units);
 }
 
-// "With C off by up to 20 mm, on a slope of 8 % and braked at 0.3 g, it tips." It is on a slope or
-// braked.
+// "With C off by up to 20 mm, on a slope of 8 % and braked at 0.3 g, it tips." One of the latter
+// two must be given.
 std::string tips_under_these(const Shown& shown) {
   constexpr const char* sentences[2][3] = {
       {"On a slope of {slope} it tips.", "On level ground, braked at {acceleration}, it tips.",
@@ -37,12 +37,12 @@ std::string tips_under_these(const Shown& shown) {
   return say_written(sentences[shown.com_radius > 0 ? 1 : 0][when], values.data(), values.size());
 }
 
-// A condition that changes loads, as an addition to a sentence and as a clause.
+// As an addition to a sentence, and as a clause.
 struct Condition {
   std::string as_addition, as_clause;
 };
 
-// The conditions that change loads.
+// Only those that change loads.
 std::vector<Condition> conditions_of(const Shown& shown) {
   const Carrying& carrying = shown.carrying;
   std::vector<Condition> conditions;
@@ -64,7 +64,7 @@ std::vector<Condition> conditions_of(const Shown& shown) {
   return conditions;
 }
 
-// Whether the point is in the convex region, within tolerance (tau L).
+// Within tolerance (tau L); the region is convex.
 bool is_within(const Points& region, const Vec2& at, double diameter) {
   for (std::size_t i = 0; i < region.size(); ++i) {
     const Vec2 &a = region[i], along = region[(i + 1) % region.size()] - a;

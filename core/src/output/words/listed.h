@@ -9,8 +9,7 @@
 
 namespace evenlift {
 
-// "1, 2 and 5". Of more than eight numbers, only the first seven
-// appear, with "and 3 more".
+// "1, 2 and 5". Of more than eight numbers, the first seven and "and 3 more".
 inline std::string listed(const std::vector<std::size_t>& numbers) {
   if (numbers.empty()) return {};
   constexpr std::size_t most_named = 8;
@@ -23,7 +22,7 @@ inline std::string listed(const std::vector<std::size_t>& numbers) {
                      : say("{numbers} and {last}", {text, numbers.back()});
 }
 
-// "2, 4 and 5" for robots, teams or candidates numbered from 0.
+// "2, 4 and 5" for robots, teams or candidates from 0.
 template <class Number>
 std::string numbers_from_1(const std::vector<Number>& numbers) {
   std::vector<std::size_t> shown;

@@ -1,4 +1,3 @@
-// Numbers in words.
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +20,7 @@ std::string with_minus_sign(std::string text) {
   return text;
 }
 
-// The decimal in units of 10^-decimals, as a whole number.
+// In units of 10^-decimals.
 std::string whole_units(const Decimal& decimal, int decimals) {
   const int zeros = decimal.exponent + decimals;
   if (zeros >= 0)
@@ -82,14 +81,14 @@ int decimals_for(double largest) {
   if (decimal.digits == 0) return 0;
   constexpr int digits = 3;
   int decimals = digits - magnitude(decimal);
-  // 99.95 is rounded to 100, which has three digits by itself.
+  // 99.95 becomes 100, which already has three digits.
   if (whole_units(decimal, decimals).size() > digits) --decimals;
   return std::clamp(decimals, 0, most_decimals);
 }
 
 std::string amount(double value, double largest) {
   constexpr double least_fixed = 1e-6;  // below, fixed() would show fewer than three digits
-  constexpr double most_fixed = 1e12;   // from here on, too many digits to read
+  constexpr double most_fixed = 1e12;   // from here on, too many to read
   const double size = std::fabs(largest);
   if (size < least_fixed || size >= most_fixed) return significant(value, 3);
   return fixed(value, decimals_for(largest));
@@ -163,7 +162,7 @@ std::string count_of(std::size_t n, const char* one, const char* many) {
 std::string ratio_in_words(double ratio) { return fixed(ratio, 3); }
 
 std::string given_point(const Vec2& point) {
-  // A coordinate that is rounded to zero has no minus sign.
+  // Coordinates rounded to zero have no minus sign.
   const double least = 1e-9 * point.cwiseAbs().maxCoeff();
   const auto coordinate = [&](double value) {
     return significant(std::fabs(value) < least ? 0 : value, 6);

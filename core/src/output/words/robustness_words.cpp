@@ -16,7 +16,6 @@ namespace {
 
 using Robots = std::vector<std::size_t>;
 
-// A length by itself.
 std::string length_in_words(double length, const Units& units) {
   return with_length_unit(amount(length, length), units);
 }
@@ -36,7 +35,7 @@ std::string springs_in_words(const SpringLoads& springs, const Units& units) {
              {listed(idle)});
 }
 
-// "five", or digits for numbers above twelve.
+// "five", or digits above twelve.
 std::string in_letters(std::size_t number) {
   constexpr std::array<const char*, 13> words = {"no",   "one",    "two",   "three", "four",
                                                  "five", "six",    "seven", "eight", "nine",
@@ -44,7 +43,7 @@ std::string in_letters(std::size_t number) {
   return number < words.size() ? words[number] : std::to_string(number);
 }
 
-// The greatest load after a failure, within the disturbance.
+// After a failure, within the disturbance.
 double greatest_after(const RestOfRobots& rest) {
   return std::max(rest.greatest_by_springs, rest.greatest_end);
 }
@@ -127,7 +126,7 @@ std::string uncertainty_for_capacity_in_words(const ModelLoads& loads, const Sho
                        : "If all robots are equally stiff, some may carry more than {limit}.",
                {limit});
   }
-  // Loads farther out are unknown; this may end the range, rather than the capacity.
+  // The range may end where loads farther out are unknown, rather than at the capacity.
   const bool ends_known =
       *radius ==
       com_radius_within(of, loads, std::vector<std::optional<double>>(capacities.size()));

@@ -1,4 +1,3 @@
-// A placement in words.
 #include "evenlift/output/words.h"
 
 #include "evenlift/output/carrying_words.h"
@@ -31,7 +30,7 @@ std::string capital(std::string text) {
   return text;
 }
 
-// "robots 3 and 4", numbered from 1.
+// "robots 3 and 4", from 1.
 std::string robots_of(const std::vector<std::size_t>& robots) {
   return say(robots.size() == 1 ? "robot {robots}" : "robots {robots}", {numbers_from_1(robots)});
 }
@@ -41,12 +40,12 @@ std::string overload_in_words(const ShownPlacement& of, const std::vector<std::s
   const Placement& placement = of.placement;
   if (placement.teams.empty() || !placement.loads || !has_capacities(of)) return {};
   const bool has_own = has_own_capacities(of);
-  // `best` says nothing about robots with different capacities.
+  // `best` does not know different capacities.
   if (has_own && model == LoadModel::best) return {};
   const std::string limit = limit_in_words(of);
   if (robots.empty()) return say("No robot carries more than {limit}.", {limit});
-  // `best` gives only the greatest load, not its robot; by `worst`, not all robots have their
-  // greatest loads at once.
+  // `best` gives the greatest load, not its robot. By `worst`, not all robots have their greatest
+  // loads at once.
   if (model == LoadModel::best)
     return say("However the weight is shared, some robot carries more than {limit}.", {limit});
   constexpr const char* sentences[3][2] = {
@@ -65,13 +64,13 @@ std::string overload_in_words(const ShownPlacement& of, const std::vector<std::s
          (are_all ? "" : ": " + robots_of(robots)) + ".";
 }
 
-// Whether loads may change for other reasons than a C uncertainty.
+// Whether more than a C uncertainty may change loads.
 bool needs_level(const Shown& shown) {
   return disturbance_of(shown) != Disturbance{.reach = shown.com_radius};
 }
 
-// The plan counts with all robots working, level and even ground, and C as given. If other loads are shown, the text states
-// this.
+// The plan assumes that all robots work, level and even ground, and an exact C. If other loads are
+// shown, the text says so.
 std::string need_in_words(const CapacityPlan& plan, const ShownPlacement& of, LoadModel model,
                           const std::optional<std::size_t>& failed) {
   const Settings& settings = of.placement.settings;
@@ -80,7 +79,7 @@ std::string need_in_words(const CapacityPlan& plan, const ShownPlacement& of, Lo
                          : needs_level(of.shown) ? "On level, even ground and with C known exactly"
                          : of.shown.com_radius > 0 ? "With C known exactly"
                                                    : nullptr;
-  // For balanced robots only the weight counts (plan_capacity).
+  // Balanced robots need only be enough for the weight (plan_capacity).
   const bool balanced = settings.method == Method::balanced;
   if (plan.possible)
     return say(balanced ? "{presumed}, it takes {robots}, with {load} each."
@@ -89,7 +88,7 @@ std::string need_in_words(const CapacityPlan& plan, const ShownPlacement& of, Lo
                 count_of(plan.team_size * plan.teams, "robot", "robots"),
                 load_in_words(plan.greatest_load, plan.greatest_load, of.shown.units)});
   const std::uint32_t tried = plan.team_size * plan.tried;
-  // There may be room for more robots, but more were not tried.
+  // More robots may have room, but were not tried.
   const bool stopped =
       plan.tried >= most_teams_tried(settings) || plan.team_size == most_robots ||
       (swaps_teams(settings) &&
@@ -124,7 +123,6 @@ std::string near_corner_in_words(const ShownPlacement& of) {
       {clearance.point.value_or(0) + 1, promised_length(clearance.distance, of.shown.units)});
 }
 
-// Whether some robot stands beneath the object.
 bool stands_beneath(const Placement& placement) {
   for (const Team& team : placement.teams)
     for (const Robot& robot : team.robots)
@@ -142,15 +140,15 @@ std::string fall_in_words(const ShownPlacement& of) {
       {with_length_unit(amount(outside, outside), of.shown.units), robots_of(over)});
 }
 
-// A margin below 0 measures how far form closure is missed, not the strength of a hold.
+// A margin below 0 measures how far form closure is missed, not a strength.
 std::string hold_in_words(const Closure& closure) {
   if (closure.form_closure && closure.margin) return margin_in_words(*closure.margin);
   return closure.second_order ? "by curvature alone" : "not held";
 }
 
-// Whether a message about a setting or a link begins with its subject.
+// For messages about settings and links.
 bool names_its_subject(std::string_view message) {
-  // A translation lists the beginnings of its own messages.
+  // A translation lists its own beginnings.
   std::string_view beginnings = translated("the |no edge |there is no edge ");
   while (!beginnings.empty()) {
     const std::string_view beginning = beginnings.substr(0, beginnings.find('|'));
@@ -468,14 +466,14 @@ std::string sentence(const InputError& error) {
     return capital(place + " " + message.substr(both.size()));
   const bool option = error.place.kind == Place::Kind::option,
              whole_link = error.place.kind == Place::Kind::link && error.place.index == 0;
-  // A message about a setting or a link usually begins with its subject; a name in front would only
+  // A message about a setting or a link usually begins with its subject; the name in front would
   // repeat it.
   const bool named = names_its_subject(message);
   // So would "centre of mass".
   const std::string within = error.place.kind == Place::Kind::centre_of_mass ? "" : "the ";
   const bool doubled = message.find(within + place) != std::string::npos;
   if (place.empty() || doubled || (named && (option || whole_link))) return capital(message);
-  // The name of a setting keeps its spelling.
+  // A setting's name keeps its spelling.
   return option ? place + ": " + message : capital(place + ": " + message);
 }
 
