@@ -1,5 +1,5 @@
-/* evenlift for C, and for every language that can call C: one function that takes a request as JSON and returns the answer
- * as JSON. docs/requests.md lists the requests and the answers.
+/* evenlift for C, and for every language that can call C: one function from requests to answers, both in JSON
+ * (docs/requests.md).
  *
  *   char *answer = evenlift_run("{\"polygon\": [[0, 0], [4, 0], [4, 3], [0, 3]], \"settings\": {\"teams\": 2}}");
  *   puts(answer);
@@ -23,19 +23,19 @@
 extern "C" {
 #endif
 
-/* Returns the answer to a request: a JSON text in UTF-8 that ends with a line feed and a zero byte. The request is a JSON
- * text in UTF-8 that ends with a zero byte, at most 64 MiB long.
+/* Returns the answer to a request. Both are JSON texts in UTF-8 that end with a zero byte, the answer after a line
+ * feed. The request may have at most 64 MiB.
  *
  * The answer is JSON for any bytes: for an invalid request, for too little memory and for a null pointer it is
  * {"error": {"code", "message", "place"}}. It is NULL only if there is no memory even for that.
  *
  * The answer to {"polygon": ..., "settings": ...} has the same bytes as the output of `evenlift place --json`.
  *
- * The function throws no exception, writes nothing, and keeps no state, so any number of threads may call it at the same
- * time. It uses at most about 1 MiB of the stack. The caller owns the answer and frees it with evenlift_free(). */
+ * The function throws no exception, writes nothing and keeps no state, so any number of threads may call it at once. It
+ * uses at most about 1 MiB of the stack. The caller frees the answer with evenlift_free(). */
 EVENLIFT_API char* evenlift_run(const char* json);
 
-/* Frees an answer. NULL is allowed and has no effect. */
+/* NULL has no effect. */
 EVENLIFT_API void evenlift_free(char* answer);
 
 #ifdef __cplusplus

@@ -1,14 +1,8 @@
-// The best choice of teams among the candidates, to measure how far the greedy choice is from it
-// (algorithm.md, The optimum).
+// The best choice of teams among the candidates, to measure how far the greedy choice is from it,
+// by dynamic programming (algorithm.md, The optimum).
 //
-// C lies in H, so the area of P in H is a sum over the edges of H: the area of P in the triangle of
-// each edge with C. For any ring of chord ends about C, each seen less than 180 degrees after the
-// preceding one, the triangles cover no more than the convex hull of the ends. So the greatest
-// coverage of t teams is the greatest sum of such triangles over all rings of ends of at most t
-// chords. Dynamic programming finds it.
-//
-// The dynamic programme ignores collisions between robots with a size. For such robots the bound
-// stays valid, and only choices without collisions count.
+// This ignores collisions between robots with a size. For such robots the bound stays valid, and
+// only choices without collisions count.
 #pragma once
 
 #include <cstdint>
@@ -25,52 +19,48 @@ struct Optimum {
   std::vector<std::uint32_t> taken;  // the candidates of the best choice found, increasing
   double coverage = 0;               // of this choice, 0 .. 1
   double bound = 1;                  // no choice covers more, up to rounding
-  bool proved = false;               // whether it is proved that no choice covers more
+  bool proved = false;               // that no choice covers more
 };
 
-// Called from time to time. If it returns true, the computation ends, and the bound is then the
-// coverage of all candidates.
+// Called from time to time. If it returns true, the computation ends, with the coverage of all
+// candidates as the bound.
 using Stop = std::function<bool()>;
 
-// The greatest number of candidates for which the dynamic programme is exact, and the greatest
-// number for which it gives a bound. Beyond that, the bound is the coverage of all candidates.
+// The greatest numbers of candidates for which the dynamic programme is exact, and for which it
+// gives a bound. Beyond that, the bound is the coverage of all candidates.
 inline constexpr std::size_t most_candidates_proved = 160, most_candidates_bounded = 600;
 
 // The choice of `teams` teams (or of all candidates, if there are fewer) with the greatest
-// coverage. `candidates` are in candidate order. `start` is a choice of the same number of teams,
-// returned if nothing better is found. With `stands`, choices whose robots collide do not count,
-// but the bound includes them. For K candidates O(n K^2 + K^4 teams) up to most_candidates_proved.
-// With more, the two sides of a ring are treated separately, as if each could use `teams` - 1
-// chords of its own, in O(n K^2 + K^3 teams). This gives a bound, and also the best choice if the
-// ends that it uses belong to at most `teams` chords. Beyond most_candidates_bounded it costs O(n
-// K) at worst.
+// coverage. `candidates` are in candidate order. `start`, a choice of as many teams, is returned if
+// nothing better is found. `stands` excludes choices whose robots collide, but not from the bound.
+// For K candidates O(n K^2 + K^4 teams) up to most_candidates_proved. With more,
+// O(n K^2 + K^3 teams) gives a bound, and also the best choice if the ends found belong to at most
+// `teams` chords. Beyond most_candidates_bounded it costs O(n K) at worst.
 Optimum widest_choice(const PolygonWithHoles& object, const Vec2& centre,
                       const std::vector<Candidate>& candidates, std::size_t teams,
                       const std::vector<std::uint32_t>& start, const Stop& stop = {},
                       const Stands* stands = nullptr);
 
-// The greatest number of choices that firmest_choice() compares.
+// The most choices that firmest_choice() compares.
 inline constexpr std::uint64_t most_choices = std::uint64_t{1} << 22;
 
 struct FirmestChoice {
   std::vector<std::uint32_t> taken;
   HoldKeys keys;
-  // No choice reaches a higher level than most_level, and none of this level covers more than
-  // most_coverage, up to rounding.
+  // No choice has a higher level, and none of this level covers more than most_coverage, up to
+  // rounding.
   std::uint32_t most_level = 3;
   double most_coverage = 1;
   bool compared = false;  // whether all choices were compared
-  // Whether it is proved that no choice is better: by all keys if all were compared, otherwise by
-  // level and coverage.
+  // That no choice is better: by all keys if all were compared, otherwise by level and coverage.
   bool proved = false;
 };
 
-// The best choice of `teams` teams by the keys of the goal `hold` (swaps.h). If there are more
-// than `most` choices, it is the best that swaps reach from `start` and from the widest choice.
-// Then two bounds are known: the level of all candidates at once, up to most_candidates_bounded,
-// and the bound of the widest choice. `start` is a choice of the same number of teams, returned if
-// no choice is better. Nothing if `start` has no team or more than most_swapped_teams. With
-// `stands`, choices whose robots collide do not count.
+// The best choice by the keys of the goal `hold` (swaps.h). If there are more than `most` choices,
+// it is the best that swaps reach from `start` and from the widest choice. Then two bounds are
+// known: the level of all candidates at once, up to most_candidates_bounded, and the bound of the
+// widest choice. Nothing if `start` has no team or more than most_swapped_teams. Otherwise as for
+// widest_choice().
 std::optional<FirmestChoice> firmest_choice(
     const PolygonWithHoles& object, const Vec2& centre, const std::vector<Candidate>& candidates,
     std::size_t teams, const std::vector<std::uint32_t>& start, const HoldRequirements& firm,

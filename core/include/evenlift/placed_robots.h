@@ -1,5 +1,5 @@
-// The robots of a placement one by one: where they stand, which way they face, which loads they
-// carry by each model, and which failures they withstand. place() computes none of this.
+// The robots of a placement one by one: where they stand and face, their loads by each model, and
+// the failures that they withstand. place() computes none of this.
 #pragma once
 
 #include <cstdint>
@@ -18,118 +18,115 @@ namespace evenlift {
 
 struct PlacedRobot {
   Vec2 at = Vec2::Zero();       // the lifting point
-  Vec2 contact = Vec2::Zero();  // where it touches the boundary
+  Vec2 contact = Vec2::Zero();  // on the boundary
   Vec2 stand = Vec2::Zero();    // the centre of its body
-  bool beneath = false;         // it stands beneath the object and touches nothing (supports.h);
-                                // contact and stand are then the lifting point
+  bool beneath = false;         // beneath the object, touching nothing (supports.h); contact and
+                                // stand are then the lifting point
   std::uint32_t team = 0;
   double load = 0;  // as planned
-  // The direction of the inward normal at the contact, in degrees in (-180, 180]; at a vertex, the
-  // direction halfway between the normals of its two edges; 0 beneath the object.
+  // The direction of the inward normal at the contact, in degrees in (-180, 180]; at a vertex,
+  // halfway between the normals of its two edges; 0 beneath the object.
   double heading_deg = 0;
-  Vec2 direction = Vec2(1, 0);  // the same direction as a unit vector, up to rounding
+  Vec2 direction = Vec2(1, 0);  // the same as a unit vector, up to rounding
 };
 
-// The robots, team after team. A robot without a body is at a vertex if it is within tolerance
-// (tau L) of an end of its edge. O(n + m).
+// Team after team. A robot without a body is at a vertex if it is within tolerance (tau L) of an
+// end of its edge. O(n + m).
 std::vector<PlacedRobot> placed_robots(const Placement& placement);
 
-// Whether the object stands on its robots (equilibrium.h). O(m log m).
+// See equilibrium.h. O(m log m).
 Equilibrium equilibrium(const Placement& placement);
 
-// Whether equilibrium alone determines the loads: at most three robots, all of them corners of H.
-// O(teams).
+// Whether equilibrium alone determines the loads: at most three robots, all corners of H. O(teams).
 bool loads_are_determined(const Placement& placement);
 
-// The given supports that do not fit or are too near to each other (supports.h); the methods that
-// find places produce none. O(m log n + m^2).
+// The given supports that do not fit or are too near to each other (supports.h); other methods
+// produce none. O(m log n + m^2).
 std::vector<Misfit> misfits(const Placement& placement);
 
-// The loads by the models of load_models.h, in the order of the robots, and by how much a
-// disturbance may change them. Nothing if there are no teams, or if the object falls. O(m log m),
-// and O(m^3) up to 64 robots; with a disturbance O(m h), or O(m^2) if heights are off.
+// The loads by the models of load_models.h, in the order of the robots, and how a disturbance may
+// change them. Nothing if there are no teams, or if the object falls. O(m log m), and O(m^3) up to
+// 64 robots; with a disturbance O(m h), or O(m^2) if heights are off.
 struct ModelLoads {
   SpringLoads springs;
   double best = 0;
   std::vector<double> worst;
   Disturbance disturbance = {};
-  LoadChanges changes = {};  // because of the disturbance; empty without a disturbance
+  LoadChanges changes = {};  // empty without a disturbance
 };
 std::optional<ModelLoads> model_loads(const Placement& placement,
                                       const Disturbance& disturbance = {});
 
 // The load of each robot by a model, for display: a range if there is a disturbance and the model
-// has ranges (uncertainty.h), otherwise one value. The model `best` yields only the greatest load,
-// so every robot gets that. Without `models` the loads are as planned. O(m).
+// has ranges (uncertainty.h), otherwise one value. For `best`, every robot gets the greatest load.
+// Without `models` the loads are as planned. O(m).
 std::vector<LoadRange> loads_by(LoadModel model, const Placement& placement,
                                 const std::optional<ModelLoads>& models);
 
-// Whether the set of robots that carry load may change within these ranges (uncertainty.h). O(m).
+// Whether the set of robots that carry load may change (uncertainty.h). O(m).
 bool may_let_go(LoadModel model, const Placement& placement,
                 const std::optional<ModelLoads>& models);
 
-// The planned loads, as ranges if a disturbance is given: those that verdicts, requirements and
-// capacity checks use. O(m), with a disturbance as model_loads().
+// The planned loads, as ranges if a disturbance is given, for verdicts, requirements and
+// capacities. O(m), with a disturbance as model_loads().
 std::vector<LoadRange> loads_when_disturbed(const ShownPlacement& of);
 
-// How many failures and how great an error of C the object survives without tipping. failures.h
-// defines how failures are counted (-1 without robots), and uncertainty.h defines the tipping
-// distance. O(m log m).
+// The failures and the error of C that the object survives without tipping. failures.h defines how
+// failures are counted (-1 without robots), and uncertainty.h the tipping distance. O(m log m).
 struct Robustness {
   int failures_carried = -1, failures_steady = -1;
   double tipping_distance = 0;
-  // The number of robots that may fail while C stays at least `clear` (document.h) inside the
-  // remaining lifting base. At most failures_steady.
+  // The number of failures with C at least `clear` (document.h) inside the remaining lifting base.
+  // At most failures_steady.
   int failures_clear = -1;
 };
 Robustness robustness(const Placement& placement);
 
-// The slopes and accelerations at which the object tips (tilt.h). Nothing without robots, or if the
-// height of C is 0. O(m log m).
+// See tilt.h. Nothing without robots, or if the height of C is 0. O(m log m).
 std::optional<Tilt> tilt_of(const ShownPlacement& of);
 
 // Whether the weight may act outside the lifting base, by more than the tolerance (tau L), under
 // the given conditions. False without robots. O(h).
 bool tips_when_disturbed(const ShownPlacement& of);
 
-// The circles about C that a picture shows, one for each of some slopes. On such a slope the object
-// tips, under the assumptions of tilt.h, if downhill is a direction in which the circle lies
-// outside the lifting base. They are sorted from small to large and, at `scale` pixels to a unit of
-// length, far enough apart to see. A circle whose label would cover C has no label. There are no
-// circles without a height of C, if the lifting base has no area, or if the object falls. O(h).
+// The circles about C that a picture shows, one for each of some slopes. On its slope the object
+// tips, under the assumptions of tilt.h, if the circle lies outside the lifting base in the
+// direction of downhill. They go from small to large and, at `scale` pixels to a unit of length,
+// are far enough apart to see. A circle whose label would cover C has no label. There are none
+// without a height of C, if the lifting base has no area, or if the object falls. O(h).
 struct TiltCircle {
-  double degrees = 0, radius = 0;  // the radius in units of length, with the C uncertainty
+  double degrees = 0, radius = 0;  // in units of length, with the C uncertainty
   bool is_labelled = true;
 };
 std::vector<TiltCircle> tilt_circles(const ShownPlacement& of, double scale);
 
-// The effect of each single failure, in the order of the robots; failures.h states the cost.
+// The effect of each single failure, in the order of the robots, and of one, with the robot's
+// number as for find_robot() (loads.h). failures.h states the cost.
 std::vector<std::optional<RestOfRobots>> single_failures(const Placement& placement,
                                                          const Disturbance& disturbance = {});
 
-// The effect if this robot fails. Its number is as for find_robot() (loads.h).
 std::optional<RestOfRobots> single_failure(const Placement& placement, std::size_t robot,
                                            const Disturbance& disturbance = {});
 
-// The loads by springs if the robot with this number fails, as ranges if there is a disturbance.
-// All robots are listed, the failed one with load 0. Nothing if the others do not carry the object.
-// O(m log m); with a disturbance as model_loads().
+// The loads by springs if this robot fails, as ranges if there is a disturbance, with 0 for the
+// failed robot. Nothing if the others do not carry the object. O(m log m); with a disturbance as
+// model_loads().
 std::optional<std::vector<LoadRange>> ranges_without(const Placement& placement, std::size_t robot,
                                                      const Disturbance& disturbance);
 
 // The ranges in which a team on the edges of this chord can stand, with the edge of r1 as edge a:
-// the range of the two edges, if they have one, or the parts of it that robots with a size can use
+// the range of the two edges, if any, or the parts of it that robots with a size can use
 // (candidates.h). O(1); with a size, O(usable intervals of a times those of b).
 std::vector<PairRange> ranges_of(const Placement& placement, const Chord& chord);
 
-// The placement with its teams on the given candidates, such as the best choice of optimum.h,
-// instead of those that the method chose. O(n log n).
+// The placement with its teams on other candidates, such as the best choice of optimum.h.
+// O(n log n).
 Placement with_choice(Placement placement, std::vector<std::uint32_t> candidates);
 
-// The placement after the robot with this number has failed, for pictures and words. All robots
-// stay in the list. H, coverage, closure and loads are those of the others, which share the weight
-// by springs. If the others do not carry the object, all loads and the coverage are 0, and there is
-// no summary of loads. O(n log n).
+// The placement after this robot has failed, for pictures and words. The robot stays in the list.
+// H, coverage, closure and loads are those of the others, which share the weight by springs. If
+// these do not carry the object, all loads and the coverage are 0, without a summary of loads.
+// O(n log n).
 Placement with_failure(Placement placement, std::size_t robot);
 
 }  // namespace evenlift

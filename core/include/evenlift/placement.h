@@ -1,4 +1,4 @@
-// Computes a placement from a document, in one call.
+// From a document to its placement, in one call.
 #pragma once
 
 #include <cstdint>
@@ -24,96 +24,92 @@ struct Placement {
   double weight() const { return total_weight(settings); }         // which the robots share
 
   PolygonWithHoles object;
-  Vec2 own_centre = Vec2::Zero();        // of the object alone: as given, or the centroid
-  Vec2 centre_of_mass = Vec2::Zero();    // C, of the object with its cargo
+  Vec2 own_centre = Vec2::Zero();        // of the object alone: given, or the centroid
+  Vec2 centre_of_mass = Vec2::Zero();    // C, with the cargo
   Settings settings;                     // as given
-  std::shared_ptr<const Stands> stands;  // null if robots are points that may stand anywhere
-  std::vector<Candidate> candidates;     // in candidate order; found with every method
-  std::uint32_t requested_teams = 0;     // as given; all candidates for "max"; 1 for
-                                         // balanced robots and for supports
+  std::shared_ptr<const Stands> stands;  // null if stands_anywhere()
+  std::vector<Candidate> candidates;     // in candidate order; for every method
+  std::uint32_t requested_teams = 0;     // all candidates for "max"; 1 for balanced robots and
+                                         // supports
   std::vector<Team> teams;               // in the order of choice; perhaps fewer than requested.
                                          // Balanced robots and supports act as one team
-  std::vector<std::uint32_t> team_candidates;  // the index of each team's candidate; empty if the
-                                               // method does not choose among candidates
+  std::vector<std::uint32_t> team_candidates;  // each team's candidate; empty if the method does
+                                               // not choose among candidates
   Points lifting_base;  // corners of H, counter-clockwise; empty without teams
   double coverage = 0;  // see stability.h
   std::optional<LoadSummary>
       loads;  // nothing without teams, or if the object falls (equilibrium.h)
   Closure closure;
   bool goal_reached = false;  // there are robots and, with the goal `hold`, hold_clearly() is true
-  Moved moved = {};           // robots that the user moved from where the method places them
-  // False if a search or swaps may still find better robots, or if a search was cut short
-  // (balanced.h, most_work).
+  Moved moved = {};           // by the user, from where the method places them
+  // False if a search or swaps may still find better robots, or were cut short (balanced.h,
+  // most_work).
   bool search_ended = true;
 };
 
-// Whether the search for balanced robots runs to its end, or only makes its start if that is quick
-// (balanced.h). If the start is not quick, there are no teams, and search_ended is false. Other
-// methods always run to their end.
+// Whether the search for balanced robots runs to its end, or only makes its start (balanced.h). If
+// that is not quick, there are no teams, and search_ended is false. Other methods run to their end.
 enum class Effort : std::uint8_t { whole, start };
 
-// Checks that settings are in their ranges (settings.h) and compatible: the methods `distributed`
-// and `random` do not permit "max" teams, the goal `hold`, a robot's size or no-go edges; failures
-// to survive need enough balanced robots; the method `given` needs supports, and as many capacities
-// as supports if any capacities are given. The error's place names the setting. O(parts of no_go
-// and supports).
+// Checks that settings are in their ranges (settings.h) and compatible. `distributed` and `random`
+// do not permit "max" teams, the goal `hold`, a robot's size or no-go edges; failures to survive
+// need enough balanced robots; `given` needs supports, and as many capacities or none. The error's
+// place names the setting. O(parts of no_go and supports).
 std::optional<InputError> check_settings(const Settings& settings, const Shown& shown = {});
 
-// The boundary points that the robots of all teams touch, in the order of the robots. If robots
-// have hands that reach beneath the object, they lift farther inside; without such hands, the
-// contacts are the lifting points. O(robots).
+// The boundary points that the robots touch, in the order of the robots. They are the lifting
+// points unless robots have hands that reach beneath the object. O(robots).
 std::vector<LiftingPoint> contact_points(const Placement& placement);
 
-// The margin and the clearance that the settings require of a hold (closure.h). O(n).
+// The margin and clearance that the settings require (closure.h). O(n).
 HoldRequirements hold_requirements(const Placement& placement);
 
-// Whether the robots hold the object in form closure without relying on a contact that is nearer to
-// a corner than the setting `clear` (closure.h). O(n).
+// Whether the robots hold the object in form closure without relying on a contact nearer to a
+// corner than the setting `clear` (closure.h). O(n).
 bool hold_clearly(const Placement& placement);
 
 // Checks the document and computes everything that is reported about it. The same document gives
 // the same bits on every platform. The errors are those of check_settings(), Polygon::create(),
 // PolygonWithHoles::create(), centre_of_mass(), make_stands(), place_supports(), find_candidates()
-// and check_swaps(). O(n log n + K log K) for K edge pairs, plus the cost of the stands (stands.h),
-// the selection (selection.h), the swaps (swaps.h) or the search for balanced robots (balanced.h),
-// and O(n h) for the coverage.
+// and check_swaps(). O(n log n + K log K) for K edge pairs and O(n h) for the coverage, plus the
+// cost of the stands (stands.h), the selection (selection.h), the swaps (swaps.h) or the search for
+// balanced robots (balanced.h).
 Result<Placement> place(const Document& document, Effort effort = Effort::whole);
 
-// Places robots around an object that is already checked, for example after C or settings change.
+// For an object that is already checked, for example after C or settings change.
 Result<Placement> place(PolygonWithHoles object, const std::optional<Vec2>& own_centre,
                         const Settings& settings, Effort effort = Effort::whole,
                         const Moved& moved = {});
 
-// The candidates of an object, and the teams that were chosen among them. place() spends most of
-// its time on these.
+// The candidates of an object and the teams among them, which take most of the time of place().
 struct Choice {
   std::vector<Candidate> candidates;
-  std::vector<std::uint32_t> teams;  // indices into the candidates, in the order of choice
+  std::vector<std::uint32_t> teams;  // indices of candidates, in the order of choice
 };
 
-// The placement with a choice that place() made elsewhere for the same object and settings, for
-// example in another thread; it has the same bits. The method must choose among candidates, robots
-// must be points that may stand anywhere, and every index must be one of a candidate. The errors
-// are those of check_settings() and centre_of_mass(). O(n log n), plus O(n h) for the coverage.
+// The placement, with the same bits, from a choice that place() made elsewhere for the same object
+// and settings, for example in another thread. The method must choose among candidates, robots must
+// be points that may stand anywhere, and the indices must be valid. The errors are those of
+// check_settings() and centre_of_mass(). O(n log n), plus O(n h) for the coverage.
 Result<Placement> place_as_chosen(PolygonWithHoles object, const std::optional<Vec2>& own_centre,
                                   const Settings& settings, Choice choice);
 
 // The document with its supports moved to the nearest places with equal loads (even_out() of
-// supports.h). It is an error if there are no such places, if there are more than most_evened
-// supports, if the method is not `given`, or if place() refuses the document.
+// supports.h). It is an error if there are none, if there are more than most_evened supports, if
+// the method is not `given`, or if place() refuses the document.
 Result<Document> with_even_supports(const Document& document);
 
-// Only the candidates among which place() would choose: those for the document's positions, robots
-// and no-go edges, whatever its method. O(n log n + K log K) for K edge pairs.
+// The candidates for the document's positions, robots and no-go edges, whatever its method.
+// O(n log n + K log K) for K edge pairs.
 Result<std::vector<Candidate>> candidates_of(const Document& document);
 
-// The placement with other balanced robots, which a search found or the user placed. Their centroid
-// must be C. O(n log n) for up to most_robots.
+// The placement with other balanced robots, whose centroid must be C, from a search or the user.
+// O(n log n) for up to most_robots.
 Placement with_robots(Placement placement, const std::vector<LiftingPoint>& robots,
                       bool search_ended);
 
 // A placement and how to show it, for functions that write words, pictures or files; without `how`,
-// the defaults. It holds references to both: pass it to functions, do not store it.
+// the defaults. It refers to both: pass it to functions, do not store it.
 struct ShownPlacement {
   ShownPlacement(const Placement& of) : placement(of), shown(usual) {}
   ShownPlacement(const Placement& of, const Shown& how) : placement(of), shown(how) {}

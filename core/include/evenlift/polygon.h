@@ -12,14 +12,14 @@ namespace evenlift {
 
 enum class Turn : std::int8_t { reflex = -1, straight = 0, convex = 1 };
 
-// A simple polygon without holes: n >= 3 distinct vertices in either orientation; straight (180
-// degree) vertices are allowed. Edge i runs from vertex i to vertex i + 1 (cyclic). Immutable.
+// A simple polygon without holes: n >= 3 distinct vertices in either orientation, straight (180
+// degree) ones allowed. Edge i runs from vertex i to vertex i + 1 (cyclic). Immutable.
 class Polygon {
  public:
-  // Creates a polygon, or returns an error in the vertices: their number, the size of their
-  // coordinates, repeated vertices, no area, edges that cross, touch or overlap, or a bounding box
-  // whose diagonal is below min_diagonal. All decisions are exact, up to the rounding of that
-  // diagonal. If one or two vertices or two edges are at fault, the error names them. O(n log n).
+  // An error for vertices that are too few or too many, have bad coordinates, are repeated or span
+  // no area, for edges that cross, touch or overlap, and for a bounding box whose diagonal is below
+  // min_diagonal. All decisions are exact, up to the rounding of that diagonal. The error names the
+  // one or two vertices, or the two edges, at fault if there are such. O(n log n).
   static Result<Polygon> create(Points vertices);
 
   std::size_t size() const { return vertices_.size(); }
@@ -30,28 +30,28 @@ class Polygon {
   const Vec2& edge_start(std::size_t edge) const { return vertices_[edge]; }
   const Vec2& edge_end(std::size_t edge) const { return vertices_[next(edge)]; }
 
-  bool counter_clockwise() const { return counter_clockwise_; }  // orientation as given; exact
-  bool convex() const { return convex_; }  // whether no interior angle exceeds 180 degrees; exact
-  // L, the greatest distance between two points of the polygon, and so between two corners of its
-  // convex hull. Unlike the diagonal of the bounding box, it stays the same when the object turns.
+  bool counter_clockwise() const { return counter_clockwise_; }  // as given; exact
+  bool convex() const { return convex_; }  // no interior angle exceeds 180 degrees; exact
+  // L, the greatest distance between two points of the polygon. Unlike the diagonal of the bounding
+  // box, it does not change when the object turns.
   double diameter() const { return diameter_; }
-  // The diagonal of the bounding box; at least min_diagonal, at most sqrt(2) L.
+  // Of the bounding box; at least min_diagonal, at most sqrt(2) L.
   double diagonal() const { return diagonal_; }
-  // The area, rounded to the nearest double, but above 0 however thin the polygon is.
+  // Rounded to the nearest double, but above 0 however thin the polygon is.
   double area() const { return area_; }
-  // The centroid of the area, rounded to the nearest doubles.
+  // Of the area, rounded to the nearest doubles.
   const Vec2& centroid() const { return centroid_; }
 
-  // Whether the interior angle at vertex i is below, equal to or above 180 degrees. A vertex is
-  // straight if the sine of its turn is at most tau; otherwise the decision is exact. O(1).
+  // Whether the interior angle at vertex i is below, equal to or above 180 degrees: straight if the
+  // sine of the turn is at most tau; otherwise exact. O(1).
   Turn turn(std::size_t i) const;
 
-  // Whether vertex i is a corner: convex, with a turn of more than 15 degrees, within tau. The
-  // vertices of a finely flattened curve are not corners. O(1).
+  // Whether vertex i is convex with a turn of more than 15 degrees, within tau. The vertices of a
+  // finely flattened curve are not corners. O(1).
   bool is_corner(std::size_t i) const;
 
   // The corners of the convex hull, counter-clockwise from the lowest of the leftmost, without
-  // straight vertices. Computed exactly at creation. O(1).
+  // straight vertices. Exact. O(1).
   const Points& hull() const { return hull_; }
 
  private:
@@ -68,13 +68,13 @@ class Polygon {
   bool convex_ = false;
 };
 
-// Whether the vertices of a valid polygon are in counter-clockwise order; exact. O(n).
+// The vertices must be those of a valid polygon; exact. O(n).
 bool is_counter_clockwise(const Points& vertices);
 
-// The centre of mass of a polygon without cargo: the given one, or else the polygon's centroid. It
-// is an error if a coordinate is not finite, if its absolute value exceeds max_coordinate, if that
-// value is below min_coordinate but not 0, or if the point is not strictly inside the polygon's
-// convex hull. The last of these is decided exactly. O(h) for h corners of the hull.
+// The centre of mass of a polygon without cargo: the given one, or else the centroid. It is an
+// error if a coordinate is not finite, if its absolute value exceeds max_coordinate or is below
+// min_coordinate but not 0, or if the point is not strictly inside the polygon's convex hull, which
+// is decided exactly. O(h) for h corners of the hull.
 Result<Vec2> check_centre_of_mass(const Polygon& polygon, const std::optional<Vec2>& given);
 
 // R, the greatest distance of a vertex from C. O(n).

@@ -1,6 +1,6 @@
 // Requests and answers as JSON: one function gives other languages all of evenlift. The C library
-// (c/include/evenlift/evenlift.h), the Python package over it and the npm package are built on it.
-// docs/requests.md is the manual.
+// (c/include/evenlift/evenlift.h), with the Python package over it, and the npm package are built
+// on it. docs/requests.md is the manual.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +14,10 @@ namespace evenlift {
 inline constexpr std::size_t max_request_bytes = max_text_bytes;
 inline constexpr std::size_t max_request_polygons = 10000;  // in an experiment
 
-// The answer to a request: one JSON text that ends in a newline. An invalid request yields
-// {"error": {"code", "message", "place"}}. The same request gives the same bytes on every platform;
-// the answer to `place` is the output of `evenlift place --json`. Requests may be any bytes: more
-// than max_request_bytes, or text that is not JSON, also yield an error. O(bytes), plus the cost of
-// the computation requested.
+// The answer: one JSON text that ends in a newline. An invalid request, such as bytes that are not
+// JSON or more than max_request_bytes, yields {"error": {"code", "message", "place"}}. The same
+// request gives the same bytes on every platform; the answer to `place` is the output of `evenlift
+// place --json`. O(bytes), plus the cost of the computation requested.
 std::string answer(std::string_view request);
 
 }  // namespace evenlift

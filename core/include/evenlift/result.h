@@ -1,5 +1,4 @@
-// Errors are values that state what is wrong and where. No function of the core throws on bad
-// input.
+// Errors are values that state what is wrong and where. The core never throws on bad input.
 #pragma once
 
 #include <cassert>
@@ -11,53 +10,51 @@
 namespace evenlift {
 
 enum class ErrorCode {
-  too_few_vertices,     // fewer than 3
-  too_many_vertices,    // more than max_vertices
-  bad_coordinate,       // not finite, beyond max_coordinate, or below min_coordinate and not 0
-  repeated_vertex,      // two vertices at the same place
+  too_few_vertices,   // fewer than 3
+  too_many_vertices,  // more than max_vertices
+  bad_coordinate,     // not finite, beyond max_coordinate, or below min_coordinate and not 0
+  repeated_vertex,
   no_area,              // all vertices on one line
-  edges_cross,          // edges cross, touch or overlap, also those of two rings
-  hole_outside,         // a hole outside the polygon, or in another hole
-  object_too_small,     // the diagonal of the bounding box is below min_diagonal
-  centre_outside_hull,  // C not strictly inside the convex hull of P
-  bad_setting,          // a setting outside its range
+  edges_cross,          // cross, touch or overlap, also those of two rings
+  hole_outside,         // outside the polygon, or in another hole
+  object_too_small,     // diagonal of the bounding box below min_diagonal
+  centre_outside_hull,  // not strictly inside the convex hull of P
+  bad_setting,          // outside its range
   too_many_edge_pairs,  // more than max_edge_pairs
   bad_syntax,           // a text in none of the formats, or one that breaks off
-  unsupported,          // a valid text of a kind that is not supported (holes, other geometries)
-  text_too_long,        // more than max_text_bytes, or for a link more than max_link_bytes
-  bad_link,             // a link with a character, length or value that no writer produces
-  bad_checksum,         // a link that is cut off or altered
-  unknown_version,      // a link of a newer version
+  unsupported,          // valid, but of a kind that is not supported (holes, other geometries)
+  text_too_long,        // more than max_text_bytes, or max_link_bytes for a link
+  bad_link,             // a character, length or value that no writer produces
+  bad_checksum,         // cut off or altered
+  unknown_version,      // of a newer version
 };
 
 // A place in the input. `index` counts vertices and edges from 0 (edge i runs from vertex i to
-// vertex i + 1), and lines, columns and the characters of a link from 1; 0 means the link as a
-// whole. `other` is the second vertex or edge of a pair, with index < other, or the column in a
-// line, in characters. Otherwise it equals `index` or 0. `ring` and `other_ring` are the rings of
-// the two: 0 is the outline, and k the hole with the number k, counted from 1. Of two rings the
-// later comes first, whatever the indices.
+// vertex i + 1), and lines, columns and the characters of a link from 1; 0 means the whole link.
+// `other` is the second vertex or edge of a pair, with index < other, or the column in a line, in
+// characters; otherwise `index` or 0. `ring` and `other_ring` are the rings of the two: 0 is the
+// outline, and k hole k, counted from 1. Of two rings the later comes first, whatever the indices.
 struct Place {
   enum class Kind { nowhere, line, vertex, edge, hole, centre_of_mass, option, link };
   Kind kind = Kind::nowhere;
   std::size_t index = 0;
   std::size_t other = 0;
-  std::string option;  // for Kind::option: the setting's name as in JSON ("min_ratio")
+  std::string option;  // for Kind::option: its name in JSON ("min_ratio")
   std::size_t ring = 0, other_ring = 0;
 };
 
 struct InputError {
   ErrorCode code;
-  std::string message;  // one sentence, without the place and without a full stop
+  std::string message;  // one sentence, without place and full stop
   Place place;
 };
 
-// The error for a setting or option with an invalid value: its name as in JSON, and the message.
+// The error for an invalid setting or option, with its name in JSON and the message.
 InputError bad_setting(std::string name, std::string why);
 
 // The place in words: "vertex 3", "edges 2 and 7", "line 4, column 2", "centre of mass", "link,
 // character 5", "hole 2, edge 3 and the outline's edge 5", or the name of an option; empty for
-// `nowhere`. Here vertices and edges count from
-// 1. O(1).
+// `nowhere`. Here vertices and edges count from 1. O(1).
 std::string describe(const Place& place);
 
 // A value, or the error that prevented it.
@@ -78,7 +75,7 @@ class Result {
     assert(ok());
     return *std::get_if<T>(&held_);
   }
-  // Returns a copy, so that a reference to the result of a temporary does not dangle.
+  // A copy, so that a reference to the result of a temporary does not dangle.
   T value() && {
     assert(ok());
     return std::move(*std::get_if<T>(&held_));

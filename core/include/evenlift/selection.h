@@ -12,11 +12,11 @@
 
 namespace evenlift {
 
-// Which candidate the first team takes: the longest even one, or the longest of all if candidates
-// need only meet the minimum ratio.
+// The first team takes the longest even candidate, or the longest of all if candidates need only
+// meet the minimum ratio.
 enum class FirstTeam : std::uint8_t { even, longest };
 
-// The rule for the first team with these positions. O(1).
+// O(1).
 constexpr FirstTeam first_team(Positions positions) {
   return positions == Positions::range ? FirstTeam::longest : FirstTeam::even;
 }
@@ -31,34 +31,32 @@ enum class Rule : std::uint8_t {
 
 // Chooses teams greedily. Returns indices into `candidates` in the order of choice: `teams` of
 // them, or all if there are fewer. Geometry decides every tie, so the same shape gets the same
-// teams. The evaluation is lazy (M. Minoux, Accelerated greedy algorithms for maximizing submodular
-// set functions, 1978): O(K) for each team that widens H, and O(n) for each end that is evaluated.
-// An end is evaluated only if its edge of H has changed and its upper bound could still win. Once
-// no candidate widens H, all further teams together cost O(K log K). With `stands`, candidates that
-// collide with an earlier team are skipped.
+// teams. With `stands`, candidates that collide with an earlier team are skipped. The evaluation is
+// lazy (M. Minoux, Accelerated greedy algorithms for maximizing submodular set functions, 1978):
+// O(K) for each team that widens H, and O(n) for each end whose upper bound could win. Once no
+// candidate widens H, all further teams cost O(K log K).
 std::vector<std::uint32_t> select_teams(const PolygonWithHoles& object, const Vec2& centre,
                                         const std::vector<Candidate>& candidates, Metric metric,
                                         std::size_t teams, FirstTeam first = FirstTeam::even,
                                         const Stands* stands = nullptr);
 
-// The score of every candidate against the lifting base of the teams selected so far (at least
-// one): the value that select_teams() maximizes. Scores by area and circle are in squared units of
-// length, scores by distance in units of length. Too slow for anything but explanations: O(K n).
+// The value that select_teams() maximizes, for every candidate after the teams selected so far (at
+// least one). By area and circle it is in squared units of length, by distance in units of length.
+// For explanations only: O(K n).
 std::vector<double> scores(const PolygonWithHoles& object, const Vec2& centre,
                            const std::vector<Candidate>& candidates,
                            const std::vector<std::uint32_t>& selected, Metric metric);
 
 // The total angle, in radians, of the directions in [0, pi) whose line through C meets the boundary
-// on both sides of C. Directions along radial edges are excluded. O(n log n).
+// on both sides of C, without those along radial edges. O(n log n).
 double open_directions_rad(const Polygon& polygon, const Vec2& centre);
 
 // Teams at equal angles (thesis 5.2): `teams` chords, or none if open_directions_rad() is 0 within
-// tolerance, for example if C is within tolerance of an edge of a convex polygon.
-// O(n log n + teams n).
+// tolerance, as when C is within tolerance of an edge of a convex polygon. O(n log n + teams n).
 std::vector<Chord> distributed_teams(const Polygon& polygon, const Vec2& centre, std::size_t teams);
 
-// Teams at random (thesis 5.2). The same seed gives the same teams on every platform. Expected O(n)
-// for each draw. Returns fewer teams if 100,000 draws in a row find no point across C.
+// Teams at random (thesis 5.2), the same for one seed on every platform. Expected O(n) for each
+// draw. Fewer teams if 100,000 draws in a row find no point across C.
 std::vector<Chord> random_teams(const Polygon& polygon, const Vec2& centre, std::size_t teams,
                                 std::uint64_t seed);
 

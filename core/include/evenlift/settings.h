@@ -1,7 +1,6 @@
 // The table of settings: their names, allowed values and meanings, and where they can be given. The
-// program's options, the reading and writing of JSON, share links, lessons, scripts, undo and the
-// page's panels are made from its rows. So a new setting needs a member (document.h), a row
-// (core/src/document/settings.cpp) and, if users type it in the page, a row of a panel.
+// program's options, JSON, share links, lessons, scripts, undo and the page's panels are made from
+// its rows. CONTRIBUTING.md describes how to add one.
 #pragma once
 
 #include <cstdint>
@@ -61,10 +60,10 @@ enum class Setting : std::uint8_t {
 
 // The effect of changing a setting.
 enum class Changes : std::uint8_t {
-  stands,  // where robots stand; moves by hand are discarded
+  stands,  // where robots stand; discards moves by hand
   loads,   // the results of a placement, but not where robots stand
-  shown,   // how a placement is shown or examined (Shown), not the placement itself
-  view     // the state of the page or program outside a document; read_setting() refuses it
+  shown,   // how a placement is shown or examined (Shown)
+  view     // the page or program, not a document; read_setting() refuses it
 };
 
 // The placements that a setting affects.
@@ -78,18 +77,18 @@ enum class CountsFor : std::uint8_t {
 };
 bool counts(CountsFor placements, const Settings& settings);  // O(1)
 
-// The program's options, grouped by the commands that accept them. `place`, `trace`, `optimum` and
-// `link encode` accept those of a placement; `place` and `link encode` accept all.
+// The program's options, by the commands that accept them: those of a placement by `place`,
+// `trace`, `optimum` and `link encode`, and all by `place` and `link encode`.
 enum class OptionGroup : std::uint8_t { none, placement, uncertainty, units };
 
-// How JSON lists a setting in a document and in a result.
+// How JSON lists a setting in a document or a result.
 enum class Listed : std::uint8_t {
-  never,       // not here, though perhaps within a result that depends on it
-  if_changed,  // if it is not the default
+  never,       // though perhaps within a result that depends on it
+  if_changed,  // not the default
   always
 };
 
-// The allowed numbers of a setting, and the word that unsets it, if there is one.
+// The allowed numbers, and the word that unsets the setting, if any.
 struct SettingRange {
   double least = 0, most = 0;
   std::string_view unset = {};
@@ -98,9 +97,9 @@ struct SettingRange {
 struct SettingRow {
   Setting setting;
   std::string_view name;        // in JSON, scripts and requests, such as "min_ratio"
-  std::string_view alias = {};  // a second name that is also read, if there is one
+  std::string_view alias = {};  // a second name that is also read, if any
   std::string_view subject;     // "the minimum load ratio"
-  std::string_view edit = {};   // the name of this change in undo; empty if it has none
+  std::string_view edit = {};   // the name of this change in undo, or empty
   Changes changes = Changes::stands;
   CountsFor counts_for = CountsFor::all;
   SettingRange range = {};
@@ -111,70 +110,67 @@ struct SettingRow {
   };
   Option option = {};          // of the program; also a key of lessons, with the same name
   std::uint8_t record = 0;     // the number of its record in share links; 0 without one
-  std::string_view json = {};  // the name of its JSON member, if it is different
+  std::string_view json = {};  // the JSON member, if named differently
   Listed in_document = Listed::never, in_result = Listed::never;
   bool is_length = false;  // in the document's unit of length
 
-  // Functions for its member of a Document. `read` returns whether the text is valid, and changes
-  // the document only then; `text` returns text that `read` accepts.
+  // For its member of a Document. `read` returns whether the text is valid, and only then changes
+  // the document; `text` returns text that `read` accepts.
   struct Access {
     bool (*read)(std::string_view text, const SettingRange& range, Document& document);
     std::string (*text)(const Document& document, const SettingRange& range);
     bool (*allowed)(const Document& document, const SettingRange& range);
     std::string (*kind)(const SettingRange& range);
-    bool is_number = false;  // the value is a number or nothing; otherwise a word
-    // For a list: its first wrong part, if that is short enough to quote.
+    bool is_number = false;  // a number or nothing; otherwise a word
+    // The first wrong part of a list, if short enough to quote.
     std::string_view (*refused)(std::string_view text) = nullptr;
   };
   Access access = {};
 };
 
-// All settings in the order of Setting, and the row of one setting. O(1).
+// In the order of Setting. O(1).
 std::span<const SettingRow> all_settings();
 const SettingRow& row_of(Setting setting);
 
-// Whether JSON and links include the setting, given the other settings. Settings that affect only
-// balanced robots, the goal `hold` or supports are omitted where they have no effect. O(1).
+// Whether JSON and links include the setting, given the others. They omit settings of balanced
+// robots, the goal `hold` or supports that have no effect. O(1).
 bool is_kept(const SettingRow& row, const Settings& settings);
 
-// The setting's name; and the setting with the given name or alias, or nothing if it is unknown.
-// O(1).
+// The setting's name; and the setting with a name or alias, or nothing if it is unknown. O(1).
 std::string_view name(Setting setting);
 std::optional<Setting> setting_from_name(std::string_view text);
 
 // The name in options and lessons, such as "min-ratio". O(1).
 std::string hyphened(std::string_view name);
 
-// The requirement on the setting's value, as a sentence without a full stop, such as "the minimum
-// load ratio must be a number from 0 to 1". O(1).
+// The requirement on the value, as a sentence without a full stop: "the minimum load ratio must be
+// a number from 0 to 1". O(1).
 std::string requirement(Setting setting);
 
-// The error for an invalid value: code bad_setting, the requirement or another reason, and a place
-// that names the setting.
+// The error for an invalid value: code bad_setting, the requirement or another reason, and the
+// setting as the place.
 InputError setting_error(Setting setting);
 InputError setting_error(Setting setting, std::string why);
 
-// Sets a setting of the document from text, such as "0.8", "max" or "3,5:0.25-0.75"; requirement()
-// returns the allowed values. Numbers have the syntax of read_number(), whole numbers that of
-// read_whole(): no spaces and no hexadecimal. Only the comma of `com` may have spaces and tabs
-// around it. Any other text, and any value out of range, is an error and changes nothing. The error
-// for `no_go`, `supports` or `cargo` quotes the first wrong part if it is short. Any setting that
-// changes where robots stand also discards moves by hand. Supports also set the method `given`, and
+// Sets a setting from text, such as "0.8", "max" or "3,5:0.25-0.75". Numbers have the syntax of
+// read_number(), whole numbers that of read_whole(). Only the comma of `com` may have spaces and
+// tabs around it. Any other text or value (see requirement()) is an error and changes nothing. The
+// error for `no_go`, `supports` or `cargo` quotes the first wrong part if it is short. A setting
+// that changes where robots stand discards moves by hand. Supports also set the method `given`, and
 // the capacities that follow an @, such as "0,0@30 160,0". O(bytes).
 std::optional<InputError> read_setting(Setting setting, std::string_view text, Document& document);
 
-// The setting's value as text that read_setting() accepts; empty if the setting is not set and,
-// like `apart`, has no word for that. O(bytes).
+// Text that read_setting() accepts; empty if the setting is not set and, like `apart`, has no word
+// for that. O(bytes).
 std::string text_of(Setting setting, const Document& document);
 
-// A robot's size, no-go parts, supports ("0,0 160,0 80,90") and cargo ("8,8:24 2,3:1.5:motor") as
-// text. O(bytes).
+// As text; supports are "0,0 160,0 80,90" and cargo "8,8:24 2,3:1.5:motor". O(bytes).
 std::string robot_text(const RobotSize& robot);
 std::string no_go_text(const std::vector<EdgePart>& no_go);
 std::string supports_text(const Points& supports);
 std::string cargo_text(const std::vector<Cargo>& cargo);
 
-// The overlays with their names in JSON and texts.
+// With their names in JSON and texts.
 struct NamedOverlay {
   std::string_view name;
   bool Overlays::*shown;
@@ -183,24 +179,23 @@ std::span<const NamedOverlay> all_overlays();
 
 // Robots moved by hand, as text: each balanced robot as EDGE:PART, each team as
 // TEAM@EDGE:PART/EDGE, with numbers from 1, parts from 0 to 1, and commas between them, such as
-// "3:0.25,5:0.5,9:1" or "2@3:0.25/9"; empty if no robot was moved. read_moved() returns nothing for
-// any other text. O(bytes).
+// "3:0.25,5:0.5,9:1" or "2@3:0.25/9"; empty for none. read_moved() returns nothing for any other
+// text. O(bytes).
 std::string moved_text(const Moved& moved);
 std::optional<Moved> read_moved(std::string_view text);
 
-// Whether the numbers of moved robots are within their bounds and the teams in ascending order.
-// O(robots).
+// Whether numbers are within their bounds and the teams in ascending order. O(robots).
 bool is_moved(const Moved& moved);
 
-// The number of the failed robot from text: a whole number from 1, or 0 for "none". Nothing for any
-// other text. O(bytes).
+// The number of the failed robot: a whole number from 1, or 0 for "none". Nothing for any other
+// text. O(bytes).
 std::optional<std::uint64_t> read_failed(std::string_view text);
 
 // Checks that each setting is in its range. The error's place names the setting. check_settings()
-// (placement.h) also checks that settings are compatible. O(parts of no_go).
+// (placement.h) also checks that they are compatible. O(parts of no_go).
 std::optional<InputError> check_ranges(const Settings& settings, const Shown& shown = {});
 
-// Whether a value is in the range of a setting that is a single number. O(1).
+// For a setting that is a single number. O(1).
 bool is_in_range(Setting setting, double value);
 
 }  // namespace evenlift

@@ -1,8 +1,7 @@
 // Where robots with a size can stand (docs/stands.md). A robot has a round body of radius r outside
-// the object, an arm that reaches to the contact c on an edge, and a hand that reaches beneath the
-// object by its depth d. With n the outward normal of the edge, the centre of the body is s = c +
-// (r + reach) n, the lifting point is p = c - d n, and the hand is a rectangle of width w from c to
-// p.
+// the object, an arm that reaches to the contact c on an edge, and a hand of depth d beneath the
+// object. With n the outward normal of the edge, the body's centre is s = c + (r + reach) n, the
+// lifting point is p = c - d n, and the hand is a rectangle of width w from c to p.
 #pragma once
 
 #include <cstddef>
@@ -22,21 +21,21 @@ namespace evenlift {
 // Why a part of an edge is unusable.
 enum class WhyUnusable : std::uint8_t {
   no_go,       // the user forbids it
-  body,        // the body would meet another part of the boundary
-  arm,         // the arm would cross the object
-  corner,      // the hand would stick out beyond a corner (Polygon::is_corner)
-  hand,        // the object is not deep or wide enough for the hand
-  hole,        // the hand would reach into a hole
+  body,        // it would meet another part of the boundary
+  arm,         // it would cross the object
+  corner,      // the hand would stick out beyond it (Polygon::is_corner)
+  hand,        // the object is too shallow or narrow for it
+  hole,        // the hand would reach into it
   near_no_go,  // the hand would reach sideways onto a no-go part
-  narrow,      // what remains between two other parts is shorter than the tolerance; keep this last
+  narrow,      // the rest between two other parts is below the tolerance; keep this last
 };
 
 inline constexpr std::size_t why_unusable_count = static_cast<std::size_t>(WhyUnusable::narrow) + 1;
 
-// The name in JSON: "no_go", "body" and so on. O(1).
+// In JSON: "no_go", "body" and so on. O(1).
 std::string_view name(WhyUnusable why);
 
-// A part of an edge, measured from its first vertex, in units of length.
+// A part of an edge, in units of length from its first vertex.
 struct Stretch {
   double from = 0, to = 0;
 };
@@ -49,24 +48,15 @@ struct UnusablePart {
 
 // The local frame of an edge.
 struct EdgeFrame {
-  Vec2 start, along, outward;  // its first vertex, and two unit vectors
+  Vec2 start, along, outward;  // the first vertex, and two unit vectors
   double length;
 };
 
-// The boundary that robots of one size can use. A robot can stand at t along an edge if
-//   1. every other edge is at least r - tau L away from the centre of its body,
-//   2. the segment from the body's centre to the contact meets the object only at the contact (if
-//      the reach is above 0),
-//   3. [t - w / 2, t + w / 2] x [w / 10, d], the hand's rectangle without a strip of depth w / 10
-//      next to the edge, lies within the object, up to tau L; and the corners (Polygon::is_corner)
-//      at which the edge ends are at least w / 2 away, where edges joined by straight vertices
-//      count as one,
-//   4. no part of the hand's width, from t - w / 2 to t + w / 2, is in a no-go part of the edge, or
-//      in a no-go part of another edge where that edge is at most w / 10 beneath the line of the
-//      first, as on a curve.
-// A robot without a body (has_body()) may stand at a vertex, unless a no-go part includes the
-// vertex. A robot with a body cannot: the usable intervals end 2 tau L before it, so that a
-// contact counts as inside the edge.
+// The boundary that robots of one size can use: where the body, the arm and the hand have room, and
+// the hand's width touches no no-go part. docs/stands.md (Where an edge can be used) states the
+// conditions. A robot without a body (has_body()) may stand at a vertex outside no-go parts. For
+// one with a body, the usable intervals end 2 tau L before it, so that a contact counts as inside
+// the edge.
 class Stands {
  public:
   // The size and the parts must be in their ranges, and the edges must exist. A tree of boxes finds
@@ -76,13 +66,12 @@ class Stands {
          const std::vector<EdgePart>& no_go);
 
   const RobotSize& robot() const { return robot_; }
-  // Whether a robot is more than a point.
+  // More than a point.
   bool has_body() const { return robot_.has_body(); }
-  // Whether there is any place where a robot can stand.
+  // Whether a robot can stand anywhere at all.
   bool any() const { return !usable_.empty(); }
 
-  // The usable parts of an edge: disjoint closed intervals in ascending order, none shorter than
-  // tau L.
+  // Disjoint closed intervals in ascending order, none shorter than tau L.
   struct Stretches {
     const Stretch* first;
     const Stretch* last;
@@ -93,31 +82,28 @@ class Stands {
   Stretches usable(std::uint32_t edge) const {
     return {usable_.data() + begins_[edge], usable_.data() + begins_[edge + std::size_t{1}]};
   }
-  // The unusable parts, edge after edge, in ascending order. Of several reasons, the first in the
-  // order of WhyUnusable is given. The pieces of 2 tau L at vertices are not listed.
+  // Edge after edge, in ascending order, with the first reason in the order of WhyUnusable. The
+  // pieces of 2 tau L at vertices are not listed.
   const std::vector<UnusablePart>& unusable() const { return unusable_; }
   // Why a robot cannot stand at t along an edge; nothing if it can, up to tau L. O(log n) plus the
-  // number of usable intervals of the edge.
+  // edge's number of usable intervals.
   std::optional<WhyUnusable> why_not(std::uint32_t edge, double t) const;
 
   // The contact of the robot with this lifting point, and the centre of its body. At a vertex,
-  // where only points can stand, and beneath the object, both are the lifting point itself. O(1).
+  // where only points can stand, and beneath the object, both are the lifting point. O(1).
   Vec2 contact(const LiftingPoint& point) const;
   Vec2 stand(const LiftingPoint& point) const;
-  // The lifting point of a contact on an edge, or of a robot beneath the object. O(1).
+  // Of a contact on an edge, or of a robot beneath the object. O(1).
   LiftingPoint lifting_point(const LiftingPoint& contact) const;
-  // The distance along its edge from the first vertex to a lifting point or contact. O(1).
+  // The distance of a lifting point or contact from the first vertex of its edge. O(1).
   double along(const LiftingPoint& point) const;
-  // Whether a robot can lift there, within tau L along the edge. Costs as much as why_not().
+  // Within tau L along the edge. Costs as much as why_not().
   bool can_lift(const LiftingPoint& point) const;
 
-  // Whether two robots collide. The centres of their bodies must be at least 2 r + gap apart, and
-  // the centre lines of their hands at least the hand's width. With a reach, the arm of each (from
-  // its contact to the centre of its body) must be at least r + gap from the centre of the other's
-  // body, and the arms must not cross. A robot beneath the object has neither arm nor hand. All
-  // distances are compared up to tau L. O(1).
+  // Whether bodies, arms or hands of two robots collide (docs/stands.md), up to tau L. A robot
+  // beneath the object has neither arm nor hand. O(1).
   bool collide(const LiftingPoint& a, const LiftingPoint& b) const;
-  // Whether any two of these robots collide. O(m^2).
+  // O(m^2).
   bool any_collide(const std::vector<LiftingPoint>& points) const;
 
  private:
@@ -127,37 +113,36 @@ class Stands {
 
   RobotSize robot_;
   double near_ = 0;
-  std::vector<EdgeFrame> frames_;  // of the edges
+  std::vector<EdgeFrame> frames_;
   std::vector<Stretch> usable_;
   std::vector<std::uint32_t> begins_;  // by edge, into usable_; one more entry than edges
   std::vector<UnusablePart> unusable_;
 };
 
-// The contacts of the lifting points; without `stands`, the points themselves. O(points).
+// Without `stands`, the points themselves. O(points).
 std::vector<LiftingPoint> contact_points(const Stands* stands, std::vector<LiftingPoint> points);
 
 // Whether robots are points that may stand anywhere; then Stands is not needed. O(1).
 bool stands_anywhere(const Settings& settings);
 
-// The stands for these settings; null if robots are points that may stand anywhere. An error if an
-// edge of no_go does not exist, or if the method must find places and no robot can stand anywhere.
-// Costs as much as Stands.
+// Null if stands_anywhere(). An error if an edge of no_go does not exist, or if the method must
+// find places and there is none. Costs as much as Stands.
 Result<std::shared_ptr<const Stands>> make_stands(const PolygonWithHoles& object,
                                                   const Settings& settings);
 
-// These functions update the no-go parts when the user marks or edits the outline by hand. Results
-// are in order and do not overlap; `at` is a place on an edge as a fraction of its length. O(parts
-// log parts).
+// These functions update the no-go parts when the user marks or edits the outline. Results are in
+// order and do not overlap; `at` is a place on an edge as a fraction of its length.
+// O(parts log parts).
 
-// The no-go parts with one part added, and with everything inside a part removed.
+// With one part added, and with everything inside a part removed.
 std::vector<EdgePart> with_part(std::vector<EdgePart> no_go, const EdgePart& part);
 std::vector<EdgePart> without_part(std::vector<EdgePart> no_go, const EdgePart& part);
 
 // Whether a place is in a no-go part. O(parts).
 bool is_marked(const std::vector<EdgePart>& no_go, std::uint32_t edge, double at);
 
-// The no-go parts after a vertex was added on an edge; and after one of n > 3 vertices was removed,
-// so that its two edges become one edge with the no-go parts of both.
+// After a vertex was added on an edge; and after one of n > 3 vertices was removed, so that its two
+// edges become one with the no-go parts of both.
 std::vector<EdgePart> after_split(const std::vector<EdgePart>& no_go, std::uint32_t edge,
                                   double at);
 std::vector<EdgePart> after_removal(const std::vector<EdgePart>& no_go, const Points& vertices,

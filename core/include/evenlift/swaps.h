@@ -3,23 +3,19 @@
 //
 // A local search begins with the teams that a metric selects. The better of two choices of the same
 // number of teams is ahead in the first key in which they differ:
-// 1. `level`, the number of thresholds reached by the margin of the contacts that are at least
-//    `clear` from every corner (the thresholds are 0.001, 0.4 mu and mu, where mu is the minimum
-//    margin);
+// 1. `level`, the number of thresholds (0.001, 0.4 mu and mu, the minimum margin) reached by the
+//    margin of the contacts at least `clear` from every corner;
 // 2. the coverage, larger by more than 1e-9;
 // 3. the sum of the load ratios, larger by more than tau.
 //
-// A swap moves a team to a candidate that no team has. Each round makes the best of the swaps that
-// make the choice better. If swaps tie in all keys, the one to the first candidate in candidate
-// order wins, then the one of the first team. Two teams among at most most_candidates_for_pairs
-// candidates begin by moving to the best of all pairs of candidates, if that is better. The search
-// ends after a round without a swap, after 4 t rounds for t teams, or when more than most_swaps
-// choices have been compared.
+// Each round makes the best of the swaps that make the choice better: it moves a team to a
+// candidate that no team has. Two teams among at most most_candidates_for_pairs candidates begin by
+// moving to the best pair, if that is better. The search ends after a round without a swap, after 4
+// t rounds for t teams, or when more than most_swaps choices have been compared.
 //
-// If the level is then below 3, the search also runs for t - 1 teams. Their result with the best
-// further candidate replaces the t teams if it is better, and swaps continue within the same 4 t
-// rounds. So one more team never lowers the level, though the teams may differ. This need not hold
-// for robots with a size, since there may be no room for one more team.
+// If the level is then below 3, the result for t - 1 teams, with the best further candidate,
+// replaces the t teams if it is better, and swaps continue within the same 4 t rounds. So one more
+// team never lowers the level, unless robots with a size find no room for it.
 #pragma once
 
 #include <cstddef>
@@ -41,7 +37,7 @@ inline constexpr std::uint32_t most_swapped_teams = 32;
 inline constexpr std::uint64_t most_swaps = std::uint64_t{1} << 22;
 inline constexpr std::size_t most_candidates_for_pairs = 100;
 
-// The keys of a choice of teams.
+// Of a choice of teams.
 struct HoldKeys {
   std::uint32_t level = 0;  // 0 .. 3
   double coverage = 0;
@@ -53,63 +49,60 @@ enum class HoldKey : std::uint8_t { level, coverage, ratios };
 // is not better. O(1).
 std::optional<HoldKey> better_by(const HoldKeys& a, const HoldKeys& b);
 
-// The keys of the teams on the candidates `taken`, at most most_swapped_teams. With `stands` the
-// robots have a size, and hold the object where they touch it. O(n log n + K log n), and O(n) for
-// each corner of H at worst.
+// For the teams on the candidates `taken`, at most most_swapped_teams. With `stands` the robots
+// have a size, and hold the object where they touch it. O(n log n + K log n), and O(n) for each
+// corner of H at worst.
 HoldKeys hold_keys(const PolygonWithHoles& object, const Vec2& centre,
                    const std::vector<Candidate>& candidates,
                    const std::vector<std::uint32_t>& taken, const HoldRequirements& firm,
                    const Stands* stands = nullptr);
 
-// The swapped teams: one; both of two at once; or all, replaced by the result for t - 1 teams and
-// one more team.
+// The swapped teams: one; two at once; or all, replaced by the result for t - 1 teams and one more.
 enum class SwapKind : std::uint8_t { single, pair, one_more };
 
 struct Swap {
   SwapKind kind = SwapKind::single;
-  std::vector<std::uint32_t> teams;  // the numbers of the teams that moved, increasing
-  std::vector<std::uint32_t> taken;  // the candidates of all teams after the swap
-  HoldKeys keys;                     // after the swap
+  std::vector<std::uint32_t> teams;  // the teams that moved, increasing
+  std::vector<std::uint32_t> taken;  // the candidates of all teams afterwards
+  HoldKeys keys;                     // afterwards
   HoldKey decided_by = HoldKey::level;
 };
 
 struct SwapHistory {
   std::vector<std::uint32_t> start;  // the candidates of the teams
   HoldKeys keys;                     // at the start
-  std::vector<Swap> swaps;           // in order
-  bool settled = false;              // the last round found nothing better
-  std::uint64_t tried = 0;           // the number of choices compared
+  std::vector<Swap> swaps;
+  bool settled = false;     // the last round found nothing better
+  std::uint64_t tried = 0;  // choices compared
 
   const std::vector<std::uint32_t>& taken() const {
     return swaps.empty() ? start : swaps.back().taken;
   }
 };
 
-// The error if these numbers do not permit swaps: more than most_swapped_teams teams, or more than
-// most_swaps swaps in a round. No error if all candidates are taken, since there is nothing to
-// swap; but with `stands`, some teams may find no room, so the limits always apply. O(1).
+// An error for more than most_swapped_teams teams, or more than most_swaps swaps in a round. No
+// error if all candidates are taken, since there is nothing to swap; but with `stands`, some teams
+// may find no room, so the limits always apply. O(1).
 std::optional<InputError> check_swaps(std::size_t candidates, std::size_t teams,
                                       const Stands* stands = nullptr);
 
-// Swaps the teams. The result is never worse than its start. With `stands`, only choices whose
-// robots do not collide are tried. For t teams among K candidates at most 4 t rounds of O(t K)
-// swaps, most of which a bound alone rules out; and where the level stays below 3, the same again
-// for t - 1 teams, and so on, so that there are O(t^2) rounds at worst. check_swaps() must allow
-// them.
+// The result is never worse than its start. With `stands`, only choices whose robots do not collide
+// are tried. check_swaps() must allow the swaps. For t teams among K candidates at most 4 t rounds
+// of O(t K) swaps, most of which a bound alone rules out; and where the level stays below 3, the
+// same again for t - 1 teams, and so on: O(t^2) rounds at worst.
 SwapHistory swap_teams(const PolygonWithHoles& object, const Vec2& centre,
                        const std::vector<Candidate>& candidates, std::vector<std::uint32_t> start,
                        const HoldRequirements& firm, const Stands* stands = nullptr);
 
-// The best swap of one given team; nothing if none makes the choice better. Like one round of
-// swap_teams(), but for one team.
+// One round of swap_teams() for one team; nothing if no swap makes the choice better.
 std::optional<Swap> best_swap_of(const PolygonWithHoles& object, const Vec2& centre,
                                  const std::vector<Candidate>& candidates,
                                  const std::vector<std::uint32_t>& taken, std::uint32_t team,
                                  const HoldRequirements& firm, const Stands* stands = nullptr);
 
-// The teams for these settings, whose method must choose among candidates. They are selected
-// (selection.h) and, if the goal is to hold, swapped; in that case check_swaps() must allow the
-// swaps. Returns indices into `candidates`.
+// The teams for these settings, whose method must choose among candidates, as indices into
+// `candidates`. They are selected (selection.h) and, if the goal is to hold, swapped; then
+// check_swaps() must allow the swaps.
 std::vector<std::uint32_t> choose_candidates(const PolygonWithHoles& object, const Vec2& centre,
                                              const std::vector<Candidate>& candidates,
                                              const Settings& settings, std::size_t teams,

@@ -8,33 +8,32 @@ namespace evenlift {
 
 inline constexpr double tau = 1e-9;
 
-// The greatest distance that counts as "within tau L", for a polygon of diameter L.
+// What "within tau L" means, for a polygon of diameter L.
 inline double near_distance(double diameter) { return tau * diameter; }
 
 // Whether two ratios or shares differ by at most tau.
 bool ratios_tie(double a, double b);
 
-// Whether two lengths, each at least 0, differ by at most tau times the larger.
+// The same for lengths >= 0, relative to the larger.
 bool lengths_tie(double a, double b);
 
 // The greatest deficit at which a score ties with the best: tau times the best, but at least
 // `floor`, since differences of sums cancel. The floor is score_floor times L^2. For the metric
-// distance it is score_floor times L; if the shortest edge of H is shorter than short_edge times L,
-// the floor grows by the factor by which it is shorter.
+// distance it is score_floor times L, multiplied by short_edge L / e if the shortest edge e of H is
+// below short_edge L.
 double score_slack(double best, double floor);
 inline constexpr double score_floor = 1e-12;
 inline constexpr double short_edge = 1e-3;
 
-// When sets of robots are compared, coverages tie if they differ by at most coverage_tie, and sums
-// of squared distances from C tie if they differ by at most spread_tie times the larger sum.
+// Between sets of robots, coverages tie within coverage_tie, and sums of squared distances from C
+// within spread_tie times the larger sum.
 inline constexpr double coverage_tie = 1e-9;
 inline constexpr double spread_tie = 1e-9;
 
-// Whether two directions agree: the angle between them is below 90 degrees and its sine is at most
-// tau.
+// The angle between them is below 90 degrees, and its sine is at most tau.
 bool directions_agree(const Vec2& a, const Vec2& b);
 
-// Whether a direction counts as vertical: the sine of its angle with the y axis is at most tau.
+// The sine of the angle with the y axis is at most tau.
 bool is_vertical(const Vec2& direction);
 
 }  // namespace evenlift

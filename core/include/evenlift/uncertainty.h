@@ -1,7 +1,7 @@
-// Guarantees if the conditions are known only roughly. The weight may act anywhere within some
-// distance of C: because C is not known exactly (in offshore lifting, the "centre of gravity
-// envelope"), or because the ground slopes or the object is braked (tilt.h). The ground may be
-// uneven, or a robot's height wrong.
+// Guarantees under conditions that are known only roughly. The weight may act anywhere within some
+// distance of C: because C is uncertain (in offshore lifting, the "centre of gravity envelope"),
+// the ground slopes or the object is braked (tilt.h). The ground may be uneven, or a robot's height
+// wrong.
 #pragma once
 
 #include <optional>
@@ -12,73 +12,70 @@
 
 namespace evenlift {
 
-// The tipping distance, by which C can be off before the object tips: the least distance of C from
-// the line of an edge of H, in units of length. 0 if that is within tolerance (tau L), if H has no
-// area, as with a single team of two, or if C is outside. `hull` must come from convex_hull, and
-// `diameter` is L of the object. O(h).
+// By how much C can be off before the object tips: the least distance of C from the line of an edge
+// of H, in units of length. 0 if that is within tolerance (tau L), if H has no area, as with a
+// single team of two, or if C is outside. `hull` must come from convex_hull, and `diameter` is L.
+// O(h).
 double tipping_distance(const Points& hull, const Vec2& centre, double diameter);
 
-// The conditions that are known only roughly.
 struct Disturbance {
   double reach = 0;   // the weight acts anywhere within this distance of C, in units of length
-  double uneven = 0;  // heights are off by at most this many times the length by which a robot
-                      // gives way under the mean load
-  double kept = 1;    // at least this part of the weight acts on the robots, 0 < kept <= 1; on a
+  double uneven = 0;  // heights are off by up to this many times the length by which a robot gives
+                      // way under the mean load
+  double kept = 1;    // at least this part of the weight acts on the robots, 0 < kept <= 1: on a
                       // slope, the cosine of its angle
   // Whether loads are ranges. O(1).
   bool any() const { return reach > 0 || uneven > 0 || kept < 1; }
   bool operator==(const Disturbance&) const = default;
 };
 
-// Whether the object stays upright wherever the weight acts within the reach: the reach is at most
-// the tipping distance, within tolerance (tau L). O(1).
+// Whether the object stays upright wherever the weight acts: reach <= tipping_distance, within
+// tolerance (tau L). O(1).
 bool is_within_base(double reach, double tipping_distance, double diameter);
 
 struct LoadRange {
   double least = 0, greatest = 0;
 };
 
-// Whether the model's loads have ranges; true for plan and springs. O(1).
+// Whether the model's loads have ranges. O(1).
 constexpr bool has_ranges(LoadModel model) {
   return model == LoadModel::plan || model == LoadModel::springs;
 }
 
-// By how much a disturbance may change the loads of robots that give way like springs.
+// How a disturbance may change the loads of robots that give way like springs.
 struct LoadChanges {
   double kept = 1;                // of the disturbance
-  bool others_may_carry = false;  // robots that carry no load by springs may begin to carry some
+  bool others_may_carry = false;  // robots without load by springs may take some up
   std::vector<double>
       by;  // the greatest change of each load, as long as the same robots carry load
   std::vector<double>
-      at_worst;  // the greatest load that each can get whichever robots go slack: as
-                 // worst_loads() (load_models.h), with C anywhere within the reach
+      at_worst;  // the greatest load of each, whichever robots go slack: as worst_loads()
+                 // (load_models.h), with C anywhere within the reach
 };
 
 // `springs` must be the loads of the same robots. Heights that are off change the load of robot i
 // by at most W/m * uneven * sum over j of |P_ij|, where P projects onto the heights that no plane
-// fits: P = I - A (A'A)^-1 A', with a row [1, x_j, y_j] of A for each of the robots that carry
-// load. This change is 0 if only three robots carry load and they are not on one line. O(m h), and
-// O(m^2) if heights are off.
+// fits: P = I - A (A'A)^-1 A', with a row [1, x_j, y_j] of A for each robot that carries load. This
+// is 0 if only three robots, not on one line, carry load. O(m h), and O(m^2) if heights are off.
 LoadChanges load_changes(const Points& robots, const Vec2& centre, double diameter, double weight,
                          const SpringLoads& springs, const Disturbance& disturbance);
 
-// Whether the set of robots that carry load may change: some of these loads may fall below 0 by
-// more than the tolerance (tau times the sum of the loads), so that the robot goes slack, or robots
-// without load may take some up. O(m).
+// Whether the set of robots that carry load may change: a load may fall below 0 by more than the
+// tolerance (tau times the sum of the loads), so that the robot goes slack, or robots without load
+// may take some up. O(m).
 bool may_let_go(const std::vector<double>& loads, const LoadChanges& changes);
 
 // The ranges of the loads of robots that give way like springs and that, without the disturbance,
-// are in equilibrium with these `loads`: kept * load - by .. load + by, and never less than 0. If a
-// robot may go slack, every greatest load is `at_worst`, which holds whichever robots go slack; the
-// least loads presume that the other robots keep carrying. O(m).
+// are in equilibrium with these `loads`: kept * load - by .. load + by, but never below 0. If a
+// robot may go slack, every greatest load is `at_worst`; the least loads presume that the other
+// robots keep carrying. O(m).
 std::vector<LoadRange> load_ranges(const std::vector<double>& loads, const LoadChanges& changes);
 
 // The greatest radius within which C may lie so that, by springs, no robot carries more than its
-// capacity; robots without one can carry any load. It is at most springs.same_within minus `reach`,
-// since no bound holds beyond same_within, and at most the tipping distance minus `reach`, but
-// never below 0. `besides` are the changes of load for reasons other than C, and `reach` is how far
-// the weight may act from C for such reasons; by default there are no such reasons. Nothing if a
-// robot may be overloaded even with C at its assumed place. O(m).
+// capacity, if it has one. It is at most springs.same_within minus `reach`, since no bound holds
+// beyond, and at most the tipping distance minus `reach`, but never below 0. `besides` and `reach`
+// are the changes of load, and the distance of the weight from C, for reasons other than C, if any.
+// Nothing if a robot may be overloaded even with C at its assumed place. O(m).
 std::optional<double> radius_within_capacity(const SpringLoads& springs, double tipping_distance,
                                              const std::vector<std::optional<double>>& capacities,
                                              const LoadChanges& besides = {}, double reach = 0);

@@ -1,5 +1,5 @@
-// Points and vectors of the plane. Everywhere x points right and y up, and angles and orientations
-// are positive counter-clockwise. Units are those of the input.
+// Points and vectors of the plane. x points right and y up; angles and orientations are positive
+// counter-clockwise. Units are those of the input.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,23 +11,23 @@ namespace evenlift {
 using Vec2 = Eigen::Vector2d;
 using Points = std::vector<Vec2>;
 
-// The cross product a.x b.y - a.y b.x, positive if b points to the left of a. It is computed in
-// plain doubles; use predicates.h for decisions about input coordinates. O(1).
+// a.x b.y - a.y b.x, positive if b points to the left of a, in plain doubles; predicates.h decides
+// about input coordinates. O(1).
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-// The dot product. O(1).
+// O(1).
 inline double dot(const Vec2& a, const Vec2& b) { return a.x() * b.x() + a.y() * b.y(); }
 
-// The length, by one square root. (hypot differs between libraries.) O(1).
+// One square root; hypot differs between libraries. O(1).
 inline double length(const Vec2& a) { return std::sqrt(a.x() * a.x() + a.y() * a.y()); }
 
-// The sum |a.x| + |a.y|, which is never below the length. O(1).
+// Never below the length. O(1).
 inline double one_norm(const Vec2& a) { return std::fabs(a.x()) + std::fabs(a.y()); }
 
-// The left normal of a: a turned by +90 degrees. O(1).
+// a turned by +90 degrees. O(1).
 inline Vec2 left_normal(const Vec2& a) { return {-a.y(), a.x()}; }
 
-// An axis-aligned box, from its lower left to its upper right corner.
+// Axis-aligned, from its lower left to its upper right corner.
 struct Box {
   Vec2 low = Vec2::Zero(), high = Vec2::Zero();
   Vec2 size() const { return high - low; }
@@ -35,7 +35,7 @@ struct Box {
   double diagonal() const { return length(size()); }
 };
 
-// The smallest box around the points; without points, the origin. O(m).
+// Without points, the origin. O(m).
 inline Box bounding_box(const Points& points) {
   if (points.empty()) return {};
   Box box{points.front(), points.front()};

@@ -1,7 +1,7 @@
-// The reader's language. The code contains each English text where it is used. The English text is
-// also the key to its translation, so one file for each language (assets/words) translates the
-// whole page. Without such a file, all texts are in English. In a pattern, names in braces stand
-// for values, so that a translation can change their order.
+// The reader's language. The code contains each English text where it is used, and this text is the
+// key to its translation. So one file for each language (assets/words) translates the whole page;
+// without it, texts are in English. In a pattern, names in braces stand for values, so that a
+// translation can change their order.
 #pragma once
 
 #include <concepts>
@@ -12,17 +12,15 @@
 
 namespace evenlift {
 
-// Adds the translation of an English text or pattern, or replaces an earlier one. Call it for all
-// texts before any is used, since sentences that were already returned do not change. Not
-// thread-safe. O(log n).
+// Adds or replaces the translation of an English text or pattern. Call it for all texts before any
+// is used, since sentences already returned do not change. Not thread-safe. O(log n).
 void add_translation(std::string english, std::string translated);
 
-// Removes all translations, so that texts are in English again. Translations that translated()
-// returned become invalid.
+// Texts are in English again, and results of translated() become invalid.
 void forget_translations();
 
-// The translation of a text, or the text itself if it has none. A translation stays valid until it
-// is replaced or forgotten; the text itself lives as long as the argument. O(log n).
+// The text itself if it has no translation. A translation stays valid until it is replaced or
+// forgotten; the text lives as long as the argument. O(log n).
 std::string_view translated(std::string_view english);
 
 // A value in a sentence: a text, which is also translated, or a whole number. It does not own its
@@ -38,18 +36,18 @@ class Value {
   std::string written() const;
 
  private:
-  // Small, since the page has a thousand of them.
+  // Small: the page has a thousand of them.
   const char* text_ = nullptr;  // null for a number
   std::size_t size_;            // of the text, or the number
 };
 
 // The pattern in the reader's language with the values in their places. Each new {name} of the
-// English pattern takes the next value; a repeated name takes the same value again. For example,
-// "Robot {robot} carries {load}." with 3 and "16.7 kg" becomes "Robot 3 carries 16.7 kg." O(bytes
-// of pattern and values).
+// English pattern takes the next value; a repeated name takes the same value again: "Robot {robot}
+// carries {load}." with 3 and "16.7 kg" becomes "Robot 3 carries 16.7 kg."
+// O(bytes of pattern and values).
 std::string say(std::string_view english, std::initializer_list<Value> values = {});
 
-// The same for `number` values that are already texts; these are not translated.
+// The same with `number` values that are not translated.
 std::string say_written(std::string_view english, const std::string* values, std::size_t number);
 
 }  // namespace evenlift

@@ -11,20 +11,19 @@
 
 namespace evenlift {
 
-// A slope as a percentage, "8 %"; and as an angle, "4.6°". O(1).
+// "8 %" and "4.6°". O(1).
 std::string slope_in_words(double ratio);
 std::string degrees_in_words(double degrees);
 
-// Each condition of the disturbance: "with a C uncertainty of 3 cm, on slopes up to 8 %, braked at
-// up to 0.1 g, with heights off by up to 2 mm". Empty without a disturbance. O(1).
+// "with a C uncertainty of 3 cm, on slopes up to 8 %, braked at up to 0.1 g, with heights off by up
+// to 2 mm". Empty without a disturbance. O(1).
 std::string disturbance_in_words(const Shown& shown);
 
-// The same as a clause: "C is off by up to 3 cm, the ground slopes by up to 8 % and heights are off
-// by up to 2 mm". O(1).
+// "C is off by up to 3 cm, the ground slopes by up to 8 % and heights are off by up to 2 mm". O(1).
 std::string disturbance_as_clause(const Shown& shown);
 
-// Which of the given conditions change nothing because another number is missing: "The acceleration
-// changes nothing without the height of the centre of mass." Empty if all of them count. O(1).
+// The conditions that change nothing because another number is missing: "The acceleration changes
+// nothing without the height of the centre of mass." Empty if all count. O(1).
 std::string without_effect_in_words(const Shown& shown);
 
 // "It can tip: the centre of mass may be off by 200 mm, and 177 mm in one direction is enough.", or
@@ -39,17 +38,17 @@ std::string tilt_in_words(const Robustness& robustness, const ShownPlacement& of
 // all are equally stiff. Up to 33.3 kg may stand anywhere on it." O(1).
 std::string extra_in_words(const ExtraLoad& extra, const ShownPlacement& of);
 
-// What a further load would do at a place: "80 kg here: robots carry 12.1–54.2 kg",
-// and whether all robots keep carrying within their capacities. If some do not, the text says so;
-// or "80 kg here tips it". O(m log m).
+// A further load at a place: "80 kg here: robots carry 12.1–54.2 kg", or "80 kg here tips it". It
+// is fine if all robots keep carrying within their capacities; otherwise the text says so.
+// O(m log m).
 struct LoadHere {
   std::string words;
   bool is_fine = false;
 };
 LoadHere extra_here_in_words(const ExtraLoad& extra, const Vec2& at, const ShownPlacement& of);
 
-// "Downhill this way it tips at 14° (25 %)", for the direction from C to a place other than C.
-// Empty without a height of C, or without an area of H. O(h).
+// "Downhill this way it tips at 14° (25 %)", from C towards a place other than C. Empty without a
+// height of C, or without an area of H. O(h).
 std::string tilt_towards_in_words(const Vec2& at, const ShownPlacement& of);
 
 }  // namespace evenlift

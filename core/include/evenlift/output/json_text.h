@@ -1,4 +1,4 @@
-// Writes JSON in this project's layout. Text is assembled from the inside out.
+// Writes JSON in this project's layout, from the inside out.
 #pragma once
 
 #include <initializer_list>
@@ -21,20 +21,19 @@ std::string pair(const Vec2& point);  // [x, y]
 
 std::string array(const std::vector<std::string>& items);  // on one line
 std::string array(std::initializer_list<std::string> items);
-std::string numbers(const std::vector<double>& values);  // an array of numbers
+std::string numbers(const std::vector<double>& values);
 std::string object(const std::vector<Member>& members);  // on one line
 std::string object(std::initializer_list<Member> members);
 
-// One item or member per line, indented by two spaces more than `depth` times two. Values that span
-// several lines must have been made for depth + 1. Without items the text is [] or {}.
+// One item or member per line, indented by 2 (depth + 1) spaces. Values of several lines must have
+// been made for depth + 1. Without items the text is [] or {}.
 std::string long_array(const std::vector<std::string>& items, int depth);
 std::string long_object(const std::vector<Member>& members, int depth);
 
-// The same JSON on one line. Line breaks are only between its items, since text() escapes them.
-// O(bytes).
+// On one line. Line breaks are only between items, since text() escapes others. O(bytes).
 std::string on_one_line(std::string_view text);
 
-// Points, one per line.
+// One per line.
 std::string points(const Points& points, int depth);
 
 }  // namespace evenlift::json

@@ -1,5 +1,5 @@
 // Finds a free place for each label of a picture, beside its owner, and outside the object if there
-// is room. Coordinates are in pixels, or in any other unit of about that size.
+// is room. Coordinates are in pixels, or in a unit of about that size.
 #pragma once
 
 #include <optional>
@@ -15,22 +15,22 @@ using evenlift::Box;
 using Segment = std::pair<Vec2, Vec2>;
 
 struct Request {
-  Box owner;                 // the thing that the label names
+  Box owner;                 // what the label names
   Vec2 away = Vec2::Zero();  // the preferred direction, of any length
   Vec2 size = Vec2::Zero();  // of the label
 };
 
 struct Surroundings {
   Box frame;                       // labels stay inside
-  Points outline;                  // of the object: its interior is avoided, its edges even more
+  Points outline;                  // of the object: its inside is avoided, its edges even more
   std::vector<Segment> chords;     // avoided if possible
   std::vector<Box> marks;          // never covered; may include owners
   std::vector<Points> holes = {};  // of the object: free ground, whose edges are avoided
 };
 
-// A box for each label in turn; nothing for a label if every place would cover a mark, an owner or
-// another label. Tries all directions and a few distances, takes the cheapest place, and repeats
-// this for all labels once the others are known. O(labels (n + labels + chords)).
+// A box for each label; nothing if every place would cover a mark, an owner or another label. Tries
+// all directions and a few distances, takes the cheapest place, and repeats this once the other
+// labels are known. O(labels (n + labels + chords)).
 std::vector<std::optional<Box>> place(const std::vector<Request>& requests,
                                       const Surroundings& around);
 

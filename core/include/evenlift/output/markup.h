@@ -1,4 +1,4 @@
-// Text within SVG and HTML, and its length.
+// Text within SVG and HTML.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,10 @@
 
 namespace evenlift {
 
-// The text with `&`, `<`, `>` and `"` written as entities, for use between tags and in attribute
-// values. O(bytes).
+// With `&`, `<`, `>` and `"` as entities, for use between tags and in attribute values. O(bytes).
 std::string escaped(std::string_view text);
 
-// The number of characters in a UTF-8 text. O(bytes).
+// In a UTF-8 text. O(bytes).
 std::size_t character_count(std::string_view text);
 
 }  // namespace evenlift

@@ -1,5 +1,5 @@
-// A placement as shapes with roles, in polygon coordinates: no colours, no pixels. The SVG writer
-// and the page's canvas both draw it.
+// A placement as shapes with roles, in polygon coordinates, without colours or pixels, for the SVG
+// writer and the page's canvas.
 #pragma once
 
 #include <cstddef>
@@ -13,15 +13,15 @@
 namespace evenlift {
 
 enum class Role : std::uint8_t {
-  object,            // filled polygon P, without its holes
-  lifting_base,      // filled lifting base H
-  clockwise,         // filled region of free clockwise rotation centres
-  counterclockwise,  // filled region of free counter-clockwise rotation centres
-  candidate,         // a candidate chord that no team took
-  chord,             // a line that joins the robots of a team
+  object,            // filled P, without its holes
+  lifting_base,      // filled H
+  clockwise,         // filled region of free rotation centres
+  counterclockwise,  // the same, counter-clockwise
+  candidate,         // a chord that no team took
+  chord,             // joins the robots of a team
   robot,             // a lifting point
   centre_of_mass,
-  cargo,        // a disc whose area tells the weight of an item
+  cargo,        // a disc whose area tells an item's weight
   cargo_lever,  // from C0, the object's own centre of mass, to C; only with cargo
   own_centre,   // C0; only with cargo
 };
@@ -29,30 +29,28 @@ enum class Role : std::uint8_t {
 struct Shape {
   Role role = Role::object;
   Points points;                      // closed area (3 or more), segment (2) or spot (1)
-  std::optional<std::uint32_t> team;  // index of the team, for chords and robots
-  double load = 0;                    // for robots; for cargo, its weight
+  std::optional<std::uint32_t> team;  // of chords and robots
+  double load = 0;                    // of robots; of cargo, its weight
   std::vector<Points> holes = {};     // of the object
-  std::uint32_t item = 0;             // the index of the cargo
+  std::uint32_t item = 0;             // index of the cargo
   double radius = 0;                  // of its disc, in units of length
 };
 
-// The lines that join a team: the chord of a team of two, otherwise a line from each robot to C.
-// O(robots of the team).
+// The chord of a team of two, otherwise a line from each robot to C. O(robots of the team).
 struct Segment {
   Vec2 from = Vec2::Zero(), to = Vec2::Zero();
 };
 std::vector<Segment> joining_lines(const Team& team, const Vec2& centre);
 
-// The radius of the disc of each item of cargo, in units of length. If the discs had the object's
-// weight for each unit of area, they would show how much of the object weighs as much; all are
-// smaller in the same ratio if the largest would exceed `largest_cargo_disc` L. O(items).
+// The radius of each item's disc, in units of length. A disc has the area of a part of the object
+// that weighs as much; all are smaller in the same ratio if the largest would exceed
+// `largest_cargo_disc` L. O(items).
 inline constexpr double largest_cargo_disc = 0.06;
 std::vector<double> cargo_radii(const Placement& placement);
 
-// The mark by which one sees which robots form a team: as many strokes as the number of the team
-// (from 1) tells, side by side, where a broad one counts five. `at` is the robot's place on the
-// picture, `outward` any direction away from C; the strokes begin at the distance `radius`.
-// O(team).
+// The mark by which one sees which robots form a team: strokes side by side that add up to the
+// team's number (from 1), where a broad one counts five. `at` is the robot's place on the picture,
+// `outward` any direction away from C; the strokes begin at the distance `radius`. O(team).
 struct TallyStroke {
   Segment line;
   bool five = false;
@@ -60,9 +58,9 @@ struct TallyStroke {
 std::vector<TallyStroke> tally(std::size_t team, const Vec2& at, const Vec2& outward,
                                double radius);
 
-// The shapes that the overlays select, back to front. If there are more than `most_lines`
-// candidates or teams, only every second, third and so on is shown, since more would be
-// indistinguishable. O(output).
+// The shapes that the overlays select, back to front. Of more than `most_lines` candidates or
+// teams, only every second, third and so on is shown, since more would be indistinguishable.
+// O(output).
 std::vector<Shape> make_picture(const Placement& placement, const Overlays& overlays,
                                 std::size_t most_lines = SIZE_MAX);
 

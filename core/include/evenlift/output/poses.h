@@ -1,4 +1,4 @@
-// The robots of a placement as poses for controlling robots: a table, JSON, or a message of ROS 2.
+// The poses of a placement for controlling robots: a table, JSON, or a message of ROS 2.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,16 @@ namespace evenlift {
 
 enum class PoseFormat : std::uint8_t { csv, json, yaml };
 
-// The format for a file name that ends in .csv, .json or .yaml; nothing for any other name. O(1).
+// For a name that ends in .csv, .json or .yaml; nothing for others. O(1).
 std::optional<PoseFormat> pose_format_of_file(std::string_view file_name);
 
-// The origin of the coordinates: that of the polygon's file, or the centre of mass.
+// Of the coordinates: that of the polygon's file, or the centre of mass.
 enum class PoseOrigin : std::uint8_t { file, com };
 std::optional<PoseOrigin> pose_origin_from_name(std::string_view text);  // "file" or "com"
 inline constexpr const char* pose_origin_requirement = "the origin of poses must be file or com";
 
-// Whether the text is a name for a coordinate frame: 1 to 255 letters, digits, '_', '-', '.' and
-// '/', without a '/' at the beginning, which ROS 2 rejects. O(bytes).
+// A coordinate frame: 1 to 255 letters, digits, '_', '-', '.' and '/', without a '/' at the
+// beginning, which ROS 2 rejects. O(bytes).
 bool is_frame_name(std::string_view text);
 inline constexpr const char* frame_requirement =
     "the frame must be 1 to 255 letters, digits, _, -, . and /, without / at the beginning";
@@ -32,18 +32,17 @@ struct PoseOptions {
 };
 
 // The robots, team after team, counted from 1: position, heading, load and team of each. The
-// position of a robot with a size is the centre of its body, otherwise its lifting point. A robot
-// faces along the inward normal of its edge, and at a vertex along the middle of the normals of the
-// two edges there.
+// position is the centre of the body of a robot with a size, otherwise the lifting point; the
+// heading is that of PlacedRobot (placed_robots.h).
 //   csv   a row for each robot: robot,team,x,y,heading_deg,load,unit,weight_unit
 //   json  {"frame", "origin", "unit", "weight_unit", "robots": [{"robot", "team", "x", "y",
 //         "heading_deg", "direction": [x, y], "load"}]}, direction being the heading as a vector of
 //         length 1
 //   yaml  a geometry_msgs/msg/PoseArray that `ros2 topic pub` accepts: positions in metres, z = 0;
 //         the rotation is about z, and turns x into the heading; loads and teams are comments
-// Tables and JSON are in the placement's own units. Numbers have the fewest digits that read back
-// to the same double. YAML treats an object without a unit as one in metres, and its first lines
-// state this. The bytes are the same on every platform. O(n + m).
+// Tables and JSON are in the placement's units. Numbers have the fewest digits that read back to
+// the same double. YAML treats an object without a unit as one in metres, and its first lines state
+// this. The bytes are the same on every platform. O(n + m).
 std::string poses_text(const ShownPlacement& of, PoseFormat format,
                        const PoseOptions& options = {});
 

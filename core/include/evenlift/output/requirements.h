@@ -1,5 +1,5 @@
-// Conditions that a placement should satisfy, in the words of `evenlift place --require`: "held,
-// coverage>=0.8, max<=20, robots<=4". They mark a result as kept or not.
+// Conditions on a placement, in the words of `evenlift place --require`: "held, coverage>=0.8,
+// max<=20, robots<=4". They mark a result as kept or not.
 #pragma once
 
 #include <optional>
@@ -16,25 +16,25 @@ namespace evenlift {
 //
 //   held               the robots hold the object (is_held() of words.h)
 //   stands             C is in the lifting base (equilibrium.h)
-//   steady             any one robot may fail, and the object does not tip (failures_clear), on
-//                      level ground and under the given conditions
+//   steady             after any one failure the object does not tip (failures_clear), on level
+//                      ground and under the given conditions
 //   capacity           no robot carries more than its capacity
 //   coverage           0 to 1
 //   max, min           the greatest and the least planned load
-//   spread             the greatest planned load minus the least, with C at its assumed place
-//   max_after_failure  the greatest load by springs after any one robot has failed
+//   spread             max - min, with C at its assumed place
+//   max_after_failure  the greatest load by springs after any one failure
 //   margin             of form closure
 //   tipping_distance   the distance that C may be off before the object tips
 //   tip                the slope in degrees at which it tips in the worst direction (tilt.h)
 //   robots             their number
 //
 // The first four are true or false. `capacity`, `max` and `min` are kept wherever C lies within its
-// uncertainty; if that is so large that the loads are not known (uncertainty.h), they are not kept.
+// uncertainty; if that is too large for loads to be known (uncertainty.h), they are not kept.
 struct Condition {
   std::string_view quantity;  // one of these names
   bool at_least = true;       // for numbers: >= or <=
   double limit = 0;           // for numbers
-  std::string text;           // as given, without spaces
+  std::string text;           // without spaces
 };
 
 inline constexpr std::size_t most_conditions = 100;
@@ -44,25 +44,24 @@ inline constexpr std::size_t most_conditions = 100;
 // lists all words. O(bytes).
 Result<std::vector<Condition>> read_conditions(std::string_view text);
 
-// A condition with the value that it is about: a number, or 0 or 1. No value if the placement has
-// none, such as a load of an object that falls; then the condition is not kept. Numbers are
-// compared within tolerance: tau of the weight for loads, tau L for distances, tau for coverage and
-// margin.
+// A condition and its value: a number, or 0 or 1. Without a value, such as a load of an object that
+// falls, it is not kept. Numbers are compared within tolerance: tau of the weight for loads, tau L
+// for distances, tau for coverage and margin.
 struct Requirement {
   Condition condition;
   std::optional<double> value;
   bool kept = false;
 };
 
-// O(m log m) for each; max_after_failure costs the same as single_failures() (placed_robots.h).
+// O(m log m) for each; max_after_failure costs as much as single_failures() (placed_robots.h).
 std::vector<Requirement> check_conditions(const ShownPlacement& of,
                                           const std::vector<Condition>& conditions);
 
-// Whether its quantity is true or false. O(1).
+// O(1).
 bool is_yes_or_no(const Condition& condition);
 
-// "The greatest load is at most 30 kg", "The robots hold the object"; and the value, such as
-// "33.3 kg" or "no", or nothing if there is none. O(1).
+// "The greatest load is at most 30 kg", "The robots hold the object"; and the value, "33.3 kg" or
+// "no", empty if there is none. O(1).
 std::string condition_in_words(const Condition& condition, const Units& units);
 std::string value_in_words(const Requirement& requirement, const Units& units);
 

@@ -9,8 +9,8 @@
 
 namespace evenlift {
 
-// Limits for printing a whole trace: the number of steps, and the number of candidates compared in
-// all choices together. The error names the exceeded limit.
+// Limits on the steps of a whole trace, and on the candidates compared in all its choices together.
+// The error names the exceeded limit.
 inline constexpr std::uint32_t most_printed_steps = 50000;
 inline constexpr std::uint64_t most_printed_comparisons = 1u << 21;
 std::optional<InputError> check_printed_size(const Trace& trace);
@@ -21,7 +21,7 @@ std::optional<InputError> check_printed_size(const Trace& trace);
 // each step.
 std::string trace_json(const Trace& trace);
 
-// The trace as text: a numbered list of captions and formulas under the chapters' titles.
+// A numbered list of captions and formulas under the chapters' titles.
 std::string trace_list(const Trace& trace);
 
 }  // namespace evenlift

@@ -1,7 +1,7 @@
-// The walkthrough in words: captions with this polygon's own numbers, formulas with the numbers
-// filled in, the algorithm as pseudo-code, and answers to "why not this one?". All texts are plain
-// English, or in the reader's language (wording.h), in UTF-8, and the same bytes on every platform.
-// Vertices, edges, candidates and teams count from 1.
+// The walkthrough in words: captions and formulas with this polygon's numbers, the algorithm as
+// pseudo-code, and answers to "why not this one?". All texts are in plain English or the reader's
+// language (wording.h), in UTF-8, and the same bytes on every platform. Vertices, edges, candidates
+// and teams count from 1.
 #pragma once
 
 #include <string>
@@ -13,32 +13,29 @@
 
 namespace evenlift {
 
-// The title of a chapter, such as "Edges that face each other". O(1).
+// Such as "Edges that face each other". O(1).
 std::string_view title(Chapter chapter);
 
-// One to three sentences about a step. O(1) plus numbers(); linear for `slopes` and `duplicates`.
+// One to three sentences. O(1) plus numbers(); linear for `slopes` and `duplicates`.
 std::string caption(const Trace& trace, const StepDetail& detail);
 
-// The caption of the step `sections` before a learner chooses the more even end: it omits the load
-// ratios. O(1).
+// For the step `sections` before a learner chooses the more even end: without load ratios. O(1).
 std::string caption_before_choice(const Trace& trace, const StepDetail& detail);
 
-// The step's formula with the numbers filled in, "load ratio = 47.5 / 50.1 = 0.948 ≥ 0.8"; empty if
-// there is nothing to calculate. O(1).
+// "load ratio = 47.5 / 50.1 = 0.948 ≥ 0.8"; empty if there is nothing to calculate. O(1).
 std::string formula(const Trace& trace, const StepDetail& detail);
 
-// The meaning of the letters in the step's formula, in one or two sentences; empty if no letter
-// needs an explanation. O(1).
+// The meaning of the formula's letters in one or two sentences; empty if none needs it. O(1).
 std::string_view formula_letters(const Trace& trace, const StepDetail& detail);
 
-// The algorithm as pseudo-code, for the method, positions and goal of the settings. Each line is
-// one statement, indented by two spaces for each level. O(1).
+// For the method, positions and goal of the settings. Each line is one statement, indented by two
+// spaces for each level. O(1).
 std::vector<std::string_view> pseudo_code(const Settings& settings);
 
 // The index, from 0, of the line of pseudo_code() that the step executes. O(1).
 std::uint32_t pseudo_line(const Trace& trace, const StepDetail& detail);
 
-// The question for a learner before the step is shown: question(trace, detail) in words. O(1).
+// question(trace, detail) in words. O(1).
 std::string question_text(const Trace& trace, const StepDetail& detail, const Question& question);
 
 // Why a team stands where it does, with the numbers, for readers who do not know the algorithm.
@@ -51,21 +48,18 @@ std::string why_not_text(const Trace& trace, const WhyNot& answer);
 // Why no balanced robot stands at a place, or why one does. O(1).
 std::string why_no_robot_text(const Trace& trace, const WhyNoRobot& answer);
 
-// The set that results if two robots take another of the even chords. Costs as much as
-// compare_even_chord().
+// The set if two robots take another even chord. Costs as much as compare_even_chord().
 std::string even_chord_text(const Trace& trace, const StepDetail& detail, std::uint32_t choice);
 
-// The result of another answer to a question about a swap of teams. Costs as much as
-// compare_swap().
+// The result of another answer about a swap of teams. Costs as much as compare_swap().
 std::string other_swap_text(const Trace& trace, const StepDetail& detail, const Question& question,
                             std::uint32_t choice);
 
-// The description of a figure under the pointer: "candidate 4, ratio 0.951", "team 2, robot 1: 15.7
-// of 100". O(1).
+// A figure under the pointer: "candidate 4, ratio 0.951", "team 2, robot 1: 15.7 of 100". O(1).
 std::string figure_text(const Trace& trace, const StepDetail& detail, const Figure& figure);
 
-// The label of a part of the object in a picture: "edge 4", "vertex 2", "image of edge 1",
-// "centroid"; empty for any other figure. O(1).
+// The label of a part of the object: "edge 4", "vertex 2", "image of edge 1", "centroid"; empty for
+// other figures. O(1).
 std::string part_name(const Figure& figure);
 
 }  // namespace evenlift

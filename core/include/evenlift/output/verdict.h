@@ -1,5 +1,5 @@
-// Judges a placement: whether it is good, and if not, each reason in a sentence. The program, the
-// page and JSON show the same judgement.
+// Judges a placement: whether it is good, and each reason if not. The program, the page and JSON
+// show the same judgement.
 #pragma once
 
 #include <string>
@@ -11,29 +11,29 @@
 namespace evenlift {
 
 enum class VerdictKind : std::uint8_t {
-  good,     // no reason against it
+  good,     // nothing against it
   warning,  // it stands, but something is amiss
-  bad       // there are no robots, or the object falls
+  bad       // no robots, or the object falls
 };
-std::string_view name(VerdictKind kind);  // "good", "warning" or "bad"
+std::string_view name(VerdictKind kind);
 
 struct Judgement {
   VerdictKind kind = VerdictKind::good;
-  std::vector<std::string> reasons;  // sentences, the most serious first; empty if it is good
+  std::vector<std::string> reasons;  // sentences, the most serious first
 };
 
-// The misfits of given supports (supports.h): a sentence for each of the first three, and one for
-// the number of the others. O(m log n + m^2).
+// For given supports (supports.h): a sentence for each of the first three, and one for the number
+// of the others. O(m log n + m^2).
 std::vector<std::string> misfits_in_words(const ShownPlacement& of);
 
 // A placement is good if all requested teams are placed, every robot fits (misfits() of
-// placed_robots.h), no robot exceeds its capacity, the object does not tip within the disturbance
+// placed_robots.h), none exceeds its capacity, the object does not tip within the disturbance
 // (disturbance_of()), the coverage is at least good_coverage (words.h), and the object is held
-// (is_held()). The loads are as planned, with their ranges if there is a disturbance. O(m log n +
-// m^2) for supports of a size, otherwise O(m log m).
+// (is_held()). The loads are as planned, as ranges if there is a disturbance. O(m log n + m^2) for
+// supports of a size, otherwise O(m log m).
 Judgement judge(const ShownPlacement& of);
 
-// The same, if the robustness and the loads to compare with the capacities are known: those of the
+// The same with known robustness and with the loads to compare with the capacities: those of the
 // load model that is shown (loads_by()). O(m log n + m^2).
 Judgement judge(const ShownPlacement& of, const Robustness& robustness,
                 const std::vector<LoadRange>& loads);
