@@ -1,5 +1,5 @@
-# Charts: Observable Plot from npm, which ./dev installs beside web/charts, bundled by esbuild. If one of them is
-# missing, the program and the page are still built, with a message in the charts' place.
+# Observable Plot, which ./dev installs from npm in web/charts, bundled by esbuild. Without either, the program and the
+# page have a message in the charts' place.
 include_guard()
 find_program(EVENLIFT_ESBUILD esbuild DOC "Makes the page's scripts and styles small, and the report's charts")
 set(EVENLIFT_CHARTS_DIR "${PROJECT_SOURCE_DIR}/web/charts")
@@ -12,7 +12,7 @@ endif()
 set(EVENLIFT_CHARTS_LICENCE
     "/*! Charts by Observable Plot, (c) Observable, Inc., with D3, (c) Mike Bostock: ISC licence */")
 
-# evenlift_charts(<output> <entry> <format>): a command that bundles web/charts/<entry> with its imports.
+# Bundles web/charts/<entry> with its imports.
 function(evenlift_charts output entry format)
   file(GLOB sources CONFIGURE_DEPENDS "${EVENLIFT_CHARTS_DIR}/*.js")
   add_custom_command(

@@ -1,5 +1,5 @@
-# All libraries that evenlift uses, in one place. Each is the system's package if available; otherwise the sources in
-# ./dev's cache or in FETCHCONTENT_SOURCE_DIR_<NAME>; otherwise fetched at a pinned commit.
+# All libraries. Each is the system's package, or else the sources in ./dev's cache or in
+# FETCHCONTENT_SOURCE_DIR_<NAME>, or else fetched at a pinned commit.
 include_guard()
 include(FetchContent)
 
@@ -7,7 +7,7 @@ if(NOT EVENLIFT_DOWNLOADS)
   set(FETCHCONTENT_FULLY_DISCONNECTED ON)
 endif()
 
-# The cache that `./dev` fills; the same three locations as there.
+# The cache of `./dev`, at the same three locations.
 set(EVENLIFT_CACHE "$ENV{EVENLIFT_CACHE}")
 if(NOT EVENLIFT_CACHE AND DEFINED ENV{XDG_CACHE_HOME} AND NOT "$ENV{XDG_CACHE_HOME}" STREQUAL "")
   set(EVENLIFT_CACHE "$ENV{XDG_CACHE_HOME}/evenlift")
@@ -16,8 +16,7 @@ if(NOT EVENLIFT_CACHE)
   set(EVENLIFT_CACHE "$ENV{HOME}/.cache/evenlift")
 endif()
 
-# evenlift_cached(<variable> <pattern>): sets the variable to the newest folder of the cache with a matching name,
-# unless it is already an existing folder.
+# Sets the variable to the newest matching folder of the cache, unless it already is an existing folder.
 function(evenlift_cached variable pattern)
   if(IS_DIRECTORY "${${variable}}")
     return()
@@ -30,7 +29,7 @@ function(evenlift_cached variable pattern)
   endif()
 endfunction()
 
-# evenlift_fetch(<name> <repository> <commit>): sets <name>_SOURCE_DIR (in lower case) to the sources; builds nothing.
+# Sets <name>_SOURCE_DIR (in lower case) to the sources; builds nothing.
 macro(evenlift_fetch name repository commit)
   string(TOUPPER ${name} evenlift_upper)
   if(NOT EVENLIFT_DOWNLOADS AND NOT FETCHCONTENT_SOURCE_DIR_${evenlift_upper})
@@ -39,15 +38,14 @@ macro(evenlift_fetch name repository commit)
         "evenlift needs ${name}, which is neither installed nor in ${EVENLIFT_CACHE}, and EVENLIFT_DOWNLOADS is OFF. "
         "Install it, run ./dev build once, or give its sources with -DFETCHCONTENT_SOURCE_DIR_${evenlift_upper}=FOLDER.")
   endif()
-  # A folder that does not exist: only the sources are needed, not the library's own build.
+  # Does not exist, so that the library's own build is not used.
   FetchContent_Declare(
     ${name} GIT_REPOSITORY ${repository} GIT_TAG ${commit} SOURCE_SUBDIR evenlift-does-not-build-this)
   FetchContent_MakeAvailable(${name})
 endmacro()
 
-# evenlift_headers(<package> <version> <target> <folder> <repository> <commit> <include>)
-# A header-only library, the same for every platform. If the package's headers are among the system's own, a
-# cross-compiler must not see that folder, since it has its own C library; it gets a folder with a link to <folder>.
+# A header-only library for every platform. A cross-compiler has its own C library and must not see the system's
+# headers: for a package among them, it gets a folder with a link to <folder>.
 function(evenlift_headers package version target folder repository commit include)
   string(TOUPPER ${package} upper)
   if(NOT FETCHCONTENT_SOURCE_DIR_${upper})
@@ -99,11 +97,11 @@ if(EVENLIFT_IMPORT)
     add_library(pugixml STATIC EXCLUDE_FROM_ALL "${pugixml_SOURCE_DIR}/src/pugixml.cpp")
     add_library(pugixml::pugixml ALIAS pugixml)
     target_include_directories(pugixml SYSTEM PUBLIC "$<BUILD_INTERFACE:${pugixml_SOURCE_DIR}/src>")
-    # PUBLIC: its header must match the build.
+    # PUBLIC: the header must match the build.
     target_compile_definitions(pugixml PUBLIC PUGIXML_NO_XPATH PUGIXML_NO_EXCEPTIONS PUGIXML_NO_STL)
     target_compile_options(pugixml PRIVATE -fno-exceptions -w ${evenlift_small})
   endif()
-  # Linked statically, so that the program runs without an installed pugixml.
+  # Linked statically, so that the program needs no installed pugixml.
   set(EVENLIFT_PUGIXML pugixml::pugixml)
   if(TARGET pugixml::static)
     set(EVENLIFT_PUGIXML pugixml::static)
@@ -111,8 +109,8 @@ if(EVENLIFT_IMPORT)
 endif()
 
 # --- Dear ImGui: the sources, built with our configuration (wasm/ui/imgui_config.h) -------------------------------------
-# The tests use it without a window. None of its backends is used: wasm/page/webgl_renderer.cpp draws its output, and
-# wasm/page/sdl_input.cpp passes it the pointer.
+# Without a backend: wasm/page/webgl_renderer.cpp draws its output, wasm/page/sdl_input.cpp passes it the pointer, and
+# the tests use it without a window.
 if(EVENLIFT_VIEW)
   evenlift_cached(FETCHCONTENT_SOURCE_DIR_IMGUI "imgui-*")
   evenlift_fetch(
@@ -123,7 +121,7 @@ if(EVENLIFT_VIEW)
     "${imgui_SOURCE_DIR}/imgui_widgets.cpp")
   add_library(imgui::imgui ALIAS imgui)
   target_include_directories(imgui SYSTEM PUBLIC "${imgui_SOURCE_DIR}")
-  # PUBLIC: the configuration changes types, so every file that includes imgui.h must see the same one.
+  # PUBLIC: the configuration changes types, so all files must see the same one.
   target_compile_definitions(imgui PUBLIC "IMGUI_USER_CONFIG=\"${PROJECT_SOURCE_DIR}/wasm/ui/imgui_config.h\"")
   target_compile_options(imgui PRIVATE -fno-exceptions -w ${evenlift_small})
   if(EMSCRIPTEN)
@@ -172,7 +170,7 @@ if(EVENLIFT_VIEW AND EMSCRIPTEN)
     endif()
     set(SDL_SHARED OFF CACHE BOOL "" FORCE)
     set(SDL_STATIC ON CACHE BOOL "" FORCE)
-    # The parts that the page does not use; ./dev has the same list.
+    # The parts that the page does not use, as in ./dev.
     foreach(
       part
       TEST
@@ -194,7 +192,7 @@ if(EVENLIFT_VIEW AND EMSCRIPTEN)
       set(SDL_${part} OFF CACHE BOOL "" FORCE)
     endforeach()
     # From 3.1.31 on, Emscripten omits JavaScript functions without references; SDL2 references them from 2.28.4 on,
-    # with a syntax that old Emscripten does not support.
+    # with a syntax that older Emscripten does not support.
     if(EMSCRIPTEN_VERSION VERSION_LESS 3.1.31)
       set(commit ac13ca9ab691e13e8eebe9684740ddcb0d716203) # release-2.26.5
     else()

@@ -1,15 +1,15 @@
-# Embeds files in a program, and makes the page's samples. Included as a module, it offers functions; run as a script
-# (cmake -D... -P Embed.cmake), it writes one of the results.
+# Embeds files in a program, and makes the page's samples. As a module it offers functions; as a script (cmake -D... -P
+# Embed.cmake) it writes one of the results.
 if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
   if(DEFINED BYTES_OF)
-    # A C++ array of a file's bytes, for #include inside braces.
+    # A C++ array of bytes, for #include inside braces.
     file(READ "${BYTES_OF}" bytes HEX)
     string(REGEX REPLACE "(..)" "0x\\1," bytes "${bytes}")
     string(REGEX REPLACE "(................................................................................)" "\\1\n" bytes "${bytes}")
     file(WRITE "${OUTPUT}" "${bytes}\n")
   endif()
   if(DEFINED TEXTS_IN)
-    # The texts in a folder as rows {"name", "text"}, for #include inside braces.
+    # Texts as rows {"name", "text"}, for #include inside braces.
     file(GLOB files "${TEXTS_IN}/*.txt")
     set(rows "")
     foreach(file IN LISTS files)
@@ -24,8 +24,8 @@ endif()
 include_guard()
 set(evenlift_embed_script "${CMAKE_CURRENT_LIST_FILE}")
 
-# evenlift_embed(<variable> <file>...): writes a header with the bytes of each file, NAME.inc, to the build folder's
-# `embedded`. Sets <variable> to the headers' paths, for use as sources, and <variable>_DIR to their folder.
+# Writes the bytes of each given file to a header NAME.inc in the build folder's `embedded`. Sets <variable> to the
+# headers' paths, for use as sources, and <variable>_DIR to their folder.
 function(evenlift_embed variable)
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/embedded")
   set(outputs "")
@@ -43,8 +43,7 @@ function(evenlift_embed variable)
   set(${variable}_DIR "${folder}" PARENT_SCOPE)
 endfunction()
 
-# evenlift_embed_texts(<variable> <folder>): the same for all texts in a folder, as one header named after it, with a row
-# {"name", "text"} for each.
+# Embeds the texts of a folder as one header named after it, with a row {"name", "text"} for each.
 function(evenlift_embed_texts variable folder)
   cmake_path(GET folder FILENAME name)
   set(output "${CMAKE_CURRENT_BINARY_DIR}/embedded/${name}.inc")

@@ -1,5 +1,4 @@
-# Linking programs for WebAssembly: for Node, and for the page. Flags for all object files are in the presets and in
-# core/CMakeLists.txt.
+# Flags for all object files are in the presets and in core/CMakeLists.txt.
 include_guard()
 
 if(EVENLIFT_EXPECT_EMSCRIPTEN AND NOT EMSCRIPTEN)
@@ -11,19 +10,18 @@ if(EMSCRIPTEN AND EXISTS "/usr/share/nodejs/acorn")
   set_property(GLOBAL PROPERTY RULE_LAUNCH_LINK "\"${CMAKE_COMMAND}\" -E env NODE_PATH=/usr/share/nodejs")
 endif()
 
-# In 3.1.27 Emscripten renamed this option and changed its default from 5 MB to 64 KB.
+# Emscripten 3.1.27 renamed this option and changed its default from 5 MB to 64 KB.
 if(EMSCRIPTEN_VERSION VERSION_LESS 3.1.27)
   set(evenlift_stack "-sTOTAL_STACK=4MB")
 else()
   set(evenlift_stack "-sSTACK_SIZE=4MB")
 endif()
 
-# For WebAssembly everything is compiled for size, except work done for every edge pair or candidate
-# (core/CMakeLists.txt), which is compiled for speed. Placing 20 teams by area on 1,000 vertices took 5.9 ms with the
-# core at -O2, and takes 6.9 ms now. With -Os and -Oz, old Emscripten implies -fno-inline-functions, which makes code
-# with Eigen many times slower; -finline-functions undoes that. Link-time optimization made the page no smaller; Dear
-# ImGui, QR codes and core/src/output without inlining made it 3,600 bytes larger; and binaryen's further passes made it
-# 1 % smaller at best.
+# WebAssembly is compiled for size, but work for every edge pair or candidate (core/CMakeLists.txt) for speed. Placing
+# 20 teams by area on 1,000 vertices takes 6.9 ms, and 5.9 ms with the whole core at -O2. With -Os and -Oz, old
+# Emscripten implies -fno-inline-functions, which makes code with Eigen many times slower; -finline-functions undoes
+# that. Link-time optimization made the page no smaller; Dear ImGui, QR codes and core/src/output without inlining made
+# it 3,600 bytes larger; binaryen's further passes made it 1 % smaller at best.
 set(evenlift_small "")
 set(evenlift_quick "")
 if(EMSCRIPTEN)
@@ -31,7 +29,7 @@ if(EMSCRIPTEN)
   set(evenlift_quick -Os -fno-rtti -finline-functions)
 endif()
 
-# A program for Node: real files, standard streams byte for byte, its exit status, C++ exceptions.
+# Real files, standard streams byte for byte, its exit status, C++ exceptions.
 function(evenlift_node_program target)
   target_compile_options(${target} PRIVATE -fexceptions)
   target_link_options(
@@ -47,7 +45,7 @@ function(evenlift_node_program target)
   set_target_properties(${target} PROPERTIES LINK_DEPENDS "${PROJECT_SOURCE_DIR}/cmake/node_pre.js")
 endfunction()
 
-# A module for computation only, for the page or one of its workers.
+# Only computes, for the page or a worker.
 function(evenlift_computing_module target)
   target_compile_options(${target} PRIVATE -fno-exceptions ${evenlift_small})
   target_link_options(
@@ -68,8 +66,7 @@ function(evenlift_computing_module target)
     ${evenlift_stack})
 endfunction()
 
-# A program for a web page: WebGL 2, no file system, no exceptions, and nothing that a content security policy without
-# 'unsafe-eval' would refuse.
+# WebGL 2, no file system, no exceptions, and nothing that a content security policy without 'unsafe-eval' would refuse.
 function(evenlift_page_program target)
   target_compile_options(${target} PRIVATE -fno-exceptions ${evenlift_small})
   target_link_options(
@@ -80,11 +77,11 @@ function(evenlift_page_program target)
     -sENVIRONMENT=web
     -sFILESYSTEM=0
     -sMALLOC=emmalloc
-    # Nothing for browsers without WebGL 2 or TextDecoder, and no unused features.
+    # No support for browsers without WebGL 2 or TextDecoder, and no unused features.
     -sTEXTDECODER=2
     -sMIN_CHROME_VERSION=85
     -sMIN_FIREFOX_VERSION=79
-    # No support for Edge before it was based on Chrome. This is also the only value that new Emscripten accepts.
+    # No Edge before it was based on Chrome: new Emscripten accepts only this value.
     -sMIN_EDGE_VERSION=2147483647
     -sMIN_SAFARI_VERSION=150000
     -sGL_TRACK_ERRORS=0

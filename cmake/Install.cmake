@@ -1,6 +1,5 @@
-# The three components of `cmake --install`: `program`; `development`, the C++ libraries with their headers, for
-# find_package(evenlift) and pkg-config; and `library`, for C and every language that can call C. docs/packages.md is
-# the manual.
+# Components: `program`; `development`, the C++ libraries and headers, for find_package(evenlift) and pkg-config; and
+# `library`, for C and languages that call C. docs/packages.md is the manual.
 include_guard()
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
@@ -57,10 +56,8 @@ install(
 install(FILES "${PROJECT_SOURCE_DIR}/c/include/evenlift/evenlift.h" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/evenlift"
         COMPONENT development)
 
-# --- pkg-config
-# ---------------------------------------------------------------------------------------------------------
-# The installed folder may be moved, so paths are relative to the file itself. A distribution's absolute folders stay
-# absolute.
+# --- pkg-config -------------------------------------------------------------------------------------------------------
+# Paths are relative to the file, as the installed folder may be moved; a distribution's absolute folders stay absolute.
 function(evenlift_pkg_config name component)
   cmake_path(IS_ABSOLUTE CMAKE_INSTALL_LIBDIR fixed)
   if(fixed)

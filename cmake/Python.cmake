@@ -1,6 +1,5 @@
-# evenlift_find_python(VARIABLE MODULES DESCRIPTION) sets the cache entry VARIABLE to a Python that can import MODULES,
-# unless it is already set. If there are several Pythons, the first in PATH takes precedence: users and continuous
-# integration put their own there.
+# Sets the cache entry VARIABLE, unless it is set, to a Python that can import MODULES: the first in PATH, where users
+# and continuous integration put their own.
 function(evenlift_find_python variable modules description)
   if(${variable})
     return()

@@ -1,6 +1,6 @@
 include_guard()
 
-# For our own targets only; libraries are included as SYSTEM, so their headers cause no warnings.
+# For our own targets only: libraries are included as SYSTEM, so their headers cause no warnings.
 add_library(evenlift_warnings INTERFACE)
 target_compile_options(
   evenlift_warnings
@@ -15,7 +15,7 @@ target_compile_options(
             -Woverloaded-virtual
             -Wcast-align
             -Wextra-semi
-            # Fields have defaults: Request{.teams = 3} is the usual way to fill a struct.
+            # Fields have defaults: Request{.teams = 3} is usual.
             -Wno-missing-field-initializers
             $<$<BOOL:${EVENLIFT_WERROR}>:-Werror>)
 

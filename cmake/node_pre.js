@@ -1,7 +1,6 @@
 // Precedes all other code in our programs for Node.
 
-// Emscripten 3.1.6 mistakes Node's own `fetch` for a browser's and fetches a file with it. Hidden here, it makes Emscripten read
-// the file instead.
+// Emscripten 3.1.6 mistakes Node's own `fetch` for a browser's. Hidden here, it makes Emscripten read the file instead.
 var fetch;
 
 // A pipe in non-blocking mode returns EAGAIN instead of waiting; Emscripten would lose the rest.

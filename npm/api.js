@@ -1,6 +1,6 @@
-// The package's functions, made from its compiled WebAssembly: requests as JSON in, answers as JSON out.
+// The package's functions: requests as JSON in, answers of its WebAssembly as JSON out.
 
-// A refused request. `message` is a sentence that includes the place; `code` and `place` are the same facts as data.
+// `message` is a sentence that includes the place; `code` and `place` give the same facts as data.
 export class EvenliftError extends Error {
   name = "EvenliftError";
 
@@ -11,8 +11,7 @@ export class EvenliftError extends Error {
   }
 }
 
-// The functions that the module needs from its host: one reports that its memory grew, the others end it. It has no
-// files and no clock.
+// The module's imports: one reports that its memory grew, the others end it. It has no files and no clock.
 function hostOf(compiled) {
   const host = {};
   for (const { module, name } of WebAssembly.Module.imports(compiled)) {
@@ -32,7 +31,6 @@ function start(compiled) {
   return exports;
 }
 
-// The text up to the zero byte.
 function textAt(memory, at) {
   const bytes = new Uint8Array(memory.buffer);
   return new TextDecoder().decode(bytes.subarray(at, bytes.indexOf(0, at)));
@@ -51,10 +49,11 @@ function answerOf({ memory, evenlift_room, evenlift_free, evenlift_answer }, req
   return text;
 }
 
-// --- Requests. The core's errors refer to places in a request, which the caller of a function never wrote. So errors
-// that the core would report with a line and a column are detected here, with the setting's name or the place.
+// --- Requests.
+// The core's errors refer to places in a request, which the caller never wrote. So errors with a line and a column are
+// detected here, with the setting's name or the place.
 
-// The further options of each function.
+// The options besides settings.
 const members = {
   place: ["candidates", "failures", "even_out", "require"],
   candidates: [],
@@ -71,7 +70,6 @@ const mostPolygons = 10000;
 const refusal = (code, message, place = null) => new EvenliftError({ code, message, place });
 const badSetting = (setting, message) => refusal("bad_setting", message, { setting });
 
-// The number of letters to change, omit or insert to turn one word into the other.
 function distance(from, to) {
   let row = Array.from({ length: to.length + 1 }, (_, i) => i);
   for (let i = 0; i < from.length; ++i) {
@@ -144,7 +142,6 @@ function holesOf(holes) {
   });
 }
 
-// The members of a request that describe the polygon.
 function shapeOf(polygon) {
   if (typeof polygon === "string") return { text: textOf(polygon) };
   if (!Array.isArray(polygon)) throw refusal("bad_syntax", "A polygon must be an array of points [x, y], or a text");
@@ -153,7 +150,7 @@ function shapeOf(polygon) {
   return { polygon: Array.from(polygon, vertexOf) };
 }
 
-// A support is a point, its capacity a number, null, or a text, and a load of the cargo an object.
+// A support is a point, its capacity a number, null or a text, and a load of the cargo an object.
 const lists = ["supports", "support_capacities", "cargo"];
 function loadOf({ at, weight, name } = {}) {
   if (!isPoint(at) || typeof weight !== "number" || (name !== undefined && typeof name !== "string"))
@@ -171,8 +168,8 @@ function listed(name, item) {
   return item;
 }
 
-// A setting's value in JSON. Values that the core refuses by the setting's name are passed on. A seed beyond 2⁵³ is a
-// BigInt, which JSON does not support; the core reads its digits.
+// The core refuses other values by the setting's name. A seed beyond 2⁵³ is a BigInt, which JSON does not support; the
+// core reads its digits.
 function valueOf(name, value) {
   if (Array.isArray(value) && lists.includes(name)) return Array.from(value, (item) => listed(name, item));
   if (Array.isArray(value)) return value.join(",");
@@ -218,7 +215,6 @@ function memberOf(name, value) {
   return value;
 }
 
-// The options with a value.
 const given = (options) => Object.entries(options ?? {}).filter(([, value]) => value !== undefined);
 
 function requestOf(settingNames, command, polygon, options) {
@@ -227,7 +223,7 @@ function requestOf(settingNames, command, polygon, options) {
     if (name === "centre_of_mass") request.centre_of_mass = centreOf(value);
     else if (name === "holes") request.holes = holesOf(value);
     else if (members[command].includes(name)) request[name] = memberOf(name, value);
-    // The program calls the centre of mass "com", and the core also accepts that.
+    // The core also accepts the program's "com".
     else if (settingNames.includes(name) || name === "com") request.settings[name] = valueOf(name, value);
     else
       throw badSetting(
@@ -267,7 +263,7 @@ function measuredOf(polygon) {
   return { ...asked, ...shapes[0] };
 }
 
-// One of an experiment's polygons; an error includes its name.
+// An error includes the polygon's name.
 function namedOf(polygon, i) {
   try {
     return measuredOf(polygon);
@@ -291,10 +287,10 @@ function experimentOf(polygons, settings) {
 
 export function createApi(compiled) {
   let running = start(compiled);
-  // The settings except the centre of mass.
+  // All except the centre of mass.
   const settingNames = textAt(running.memory, running.evenlift_settings()).split(",");
 
-  // The answer as text, with the same bytes as the program's output. A module that stopped is replaced.
+  // The answer has the same bytes as the program's output. A module that stopped is replaced.
   function run(request) {
     try {
       return answerOf(running, typeof request === "string" ? request : JSON.stringify(request));

@@ -1,9 +1,9 @@
-/** Finds places for robots that lift a polygon together, each with nearly the same load. */
+/** Finds places for robots that lift a polygon together, with nearly equal loads. */
 
 /** x to the right, y up. */
 export type Point = [x: number, y: number];
 
-/** The vertices of a polygon, or a text: the thesis's format, WKT, GeoJSON, or a share link, which then sets the defaults. */
+/** Vertices, or a text: the thesis's format, WKT, GeoJSON, or a share link, which then sets the defaults. */
 export type Polygon = readonly (readonly [x: number, y: number])[] | string;
 
 export type Metric = "area" | "circle" | "distance" | "distributed" | "random" | "balanced" | "given";
@@ -14,23 +14,23 @@ export type WeightUnit = "kg" | "t" | "N" | "lb";
 export type Overlay =
   "candidates" | "chords" | "hull" | "clockwise" | "counterclockwise" | "tipping" | "halo" | "tilt" | "load";
 
-/** A load that is fixed to the object, at its own centre of mass. */
+/** A load fixed to the object, at its own centre of mass. */
 export interface Cargo {
   at: readonly [x: number, y: number];
   weight: number;
   name?: string;
 }
 
-/** The vertices of each hole in a polygon. */
+/** The vertices of each hole. */
 export type Holes = readonly (readonly (readonly [x: number, y: number])[])[];
 
-/** The program's options, with the same names and defaults. */
+/** The program's options and defaults. */
 export interface Settings {
-  /** The holes of the polygon, in place of those of its text. */
+  /** The holes, in place of those of the polygon's text. */
   holes?: Holes;
-  /** The centre of mass; `null` for the centroid. */
+  /** `null` for the centroid. */
   centre_of_mass?: readonly [x: number, y: number] | null;
-  /** The number of teams, 1 to 1048576; `"max"` places every candidate (area, circle and distance only). Default 3. */
+  /** 1 to 1048576; `"max"` places every candidate (area, circle and distance only). Default 3. */
   teams?: number | "max";
   metric?: Metric;
   /** Another name of `metric`. */
@@ -48,64 +48,64 @@ export interface Settings {
   min_margin?: number;
   /** A length, like all lengths from 0 to 1e9. Default 0.12 of the object's radius. */
   apart?: number;
-  /** Shorter distances are not relied on, such as those of robots from corners. Default 0.02 of the object's radius. */
+  /** Shorter distances, such as those of robots from corners, are not relied on. Default 0.02 of the object's radius. */
   clear?: number;
   /** 0 to 30. Default 0. */
   survive?: number;
-  /** The places for teams of two: the best ones, or any in the ranges that `min_ratio` allows. Default `"best"`. */
+  /** For teams of two: the best places, or any in the ranges that `min_ratio` allows. Default `"best"`. */
   positions?: Positions;
-  /** The size of a robot, such as `"r=30,reach=5"`. Default `"none"`. */
+  /** The size of a robot: `"r=30,reach=5"`. Default `"none"`. */
   robot?: string;
-  /** The single values of `robot`, all lengths. */
+  /** The values of `robot`, all lengths. */
   robot_radius?: number;
   robot_reach?: number;
   robot_depth?: number;
   robot_width?: number;
   robot_gap?: number;
-  /** No-go edges, counted from 1, or parts of them, such as `"3,5:0.25-0.75"`. Default `"none"`. */
+  /** No-go edges, counted from 1, or parts of them: `"3,5:0.25-0.75"`. Default `"none"`. */
   no_go?: string;
-  /** Robots that already stand: points, or a text such as `"0,0 160,0@30"` with a capacity. Sets the method to `"given"`. */
+  /** Robots that already stand: points, or a text, `"0,0 160,0@30"` with a capacity. Sets the method to `"given"`. */
   supports?: readonly (readonly [x: number, y: number])[] | string;
   /** Supports within this length of the outline stand at its edge. Default 1e-6 of the object's diameter. */
   snap?: number;
   /** The capacity of each support: `[30, null, 40]`. */
   support_capacities?: readonly (number | null)[] | string;
-  /** Loads that are fixed to the object, each at its own centre of mass, or a text such as `"8,8:24:motor"`. */
+  /** Loads fixed to the object, or a text: `"8,8:24:motor"`. */
   cargo?: readonly Cargo[] | string;
-  /** The greatest load of one robot, 1e-100 to 1e100; `"none"` for no limit. */
+  /** The greatest load of a robot, 1e-100 to 1e100; `"none"` for no limit. */
   capacity?: number | "none";
-  /** The C uncertainty: the centre of mass is known within this distance. */
+  /** The C uncertainty: C is known within this distance. */
   com_radius?: number;
-  /** The height of the centre of mass above the plane in which the robots lift. */
+  /** The height of C above the plane in which the robots lift. */
   com_height?: number;
-  /** The greatest slope of the ground: a ratio from 0 to 1, or a text such as `"8%"` or `"4.6deg"`. */
+  /** The greatest slope: a ratio from 0 to 1, or a text: `"8%"`, `"4.6deg"`. */
   slope?: number | string;
   /** The greatest horizontal acceleration, in g. */
   acceleration?: number;
-  /** The length by which a robot gives way under the mean load. */
+  /** How far a robot gives way under the mean load. */
   give?: number | "none";
   /** How much the ground, or a robot's height, is off at most. */
   uneven?: number;
   /** A further weight, such as a person. */
   extra?: number | "none";
-  /** The unit of coordinates and distances: a label, which changes no number. Default `"none"`. */
+  /** Of coordinates and distances: a label, which changes no number. Default `"none"`. */
   unit?: LengthUnit | "none";
-  /** The unit of weights and loads: also only a label. Default `"kg"`. */
+  /** Of weights and loads: also only a label. Default `"kg"`. */
   weight_unit?: WeightUnit;
-  /** The overlays in a picture. */
+  /** In a picture. */
   overlays?: readonly Overlay[] | "none";
-  /** The step of the walkthrough that a link opens. */
+  /** The step that a link opens. */
   step?: number | "none";
 }
 
 export interface PlaceOptions extends Settings {
-  /** Also lists the candidates. */
+  /** Lists the candidates. */
   candidates?: boolean;
-  /** Reports the effect of each robot's failure. */
+  /** The effect of each robot's failure. */
   failures?: boolean;
   /** Moves two or three supports to the edge so that all carry the same load. */
   even_out?: boolean;
-  /** Conditions on the result, such as `"held, max<=20"`. */
+  /** Conditions on the result: `"held, max<=20"`. */
   require?: string;
 }
 
@@ -117,9 +117,9 @@ export interface SvgOptions extends Settings {
 export interface PosesOptions extends Settings {
   /** Default `"json"`. */
   format?: "csv" | "json" | "yaml";
-  /** The coordinate frame's name. Default `"object"`. */
+  /** The frame's name. Default `"object"`. */
   frame?: string;
-  /** The origin of the coordinates. Default `"file"`. */
+  /** Default `"file"`. */
   origin?: "file" | "com";
 }
 
@@ -159,18 +159,18 @@ export interface Loads {
   max: number;
   spread: number;
   max_share: number;
-  /** The loads by the other models, in the order of the robots; `best` is the least possible greatest load. `null` if rounding moves C
+  /** By the other models, in the order of the robots; `best` is the least possible greatest load. `null` if rounding moves C
    * outside the lifting base. */
   models: { springs: number[]; best: number; worst: number[] } | null;
-  /** The following two exist only with a C uncertainty, a slope, an acceleration or uneven ground. */
+  /** These two only with a C uncertainty, a slope, an acceleration or uneven ground. */
   ranges?: [least: number, greatest: number][];
   may_let_go?: boolean;
 }
 
-/** When the object tips in the worst direction. */
+/** When the object tips, in the worst direction. */
 export interface Tilt {
   height: number;
-  /** How far from the centre of mass the weight may act. */
+  /** How far from C the weight may act. */
   reach: number;
   stays: boolean;
   /** The slope as a ratio and as an angle, and the acceleration in g, each alone. */
@@ -209,7 +209,7 @@ export interface Robustness {
   failures_clear: number;
   /** `null` if `models` is. */
   load_per_length: number[] | null;
-  /** The following two exist only with a `com_radius` above 0, the last two also on slopes and uneven ground. */
+  /** These two only with a `com_radius` above 0, the last two also on slopes and uneven ground. */
   com_radius?: number;
   exact_within?: number | null;
   plan_ranges?: [least: number, greatest: number][];
@@ -230,20 +230,19 @@ export interface Misfit {
   why: string;
 }
 
-/** A condition of `require`. */
 export interface Requirement {
   condition: string;
   value: number | boolean | null;
   kept: boolean;
 }
 
-/** The lift after this robot fails; members are `null` if the others do not carry the object. */
+/** After this robot fails; members are `null` if the others do not carry the object. */
 export interface Failure {
   /** Counted from 0. */
   robot: number;
   carried: boolean;
   steady: boolean;
-  /** Steady, and the centre of mass is at least `clear` inside. */
+  /** Steady, and C is at least `clear` inside. */
   clear: boolean;
   com_margin: number | null;
   coverage: number | null;
@@ -252,11 +251,11 @@ export interface Failure {
   plan_max: number | null;
   springs_max: number | null;
   best_max: number | null;
-  /** The load of each robot by springs; 0 for the failed one. */
+  /** The load of each robot; 0 for the failed one. */
   springs: number[] | null;
   /** Only with a `capacity`. */
   over_capacity?: boolean | null;
-  /** The following two exist only if `loads.ranges` do. */
+  /** These two only if `loads.ranges` exists. */
   greatest_end?: number | null;
   stays?: boolean | null;
 }
@@ -264,26 +263,26 @@ export interface Failure {
 export interface Capacity {
   /** `null` if only single supports have a capacity. */
   limit: number | null;
-  /** The robots that carry more, counted from 0, team after team. */
+  /** Robots that carry more, counted from 0, team after team. */
   overloaded: number[];
   teams_needed: number | null;
   greatest_load: number | null;
   teams_tried: number;
   robots_needed: number | null;
   com_radius: number | null;
-  /** The number of robots needed so that any one of them may fail. */
+  /** Robots needed so that any one may fail. */
   if_one_fails: { robots_needed: number | null; greatest_load: number | null; robots_tried: number } | null;
 }
 
-/** The object that `evenlift place --json` prints. */
+/** What `evenlift place --json` prints. */
 export interface Placement {
   polygon: Point[];
   /** Only if there are any. */
   holes?: Point[][];
-  /** Of the object with its cargo, and without it. */
+  /** With the cargo, and without it. */
   centre_of_mass: Point;
   own_centre_of_mass: Point;
-  /** The weight of the object with its cargo, of which all loads are. */
+  /** With the cargo; all loads are computed from it. */
   total_weight: number;
   /** Only if there is any. */
   cargo?: Cargo[];
@@ -308,15 +307,15 @@ export interface Placement {
   closure: Closure;
   goal: Goal;
   goal_reached: boolean;
-  /** Whether the robots can carry the object. */
+  /** The robots can carry the object. */
   stands: boolean;
   verdict: Verdict;
-  /** The following two exist only with supports, the second if the object falls: the robots over which it tips, counted from 0. */
+  /** These two only with supports, the second if the object falls: the robots over which it tips, counted from 0. */
   misfits?: Misfit[];
   tips_over?: number[];
   /** As used; `null` for the default. */
   clear: number | null;
-  /** For balanced robots: whether the search has ended. */
+  /** For balanced robots. */
   search_ended?: boolean;
   requested_robots?: number;
   /** For balanced robots, and for teams with the goal `"hold"`. */
@@ -325,21 +324,21 @@ export interface Placement {
   survive?: number;
   /** Only if it is not `"best"`. */
   positions?: "range";
-  /** The following three exist only with the method `"given"`; the last two if they are set. */
+  /** These three only with the method `"given"`; the last two if they are set. */
   supports?: Point[];
   snap?: number;
   support_capacities?: (number | null)[];
   /** If `requested_teams` differs from the setting: `"max"`, or for balanced robots the number of teams for the other methods. */
   teams_asked?: number | "max";
-  /** Only for a link with overlays that are not the default. */
+  /** Only for a link whose overlays are not the default. */
   overlays?: Record<
     "candidates" | "chords" | "hull" | "clockwise" | "counterclockwise" | "tipping" | "halo" | "tilt" | "load",
     boolean
   >;
-  /** The following three exist only if robots have a size, or there are no-go edges. */
+  /** These three only if robots have a size, or there are no-go edges. */
   robot?: { radius: number; reach: number; depth: number; width: number; gap: number };
   no_go?: string;
-  /** Parts of edges, counted from 1, where no robot can stand, with the reason. */
+  /** Parts of edges, counted from 1, where no robot can stand, and why. */
   unusable?: [
     edge: number,
     from: number,
@@ -350,11 +349,11 @@ export interface Placement {
   moved?: string;
   /** Missing without teams. */
   robustness?: Robustness;
-  /** `null` without a height of the centre of mass. */
+  /** `null` without `com_height`. */
   tilt: Tilt | null;
   /** Only with `extra`. */
   extra?: ExtraLoad;
-  /** The following five exist only if they are set. */
+  /** These five only if they are set. */
   com_height?: number;
   slope?: number;
   acceleration?: number;
@@ -378,7 +377,7 @@ export interface Figure {
   series: { method: Metric; points: [robots: number, value: number, polygons: number][] }[];
 }
 
-/** The thesis's statements beside the corresponding measurements, one text for each of `sets`. */
+/** The thesis's statements beside our measurements, one text for each of `sets`. */
 export interface Claims {
   sets: string[];
   rows: { section: string; what: string; thesis: string; ours: string[] }[];
@@ -390,7 +389,7 @@ export interface FewRobots {
 }
 
 export interface Experiment {
-  /** Three tables as CSV. */
+  /** CSV. */
   measurements: string;
   aggregates: string;
   polygons: string;
@@ -402,7 +401,7 @@ export interface Experiment {
   few_robots: FewRobots[];
 }
 
-/** The place of an error in a request; vertices and edges count from 0, lines, columns and characters from 1. */
+/** Vertices and edges count from 0, lines, columns and characters from 1. */
 export type Place =
   | { line: number; column: number }
   | { vertices: number[]; rings?: number[] }
@@ -412,30 +411,29 @@ export type Place =
   | { setting: string }
   | { character: number };
 
-/** A refused request; `message` is a sentence with the problem and its place. */
+/** Thrown by all functions except `run`; `message` is a sentence with the problem and its place. */
 export class EvenliftError extends Error {
   readonly name: "EvenliftError";
   readonly code: string;
   readonly place: Place | null;
 }
 
-/** Places robots. Throws EvenliftError. */
 export function place(polygon: Polygon, options?: PlaceOptions): Placement;
 
-/** The places for teams of two, in order of slope. Only these settings have an effect: `min_ratio`, `centre_of_mass`, `positions`,
- * the robots' size and `no_go`, and `clear` with positions `"range"`. Throws EvenliftError. */
+/** The places for teams of two, in order of slope. Only `min_ratio`, `centre_of_mass`, `positions`, the robots' size and `no_go`
+ * have an effect, and `clear` with positions `"range"`. */
 export function candidates(polygon: Polygon, settings?: Settings): Candidate[];
 
-/** The picture as SVG text. Throws EvenliftError. */
+/** SVG text. */
 export function svg(polygon: Polygon, options?: SvgOptions): string;
 
-/** The robots' poses, as the text of a file. Throws EvenliftError. */
+/** The text of a file. */
 export function poses(polygon: Polygon, options?: PosesOptions): string;
 
-/** The share link, without `#`. Throws EvenliftError. */
+/** The share link, without `#`. */
 export function link(polygon: Polygon, settings?: Settings): string;
 
-/** The measurements of the thesis's chapter 5, over many polygons. Throws EvenliftError. */
+/** The measurements of the thesis's chapter 5, over many polygons. */
 export function experiment(
   polygons: readonly {
     name?: string;
@@ -448,8 +446,7 @@ export function experiment(
   settings?: { min_ratio?: number; samples?: number; max_teams?: number; max_balanced?: number },
 ): Experiment;
 
-/** The answer to a request, as the same text that the C function `evenlift_run` returns. An invalid request gets `{"error": …}`. */
+/** The answer as text, as from the C function `evenlift_run`. An invalid request gets `{"error": …}`. */
 export function run(request: string | object): string;
 
-/** The package's version. */
 export const version: string;

@@ -1,4 +1,4 @@
-// evenlift for browsers, their workers, and bundlers. node.js is the equivalent for Node.
+// For browsers, their workers, and bundlers; node.js is for Node.
 import { createApi } from "./api.js";
 
 async function compile(url) {

@@ -1,4 +1,4 @@
-// The package's WebAssembly: requests of request.h, and memory for their bytes. api.js calls it.
+// The package's WebAssembly, which api.js calls: requests of request.h, and memory for their bytes.
 #include <emscripten/emscripten.h>
 
 #include <cstddef>
@@ -12,13 +12,13 @@
 
 extern "C" {
 
-// Allocates this number of bytes; returns 0 if that is impossible. Free them with evenlift_free().
+// Returns 0 if memory is too low. Free with evenlift_free().
 EMSCRIPTEN_KEEPALIVE void* evenlift_room(std::size_t bytes) { return std::malloc(bytes); }
 
 EMSCRIPTEN_KEEPALIVE void evenlift_free(void* room) { std::free(room); }
 
-// Returns the answer to a request with this number of bytes. It ends with a zero byte; free it with
-// evenlift_free(). Returns 0 if memory is too low.
+// Answers a request. The answer ends with a zero byte; free it with evenlift_free(). Returns 0 if
+// memory is too low.
 EMSCRIPTEN_KEEPALIVE char* evenlift_answer(const char* request, std::size_t bytes) {
   const std::string answer = evenlift::answer(std::string_view(request, bytes));
   auto* copy = static_cast<char*>(std::malloc(answer.size() + 1));
@@ -26,7 +26,7 @@ EMSCRIPTEN_KEEPALIVE char* evenlift_answer(const char* request, std::size_t byte
   return copy;
 }
 
-// The names of all settings that requests take, with commas between them.
+// The names of all settings that requests take, separated by commas.
 EMSCRIPTEN_KEEPALIVE const char* evenlift_settings() {
   static const std::string names = [] {
     std::string list;

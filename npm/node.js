@@ -1,4 +1,4 @@
-// evenlift for Node and its worker threads.
+// For Node and its worker threads.
 import { readFile } from "node:fs/promises";
 import { createApi } from "./api.js";
 

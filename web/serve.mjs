@@ -1,7 +1,7 @@
-// Serves a folder of static files on this computer only, as a plain static host would:
+// Serves a folder on this computer only, as a plain static host would:
 //   node web/serve.mjs FOLDER [PORT]
-// If the port is taken, the next free one is used. Every answer carries the content security policy that the page
-// promises to work under, so that a page that works here also works there.
+// If the port is taken, the next free one is used. Every answer has the content security policy under which the page
+// must also work elsewhere.
 import { createReadStream } from "node:fs";
 import { realpath, stat } from "node:fs/promises";
 import { createServer } from "node:http";
@@ -27,8 +27,7 @@ const types = {
   ".woff2": "font/woff2",
 };
 
-// The file that a request's path names, or undefined. It never leaves the folder, whatever the path or a symbolic link
-// contains.
+// Undefined for an unknown path, and outside the folder, whatever the path or a symbolic link contains.
 async function find(root, url) {
   try {
     const name = decodeURIComponent(new URL(url, "http://localhost").pathname);
@@ -74,7 +73,7 @@ function listen(root, host, port) {
   });
 }
 
-// `localhost` is 127.0.0.1 or ::1, as the browser chooses: both or neither are used, as far as this computer has them.
+// The browser chooses 127.0.0.1 or ::1 for `localhost`: both or neither are used, as far as this computer has them.
 async function listenOnLocalhost(root, port) {
   const first = await listen(root, "127.0.0.1", port);
   try {
@@ -87,7 +86,7 @@ async function listenOnLocalhost(root, port) {
   }
 }
 
-// serve(FOLDER, PORT) starts and resolves to { url, close }. PORT 0 means any free port.
+// Starts, and resolves to { url, close }. Port 0 means any free port.
 export async function serve(folder, port = 8080) {
   const root = await realpath(folder);
   for (let tries = 0; ; ++tries) {

@@ -1,4 +1,4 @@
-// Marks homework: whether links solve the task of a lesson.
+// Judges whether links solve the task of a lesson.
 #include <algorithm>
 
 #include "commands/commands.h"
@@ -20,11 +20,11 @@ struct Marked {
   const HandedIn* of;
   std::uint64_t number;  // the learner's
   Attempt attempt;
-  std::string problem;  // why the link could not be judged; empty if it could
+  std::string problem;  // why it could not be judged; else empty
 };
 
-// Judges one link. The exercise of this learner is made anew, since another number may make another
-// object. Throws Failure if the lesson itself is at fault.
+// Makes the exercise for this learner, since another number may make another object. Throws Failure
+// if the lesson itself is at fault.
 Marked mark(const HandedIn& handed_in, const LessonText& lesson, std::uint64_t number) {
   Marked marked{&handed_in, number, {}, {}};
   const Result<Exercise> begun = exercise(lesson.lesson, lesson.sample, number);
@@ -53,7 +53,6 @@ std::string changes_of(const Marked& marked) {
 
 std::string yes_or_no(bool value) { return value ? "yes" : "no"; }
 
-// One link in sentences.
 std::string in_words(const Marked& marked) {
   std::string text;
   for (const Goalpost& goal : marked.attempt.goals)
@@ -64,7 +63,7 @@ std::string in_words(const Marked& marked) {
   return text + (marked.attempt.kept ? "The task is done.\n" : "The task is not done.\n");
 }
 
-// The names of the goals, which all links have in common.
+// The goals, which all links have in common.
 std::vector<std::string> goals_of(const std::vector<Marked>& all) {
   std::vector<std::string> names;
   for (const Marked& marked : all)
@@ -97,7 +96,7 @@ std::string as_table(const std::vector<Marked>& all, bool numbers) {
   return table(rows, remarks);
 }
 
-// A cell of a table in CSV (RFC 4180). A cell that a spreadsheet would compute is made a text.
+// A cell in CSV (RFC 4180). A cell that a spreadsheet would compute is made a text.
 std::string cell(std::string text) {
   if (!text.empty() && std::string_view("=+-@").find(text[0]) != std::string_view::npos)
     text.insert(0, "'");

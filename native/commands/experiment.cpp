@@ -68,7 +68,6 @@ experiment::Shard shard_of(const Options& options) {
   return {static_cast<std::uint32_t>(*i), static_cast<std::uint32_t>(*n)};
 }
 
-// The result files of an experiment in its folder.
 constexpr const char* result_files[] = {"measurements.csv", "aggregates.csv", "polygons.csv",
                                         "times.csv",        "thesis.md",      "robots.md",
                                         "report.html"};
@@ -82,7 +81,7 @@ void check_out(const std::string& out, const std::vector<PolygonFile>& read) {
                       "would overwrite " + file.path + ", an input file"};
 }
 
-// Writes all files of a finished experiment. The same parts give the same bytes.
+// The same parts give the same bytes.
 std::string write_results(std::vector<experiment::Part> parts, const ExperimentFolder& folder) {
   const experiment::ExperimentSettings settings =
       parts.empty() ? experiment::ExperimentSettings{} : parts.front().settings;

@@ -33,7 +33,7 @@ void cmd_generate(const Arguments& arguments) {
   const std::uint64_t n = n_text ? whole_option("--n", *n_text) : 12;
   Document document;  // its settings contain the seed
   if (seed_text) setting_option(Setting::seed, *seed_text, document);
-  // In WebAssembly size_t has 32 bits. A number that does not fit is too large anyway.
+  // size_t has 32 bits in WebAssembly; a larger number is too large anyway.
   const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(n, 0xFFFFFFFF));
   Result<Points> points = generate(*family, size, document.settings.seed);
   if (!points) throw Failure{bad_input_status, "--n", points.error().message};

@@ -11,7 +11,7 @@
 namespace evenlift::native {
 namespace {
 
-// Only a document that can be placed becomes a link, so that every link opens with a result.
+// Every link must open with a result, so the document must be one that can be placed.
 void check(const Input& input, const SettingOptions& options) {
   const Document& document = input.document;
   if (const std::optional<InputError> error = check_settings(document.settings, document.shown))

@@ -1,4 +1,4 @@
-// The program `evenlift`: selects the command and turns a failure into one line and an exit status.
+// Selects the command, and turns a failure into one line and an exit status.
 #include <csignal>
 #include <cstdio>
 #include <exception>

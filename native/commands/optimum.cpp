@@ -23,7 +23,6 @@ double time_limit_option(const std::optional<std::string>& text) {
   return *seconds;
 }
 
-// The compared choices.
 struct Compared {
   Placement greedy;
   Optimum widest;
@@ -59,7 +58,7 @@ Compared compare(const Placement& greedy, bool holds, double seconds) {
   return compared;
 }
 
-// The numbers of the candidates, from 1; "none" without any.
+// Candidates, counted from 1.
 std::string candidates_in_words(const std::vector<std::uint32_t>& taken) {
   std::string text;
   for (const std::uint32_t i : taken) text += (text.empty() ? "" : ", ") + std::to_string(i + 1);
@@ -132,7 +131,6 @@ std::string as_json(const Compared& compared) {
   return text + "\n}\n";
 }
 
-// The text to print. Throws Failure.
 std::string answer(const Input& input, const SettingOptions& options, double seconds, bool json) {
   const Waiting waiting("comparing choices of teams");
   const bool holds = goal_of(input.document.settings) == Goal::hold;

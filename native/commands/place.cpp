@@ -19,13 +19,11 @@
 namespace evenlift::native {
 namespace {
 
-// Names the team's robots that carry more than the capacity.
 std::string overloaded(double load1, double load2, double capacity) {
   const bool first = exceeds(load1, capacity), second = exceeds(load2, capacity);
   return first && second ? "both" : first ? "first" : second ? "second" : "-";
 }
 
-// The robots of one team, one in each row.
 std::string robot_table(const ShownPlacement& of, const ShownLoads& shown) {
   const Placement& placement = of.placement;
   const bool given = placement.settings.method == Method::given;
@@ -84,7 +82,7 @@ std::string candidate_table(const Placement& placement) {
   return table(rows);
 }
 
-// The settings and the results, one on each line.
+// Settings and results, one on each line.
 std::string facts(const ShownPlacement& of, const Robustness& robustness) {
   const Placement& placement = of.placement;
   const Settings& settings = placement.settings;
@@ -157,7 +155,7 @@ std::string for_people(const ShownPlacement& of, bool with_candidates,
   return sentences + "\n" + tables + facts(of, known.robustness);
 }
 
-// The picture as SVG, with the share link in it; too large a polygon has no link.
+// SVG that contains the share link, unless the polygon is too large for one.
 std::string picture(const Placement& placement, const Document& document, bool with_candidates) {
   Shown shown = document.shown;
   shown.overlays.candidates |= with_candidates;
@@ -165,7 +163,7 @@ std::string picture(const Placement& placement, const Document& document, bool w
   return placement_svg({placement, shown}, link ? *link : std::string());
 }
 
-// Checks that all outputs go to different files.
+// All outputs must go to different files.
 void check_outputs(const PlaceOptions& options, const std::optional<PosesAsked>& poses) {
   const std::string& read = options.input.file;
   if (options.svg) check_output_file("--svg", *options.svg, read);
@@ -192,7 +190,6 @@ struct Outputs {
   bool kept = true;  // all requirements
 };
 
-// Throws Failure.
 Outputs make_outputs(const Input& input, const PlaceOptions& options,
                      const std::optional<PosesAsked>& poses, const RobustnessAsked& asked,
                      const std::vector<Condition>& conditions) {

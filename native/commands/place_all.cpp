@@ -13,14 +13,13 @@
 namespace evenlift::native {
 namespace {
 
-// What is printed of a shape.
 struct ShapeResult {
   std::string name;  // or its kind
   std::size_t vertices = 0;
-  std::string refusal;  // a sentence; empty if it was placed
+  std::string refusal;  // empty if it was placed
   std::size_t robots = 0;
   bool stands = false;  // on robots; otherwise the members below have no meaning
-  LoadRange loads;      // the least and the greatest of all robots
+  LoadRange loads;      // of all robots
   double coverage = 0;
   bool held = false;
   std::optional<std::size_t> overloaded;  // robots, if any has a capacity
@@ -50,13 +49,11 @@ Result<Placement> placed(Document& document, const PlaceOptions& options) {
   return place(document);
 }
 
-// A JSON object on one line, after the members that identify the shape.
 std::string json_line(std::size_t number, const std::string& name, const std::string& object) {
   return "{\"shape\": " + std::to_string(number) + ", \"name\": " + json::text(name) + ", " +
          json::on_one_line(object).substr(1) + "\n";
 }
 
-// Fills in the loads and what follows from them.
 void summarize(const ShownPlacement& of, const RobustnessAsked& asked, ShapeResult& result) {
   const Placement& placement = of.placement;
   for (const Team& team : placement.teams) result.robots += team.robots.size();
@@ -72,7 +69,6 @@ void summarize(const ShownPlacement& of, const RobustnessAsked& asked, ShapeResu
   if (has_capacities(of)) result.overloaded = overloaded_robots(of, shown.greatest).size();
 }
 
-// Throws Failure if an option is invalid.
 ShapeResult result_of(std::size_t number, const ImportedShape& shape, const PlaceOptions& options,
                       const std::vector<Condition>& conditions) {
   ShapeResult result;

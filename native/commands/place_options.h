@@ -1,4 +1,3 @@
-// The typed options of `evenlift place`.
 #pragma once
 
 #include <optional>
@@ -22,7 +21,7 @@ struct PlaceOptions {
 
   void declare(CommandLine& line);
 
-  // The conditions of --require. Throws Failure.
+  // Of --require. Throws Failure.
   std::vector<Condition> conditions() const;
 };
 

@@ -21,7 +21,7 @@ void cmd_trace(const Arguments& arguments) {
   if (!line.parse(arguments)) return;
 
   const Input input = options.read();
-  // The trace of balanced robots does the search itself.
+  // The trace does the search for balanced robots itself.
   const Result<Placement> placement = place(input.document, Effort::start);
   if (!placement) throw options.settings.failure(input.source, placement.error());
   const Result<Trace> trace =

@@ -12,9 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A unique file name for a polygon's name: each character becomes %XX unless it is a letter, a
-// digit or a sign that every system accepts. Very long names keep their beginning, with a
-// fingerprint to distinguish them.
+// Unique: each character becomes %XX unless it is a letter, a digit or a sign that every system
+// accepts. Very long names keep their beginning, with a fingerprint to distinguish them.
 std::string file_name(const std::string& polygon) {
   std::string out;
   for (const char c : polygon) {
@@ -43,7 +42,7 @@ std::string shard_name(const experiment::Shard& shard) {
   return "shard-" + std::to_string(shard.i) + "-of-" + std::to_string(shard.n) + ".csv";
 }
 
-// The lists of finished shards, in a fixed order.
+// Finished shards, in a fixed order.
 std::vector<fs::path> shard_files(const std::string& folder) {
   std::vector<fs::path> paths;
   std::error_code error;

@@ -1,5 +1,5 @@
-// The folder of a running experiment: DIR/parts has one file for each finished polygon, and one for
-// each finished shard, which lists its polygons.
+// DIR/parts has one file for each finished polygon, and one for each finished shard, which lists
+// its polygons.
 #pragma once
 
 #include <optional>
@@ -13,23 +13,23 @@ namespace evenlift::native {
 
 class ExperimentFolder {
  public:
-  // Makes the folder if it does not exist. Throws Failure if that is impossible.
+  // Makes the folder if necessary, or throws Failure.
   static ExperimentFolder create(const std::string& path);
-  // Opens a folder with the parts of a run; throws Failure if it has none.
+  // Throws Failure if the folder has no parts of a run.
   static ExperimentFolder open(const std::string& path);
 
   const std::string& path() const { return path_; }
   std::string file(const std::string& name) const { return path_ + "/" + name; }
 
-  // The part of a polygon, if it exists, is complete, and has this fingerprint and these settings.
+  // The part of a polygon if it is complete, and has this fingerprint and these settings.
   std::optional<experiment::Part> find(const experiment::ShardList::Entry& entry,
                                        const experiment::ExperimentSettings& settings) const;
-  // Writes a part, completely or not at all. Safe for several threads and programs at once.
+  // Completely or not at all; safe for several threads and programs at once.
   void keep(const experiment::Part& part) const;
 
-  // Records that a shard is done. Records of another division of the work no longer count.
+  // Records of another division of the work no longer count.
   void finish(const experiment::ShardList& list) const;
-  // The finished shards. Throws Failure if a list cannot be read.
+  // Throws Failure if a list cannot be read.
   std::vector<experiment::ShardList> finished() const;
 
  private:
@@ -37,9 +37,8 @@ class ExperimentFolder {
   std::string path_;
 };
 
-// All parts of a finished run, by set and polygon, from one folder or from the folders of its
-// shards. Throws Failure if a shard is missing or unfinished, or if the shards do not belong
-// together.
+// All parts of a finished run, by set and polygon, from the folder or folders of its shards. Throws
+// Failure if a shard is missing or unfinished, or if shards do not belong together.
 std::vector<experiment::Part> collect(const std::vector<ExperimentFolder>& folders);
 
 }  // namespace evenlift::native

@@ -37,7 +37,6 @@ experiment::Part measured(const MeasuredPolygon& polygon, const experiment::Subj
   return part;
 }
 
-// The result for one polygon.
 struct Work {
   experiment::ShardList::Entry entry;
   bool resumed = false;
@@ -51,7 +50,7 @@ Work refuse(const MeasuredPolygon& polygon, const Failure& failure,
   part.fingerprint = experiment::refused_fingerprint;
   part.result.set = polygon.set;
   part.result.polygon = polygon.name;
-  // The file's path is removed, since it differs between machines.
+  // The file's path differs between machines, so it is removed.
   const std::size_t source =
       failure.where.rfind(polygon.source, 0) == 0 ? polygon.source.size() : 0;
   const std::string place = failure.where.substr(std::min(source + 2, failure.where.size()));
@@ -79,7 +78,7 @@ Work work_on(const MeasuredPolygon& polygon, const experiment::ExperimentSetting
   return {entry, false, {}};
 }
 
-// The largest polygons come first, so that the threads end at about the same time.
+// The largest come first, so that the threads end at about the same time.
 std::vector<std::size_t> by_size(const std::vector<MeasuredPolygon>& polygons) {
   std::vector<std::size_t> order(polygons.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -91,7 +90,7 @@ std::vector<std::size_t> by_size(const std::vector<MeasuredPolygon>& polygons) {
   return order;
 }
 
-// Calls task(0) .. task(count - 1), each once, in `jobs` threads; rethrows the first exception.
+// Calls task(0) .. task(count - 1), each once; rethrows the first exception.
 template <class Task>
 void in_threads(std::size_t count, unsigned jobs, Task task) {
   std::atomic<std::size_t> next = 0;

@@ -1,4 +1,3 @@
-// The polygons of an experiment: all shapes of its files.
 #pragma once
 
 #include <optional>
@@ -13,15 +12,15 @@ namespace evenlift::native {
 
 struct MeasuredPolygon {
   std::string set;
-  std::string name;  // the file's, and the shape's number from 1 if the file has several: "gear 2"
+  std::string name;    // the file's, with the shape's number from 1 if it has several: "gear 2"
   std::string source;  // in errors: the file's path, and the shape's number
   Document document;
-  std::optional<Failure> refused;  // why the file cannot be read; then it has no vertices
+  std::optional<Failure> refused;  // why the file cannot be read; then no vertices
 };
 
-// Reads the files and returns their shapes, in the order of the files. Reports what was left out, and
-// that all of several shapes are taken, on standard error, one per line. Throws Failure if two shapes
-// of a set have the same name. O(bytes), plus O(k log k) for k shapes.
+// Returns all shapes, in the order of the files. Reports omissions, and that all of several shapes
+// are taken, on standard error, one per line. Throws Failure if two shapes of a set have the same
+// name. O(bytes), plus O(k log k) for k shapes.
 std::vector<MeasuredPolygon> read_polygons(const std::vector<PolygonFile>& files);
 
 }  // namespace evenlift::native

@@ -11,7 +11,7 @@
 namespace evenlift::native {
 namespace {
 
-// Source files embedded by the build.
+// Embedded by the build.
 constexpr unsigned char template_bytes[] = {
 #include "template.html.inc"
 };
@@ -53,7 +53,7 @@ std::string summary(const std::vector<experiment::PolygonResult>& results) {
   return text;
 }
 
-// The measured sets, each on its own line if there are several.
+// Sets, each on its own line if there are several.
 std::string summaries(const std::vector<experiment::ResultSet>& sets,
                       const experiment::ExperimentSettings& settings) {
   std::string text;
@@ -76,7 +76,7 @@ std::string problems(const std::vector<experiment::ResultSet>& sets) {
          "</ul></div>";
 }
 
-// The number of robots up to which a set's charts show teams of two.
+// The number of robots up to which charts show teams of two.
 std::uint32_t most_robots(const std::vector<experiment::Figure>& figures, const std::string& set) {
   std::uint32_t most = 0;
   for (const experiment::Figure& figure : figures)
@@ -114,7 +114,6 @@ std::string value_text(const experiment::Figure& figure, double value) {
   return figure.unit == "%" ? fixed(100 * value, 1) : fixed(value, 2);
 }
 
-// A table with a row for each number of robots and a column for each method.
 std::string data_table(const experiment::Figure& figure) {
   std::set<std::uint32_t> robots;
   std::string head = "<th scope=\"col\">robots</th>";
@@ -183,7 +182,6 @@ std::string header_cells(const std::vector<std::string>& heads) {
   return html;
 }
 
-// One measure in the table of few robots, with a row for each number of robots.
 std::string few_robots_table(const std::string& set, const std::string& what,
                              const std::vector<experiment::FewRobotsRow>& rows) {
   std::vector<std::string> heads = {"robots"};
@@ -227,7 +225,7 @@ std::string polygon_rows(const std::vector<experiment::ResultSet>& sets) {
   return html;
 }
 
-// JSON for a script element, which must not contain "<".
+// A script element must not contain "<".
 std::string inside_script(std::string json) {
   for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos; at += 6)
     json.replace(at, 1, "\\u003c");
@@ -238,7 +236,7 @@ struct Blank {
   std::string name, content;
 };
 
-// Fills the template's blanks. Inserted text is not searched for blanks.
+// Inserted text is not searched for blanks.
 std::string filled(const std::string& form, const std::vector<Blank>& blanks) {
   std::string out;
   for (std::size_t at = 0; at < form.size();) {

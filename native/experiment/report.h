@@ -1,5 +1,5 @@
-// The report of an experiment as one HTML file: the thesis's figures redrawn, the results of few
-// robots, and the table against the thesis's text. Works without a network.
+// An experiment's report as one HTML file, which works without a network: the thesis's figures
+// redrawn, the results of few robots, and the table against the thesis's text.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace evenlift::native {
 
-// The same data gives the same bytes. If the program was built without charts, the report contains
-// a notice and their numbers as tables.
+// The same data gives the same bytes. If the program was built without charts, tables and a notice
+// replace them.
 std::string report_html(const std::vector<experiment::ResultSet>& sets,
                         const experiment::Outputs& outputs,
                         const experiment::ExperimentSettings& settings);

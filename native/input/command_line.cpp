@@ -14,7 +14,7 @@ bool among(const std::vector<std::string>& options, const std::string& option) {
   return std::find(options.begin(), options.end(), option) != options.end();
 }
 
-// CLI11's layout, but with a usage line that lists the arguments and options without "REQUIRED".
+// CLI11's layout, but the usage line lists arguments and options without "REQUIRED".
 class Layout : public CLI::Formatter {
  public:
   std::string make_usage(const CLI::App* app, std::string name) const override {
@@ -72,12 +72,12 @@ void CommandLine::flag(bool& into, const std::string& option, const std::string&
   app_->add_flag(option, into, help);
 }
 
-// Each option and its value as one argument: a value may begin with a minus (`--com -5,3`).
+// Joins each option and its value, which may begin with a minus (`--com -5,3`).
 std::vector<std::string> CommandLine::joined(const std::vector<std::string>& arguments) const {
   std::vector<std::string> out, seen;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
-    if (argument == "--") {  // everything after it is a name, whatever its beginning
+    if (argument == "--") {  // only names follow, whatever their beginning
       out.insert(out.end(), arguments.begin() + static_cast<std::ptrdiff_t>(i), arguments.end());
       break;
     }
@@ -107,7 +107,6 @@ std::vector<std::string> CommandLine::joined(const std::vector<std::string>& arg
   return out;
 }
 
-// What to do about an unknown option.
 std::string CommandLine::advice_for(const std::string& option) const {
   const auto without_dashes = [](std::string_view name) {
     return name.substr(std::min(name.find_first_not_of('-'), name.size()));

@@ -13,20 +13,20 @@ class App;
 
 namespace evenlift::native {
 
-// Values stay text here, so that refused values get our own messages (options.h).
+// Values stay text, so that refused values get our own messages (options.h).
 class CommandLine {
  public:
-  // `command` as typed ("evenlift place"), its purpose in a sentence, and examples of its use.
+  // `command` is as typed ("evenlift place"), `purpose` a sentence.
   CommandLine(const std::string& command, const std::string& purpose, const std::string& examples);
   ~CommandLine();
 
   void positional(std::string& into, const std::string& name, const std::string& help);
-  // Any number of arguments, including none.
+  // May be none.
   void positionals(std::vector<std::string>& into, const std::string& name,
                    const std::string& help);
   void value(std::optional<std::string>& into, const std::string& option, const std::string& name,
              const std::string& help);
-  // A second name of an option that is declared with value(). Help does not list it.
+  // A second name of an option declared with value(); not in the help.
   void alias(const std::string& other, const std::string& option);
   void flag(bool& into, const std::string& option, const std::string& help);
 

@@ -1,5 +1,3 @@
-// The failure of a command: a line on standard error, possibly a list below it, and the exit
-// status.
 #pragma once
 
 #include <string>
@@ -14,26 +12,24 @@ inline constexpr int bad_input_status = 2;  // wrong usage or input
 inline constexpr int not_kept_status = 3;   // a requirement that is not kept
 inline constexpr int other_status = 1;      // anything else, such as a file that cannot be written
 
-// Commands throw it; main catches it and prints `evenlift: WHERE: WHAT`.
+// A command throws it; main prints `evenlift: WHERE: WHAT` on standard error.
 struct Failure {
   int status = bad_input_status;
   std::string where;                   // a file and the place in it, or an option as typed
   std::string what;                    // one sentence without a full stop
   std::vector<std::string> list = {};  // lines below it, such as the possible choices
-  bool silent = false;                 // nothing is printed, since the reader is gone
+  bool silent = false;                 // prints nothing, since the reader is gone
 };
 
-// Prints `evenlift: WHERE: WHAT` on standard error, as one line whatever the file's name, even an
-// empty one; prints nothing if it is silent.
+// Prints one line whatever the file's name, even an empty one.
 void print_failure(const Failure& failure);
 
-// The system's message for an error, as part of a sentence: "no such file or directory".
+// As part of a sentence: "no such file or directory".
 std::string system_message(const std::error_code& error);
 
-// An invalid value of an option: what is expected, and what was typed.
 Failure bad_value(const std::string& option, const std::string& expected, const std::string& typed);
 
-// An error in the contents of `source`: a file's name, "standard input" or "link".
+// An error in `source`: a file's name, "standard input" or "link".
 Failure bad_input(const std::string& source, const InputError& error);
 
 }  // namespace evenlift::native

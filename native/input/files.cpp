@@ -20,7 +20,7 @@ using File = std::unique_ptr<std::FILE, Close>;
 
 std::string system_error() { return system_message({errno, std::generic_category()}); }
 
-// Reads to the end, or to one byte beyond the limit, which the reader of the text then refuses.
+// Stops one byte beyond the limit; the reader of the text then refuses it.
 std::string read_all(std::FILE* file, const std::string& source) {
   std::string text;
   char buffer[1 << 16];
@@ -58,7 +58,6 @@ ImportedShape linked(const std::string& link, const ShapeOptions& options) {
   return std::move(shapes.front());
 }
 
-// A text and its name in errors.
 struct Source {
   std::string name, text;
 };
@@ -71,7 +70,7 @@ Source read_source(const std::string& file) {
   return {file, read_all(opened.get(), file)};
 }
 
-// Whether both are the same regular file. A pipe may be both read and written.
+// A pipe may be both read and written.
 bool is_same_file(const struct stat& a, const struct stat& b) {
   return S_ISREG(a.st_mode) && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
 }

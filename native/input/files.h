@@ -1,4 +1,5 @@
-// Reads and writes whole files, byte for byte.
+// Reads and writes whole files, byte for byte. All except is_same_file() and read_file() throw
+// Failure.
 #pragma once
 
 #include <optional>
@@ -11,40 +12,38 @@
 
 namespace evenlift::native {
 
-// The contents of FILE, which is a path, "-" for standard input, or a share link. Throws Failure.
+// `file` is a path, "-" for standard input, or a share link.
 struct Input {
-  std::string source;  // its name in errors: the path, "standard input" or "link"
+  std::string source;  // in errors: the path, "standard input" or "link"
   Document document;
 };
 Input read_input(const std::string& file, const ShapeOptions& options);
 
-// All shapes in FILE, one or more; a link has one. Throws Failure.
+// One or more shapes; a link has one.
 struct InputShapes {
   std::string source;
   std::vector<ImportedShape> shapes;
 };
 InputShapes read_all_shapes(const std::string& file, const ShapeOptions& options = {});
 
-// Standard input to its end, cut off after max_text_bytes + 1. Throws Failure.
+// Cut off after max_text_bytes + 1.
 std::string read_standard_input();
 
-// The contents of a file, cut off after max_text_bytes + 1; nothing if it cannot be read.
+// As above; nothing if the file cannot be read.
 std::optional<std::string> read_file(const std::string& path);
 
-// Whether both paths lead to the same regular file; the first may also be "-" for standard input.
+// Whether both lead to the same regular file; the first may be "-".
 bool is_same_file(const std::string& a, const std::string& b);
 
-// Checks that an option can write to a path: the path is not "-", which is only for reading, and
-// not the input file. Throws Failure with the option's name otherwise.
+// Refuses "-", which is only for reading, and the input file. Failure names the option.
 void check_output_file(const std::string& option, const std::string& path,
                        const std::string& input);
 
-// Replaces the file by `text` or leaves it unchanged: writes a file beside it and renames that.
-// Writes directly to a file that is not regular (a pipe, /dev/stdout). Throws Failure.
+// Replaces the file by `text` or leaves it unchanged: renames a new file beside it. Writes directly
+// to a file that is not regular (a pipe, /dev/stdout).
 void write_file(const std::string& path, std::string_view text);
 
-// Writes to standard output. Throws Failure; a silent one if the pipe is broken, since a reader may
-// stop early.
+// Failure is silent if the pipe is broken, since a reader may stop early.
 void write_output(std::string_view text);
 
 }  // namespace evenlift::native

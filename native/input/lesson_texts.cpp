@@ -32,7 +32,6 @@ std::optional<std::string_view> find(const Texts& texts, std::string_view name) 
   return text->text;
 }
 
-// The names of all ready-made lessons, or of those with a task.
 std::vector<std::string> names_of_lessons(bool with_task) {
   std::vector<std::string> names;
   for (const Text& text : lessons)
@@ -42,7 +41,6 @@ std::vector<std::string> names_of_lessons(bool with_task) {
   return names;
 }
 
-// A text, and its name in errors.
 struct Source {
   std::string name, text;
 };

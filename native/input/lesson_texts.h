@@ -1,4 +1,3 @@
-// Lessons by their names or from files.
 #pragma once
 
 #include <string>
@@ -8,7 +7,7 @@
 
 namespace evenlift::native {
 
-// A lesson and the sample polygon that it names, if it names one.
+// A lesson, and the sample polygon that it names, if any.
 struct LessonText {
   std::string source;  // its name in errors
   std::string text;
@@ -17,7 +16,7 @@ struct LessonText {
 };
 
 // The lesson in a file or on standard input ("-"), in a link or an address with one, or the
-// ready-made lesson with this name. Throws Failure about `option`, or about the lesson.
+// ready-made one of this name. Throws Failure about `option` or the lesson.
 LessonText read_lesson(const std::string& option, const std::string& given);
 
 }  // namespace evenlift::native

@@ -9,7 +9,7 @@ namespace {
 // "min_ratio" is typed --min-ratio.
 std::string as_typed(std::string_view setting) { return "--" + hyphened(setting); }
 
-// Why a setting has no effect with the others; empty if it has one.
+// Why a setting has no effect with the others, or empty.
 std::string why_unused(const SettingRow& row, const Settings& settings) {
   if (row.setting == Setting::teams && settings.method == Method::balanced)
     return "balanced robots do not form teams; give --robots";
@@ -42,7 +42,6 @@ Value value_or_refusal(Setting setting, const std::optional<Value>& value,
   return *value;
 }
 
-// Reads the supports themselves, or a file of them.
 void supports_option(const std::string& text, Document& document) {
   if (!read_setting(Setting::supports, text, document)) return;
   const std::optional<std::string> file = read_file(text);
@@ -56,7 +55,7 @@ void supports_option(const std::string& text, Document& document) {
   if (!read) throw bad_input(text, read.error());
   // A hand lifts beneath the object, away from the contact.
   const bool by_contact = document.settings.robot.depth > 0 && !read->contacts.empty();
-  // A file without a unit, or an object without one, keeps its numbers; poses in metres do not.
+  // Without a unit of the file or the object, numbers are kept; poses in metres are not.
   const LengthUnit own = document.shown.units.length;
   const bool converts = read->unit != LengthUnit::none && own != LengthUnit::none;
   const double scale = converts ? in_metres(1, read->unit) / in_metres(1, own) : 1;
@@ -68,7 +67,7 @@ void supports_option(const std::string& text, Document& document) {
   document.moved = {};
 }
 
-// Adds to the cargo of the file; `none` removes it.
+// Adds to the file's cargo; `none` removes it.
 void cargo_option(const std::string& text, Document& document) {
   Document more;
   setting_option(Setting::cargo, text, more);
@@ -118,7 +117,7 @@ void SettingOptions::apply(Document& document) const {
     if (typed(row.setting) && row.setting != Setting::supports && row.setting != Setting::cargo)
       setting_option(row.setting, *typed(row.setting), document);
   if (const Typed& cargo = typed(Setting::cargo)) cargo_option(*cargo, document);
-  // A file of supports may need the unit. Supports bring their method; another one is refused below.
+  // The file may need the unit. Supports bring their method; another one is refused below.
   const Method method = document.settings.method;
   if (const Typed& supports = typed(Setting::supports)) supports_option(*supports, document);
   if (typed(Setting::method)) document.settings.method = method;

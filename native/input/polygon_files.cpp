@@ -17,7 +17,7 @@ std::string without_extension(fs::path path) { return path.replace_extension().g
 
 bool is_polygon_file(const fs::path& path) {
   const std::string name = path.filename().string(), extension = path.extension().string();
-  // Experiments write their results as .csv, so a table of vertices must be given by itself.
+  // Not .csv, in which experiments write results: a table of vertices must be given by itself.
   constexpr std::string_view endings[] = {".txt", ".wkt", ".json", ".geojson", ".svg", ".dxf"};
   return name != "index.txt" &&
          std::find(std::begin(endings), std::end(endings), extension) != std::end(endings);
@@ -32,7 +32,7 @@ bool hidden(const fs::path& path) {
   throw Failure{bad_input_status, path, system_message(error)};
 }
 
-// The last part of a folder's path, in any spelling: "a/b/" and "a/b/." are b.
+// The last part in any spelling: "a/b/" and "a/b/." are b.
 std::string folder_name(const std::string& folder) {
   std::error_code error;
   const fs::path whole = fs::absolute(folder, error).lexically_normal();
@@ -63,7 +63,7 @@ void add_folder(const std::string& folder, std::vector<PolygonFile>& files) {
         "no polygon in this folder: no file name ends in .txt, .wkt, .json, .geojson, .svg or .dxf"};
 }
 
-// A folder's name identifies its set.
+// The folder's name identifies its set.
 void check_set_names(const std::vector<std::string>& folders, bool with_files) {
   for (std::size_t i = 0; i < folders.size(); ++i) {
     const std::string set = folder_name(folders[i]);

@@ -1,4 +1,3 @@
-// The file for the robots' poses, and its format.
 #pragma once
 
 #include <optional>
@@ -15,13 +14,12 @@ struct PosesAsked {
   PoseOptions options;
 };
 
-// The typed options; empty if not given.
 struct PoseFileOptions {
   std::optional<std::string> file, frame, origin;
 
   void declare(CommandLine& line);
 
-  // The requested file, if any. Throws Failure with the option's name.
+  // Empty if no file is requested. Throws Failure with the option's name.
   std::optional<PosesAsked> asked() const;
 };
 

@@ -38,7 +38,6 @@ std::vector<std::string> listed(const std::vector<ImportedShape>& shapes) {
   return lines;
 }
 
-// Why a person should choose among the shapes.
 std::string why_asked(const Import& import) {
   if (!import.doubtful) return "it has " + std::to_string(import.shapes.size()) + " shapes";
   return "what does not close is larger than the largest shape" +
@@ -78,12 +77,11 @@ Import read_text(const std::string& text, const std::string& source, const Shape
   return std::move(read).value();
 }
 
-// Prints a line on standard error that is no failure.
+// On standard error, but no failure.
 void say(const std::string& source, const std::string& what) {
   print_failure({0, source, what, {}});
 }
 
-// Prints the notes, and the distance between edges and curves.
 void report(const Import& import, const std::optional<double>& tolerance, const std::string& source,
             const ShapeOptions& options) {
   for (const std::string& note : import.notes) say(source, note);

@@ -1,4 +1,4 @@
-// Selects the shapes of a file, and says how they are read.
+// Selects the shapes of a file, and reports how they are read.
 #pragma once
 
 #include <optional>
@@ -10,27 +10,25 @@
 
 namespace evenlift::native {
 
-// The typed options; empty if not given.
 struct ShapeOptions {
   std::optional<std::string> shape, flatten, join, holes;
   bool project = false;
   bool offered = false;  // the command has these options
 
   void declare(CommandLine& line);
-  // Whether holes count. Throws Failure if neither yes nor no was typed.
+  // Throws Failure if neither yes nor no was typed.
   bool keeps_holes() const;
   // Only `evenlift place` takes all shapes; elsewhere the word is a shape's name.
   bool selects_all() const { return shape == "all"; }
 };
 
-// Reads the text and returns the selected shape, or the only one. Omissions and decisions are
-// reported on standard error, one per line. Throws Failure; without a selection among several
-// shapes, it lists them.
+// The selected shape, or the only one. Reports omissions and decisions on standard error, one per
+// line. Throws Failure, which without a selection among several shapes lists them.
 Document choose_shape(const std::string& text, const std::string& source,
                       const ShapeOptions& options);
 
-// Reads the text and returns all its shapes, whatever was left out. Reports the same, and, where no
-// option asked for all of several shapes, that all are taken. Throws Failure.
+// All shapes, whatever was left out. Reports the same, and that all of several are taken, unless an
+// option asked for that. Throws Failure.
 std::vector<ImportedShape> all_shapes(const std::string& text, const std::string& source,
                                       const ShapeOptions& options);
 

@@ -52,7 +52,7 @@ void Progress::done(const std::string& name) {
   draw(name);
 }
 
-// The bar fits into 80 columns.
+// Fits into 80 columns.
 void Progress::draw(const std::string& name) const {
   if (!shown_) return;
   constexpr std::size_t width = 30;
@@ -73,7 +73,7 @@ Waiting::Waiting(std::string what) {
   try {
     drawing_ = std::async(std::launch::async, draw_seconds, std::move(what), over_.get_future());
   } catch (const std::system_error&) {
-    // If no more threads can be created, the work continues without the line.
+    // Without another thread, the work continues without the line.
   }
 }
 #endif

@@ -1,4 +1,4 @@
-// The progress of a long computation, on a terminal.
+// The progress of a long computation, on standard error if that is a terminal.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,7 @@
 
 namespace evenlift::native {
 
-// Draws on standard error if that is a terminal, and otherwise does nothing. Safe for several
-// threads.
+// A bar; safe for several threads.
 class Progress {
  public:
   explicit Progress(std::size_t total);
@@ -17,7 +16,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // Counts one more finished polygon, and shows its name.
+  // Counts a finished polygon, and shows its name.
   void done(const std::string& name);
 
  private:
@@ -28,9 +27,8 @@ class Progress {
   std::mutex mutex_;
 };
 
-// After half a second, shows on standard error, if that is a terminal, the name of the running task
-// and its time so far. It shows no share, since a search may end before its total. A separate
-// thread draws, so the computation is independent of it.
+// After half a second, shows the running task's name and time so far, but no share, since a search
+// may end before its total. A separate thread draws, so the computation is independent of it.
 class Waiting {
  public:
   explicit Waiting(std::string what);

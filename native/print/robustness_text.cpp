@@ -26,7 +26,7 @@ const char* heading(LoadModel model) {
   return "";
 }
 
-// "2" or "2, 5"; "-" if the list is empty.
+// "2, 5"; "-" for an empty list.
 std::string numbers_from_1(const std::vector<std::size_t>& robots) {
   std::string text;
   for (const std::size_t robot : robots)
@@ -105,7 +105,7 @@ std::string robustness_lines(const ShownPlacement& of, const RobustnessKnown& kn
     if (has_capacities(of)) text += " " + uncertainty_for_capacity_in_words(*known.models, of);
     text += "\n";
   }
-  // A C uncertainty that alone can tip the object is in the sentence above.
+  // The sentence above has a C uncertainty that alone can tip the object.
   if (asked.disturbance.reach > of.shown.com_radius) {
     const std::string tips = tipping_in_words(known.robustness, of);
     if (!tips.empty()) text += tips + "\n";

@@ -1,4 +1,4 @@
-// Loads, failures and C uncertainty as text for users: parts of the output of `place`.
+// Loads, failures and C uncertainty in the output of `place`.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,6 @@
 
 namespace evenlift::native {
 
-// The typed options.
 struct RobustnessOptions {
   std::optional<std::string> loads;
   bool failures = false;
@@ -20,8 +19,7 @@ struct RobustnessOptions {
   void declare(CommandLine& line);
 };
 
-// The values of these options, and the disturbance of the document. Throws Failure with the option's
-// name if a value is invalid.
+// The options' values, and the document's disturbance. Throws Failure with the option's name.
 struct RobustnessAsked {
   RobustnessAsked(const RobustnessOptions& options, const Shown& shown);
 
@@ -30,7 +28,7 @@ struct RobustnessAsked {
   bool failures = false;
 };
 
-// Facts about a placement's robots beyond its own numbers, as far as requested.
+// As far as requested.
 struct RobustnessKnown {
   RobustnessKnown(const Placement& placement, const RobustnessAsked& wanted);
 
@@ -40,19 +38,19 @@ struct RobustnessKnown {
   std::vector<std::optional<RestOfRobots>> failures;
 };
 
-// The loads in the table.
 struct ShownLoads {
   std::string heading;
-  std::vector<std::string> text;  // ranges if there is a disturbance, otherwise single numbers
-  std::vector<double> greatest;   // of the range, or the number itself
+  std::vector<std::string> text;  // ranges if there is a disturbance, otherwise numbers
+  std::vector<double> greatest;   // of the range, or the number
   std::vector<LoadRange> ranges;
 };
 ShownLoads shown_loads(const Placement& placement, const RobustnessKnown& known);
 
-// The requested sentences about loads, disturbance, slopes, a further load and failures, one per line.
+// The requested sentences about loads, disturbance, slopes, a further load and failures, one per
+// line.
 std::string robustness_lines(const ShownPlacement& of, const RobustnessKnown& known);
 
-// The effect of each robot's failure, one row per robot; empty if not requested.
+// One row for each robot; empty if not requested.
 std::string failure_table(const ShownPlacement& of, const RobustnessKnown& known);
 
 }  // namespace evenlift::native

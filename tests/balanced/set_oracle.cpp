@@ -34,7 +34,7 @@ double area(const std::vector<Point>& ring) {
   return twice / 2;
 }
 
-// By wrapping: the next corner is the point that has all others on its left.
+// By wrapping: the next corner has all other points on its left.
 std::vector<Point> hull(const std::vector<Point>& points) {
   std::vector<Point> corners{*std::min_element(points.begin(), points.end())};
   while (corners.size() <= points.size()) {
@@ -62,7 +62,7 @@ Space outer(const Space& a, const Space& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// Whether a vertex of a counter-clockwise ring is convex and turns by more than 15 degrees.
+// Whether a counter-clockwise ring's vertex is convex and turns by more than 15 degrees.
 bool is_corner(const std::vector<Point>& ring, std::size_t v) {
   const std::size_t n = ring.size();
   const Point in = ring[v] - ring[(v + n - 1) % n], out = ring[(v + 1) % n] - ring[v];
@@ -70,7 +70,7 @@ bool is_corner(const std::vector<Point>& ring, std::size_t v) {
   return cross(in, out) > 0 && cosine < (std::sqrt(6) + std::sqrt(2)) / 4 - tau;
 }
 
-// The distance of a point on an edge from the nearest corner, passing straight vertices.
+// From a point on an edge to the nearest corner, passing straight vertices.
 double to_corner(const std::vector<Point>& ring, const Point& p, std::size_t edge) {
   const std::size_t n = ring.size();
   const auto is_straight = [&](std::size_t v) {

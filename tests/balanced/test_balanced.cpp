@@ -1,4 +1,4 @@
-// Balanced robots are valid sets, whatever the object; and the examples of their definition.
+// Balanced robots are valid sets, whatever the object; examples of their definition.
 #include <cmath>
 #include <string>
 
@@ -167,7 +167,7 @@ TEST_CASE("settings of balanced robots that do not go together are refused", "[b
 }
 
 TEST_CASE("where no set has its centroid at the centre of mass, no robot is placed", "[balanced]") {
-  // The centre of mass is in the notch, near the line through both tips and away from its middle.
+  // C is in the notch, near the line through both tips but not its middle.
   Document document;
   document.vertices = {{0, 0}, {5, -6}, {10, 0}, {5, -4.8}};
   document.centre_of_mass = Vec2(2.5, -0.05);

@@ -1,5 +1,4 @@
-// The search for balanced robots as a trace explains it: the steps are the search's own, and their
-// claims about places and chords are true.
+// The trace's steps are the search's, and true of places and chords.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -41,7 +40,7 @@ bool same_robots(const std::vector<LiftingPoint>& a, const std::vector<LiftingPo
 const std::string samples[] = {"grand-piano", "boomerang", "letter-e", "thesis-sample", "square",
                                "worktop",     "guitar",    "triangle", "anchor-moved"};
 
-// The number of the step of this kind and item.
+// The step of this kind and item.
 std::uint32_t at(const Trace& trace, StepKind kind, std::uint32_t item = 0) {
   const auto step = trace.find(kind, item);
   REQUIRE(step.has_value());
@@ -111,7 +110,7 @@ TEST_CASE("a robot that stays keeps its number, and those that move are named",
       }
       before = detail.robots;
     }
-    // At the end the numbers are those of the placement.
+    // At the end, they are the placement's.
     const auto& last = trace.robot_numbers.back();
     CHECK(std::is_sorted(last.begin(), last.end()));
   }
@@ -134,7 +133,7 @@ TEST_CASE("a completion is drawn about the point that makes C the centroid",
       CHECK(length(sum / 2 - balanced.middle) < near);
       for (const Chord& chord : balanced.chords)
         CHECK(length((chord.r1.position + chord.r2.position) / 2 - balanced.middle) < near);
-      // No other chord makes a better set, and the chosen chord makes the set of the step.
+      // No other chord is better; the chosen one makes the step's set.
       for (std::uint32_t chord = 0; chord < balanced.chords.size(); ++chord)
         CHECK_FALSE(compare_even_chord(trace, detail, chord).better);
       const Vec2& end = balanced.chords[balanced.chosen].r1.position;
@@ -156,11 +155,11 @@ TEST_CASE("a lever of two, three robots, and then all of them", "[trace][balance
   CHECK(formula(trace, two).find("50.0") != std::string::npos);
   const StepDetail three = look_at(trace, at(trace, StepKind::three));
   REQUIRE(three.balanced->robots.size() == 3);
-  // C divides the line from robot 3 to the middle of the other two as 2 to 1.
+  // C divides the line from robot 3 to the middle of the others as 2 to 1.
   CHECK(testing::number_of(trace, three, "arm_of_two") ==
         Approx(length(three.balanced->robots[2].position - trace.centre) / 2));
   CHECK(look_at(trace, at(trace, StepKind::many)).balanced->robots.size() == 6);
-  // With three robots there is no step for many.
+  // Three robots have no step for many.
   CHECK(traced(document_of("grand-piano", 3)).count(StepKind::many) == 0);
   CHECK(traced(document_of("grand-piano", 2)).count(StepKind::three) == 0);
 }
@@ -203,7 +202,7 @@ TEST_CASE("why no robot stands at a place: the best set with one there is no bet
       const std::string text = why_no_robot_text(trace, answer);
       CHECK(text.back() == '.');
       if (answer.why != WhyNoRobot::Why::other_set) continue;
-      // The search has tried this stand.
+      // The search tried this stand.
       CHECK_FALSE(answer.comparison.better);
       CHECK(answer.set.robots.size() == 6);
       CHECK(set_oracle::imbalance(object, plain(answer.set.robots)) <
@@ -236,7 +235,7 @@ TEST_CASE("a robot that stands at a place came there by the swap that is named",
     ++came_later;
   }
   CHECK(came_later > 0);
-  // Before there are three robots, the answer is about the last set.
+  // With fewer than three robots, the answer is about the last set.
   CHECK(why_no_robot(trace, 0, robots[0].position, 1).robot == 0);
   CHECK(why_no_robot(traced(document_of("worktop", 2)), 0, robots[0].position, 0).why ==
         WhyNoRobot::Why::no_set);
@@ -256,7 +255,7 @@ TEST_CASE("if a robot fails the step shows the others, and whether they carry th
     falls += !carried;
   }
   CHECK(falls == 1);
-  // The same number of robots in teams can lose two of them without harm, and has less coverage.
+  // As many robots in teams can lose two without harm, and have less coverage.
   const StepDetail pairs = look_at(trace, at(trace, StepKind::pairs));
   CHECK(trace.in_pairs->teams.size() == 3);
   CHECK(trace.in_pairs->coverage < trace.placement.coverage);
@@ -291,7 +290,7 @@ TEST_CASE("a search that is too long for a lesson is refused in a sentence", "[t
   const Result<Trace> trace = make_trace(start);
   REQUIRE_FALSE(trace.ok());
   CHECK(testing::is_one_sentence(trace.error().message));
-  // During a drag only the start is traced, and only if it is quick.
+  // During a drag, only a quick start is traced.
   const Result<Trace> begun = make_trace(start, HistoryLength::start);
   REQUIRE(begun.ok());
   CHECK(begun->history.moves.empty());
@@ -300,7 +299,7 @@ TEST_CASE("a search that is too long for a lesson is refused in a sentence", "[t
 
 TEST_CASE("where no robot can be placed the trace says so, and draws no robots",
           "[trace][balanced]") {
-  // C is at a corner of a rectangle: no chord has C strictly between its ends.
+  // C is at a corner: no chord has it strictly between its ends.
   Document document;
   document.vertices = {{0, 0}, {2, 0}, {2, 4}, {0, 4}};
   document.centre_of_mass = Vec2(5.594368733352286e-12, 6.3308809186457644e-12);

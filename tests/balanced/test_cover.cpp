@@ -1,4 +1,4 @@
-// The coverage of many sets, and its bound, against the coverage of one.
+// The coverage of many sets, and its bound, against that of one.
 #include <cmath>
 #include <string>
 
@@ -36,7 +36,7 @@ bool well_inside(const Points& hull, const Vec2& centre, double diagonal) {
   return hull.size() > 2;
 }
 
-// A place, shaken by as little as its coordinates can be.
+// A place moved by as little as its coordinates allow.
 LiftingPoint shaken(Vec2 position, Rng& rng) {
   for (double& x : position)
     for (std::uint64_t steps = rng.below(4); steps > 0; --steps)
@@ -48,10 +48,10 @@ LiftingPoint shaken(Vec2 position, Rng& rng) {
 
 }  // namespace
 
-// Two pairs at the ends of one chord span a base as thin as rounding, or none.
+// Two pairs at the ends of a chord span a base as thin as rounding, or none.
 TEST_CASE("a base that is thin as rounding covers nothing", "[balanced]") {
   Rng rng(5);
-  // A generated object in which such a base once covered an infinite share.
+  // Such a base once covered an infinite share of this object.
   const Polygon polygon = testing::polygon({{9.297922186016947, -3.6808481390535093},
                                             {9.488625200072306, 3.156895914114508},
                                             {5.239495028691213, 8.517493284078343},

@@ -1,5 +1,4 @@
-// The search for balanced robots: its steps, its results, and that the same object gets the same
-// robots.
+// Steps and results; the same object gets the same robots.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -49,7 +48,7 @@ int level_of(std::optional<double> margin) {
   return (least >= 0.001) + (least >= 0.02) + (least >= 0.05);
 }
 
-// Searches by brute force for a swap of three robots that makes the set clearly better.
+// Searches by brute force for a clearly better swap of three robots.
 class Improver {
  public:
   Improver(const Task& task, std::vector<set_oracle::Point> robots)
@@ -153,7 +152,7 @@ TEST_CASE("each swap makes the set better, and says what moved", "[balanced][slo
       }
       search = step.search;
     }
-    // Triple by triple, round by round or at once, the search ends with the same robots.
+    // Triple by triple, round by round or at once: the same robots.
     CHECK(positions(search.robots) == positions(end.robots));
   }
 }
@@ -184,7 +183,7 @@ TEST_CASE(
   settings.goal = Goal::cover;
   settings.apart = 0;
   const BalancedProblem problem(solid(rectangle), {0, 0}, settings);
-  // Robots at its four corners, which cover all of it, and in two more places.
+  // Robots at the four corners, which cover all, and two more.
   const auto corners_and = [](const LiftingPoint& p, const LiftingPoint& q) {
     return std::vector<LiftingPoint>{{{-2, -1}, 0}, {{2, -1}, 1}, {{2, 1}, 2}, {{-2, 1}, 3}, p, q};
   };
@@ -244,8 +243,7 @@ TEST_CASE("no robot with a size comes to where it collides with one that stays",
   REQUIRE(problem.rules().room()->collide(near, above));
   REQUIRE_FALSE(problem.rules().room()->collide(far, above));
 
-  // One pair of places makes C the centroid, with one robot that stays and one that moves to this
-  // place.
+  // With one pair of places C is the centroid: one robot stays, the other moves to this place.
   const auto comes_beside = [&](const LiftingPoint& stays) {
     CHECK(completions(problem, {stays, above}).chords.size() == 1);
     balanced::Best best(problem.rules());
@@ -255,8 +253,8 @@ TEST_CASE("no robot with a size comes to where it collides with one that stays",
   CHECK(comes_beside(far));
   CHECK_FALSE(comes_beside(near));
 
-  // The first robot moves along the lower side to the place that would force its two neighbours to
-  // (3, 5.5) and (10, 1.5).
+  // The first robot moves along the lower side to the place that would force its neighbours to (3,
+  // 5.5) and (10, 1.5).
   const auto neighbours_follow = [&](const LiftingPoint& stays) {
     const LiftingPoint to{{7 - stays.position.x(), 0}, 0};
     CHECK(completions(problem, {to, stays}).chords.size() == 1);

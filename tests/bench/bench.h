@@ -1,4 +1,4 @@
-// Shared by the benchmarks: shapes by family and size, and counters that show the complexity.
+// Shared by the benchmarks: shapes, and counters that show the complexity.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -33,7 +33,7 @@ inline Polygon polygon_of(Family family, std::int64_t n) {
   return *Polygon::create(document_of(family, n).vertices);
 }
 
-// The sample polygons, with their own settings.
+// The samples, with their settings.
 inline std::vector<Document> samples() {
   std::vector<Document> documents;
   for (const auto& entry : std::filesystem::directory_iterator(EVENLIFT_ASSETS_DIR "/polygons")) {
@@ -44,8 +44,7 @@ inline std::vector<Document> samples() {
   return documents;
 }
 
-// Applies `work` to each document in each iteration, and reports the mean and the worst of their
-// times.
+// Applies `work` to each document per iteration, and reports the mean and worst time.
 template <class Work>
 void time_each(benchmark::State& state, const std::vector<Document>& documents, Work work) {
   double sum = 0, worst = 0, runs = 0;
@@ -63,8 +62,8 @@ void time_each(benchmark::State& state, const std::vector<Document>& documents, 
   state.counters["worst_s"] = worst;
 }
 
-// A counter `name`: the time of an iteration for each of `units`. It is constant over n if the time
-// grows in proportion to the units.
+// The time of an iteration for each of `units`: constant over n if the time is proportional to
+// them.
 inline void count_time_per(benchmark::State& state, const char* name, double units) {
   using benchmark::Counter;
   state.counters[name] = Counter(units, Counter::kIsIterationInvariantRate | Counter::kInvert);
@@ -75,7 +74,7 @@ inline double n_log_n(const Polygon& polygon) {
   return n * std::log2(n);
 }
 
-// K, the number of edge pairs, and the time for each of n log2 n + K.
+// K, the number of edge pairs, and the time per n log2 n + K.
 inline void count_pairs(benchmark::State& state, const Polygon& polygon) {
   const auto pairs = static_cast<double>(count_edge_pairs(polygon, polygon.centroid()));
   state.counters["K"] = pairs;

@@ -1,4 +1,4 @@
-// Balanced robots: the start, which a page shows at once, and the whole search.
+// The start, which a page shows at once, and the whole search.
 #include <utility>
 
 #include "bench/bench.h"

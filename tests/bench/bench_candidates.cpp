@@ -1,5 +1,4 @@
-// From a polygon to its candidates: the claims O(n log n) for validation and O(n log n + K) for the
-// edge pairs.
+// From a polygon to its candidates: validation in O(n log n), edge pairs in O(n log n + K).
 #include "bench/bench.h"
 #include "evenlift/candidates.h"
 
@@ -43,7 +42,7 @@ BENCHMARK_CAPTURE(pairs, comb, Family::comb)->Apply(up_to_4k);
 BENCHMARK_CAPTURE(candidates, star, Family::star)->Apply(up_to_256k);
 BENCHMARK_CAPTURE(candidates, comb, Family::comb)->Apply(up_to_4k);
 
-// The most vertices and edge pairs permitted; with positions in ranges, a third of the edge pairs.
+// The most vertices and edge pairs; with positions in ranges, a third of the pairs.
 template <std::int64_t n>
 void of_n(benchmark::internal::Benchmark* family) {
   family->ArgName("n")->Unit(benchmark::kMillisecond)->Arg(n);

@@ -1,4 +1,4 @@
-// Polygons with many holes: the check of all rings, the coverage, and a placement.
+// The check of all rings, the coverage, and a placement.
 #include <vector>
 
 #include "bench/bench.h"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::int64_t in_a_row = 32;
 
-// A square plate with `max_holes` stars in rows, of n vertices in all.
+// A square plate with `max_holes` stars in rows, n vertices in all.
 Document plate(std::int64_t n) {
   const auto each = static_cast<std::size_t>(n) / max_holes;
   const Points star = *generate(Family::star, each, seed);  // in 0 .. 1000

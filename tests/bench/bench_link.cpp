@@ -1,5 +1,4 @@
-// Share links of a polygon with 1,000 vertices, the most common large shape, and with the most
-// vertices that a link can hold.
+// Share links of 1,000 vertices, the most common large size, and of the most that a link can hold.
 #include "bench/bench.h"
 #include "evenlift/link.h"
 

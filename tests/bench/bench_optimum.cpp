@@ -1,4 +1,4 @@
-// The best choice of teams, with the most candidates for which it is proved, bounded or compared.
+// With the most candidates for which it is proved, bounded or compared.
 #include <vector>
 
 #include "bench/bench.h"
@@ -7,7 +7,7 @@
 namespace evenlift::bench {
 namespace {
 
-// The first candidates of a convex polygon that has more.
+// Of a convex polygon that has more.
 std::vector<Candidate> candidates_of(const Polygon& polygon, std::size_t number) {
   std::vector<Candidate> all =
       *find_candidates(polygon, polygon.centroid(), Settings{}.min_ratio, Positions::best);
@@ -33,8 +33,7 @@ void widest(benchmark::State& state, std::size_t number) {
   state.counters["proved"] = proved;
 }
 
-// Three teams of 294 candidates have 4,192,244 choices; with 295 candidates there are more than
-// most_choices.
+// 294 candidates give 4,192,244 choices of three teams; 295 give more than most_choices.
 void firmest_most_choices(benchmark::State& state) {
   const PolygonWithHoles polygon(polygon_of(Family::convex, 800));
   const Vec2& centre = polygon.centroid();

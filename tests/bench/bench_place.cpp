@@ -1,4 +1,4 @@
-// A whole placement, as in the program and the page: from vertices to loads and closure.
+// From vertices to loads and closure.
 #include "bench/bench.h"
 #include "bench/coast.h"
 #include "evenlift/angles.h"
@@ -44,8 +44,7 @@ BENCHMARK_CAPTURE(place, comb_by_distance, Family::comb, Method::distance)->Appl
 BENCHMARK_CAPTURE(place, comb_distributed, Family::comb, Method::distributed)->Apply(for_20_teams);
 BENCHMARK_CAPTURE(place, comb_at_random, Family::comb, Method::random)->Apply(for_20_teams);
 
-// Hard for the bounds by area and distance: the radii are random, so that nearly all ends gain
-// about the same.
+// Hard for the bounds: radii are random, so nearly all ends gain the same area or distance.
 void hard_for_bounds(benchmark::internal::Benchmark* method) {
   method->ArgNames({"n", "teams"})->Unit(benchmark::kMillisecond);
   for (const std::int64_t n : {1000, 3000, 10000, 30000}) method->Args({n, 3});
@@ -54,7 +53,7 @@ BENCHMARK_CAPTURE(place, star_by_area, Family::star, Method::area)->Apply(hard_f
 BENCHMARK_CAPTURE(place, star_by_distance, Family::star, Method::distance)->Apply(hard_for_bounds);
 
 // A capacity that needs nearly two hundred teams, for an existing placement: the page does this
-// after an edit, once for all frames until the next one.
+// once after an edit.
 void plan(benchmark::State& state, Family family, Method method, double capacity = 0.3) {
   Document document = document_of(family, state.range(0));
   document.settings.method = method;
@@ -78,7 +77,7 @@ BENCHMARK_CAPTURE(plan, comb_at_random, Family::comb, Method::random)->Apply(of_
 
 // --- At the limits
 
-// The most vertices and the most teams permitted.
+// The most vertices and teams permitted.
 void at_most(benchmark::internal::Benchmark* method) {
   method->ArgNames({"n", "teams"})->Unit(benchmark::kMillisecond);
 }
@@ -96,8 +95,7 @@ void read_max_vertices(benchmark::State& state) {
 }
 BENCHMARK(read_max_vertices)->Unit(benchmark::kMillisecond);
 
-// A tilted square with a number of vertices on each side: all contacts of a side are aligned, and
-// rounding separates their normals.
+// A tilted square: all contacts of a side are aligned, and rounding separates their normals.
 Document tilted_square(int on_each_side) {
   const Vec2 right = 1000 * Vec2(cosine(0.3), sine(0.3)), up = left_normal(right);
   const Vec2 corners[] = {Vec2::Zero(), right, right + up, up};
@@ -124,10 +122,10 @@ BENCHMARK_CAPTURE(place_all, corners_of_base, document_of(Family::convex, 16000)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(place_all, star, document_of(Family::star, 20000))->Unit(benchmark::kMillisecond);
 
-// No number of teams that is tried keeps all loads within this capacity.
+// No number of teams that is tried keeps all loads within this.
 BENCHMARK_CAPTURE(plan, most_teams_for_capacity, Family::comb, Method::area, 0.05)->Apply(of_1000);
 
-// A plan for failures that finds no number, or for balanced robots finds one after some searches.
+// A plan that finds no number; for balanced robots, one found after some searches.
 void plan_failures(benchmark::State& state, Document document, Settings settings, double capacity) {
   document.settings = settings;
   const Placement placement = *evenlift::place(document);

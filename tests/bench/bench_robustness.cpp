@@ -1,4 +1,3 @@
-// Loads and possible failures, for an existing placement.
 #include "bench/bench.h"
 #include "evenlift/placed_robots.h"
 
@@ -32,7 +31,7 @@ BENCHMARK(robustness_always)
     ->Arg(50)
     ->Arg(1000)
     ->Arg(max_teams);
-// Up to the number of robots that the page analyses.
+// Up to the number that the page analyses.
 BENCHMARK(robustness_failures)
     ->ArgName("teams")
     ->Unit(benchmark::kMillisecond)

@@ -7,7 +7,7 @@
 namespace evenlift::bench {
 namespace {
 
-// The size in thousandths of L: a body, optionally with an arm and a hand of the same size.
+// In thousandths of L: a body, optionally with an arm and a hand of the same size.
 RobotSize size_of(const Polygon& polygon, std::int64_t thousandths, bool hand) {
   const double size = static_cast<double>(thousandths) / 1000 * polygon.diameter();
   return hand ? RobotSize{size, size, size, size, 0} : RobotSize{size, 0, 0, 0, 0};

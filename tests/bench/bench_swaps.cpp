@@ -1,4 +1,4 @@
-// Teams chosen to hold, on the samples and on outlines with many candidates.
+// On samples and outlines with many candidates.
 #include <vector>
 
 #include "bench/bench.h"
@@ -27,7 +27,7 @@ void hold(benchmark::State& state, Family family, Positions positions, std::int6
   for (auto _ : state) benchmark::DoNotOptimize(place(document));
 }
 
-// A number of teams among a number of a comb's candidates in ranges, evenly picked.
+// Teams among candidates in ranges, evenly picked from a comb's.
 void swap(benchmark::State& state) {
   const PolygonWithHoles polygon(polygon_of(Family::comb, 1000));
   const Settings settings = to_hold({}, state.range(0), Positions::range).settings;
@@ -54,8 +54,8 @@ BENCHMARK_CAPTURE(hold, spiral, Family::spiral, Positions::range)->Apply(of_1000
 BENCHMARK_CAPTURE(hold, comb, Family::comb, Positions::best)->Apply(of_1000);
 
 // At the limits: the t^3 K up to which the page swaps t teams during a drag, and after it; the most
-// candidates for which two teams may be swapped at once; the most teams; and the part of
-// most_swaps in a round that max_edge_pairs permits.
+// candidates for swapping two teams at once; the most teams; and the part of most_swaps in a round
+// that max_edge_pairs permits.
 template <std::int64_t n>
 void of_n(benchmark::internal::Benchmark* b) {
   b->ArgName("n")->Unit(benchmark::kMillisecond)->Arg(n);

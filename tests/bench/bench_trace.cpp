@@ -1,4 +1,4 @@
-// The walkthrough: the one-time cost of a trace, and the cost of looking at a step.
+// The cost of a trace, and of looking at a step.
 #include <string>
 
 #include "bench/bench.h"
@@ -28,7 +28,7 @@ void trace(benchmark::State& state, Family family) {
   state.counters["steps"] = steps;
 }
 
-// A step's details, shapes and words; for the last team, which costs the most.
+// Details, shapes and words of the last team's step, which cost the most.
 void look(benchmark::State& state, Family family, StepKind kind) {
   const Trace trace = *make_trace(placement_of(family, state.range(0)));
   const std::uint32_t k = *trace.find(kind, trace.count(kind) - 1);
@@ -57,13 +57,13 @@ BENCHMARK_CAPTURE(look, comb_scores, Family::comb, StepKind::scores)->Apply(thou
 
 // --- At the limits
 
-// "Why not this one?" about a vertex of a spiral with many chords through it and C.
+// "Why not this one?" about a spiral's vertex with many chords through it and C.
 void why_not_most_chords(benchmark::State& state) {
   const Trace trace = *make_trace(placement_of(Family::spiral, state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(chord_at(trace, trace.polygon().vertex(0)));
 }
 
-// A lesson with the most bytes and steps permitted.
+// The most bytes and steps permitted.
 void parse_max_lesson(benchmark::State& state) {
   std::string text = "title: Long\npolygon: square\n";
   for (std::size_t step = 1; step <= max_lesson_steps; ++step)

@@ -1,4 +1,3 @@
-// An outline that winds at every scale.
 #pragma once
 
 #include "bench/bench.h"
@@ -7,8 +6,8 @@
 
 namespace evenlift::bench {
 
-// A coast of 20,480 vertices: each side of a pentagon is bent in its middle, by up to a sixth of
-// its length, and so on.
+// 20,480 vertices: each side of a pentagon is bent in its middle, by up to a sixth of its length,
+// and so on.
 inline Document coast() {
   Rng rng(seed);
   Document document;

@@ -1,5 +1,5 @@
-// node compare.mjs NATIVE.json WEBASSEMBLY.json: a table of the two outputs of Google Benchmark, with their ratio. The
-// fastest of repeated runs counts: other work of the machine can only slow a run down.
+// node compare.mjs NATIVE.json WEBASSEMBLY.json: a table of two outputs of Google Benchmark, with their ratio. The
+// fastest of repeated runs counts: other work only slows a run down.
 import { readFileSync } from "node:fs";
 
 const toMilliseconds = { ns: 1e-6, us: 1e-3, ms: 1, s: 1e3 };

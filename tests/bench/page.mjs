@@ -1,6 +1,6 @@
-// node page.mjs: the sizes of the page's files, the time to its first frame, and the time of a frame while C or a robot of
-// a polygon of 1,000 vertices is dragged. The settings are those of tests/page/browser.mjs, but WebAssembly is
-// optimised as early as usual.
+// node page.mjs: the sizes of the page's files, the time to its first frame, and frame times while C or a robot is
+// dragged with 1,000 vertices. Settings are those of tests/page/browser.mjs, but WebAssembly is optimised as early as
+// usual.
 import { load, idle, startBrowser, state, toScreen } from "../page/browser.mjs";
 import { coast } from "../shapes/coast.mjs";
 import { sizes } from "../page/sizes.mjs";
@@ -32,7 +32,7 @@ for (let i = 0; i < 7; ++i) {
 }
 line("first picture, fastest of 7", `${Math.min(...starts).toFixed(0)} ms`);
 
-// The page's own work in a frame, without the browser's work on the frame afterwards.
+// The page's own work in a frame, without the browser's afterwards.
 function timeFrames() {
   const own = globalThis.requestAnimationFrame.bind(globalThis);
   globalThis.frameTimes = [];
@@ -51,7 +51,7 @@ const circle = (n) =>
     return `(${(r * Math.cos(a)).toFixed(2)},${(r * Math.sin(a)).toFixed(2)})`;
   }).join("\n");
 
-// Drags from a place by 60 pixels, and tells how long the frames took.
+// Drags by 60 pixels, and reports the frame times.
 async function dragFrames(page, [x, y], name) {
   await page.mouse.move(x, y);
   await page.mouse.down();
@@ -73,7 +73,7 @@ for (const n of [100, 1000]) {
   await dragFrames(page, await toScreen(page, (await state(page)).centre_of_mass), `dragging C, ${n} vertices`);
 }
 
-// Robots placed by hand, half of them at vertices and half beneath the object.
+// Robots placed by hand, half at vertices and half beneath the object.
 for (const [n, robots] of [
   [100, 6],
   [1000, 64],
@@ -93,9 +93,8 @@ for (const [n, robots] of [
   await dragFrames(page, await toScreen(page, placed[2].at), `dragging one of ${robots} robots by hand, ${n} vertices`);
 }
 
-// How long the page is blocked at a time while a vertex or the centre of mass of a large polygon is dragged: the main
-// thread's longest task, the median of those from 5 ms on, and how many of them take longer than a frame. All are in
-// processor time, which other jobs of the machine affect less.
+// How long the page is blocked while a vertex or C of a large polygon is dragged: the longest task, the median from 5
+// ms on, and the number longer than a frame. All in processor time, which other jobs affect less.
 for (const [name, spot] of [
   ["a vertex", ({ polygon }) => polygon[5000]],
   ["C", ({ centre_of_mass: centre }) => centre],
@@ -115,7 +114,7 @@ for (const [name, spot] of [
   const { traceEvents: events } = JSON.parse((await browser.browser.stopTracing()).toString());
   await page.mouse.up();
   await page.done();
-  // Of all tasks of renderers, those in which the page drew.
+  // Of the renderers' tasks, those in which the page drew.
   const drew = events.find(({ name: of }) => of === "FireAnimationFrame");
   const times = events
     .filter(({ name: of, pid, tid, tdur }) => of === "RunTask" && pid === drew.pid && tid === drew.tid && tdur > 5000)
@@ -128,15 +127,14 @@ for (const [name, spot] of [
   line("  tasks from 5 ms on, and longer than a frame", `${times.length}, ${times.filter((t) => t > 16.7).length}`);
 }
 
-// One case of each limit in README.md: the time from the call until all of it is on screen, and the time of a frame
-// after that.
+// One case of each limit in README.md: the time until all of it is on screen, and the frame time afterwards.
 const star = (n) =>
   Array.from({ length: n }, (_, i) => {
     const a = (2 * Math.PI * i) / n;
     const r = 4e5 + 5e4 * Math.sin(9 * a);
     return `(${(r * Math.cos(a)).toFixed(2)},${(r * Math.sin(a)).toFixed(2)})`;
   }).join("\n");
-// A comb whose facing edges make the most pairs permitted, or nearly so.
+// A comb with the most edge pairs permitted, or nearly so.
 const comb = (teeth) =>
   `${Array.from({ length: teeth }, (_, i) => `(${2 * i},0)\n(${2 * i},${teeth})\n(${2 * i + 1},${teeth})\n(${2 * i + 1},0)`).join("\n")}\n(${2 * teeth - 1},-1)\n(0,-1)`;
 

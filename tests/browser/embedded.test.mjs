@@ -1,5 +1,4 @@
-// A figure in an article: wheel, fingers and keys belong to the article until the reader takes hold of the figure, and
-// again after letting go.
+// A figure in an article takes wheel, fingers and keys only while the reader holds it.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { evenlift, idle, link, phone, sample, sharedBrowser, tap, wide } from "../page/browser.mjs";
@@ -9,7 +8,7 @@ const browser = sharedBrowser();
 const shared = evenlift("link", "encode", sample("guitar")).trim();
 const stepOf = (encoded) => JSON.parse(evenlift("link", "decode", encoded)).step ?? undefined;
 
-// Opens an article with a figure in it, longer than the window, and waits until the figure is loaded.
+// Opens an article longer than the window, and waits until its figure is loaded.
 async function article(options = {}, address = `?embed=1#${shared}`) {
   const context = await browser.browser.newContext({ viewport: wide, colorScheme: "light", ...options });
   const lines = (count) => Array.from({ length: count }, (_, i) => `<p>Line ${i + 1}.</p>`).join("");
@@ -24,7 +23,7 @@ async function article(options = {}, address = `?embed=1#${shared}`) {
   return {
     page,
     frame,
-    // A point on the figure's background, in an empty corner, wherever the article was scrolled to.
+    // A point in an empty corner of the figure, wherever the article is.
     ground: async () => {
       const { x, y } = await page.locator("iframe").boundingBox();
       return [x + 24, y + 90];
@@ -37,13 +36,13 @@ async function article(options = {}, address = `?embed=1#${shared}`) {
 }
 
 const scrolled = (page) => page.evaluate(() => scrollY);
-// The scale and the place at which the figure shows its object.
+// The scale and place of the figure's object.
 const seen = (frame) => frame.evaluate(() => [...evenlift.view.to_screen(0, 0), ...evenlift.view.to_screen(100, 0)]);
 const isHeld = (frame) => frame.evaluate(() => !document.documentElement.classList.contains("guest"));
 const held = (frame, on) =>
   frame.waitForFunction((wanted) => document.documentElement.classList.contains("guest") !== wanted, on);
 
-// Scrolling has ended when two frames were drawn without any more of it.
+// Two frames were drawn without more scrolling.
 async function atRest(page) {
   await page.evaluate(async () => {
     const picture = () => new Promise((done) => requestAnimationFrame(done));
@@ -59,7 +58,7 @@ async function back(page) {
   await atRest(page);
 }
 
-// Turns the wheel over the figure. Returns whether that moved the article, or else the figure's view.
+// Returns whether turning the wheel over the figure moved the article, or else the figure's view.
 async function wheel({ page, frame, ground }) {
   await page.mouse.move(...(await ground()));
   const before = JSON.stringify(await seen(frame)),
@@ -70,7 +69,7 @@ async function wheel({ page, frame, ground }) {
   return movedArticle ? "article" : "figure";
 }
 
-// Waits until one of the two has moved, and then until both are at rest.
+// Waits until one of the two has moved, then until both are at rest.
 async function moved(page, frame, from, before) {
   await page.waitForFunction(
     ([top, view]) => {
@@ -126,7 +125,7 @@ test("Tab takes hold of a figure, keys are its own then, and Tab leaves it", asy
   assert.equal(await page.evaluate(() => document.activeElement.id), "before");
   assert.equal(await wheel(opened), "article");
   await back(page);
-  // After Esc, the figure still has the focus in its window, and no key is taken from the article.
+  // After Esc, the figure keeps the focus but takes no key from the article.
   await page.keyboard.press("Tab");
   await held(frame, true);
   await page.keyboard.press("Escape");
@@ -179,7 +178,7 @@ test("a swipe over an untouched figure scrolls the article; after a tap it moves
   const client = await page.context().newCDPSession(page);
   const touch = (type, ...points) =>
     client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
-  // Returns what a swipe upwards moved.
+  // Returns what an upward swipe moved.
   const swipe = async () => {
     const [x, y] = await ground();
     const before = JSON.stringify(await seen(frame)),

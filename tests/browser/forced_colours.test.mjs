@@ -1,5 +1,5 @@
-// Forced colours, which some readers choose in their system: nothing is printed twice, every control keeps its shape,
-// and the canvas is light or dark like the system.
+// With forced colours, nothing is printed twice, every control keeps its shape, and the canvas is light or dark like
+// the system.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { asset, idle, load, phone, sharedBrowser } from "../page/browser.mjs";
@@ -14,7 +14,7 @@ async function forced({ colorScheme = "light", ...options } = {}) {
   return page;
 }
 
-// The visible elements of the mirror, except a focused one: the canvas already shows the same below them.
+// The visible elements of the mirror, except a focused one: the canvas shows the same below them.
 const twins = (page) =>
   page.$$eval("#mirror > div > *", (all) => ({
     count: all.length,
@@ -42,7 +42,7 @@ for (const [where, options] of [
     const { count, seen } = await twins(page);
     assert.ok(count > 10, String(count));
     assert.deepEqual(seen, []);
-    // The canvas has the same letters, and nothing covers them.
+    // The canvas has the same letters, uncovered.
     const { width, height } = page.viewportSize();
     const clip = { x: 2, y: 2, width: width - 4, height: height - 4 }; // without the frame
     const dark = await groundIsDark(page),
@@ -89,7 +89,7 @@ test("a control that has the focus shows where it is and no letters of its own, 
   await page.done();
 });
 
-// Controls and fields of a window without a visible edge.
+// Controls and fields without a visible edge.
 const shapeless = (window) =>
   window.evaluate((root) =>
     [...root.querySelectorAll(".button, .field, .choice, .sample, kbd")]
@@ -167,7 +167,7 @@ for (const colorScheme of ["light", "dark"]) {
   });
 }
 
-// Whether a background is dark: the system's, and the canvas's in an empty corner.
+// Whether a background is dark: the system's, and an empty corner's of the canvas.
 const groundIsDark = (page) =>
   page.evaluate(() => {
     const probe = document.body.appendChild(document.createElement("i"));

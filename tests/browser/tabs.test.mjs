@@ -1,4 +1,4 @@
-// Several tabs: each keeps its own work, address and undo, through reloads and crashes.
+// Each tab keeps its own work, address and undo, through reloads and crashes.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import {
@@ -23,7 +23,7 @@ const browser = sharedBrowser();
 const encoded = (name, ...options) => evenlift("link", "encode", sample(name), ...options).trim();
 const teams = async (page) => (await state(page)).requested_teams;
 
-// Tabs of one browser. A tab that another tab opens, as a popup or after a crash, has only these scripts of ours.
+// A tab opened by another, as a popup or after a crash, has only these scripts of ours.
 let context;
 after(() => context?.close());
 async function fresh() {
@@ -41,7 +41,7 @@ async function focused(page) {
   await page.locator("#canvas").focus();
 }
 
-// Reloads a tab: it shows the same, its address names that, and successive undos lead to these links.
+// Reloads a tab: it shows the same, its address names that, and undos lead to these links.
 async function comesBack(page, links, why) {
   const mine = await link(page);
   await idle(page);
@@ -74,7 +74,7 @@ test("two tabs on the same address: each keeps what it shows, and its own undo",
   await press(a, "teams -");
   await idle(a);
   assert.equal(await teams(a), 1);
-  // The address with which both began is one step, and no step leads from it to itself.
+  // The address with which both began is one step; no step leads from it to itself.
   await comesBack(b, [...links.slice(1), first], "the second tab");
   await comesBack(a, [two, first], "the first tab");
   await a.done();
@@ -157,7 +157,7 @@ test("a duplicated tab has the same work and undo, and is a tab of its own from 
   const violin = encoded("violin"),
     two = await link(a);
   const coming = a.waitForEvent("popup");
-  await a.evaluate(() => void open(location.href)); // with the storage of this tab, as a browser duplicates it
+  await a.evaluate(() => void open(location.href)); // with this tab's storage, as a browser duplicates it
   const copy = await coming;
   await copy.waitForFunction(() => globalThis.evenlift);
   await copy.evaluate(() => evenlift.ready);

@@ -23,7 +23,7 @@ double distance(const Point& p, const Point& q) { return std::hypot(p[0] - q[0],
 
 double length(const std::array<Point, 2>& ends) { return distance(ends[0], ends[1]); }
 
-/// The greater gap between the ends of two chords, matched in the better way.
+/// The greater gap between the ends of two chords, matched the better way.
 double apart(const std::array<Point, 2>& a, const std::array<Point, 2>& b) {
   return std::min(std::max(distance(a[0], b[0]), distance(a[1], b[1])),
                   std::max(distance(a[0], b[1]), distance(a[1], b[0])));
@@ -39,7 +39,6 @@ oracle::Kind kind(evenlift::CandidateKind k) {
                                                   : oracle::Kind::vertex;
 }
 
-/// Collects the differences.
 class Differences {
  public:
   template <class A, class B>
@@ -75,7 +74,7 @@ double size_of(const std::vector<Point>& v) {
   return distance(low, high);
 }
 
-/// The distance of p from the convex hull with these corners, in units of `size`; 0 inside.
+/// The distance of p from the convex hull of these corners, in units of `size`; 0 inside.
 double outside(const Point& p, const std::vector<Point>& hull, double size) {
   const auto seen_from_p = [&](const Point& q) {
     return Point{(q[0] - p[0]) / size, (q[1] - p[1]) / size};
@@ -104,24 +103,23 @@ class Comparison {
   Comparison(const Case& c, const evenlift::Placement& core)
       : case_(c), core_(core), size_(size_of(c.problem.vertices)) {}
 
-  /// Candidates, teams and verdicts, all computed from the polygon.
+  /// Everything is computed from the polygon.
   oracle::ClosestCall whole_way(Differences& d) const {
     const oracle::CandidateList list = oracle::find_candidates(case_.problem);
     oracle::ClosestCall closest = list.closest_call;
-    // Rounding chooses between two duplicates of one ratio; this counts if they are not quite the
-    // same.
+    // Rounding chooses between duplicates of one ratio; this counts if they are not quite the same.
     for (const oracle::Candidate& c : list.candidates)
       if (c.ends_slack > 1e-12 * size_) closest.merge({0, "duplicates less than tau L apart"});
     candidates(d, list);
     const oracle::Selection selection = oracle::select(case_.problem, list);
     closest.merge(selection.closest_call);
     teams(d, selection);
-    // Verdicts on different teams would only repeat that the teams differ.
+    // Verdicts on different teams would only repeat the difference.
     if (d.none()) closest.merge(verdicts(d, list, selection.teams, 0));
     return closest;
   }
 
-  /// Teams and verdicts from the core's own chords, so that their rounding does not count.
+  /// From the core's own chords, so that their rounding does not count.
   oracle::ClosestCall from_the_cores_chords(Differences& d) const {
     std::vector<oracle::Candidate> given;
     for (const evenlift::Candidate& c : core_.candidates)
@@ -175,12 +173,12 @@ class Comparison {
     out << "\n";
   }
 
-  /// `rounded` is the greatest distance between the oracle's ends and those that the core used.
+  /// `rounded` is the greatest distance between the oracle's ends and the core's.
   oracle::ClosestCall verdicts(Differences& d, const oracle::CandidateList& list,
                                const std::vector<std::size_t>& teams, double rounded) const {
     const oracle::Judgement exact = oracle::judge(case_.problem, list, teams);
-    // If several successive corners of H are each within tau L of the line of their neighbours,
-    // either one may be left out. In an object nearly as thin as that, this affects the coverage.
+    // Of successive corners of H within tau L of the line of their neighbours, either may be left
+    // out. In an object nearly as thin, this affects the coverage.
     const double area = core_.object.area(), square = size_ * size_;
     hull(d, exact.hull, 2e-9);
     d.near("coverage", core_.coverage, exact.coverage,
@@ -223,8 +221,8 @@ class Comparison {
              double rounded) const {
     d.same("loads", core_.loads.has_value(), exact.has_value());
     if (!core_.loads || !exact) return;
-    // The core computes shares from its arms, which are more precise than the ends of a chord
-    // hardly longer than their rounding.
+    // The core computes shares from arms, which are more precise than the ends of a chord hardly
+    // longer than their rounding.
     double shortest = size_;
     for (const evenlift::Team& team : core_.teams)
       shortest = std::min(shortest, length(ends(chord_of(team))));
@@ -249,13 +247,12 @@ class Comparison {
   double size_;
 };
 
-/// Whether the coordinates are so far from the origin that their spacing is no longer far below tau
-/// L. Then ends within tau L of each other may be equal as doubles.
+/// So far from the origin that the spacing of coordinates is no longer far below tau L. Then ends
+/// within tau L may be equal doubles.
 bool coarse(const oracle::Problem& problem) {
   return farthest_from_origin(problem) * 0x1p-52 > 1e-11 * size_of(problem.vertices);
 }
 
-/// The core's refusal of a problem that the oracle accepts.
 std::string refusal_of(const evenlift::InputError& error) {
   return "the core refuses it: " + error.message + "\n";
 }
@@ -341,8 +338,8 @@ Finding compare_vertex_chords(const Case& c) {
   std::ostringstream s;
   if (chords->size() != exact.size())
     s << "vertex-chords: core " << chords->size() << ", oracle " << exact.size() << "\n";
-  // Each chord of the oracle takes one of the core's, and no two take the same: the nearest,
-  // because the possible matches of one chord need not be those of another.
+  // Each chord of the oracle takes the core's nearest unused one, because the possible matches of
+  // one chord need not be those of another.
   std::vector<bool> used(chords->size(), false);
   int missing = 0;
   for (const auto& want : exact) {
@@ -374,8 +371,7 @@ Finding compare_distributed(const Case& c) {
     finding.differences = refusal_of(placed.error());
     return finding;
   }
-  // With C almost on an edge there may be no usable directions; then the number of placed teams is
-  // noise.
+  // With C almost on an edge there may be no usable directions; the number of teams is noise.
   if (exact.measure < 1e-9 || coarse(c.problem)) return finding;
   std::ostringstream s;
   s << std::setprecision(17);
@@ -390,10 +386,10 @@ Finding compare_distributed(const Case& c) {
     const std::array<Point, 2> mine = ends(chord_of(placed->teams[k]));
     const double gap = apart(mine, exact.chords[k]) / size * exact.flattest_hit[k];
     ++finding.compared;
-    // Within tau of a vertex's direction the core may take the vertex itself.
+    // Within tau of a vertex's direction, the core may take the vertex.
     const double room = exact.nearest_vertex[k] < 1.001e-9 ? 1e-9 : 1e-12;
     if (gap <= room + 1e-15 * farthest_from_origin(c.problem) / size) continue;
-    // There the farthest point may jump, and rounding decides to which side.
+    // There the farthest point may jump, to a side that rounding decides.
     if (exact.nearest_vertex[k] < 1e-12) {
       ++finding.passed_over;
       continue;

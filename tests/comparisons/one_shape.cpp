@@ -29,7 +29,7 @@ Vec2 moved(const Vec2& p, const Motion& motion) {
   return motion.scale * Vec2(c * x - s * p.y(), s * x + c * p.y()) + motion.shift;
 }
 
-// The reported numbers of a set of teams.
+// The reported numbers of teams.
 struct Numbers {
   double coverage = 0, least_load = 0, greatest_load = 0;
   std::optional<double> margin;
@@ -74,7 +74,7 @@ class Shape {
     return numbers;
   }
 
-  // The candidates that tie for the next team in every key but candidate order, by the definition.
+  // By definition: the candidates that tie in every key but candidate order.
   std::vector<std::uint32_t> best_next(const std::vector<std::uint32_t>& taken) const {
     std::vector<std::uint32_t> left;
     for (std::uint32_t i = 0; i < candidates().size(); ++i)
@@ -112,8 +112,7 @@ class Shape {
 
  private:
   static constexpr double tau = 1e-9;
-  static constexpr double room = 1.001;  // for cases that rounding decides at the very limit of a
-                                         // tie
+  static constexpr double room = 1.001;  // where rounding decides at the limit of a tie
 
   template <class Key, class Slack>
   static void keep_best(std::vector<std::uint32_t>& indices, Key key, Slack slack) {
@@ -157,7 +156,7 @@ class Comparer {
     return std::min(std::max(gap(r1, s1), gap(r2, s2)), std::max(gap(r1, s2), gap(r2, s1)));
   }
 
-  // Finds for each candidate its counterpart in the copy.
+  // Finds each candidate's counterpart in the copy.
   bool match() {
     std::vector<char> used(after_.candidates().size());
     for (std::uint32_t i = 0; i < before_.candidates().size(); ++i) {
@@ -202,7 +201,7 @@ class Comparer {
     }
   }
 
-  // Whether the copy may take `expected` next: it is among the best by every key but order.
+  // Whether `expected` is among the copy's best by every key but order.
   bool is_tie(const std::vector<std::uint32_t>& taken, std::uint32_t expected, std::uint32_t k) {
     const std::vector<std::uint32_t> best = after_.best_next(taken);
     if (std::find(best.begin(), best.end(), expected) != best.end()) {

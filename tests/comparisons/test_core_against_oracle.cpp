@@ -1,6 +1,6 @@
-// The core against the exact oracle, over thousands of small polygons: the same candidates in the
-// same order, the same teams, the same verdicts. A case is skipped only if the oracle shows that a
-// tolerance decided it by a hair.
+// The core against the exact oracle, over thousands of small polygons: the same candidates in
+// order, teams and verdicts. A case is skipped only if the oracle shows that a tolerance decided by
+// a hair.
 #include <cstdint>
 #include <iterator>
 
@@ -100,8 +100,8 @@ TEST_CASE("the core agrees with the oracle on cases that the search found",
 
 TEST_CASE("a case is passed over where the outline is folded within the tolerance",
           "[oracle][core]") {
-  // The sixth and the seventh edge run back and forth along one line, up to rounding: which of them
-  // a robot there touches decides form closure.
+  // The sixth and seventh edges run back and forth along one line, up to rounding: form closure
+  // depends on which one a robot touches.
   Case folded;
   folded.problem.vertices = {
       {-6.8162082654751419, 7.3170557522591135},  {-4.8475682527280259, 6.9642718237546717},
@@ -116,9 +116,8 @@ TEST_CASE("a case is passed over where the outline is folded within the toleranc
 }
 
 TEST_CASE("equal scores tie though rounding turns a short edge of the base", "[oracle][core]") {
-  // Four chords within 30 tau L of each other. An edge of H is so short that rounding its ends
-  // turns its line by 10^-9, and a vertex has an arm of 2 about it: two equal scores differ by
-  // 8e-10 L.
+  // Four chords within 30 tau L of each other. An edge of H is so short that rounding turns its
+  // line by 10^-9, and a vertex's arm about it is 2: two equal scores differ by 8e-10 L.
   const Case narrow = small_polygons::make_case(165212184204354);
   const Finding finding = against_oracle::compare_placement(narrow);
   CHECK(finding.differences == "");

@@ -1,6 +1,6 @@
-// The same object elsewhere, turned, mirrored, in other units or listed in another order is the
-// same object: nothing in its placement changes but coordinates. Every change made here is exact in
-// doubles, so where the rules leave no choice, all bits must stay.
+// The same object elsewhere, turned, mirrored, in other units or listed in another order has the
+// same placement but for coordinates. Every change here is exact in doubles: where the rules leave
+// no choice, all bits must stay.
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -30,9 +30,8 @@ double reach_of(const Points& points) {
   return reach;
 }
 
-// The document with coordinates of at most 40 bits, so that moving it by the same number of bits
-// loses nothing. It gets its own centre of mass, because a centroid is rounded at its absolute
-// place. Empty if rounding has made it invalid.
+// With coordinates of at most 40 bits, so that moving loses nothing, and its own centre of mass,
+// because a centroid is rounded at its absolute place. Empty if rounding makes it invalid.
 std::optional<Document> on_a_grid(const Document& document, double& step) {
   step = std::ldexp(1.0, std::ilogb(reach_of(document.vertices)) - 38);
   Document result = document;
@@ -54,7 +53,7 @@ struct Change {
   double scale = 1;
 
   Vec2 operator()(const Vec2& p) const {
-    // Each sum has one term that is 0.
+    // In each sum one term is 0.
     return Vec2(scale * (xx * p.x() + xy * p.y()), scale * (yx * p.x() + yy * p.y())) + shift;
   }
   bool mirrors() const { return xx * yy - xy * yx < 0; }
@@ -78,7 +77,6 @@ std::string text(const Document& document) {
   return s.str();
 }
 
-// Collects the differences between a placement and that of the changed document.
 class Comparison {
  public:
   Comparison(Placement before, Placement after, const Change& change, bool exact)
@@ -89,15 +87,15 @@ class Comparison {
       high = high.cwiseMax(v);
     }
     size_ = change.scale * std::hypot(high.x() - low.x(), high.y() - low.y());
-    // Twice the tolerance for each end, because another of the merged chords may represent them;
-    // and positions are rounded at their absolute place.
+    // Twice the tolerance for each end, which another merged chord may represent; and positions are
+    // rounded at their absolute place.
     rounding_ = 1e-12 * size_ + 4 * 0x1p-52 * reach_of(b_.vertices());
     near_ = 4e-9 * size_ + rounding_;
     area_ = std::fabs(signed_area(b_.vertices()));
     out_ << std::setprecision(17);
   }
 
-  // Candidates one by one, teams, verdicts: for changes that keep the order of candidates.
+  // For changes that keep the order of candidates.
   void in_order() {
     number("candidates", a_.candidates.size(), b_.candidates.size());
     if (!same()) return;
@@ -115,7 +113,7 @@ class Comparison {
     if (same()) teams_and_verdicts();
   }
 
-  // The index in `after` of each candidate of `before`; empty if they do not match.
+  // The index in `after` of each candidate; empty without a match.
   std::vector<std::size_t> match() {
     number("candidates", a_.candidates.size(), b_.candidates.size());
     std::vector<std::size_t> became;
@@ -206,7 +204,7 @@ class Comparison {
     near("candidate's length", change_.scale * before.length, after.length, near_);
   }
 
-  // Whether the ends have changed places, which only turning and mirroring may do.
+  // Whether the ends have swapped, as only turning and mirroring may do.
   bool chord(const char* what, std::size_t i, const Chord& before, const Chord& after,
              bool may_swap) {
     const Vec2 r1 = change_(before.r1.position), r2 = change_(before.r2.position);
@@ -217,7 +215,7 @@ class Comparison {
       out_ << what << " " << i << ": (" << r1.x() << "," << r1.y() << ")-(" << r2.x() << ","
            << r2.y() << ") and now (" << s1.x() << "," << s1.y() << ")-(" << s2.x() << "," << s2.y()
            << ")\n";
-    // Another of the merged chords may touch a vertex where this one does not.
+    // Another merged chord may touch a vertex where this one does not.
     const double moved =
         std::max((r1 - (swapped ? s2 : s1)).norm(), (r2 - (swapped ? s1 : s2)).norm());
     same_contacts_ = same_contacts_ && moved <= rounding_;
@@ -226,7 +224,7 @@ class Comparison {
     return swapped;
   }
 
-  // By area and bounds: a corner that is straight except for rounding may appear or disappear.
+  // By area and bounds: a corner straight except for rounding may come or go.
   void hulls() {
     if (exact_) {
       bool equal = a_.lifting_base.size() == b_.lifting_base.size();
@@ -315,7 +313,7 @@ TEST_CASE("other units, by a power of two, change no bit", "[invariance][thoroug
 
 namespace {
 
-// The same outline from another first vertex, or in the other direction.
+// From another first vertex, or in the other direction.
 Document renumbered(Document d, std::size_t start, bool reversed) {
   std::rotate(d.vertices.begin(), d.vertices.begin() + static_cast<std::ptrdiff_t>(start),
               d.vertices.end());
@@ -327,14 +325,14 @@ Document renumbered(Document d, std::size_t start, bool reversed) {
 
 TEST_CASE("the order in which vertices are listed changes nothing", "[invariance][thorough]") {
   for_each_case([&](Document d, std::uint64_t number) {
-    // Random teams are drawn along the perimeter from the first vertex on.
+    // Random teams are drawn along the perimeter from the first vertex.
     if (d.settings.method == Method::random) d.settings.method = Method::area;
     const Placement before = placed(d);
     for (const bool reversed : {false, true}) {
       const Placement after = placed(renumbered(d, 1 + number % (d.vertices.size() - 1), reversed));
       Comparison comparison(before, after, {}, false);
       comparison.in_order();
-      // Values that depend on a chord alone keep their bits.
+      // Values of a chord alone keep their bits.
       std::ostringstream bits;
       if (before.centre_of_mass != after.centre_of_mass) bits << "centroid ";
       for (std::size_t i = 0; comparison.same() && i < before.candidates.size(); ++i) {
@@ -348,8 +346,7 @@ TEST_CASE("the order in which vertices are listed changes nothing", "[invariance
           if (before.teams[k].robots[end].load != after.teams[k].robots[end].load)
             bits << "loads of team " << k << " ";
       }
-      // Where two edges end at a point that is equally far along a ray, either may give its
-      // position.
+      // Where two edges end at the same distance along a ray, either may give its position.
       if (d.settings.method != Method::distributed && comparison.same() &&
           before.lifting_base != after.lifting_base)
         bits << "hull ";
@@ -391,8 +388,7 @@ bool same_direction(const Vec2& a, const Vec2& b) {
 }
 
 // Whether the rules treat left and right differently here: a point in the direction of a corner of
-// H belongs to one of its two edges, a vertex in the direction of a lifting point to one of two new
-// ones.
+// H belongs to one of its two edges, a vertex in that of a lifting point to one of two new ones.
 bool is_one_sided(const Placement& placement) {
   const Vec2& centre = placement.centre_of_mass;
   double size = 0;
@@ -414,7 +410,7 @@ bool is_one_sided(const Placement& placement) {
   return false;
 }
 
-// The candidates that remain after the keys for a further team, before candidate order decides.
+// The candidates that remain for a further team before candidate order decides.
 std::vector<std::size_t> best_by_keys(const Placement& placement, std::size_t teams) {
   const auto polygon = Polygon::create(placement.vertices());
   std::vector<std::uint32_t> selected;
@@ -461,7 +457,7 @@ std::vector<std::size_t> best_by_keys(const Placement& placement, std::size_t te
   return left;
 }
 
-// The teams are the same until candidate order decides a tie; then both choices must be ties.
+// Teams are the same until candidate order decides a tie; then both choices must tie.
 void compare_teams(const Placement& before, const Placement& after,
                    const std::vector<std::size_t>& became, Comparison& comparison,
                    std::string& differences, bool& all_same) {
@@ -546,7 +542,7 @@ TEST_CASE("distributed teams of a convex object are mirrored with it", "[invaria
     const auto polygon = Polygon::create(d.vertices);
     REQUIRE(polygon.ok());
     if (!polygon->convex()) return;
-    // Hardly any line seen along an edge meets both sides, and rounding decides whether one does.
+    // Hardly any line along an edge meets both sides; rounding decides whether one does.
     const auto centre = check_centre_of_mass(*polygon, d.centre_of_mass);
     const std::vector<bool> radial = radial_edges(*polygon, *centre);
     if (std::find(radial.begin(), radial.end(), true) != radial.end()) return;

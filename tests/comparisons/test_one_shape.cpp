@@ -1,5 +1,3 @@
-// One shape, one answer: however a shape is turned, mirrored, moved and scaled, its placement
-// stays.
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -80,8 +78,8 @@ TEST_CASE("every sample has one answer in ranges, however it lies", "[one_shape]
   CHECK(failures == 0);
 }
 
-// Where two choices tie, the copy may take the other one and reach a different result; this happens
-// with symmetric shapes. So the samples are counted, and nearly all must agree.
+// Where choices tie, as in symmetric shapes, the copy may take another and reach a different
+// result. So the samples are counted, and nearly all must agree.
 TEST_CASE("teams that are to hold have one answer, however the samples lie",
           "[one_shape][ranges][slow]") {
   Rng rng(28);

@@ -1,4 +1,4 @@
-// The claims of the trace's steps against the exact oracle and exact arithmetic.
+// The steps' claims, in exact arithmetic and against the oracle.
 #include <algorithm>
 #include <cmath>
 
@@ -30,7 +30,7 @@ std::optional<Trace> trace_of(const Case& c) {
   return *trace;
 }
 
-// Whether coordinates are far from the origin: then positions, but not decisions, lose digits.
+// Whether coordinates are far from the origin: then positions lose digits, but not decisions.
 bool far_away(const Trace& trace) {
   double largest = 0;
   for (const Vec2& v : trace.polygon().vertices())
@@ -38,8 +38,7 @@ bool far_away(const Trace& trace) {
   return largest > 1e4 * trace.polygon().diagonal();
 }
 
-// The intersection of the ray from vertex w through C with the line of an edge, as a multiple of |C
-// w|.
+// Where the ray from vertex w through C meets an edge's line, as a multiple of |C w|.
 Exact across(const Trace& trace, std::uint32_t w, std::uint32_t edge) {
   const ExactVec c = exact(trace.centre), u = c - exact(trace.polygon().vertex(w));
   const ExactVec p = exact(trace.polygon().edge_start(edge)) - c,
@@ -47,7 +46,7 @@ Exact across(const Trace& trace, std::uint32_t w, std::uint32_t edge) {
   return oracle::cross(p, q) / oracle::cross(u, q - p);
 }
 
-// |C r_b| / |C r_a| at an end of the pair's range, from the vertices at which it ends.
+// C r_b| / |C r_a| at an end of the pair's range, from the vertices there.
 Exact exact_g(const Trace& trace, const EdgePair& pair, std::uint32_t on_a, std::uint32_t on_b) {
   if (on_a != inside_edge) return across(trace, on_a, pair.b);
   return 1 / across(trace, on_b, pair.a);
@@ -61,7 +60,7 @@ bool joins_vertices(const Trace& trace, const Chord& chord) {
   return is_vertex(chord.r1) && is_vertex(chord.r2);
 }
 
-// The ratio of the distances of its ends from C.
+// The ratio of the arms.
 double ratio_of_ends(const Trace& trace, const Chord& chord) {
   const auto arm = [&](const LiftingPoint& p) {
     const ExactVec u = exact(p.position) - exact(trace.centre);
@@ -97,8 +96,8 @@ void check_pair(const Trace& trace, std::uint32_t index, int& certain) {
     return;
   }
   REQUIRE(detail.meeting);
-  // The bisecting chord is in the sections if and only if 1 is between g0 and g1: exactly.
-  // Otherwise only an even chord between two vertices, at a section end, counts as one.
+  // The bisecting chord is in the sections exactly if 1 is between g0 and g1. Otherwise only an
+  // even chord between vertices, at a section end, counts as one.
   const bool in_sections = (g0 - 1) * (g1 - 1) <= 0;
   if (detail.outcome == Outcome::bisecting) {
     const double ratio = detail.chosen.ratio;
@@ -113,8 +112,7 @@ void check_pair(const Trace& trace, std::uint32_t index, int& certain) {
         1e-12);
 }
 
-// The oracle's score of a candidate for a team, from a list of only the preceding teams and the
-// candidate. Each of those teams won against all candidates, so it wins against fewer.
+// From only the preceding teams and the candidate: a team that won against all wins against fewer.
 double oracle_score(const Case& c, const Trace& trace, std::uint32_t team, std::uint32_t candidate,
                     bool& in_order) {
   std::vector<std::uint32_t> chosen;

@@ -14,7 +14,7 @@ import sys
 
 from installed import build, compiler, expect, installed_into, library_folder, main, program, root, run, samples, version
 
-# The build needs these, but a user does not. CMake treats them as missing, and the project must still configure.
+# Needed only by the build. CMake treats them as missing, and the project must still configure.
 not_needed = ["nlohmann_json", "CLI11", "Catch2", "rapidcheck", "Boost", "benchmark", "SDL2", "Python3"]
 bears = "20\n20\n20\n20\n"
 drawing = "2 shapes. 6 robots carry 16.7 kg each (100 kg in all).\n".replace(" kg", "\u00a0kg")
@@ -40,7 +40,7 @@ def check_cmake(prefix, source, folder):
     check_programs(without_drawings, samples[:3])
     check_programs(built, samples)
     expect(run(built / "drawing") == drawing, f"the drawing's placement is another: {run(built / 'drawing')}")
-    # Without Eigen, and for drawings without pugixml, it reports that and stops.
+    # Without Eigen, and for drawings without pugixml, it says so and stops.
     configure(prefix, source, folder / "no-eigen", "-DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON", status=1)
     if "find_package(pugixml" in next(prefix.glob("**/evenlift-config.cmake")).read_text():
         configure(prefix, source, folder / "no-pugixml", "-DCMAKE_DISABLE_FIND_PACKAGE_pugixml=ON", status=1)

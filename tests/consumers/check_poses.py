@@ -11,7 +11,7 @@ import sys
 import yaml
 from installed import expect, main, program, run, samples
 
-# geometry_msgs/msg/PoseArray and its members, as `ros2 interface show` prints them.
+# geometry_msgs/msg/PoseArray as `ros2 interface show` prints it.
 pose_array = {
     "header": {"stamp": {"sec": int, "nanosec": int}, "frame_id": str},
     "poses": [{"position": {"x": float, "y": float, "z": float}, "orientation": {"x": float, "y": float, "z": float, "w": float}}],

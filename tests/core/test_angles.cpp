@@ -10,8 +10,7 @@ using namespace evenlift;
 
 namespace {
 
-// The header's promise: units in the last place of 1; for the arctangent, of its own size if that
-// is larger.
+// The header's promise: units in the last place of 1, or of an arctangent above 1.
 constexpr double four_units = 4 * 0x1p-52;
 
 double uniform(std::mt19937_64& engine, double low, double high) {
@@ -73,7 +72,7 @@ TEST_CASE("the arctangent is right to four units in the last place in every quad
         std::atan2(static_cast<long double>(y), static_cast<long double>(x));
     const double error = std::fabs(static_cast<double>(expected - arctangent2(y, x)));
     if (error <= 2 * four_units) {
-      // Results up to pi, whose last place is twice that of 1.
+      // Above 2, the last place is twice that of 1.
       if (std::fabs(static_cast<double>(expected)) < 2) CHECK(error <= four_units);
       continue;
     }

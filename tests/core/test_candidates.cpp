@@ -1,4 +1,4 @@
-// The candidate of each edge pair, merging and order, in cases solved by hand.
+// Candidates, their merging and order, in cases solved by hand.
 #include "evenlift/candidates.h"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ TEST_CASE("a square's candidates are its diagonals and the midpoint chords, the 
 
 TEST_CASE("the chord between two opposite vertices is a candidate if it is even enough",
           "[candidates]") {
-  // A kite: C is on its long diagonal, nearer to one end.
+  // C is on the kite's long diagonal, nearer to one end.
   const Points kite{{0, -4}, {1, 0}, {0, 3}, {-1, 0}};
   const auto found = candidates(kite, Vec2(0, 0), 0.75);
   REQUIRE(found.size() >= 2);
@@ -123,16 +123,15 @@ TEST_CASE("a pair has a bisecting, midpoint or vertex chord, or none below the r
   is(all[1], {-4, -0.2}, {5, 0.25}, midpoint, 0.8);
   is(all[2], {-4, -2}, {5, 2.5}, vertex, 0.8);
   is(all[3], {-1.0 / 3, -2}, {0.5, 3}, midpoint, 2.0 / 3);
-  CHECK(candidates(rectangle, Vec2(0, 0), 0.8).size() == 3);  // the minimum ratio itself still
-                                                              // counts
+  CHECK(candidates(rectangle, Vec2(0, 0), 0.8).size() == 3);  // the minimum itself counts
   CHECK(candidates(rectangle, Vec2(0, 0), 0.8 + 2e-9).size() == 1);
   CHECK(candidates(rectangle, Vec2(0, 0), 1).size() == 1);
 }
 
 TEST_CASE("a vertex-chord that misses the minimum load ratio by less than the tolerance counts",
           "[candidates]") {
-  // The vertex-chord and the midpoint chord have the ratio 0.8. Estimates decide the first, where
-  // they are certain.
+  // The vertex-chord and the midpoint chord have the ratio 0.8. Estimates decide the first where
+  // certain.
   const Points rectangle{{-4, -2}, {5, -2}, {5, 3}, {-4, 3}};
   for (const double above : {0.5e-9, 0.9e-9, 0.97e-9}) {
     INFO(above);
@@ -177,7 +176,7 @@ TEST_CASE("a lower minimum load ratio only adds candidates", "[candidates][slow]
     const auto few = candidates(vertices, document.centre_of_mass, 0.9),
                many = candidates(vertices, document.centre_of_mass, 0.3);
     more += many.size() > few.size();
-    // After merging, a chord with a higher ratio may represent a lower one, within the tolerance.
+    // Within the tolerance, a merged chord may represent one with a lower ratio.
     const auto polygon = Polygon::create(vertices);
     for (const Candidate& candidate : few) {
       CHECK(std::any_of(many.begin(), many.end(), [&](const Candidate& other) {
@@ -245,7 +244,7 @@ TEST_CASE(
 
 TEST_CASE("of chords equally long and equally far to the right, rounding does not tip the order",
           "[candidates]") {
-  // On one line, within tolerance; their left ends are above each other except for rounding.
+  // Within tolerance of one line; only rounding separates the left ends in x.
   const auto low = [](double rounding) { return made({-3 + rounding, 0}, {3, -2e-9}, vertex); };
   const auto high = [](double rounding) { return made({-3 + rounding, 2e-9}, {3, 0}, vertex); };
   for (const double rounding : {-1e-17, -5e-16, 0.0, 5e-16}) {
@@ -283,7 +282,7 @@ TEST_CASE("of duplicates one between two vertices stands and keeps its kind", "[
 
 TEST_CASE("chords whose ends agree within tolerance are duplicates, however their slopes differ",
           "[candidates]") {
-  // Both ends are turned by 0.99 tau of the half chord, so that the slope grows by twice that.
+  // Each end turns by 0.99 tau of the half chord, so the slope grows by twice that.
   const double half = std::sqrt(0.5), turn = 0.99e-9 * half;
   std::vector<Candidate> list{
       made({-half, -half}, {half, half}, vertex),
@@ -303,7 +302,7 @@ TEST_CASE("many candidates of many slopes come in exact order of slope", "[candi
   std::mt19937_64 engine(12);
   std::vector<Candidate> list;
   for (int i = 0; i < 3000; ++i) {
-    // Few different coordinates, so that equal slopes occur, and also slopes near the vertical.
+    // Few coordinates, so that equal and nearly vertical slopes occur.
     const double x = static_cast<double>(1 + engine() % 40),
                  y = static_cast<double>(engine() % 81) - 40;
     list.push_back(made({-x, -y}, {x, y}, vertex));

@@ -27,7 +27,7 @@ Document distributed_square() {
   return square;
 }
 
-// The plan by its definition: tries each number of teams in turn.
+// By definition.
 CapacityPlan plan_by_trying(Document document, double capacity, std::uint32_t most) {
   CapacityPlan plan;
   for (std::uint32_t k = 1; k <= most; ++k) {
@@ -47,7 +47,7 @@ TEST_CASE("a robot that carries just its capacity is not overloaded, however the
           "[capacity]") {
   CHECK_FALSE(exceeds(40.00000000000001, 40));
   CHECK(exceeds(40.000001, 40));
-  int above = 0;  // loads that are above their capacity as numbers
+  int above = 0;  // loads above capacity as numbers
   for (const char* name : {"puzzle-piece", "thesis-sample", "hexagon"}) {
     for (int weight = 1; weight <= 60; ++weight) {
       for (const Method method : {Method::area, Method::balanced}) {

@@ -1,5 +1,4 @@
-// How C sees the polygon: radial edges, vertex-chords, edge pairs, in cases solved by hand and by
-// properties over thousands of small polygons.
+// How C sees the polygon, by hand and over thousands of small polygons.
 #include "evenlift/chords.h"
 
 #include <algorithm>
@@ -35,14 +34,14 @@ void for_each_case(std::uint64_t number, Visit visit) {
   }
 }
 
-// Whether edges a and b have parts that face each other across C, by definition: some direction is
-// strictly inside C's view of a and, reversed, strictly inside its view of b.
+// By definition: some direction is strictly inside C's view of a and, reversed, strictly inside
+// that of b.
 bool face_each_other(const Polygon& p, const Vec2& centre, std::size_t a, std::size_t b) {
   Vec2 a1 = p.edge_start(a), a2 = p.edge_end(a), b1 = p.edge_start(b), b2 = p.edge_end(b);
   if (orient(centre, a1, a2) < 0) std::swap(a1, a2);
   if (orient(centre, b1, b2) < 0) std::swap(b1, b2);
-  // Both are cones of less than 180 degrees. The cone of a and the mirrored cone of b overlap
-  // unless one is wholly to one side of the other's rim: tested by separating lines through C.
+  // Both views are cones of less than 180 degrees. The cone of a and the mirrored cone of b overlap
+  // unless a line through C, one of their rims, separates them.
   const auto turn = [&](const Vec2& u, const Vec2& v) {
     return cross_of_differences(centre, u, centre, v);
   };
@@ -85,7 +84,7 @@ TEST_CASE("a vertex's ray meets every edge behind C, and the chord may leave the
   const Vec2 centre(3, 3);  // in the hollow of the U
   const auto chords = vertex_chords(polygon(u_shape), centre);
   REQUIRE(chords.ok());
-  // From (0,0) through (3,3): the inner wall at (4,4), and never the outer one at (6,6).
+  // To the inner wall at (4,4), never to the outer one at (6,6).
   int from_origin = 0;
   for (const VertexChord& c : *chords) {
     if (c.vertex != 0 && c.hit_vertex != 0) continue;
@@ -98,7 +97,7 @@ TEST_CASE("a vertex's ray meets every edge behind C, and the chord may leave the
 }
 
 TEST_CASE("a radial edge is met at its ends only and is in no edge pair", "[chords]") {
-  // C is on the line of edge 4, (4,2)-(2,2), and on no other.
+  // C is only on the line of edge 4, (4,2)-(2,2).
   const Polygon p = polygon(u_shape);
   const Vec2 centre(1, 2);
   const std::vector<bool> radial = radial_edges(p, centre);
@@ -177,22 +176,21 @@ TEST_CASE("a ray lists each boundary point once", "[chords]") {
     return xs;
   };
   using Xs = std::vector<double>;
-  // Two edges in line with C, after an edge that arrives from the right of the ray, and before one.
+  // Two edges in line with C, after an edge that arrives from the right, and before one.
   CHECK(met({{-1, -1}, {1, 0}, {2, 0}, {3, 0}, {3, 2}, {-1, 2}}) == Xs{1, 2, 3});
   CHECK(met({{-1, -2}, {3, -2}, {3, 0}, {2, 0}, {1, 0}, {-1, 1}}) == Xs{1, 2, 3});
-  // The edges on both sides of the collinear ones are on the left, and another edge crosses the ray
-  // behind them.
+  // The collinear edges' neighbours are on the left, and another edge crosses the ray behind them.
   CHECK(met({{-1, -2}, {4, -2}, {4, 1}, {3, 0}, {2, 0}, {1, 0}, {0.5, 1}, {-1, 1}}) ==
         Xs{1, 2, 3, 4});
-  // A corner that touches the ray, from either side.
+  // A corner touches the ray from either side.
   CHECK(met({{-1, -2}, {4, -2}, {4, 1}, {3, 1}, {2, 0}, {1, 1}, {-1, 1}}) == Xs{2, 4});
   CHECK(met({{-1, -1}, {1, -1}, {2, 0}, {3, -1}, {4, -1}, {4, 2}, {-1, 2}}) == Xs{2, 4});
-  // A corner where the boundary crosses the ray.
+  // The boundary crosses at a corner.
   CHECK(met({{-1, -1}, {4, -1}, {5, 0}, {4, 1}, {-1, 1}}) == Xs{5});
 }
 
 TEST_CASE("a ray does not meet an edge whose line passes C within tolerance", "[chords]") {
-  // The bottom of the hollow, which C misses by a hair.
+  // C misses the hollow's bottom by a hair.
   const Polygon u = polygon(u_shape);
   const auto down = RayCaster(u, {3, 2 + 1e-10}).hits({0, -1});
   REQUIRE(down.size() == 1);
@@ -207,8 +205,7 @@ TEST_CASE("a ray through a vertex lists this vertex once", "[chords][thorough]")
       const Vec2 u = p.vertex(vertex) - centre;
       if (!(length(u) > 0)) continue;
       const auto hits = rays.hits(u);
-      // Another edge may touch the outline there, up to rounding; that is another point of the
-      // boundary.
+      // Up to rounding, another edge may touch the outline there; that is another point.
       CHECK(std::count_if(hits.begin(), hits.end(), [&](const RayCaster::Hit& hit) {
               return hit.point.position == Vec2(centre + u) &&
                      (hit.point.edge == vertex || p.next(hit.point.edge) == vertex);

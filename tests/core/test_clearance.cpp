@@ -1,5 +1,4 @@
-// How precisely robots must be placed: clearance and tolerance of a hold, by hand and by moving
-// robots.
+// Clearance and tolerance of a hold, by hand and by moving robots.
 #include <cmath>
 #include <limits>
 #include <random>
@@ -32,7 +31,7 @@ Points regular(int n) {
   return vertices;
 }
 
-// Two robots on each side of a square of side 2, at these distances from the corners.
+// On a square of side 2, at these distances from the corners.
 Closure of_pairs(const Polygon& p, double a, double b) {
   return analyse_closure(p, {1, 1},
                          {{Vec2(a, 0), 0},
@@ -56,14 +55,14 @@ TEST_CASE("a contact's distance from the corners is that along its side, over st
   };
   CHECK(distances(polygon(square), {Vec2(0.5, 0), 0}) == std::vector{0.5});
   CHECK(distances(polygon(square), {Vec2(1.75, 0), 0}) == std::vector{0.25});
-  // An extra vertex on the side changes nothing, whether the robot is beside it or on it.
+  // An extra vertex on the side changes nothing, even under the robot.
   const Polygon straight = polygon({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}});
   CHECK(distances(straight, {Vec2(0.75, 0), 0}) == std::vector{0.75});
   CHECK(distances(straight, {Vec2(1.75, 0), 1}) == std::vector{0.25});
   CHECK(distances(straight, {Vec2(1, 0), 0}) == std::vector{1.0});
   const Polygon clockwise = polygon({{0, 2}, {2, 2}, {2, 0}, {1, 0}, {0, 0}});
   CHECK(distances(clockwise, {Vec2(1.75, 0), 2}) == std::vector{0.25});
-  // At a reflex vertex the notch keeps the robot; beside it only the other end of the edge counts.
+  // At a reflex vertex the notch keeps the robot; beside it only the edge's other end counts.
   CHECK(distances(polygon(u_shape), {Vec2(4, 2), 3}) == std::vector{infinity, infinity});
   CHECK(distances(polygon(u_shape), {Vec2(3, 2), 4}) == std::vector{infinity});
 }
@@ -82,17 +81,16 @@ TEST_CASE("a flattened curve has no corners: only a turn of more than 15 degrees
 TEST_CASE("the clearance is the greatest distance from corners with which the rest still holds",
           "[closure][clearance]") {
   const Polygon p = polygon(square);
-  // Without the two robots that are 0.25 from corners, the object could slide along the two other
-  // sides.
+  // Without the robots 0.25 from corners, the object could slide along the two other sides.
   const Closure pairs = of_pairs(p, 0.25, 0.75);
   REQUIRE(pairs.form_closure);
   CHECK(pairs.clearance.distance == 0.25);
   REQUIRE(pairs.clearance.point);
   CHECK(*pairs.clearance.point % 4 < 2);
-  // Robots may move until the margin's ball is used up or until they reach a corner.
+  // Robots may move until they use up the margin's ball or reach a corner.
   const double of_all = std::min(0.25, std::sqrt(2) * *pairs.margin);
   CHECK(pairs.clearance.tolerance == Approx(of_all));
-  // A ninth robot beside a corner does not reduce the margin, and the hold does not need it.
+  // A ninth robot beside a corner neither reduces the margin nor is needed.
   const Closure more = analyse_closure(p, {1, 1},
                                        {{Vec2(0.25, 0), 0},
                                         {Vec2(1.75, 0), 0},
@@ -123,7 +121,7 @@ TEST_CASE("without form closure both are 0, and without corners the clearance is
   REQUIRE(placement.closure.form_closure);
   CHECK(placement.closure.clearance.distance == infinity);
   CHECK_FALSE(placement.closure.clearance.point);
-  // A robot that passes a vertex touches another side, however little the outline turns there.
+  // Past a vertex, a robot touches another side, however little the outline turns.
   CHECK(placement.closure.clearance.tolerance > 0);
   CHECK(placement.closure.clearance.tolerance < 0.2);
   CHECK(hold_clearly(placement));
@@ -142,8 +140,7 @@ TEST_CASE("a hold by a hair is form closure, but none that reaches its goal",
 
 namespace {
 
-// Moves a robot along the outline, past the ends of its edge; a robot that reaches a notch stops in
-// front of it.
+// Along the outline, past the ends of its edge, but stops in front of a notch.
 LiftingPoint moved_along(const Polygon& p, LiftingPoint robot, double way) {
   const double inside = 1e-7 * p.diameter();
   while (true) {
@@ -162,10 +159,10 @@ LiftingPoint moved_along(const Polygon& p, LiftingPoint robot, double way) {
   }
 }
 
-// Moves all robots by less than the tolerance, in some way. A robot nearer than that to a convex
-// vertex may pass it, and a robot in a notch stays there.
+// Moves all robots by less than the tolerance. They may pass convex vertices; robots in notches
+// stay.
 std::vector<LiftingPoint> disturbed(const Placement& placement, std::mt19937_64& rng, bool worst) {
-  // Reduced by the tolerances within which closure itself is decided.
+  // Less the tolerances that decide closure itself.
   const double tolerance = (1 - 1e-3) * placement.closure.clearance.tolerance -
                            10 * near_distance(placement.polygon().diameter());
   std::vector<LiftingPoint> robots;

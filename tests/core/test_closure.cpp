@@ -1,5 +1,4 @@
-// Whether the robots immobilize the object: contacts, free regions, form closure, its margin,
-// second order, in grasps solved by hand.
+// Grasps solved by hand.
 #include "evenlift/closure.h"
 
 #include <Eigen/Geometry>
@@ -26,7 +25,7 @@ TEST_CASE("a robot touches one edge inside it, two at a reflex vertex, none at a
   CHECK(number({0, 0}, 0) == 0);
   CHECK(number({4, 2}, 3) == 2);
   CHECK(number({4, 2.1}, 3) == 1);
-  // A point within tau L of a vertex counts as being at it; L = sqrt(52).
+  // A point within tau L of a vertex is at it; L = sqrt(52).
   CHECK(number({4, 2 + 7e-9}, 3) == 2);
   CHECK(number({4, 2 + 7.5e-9}, 3) == 1);
   CHECK(number({7e-9, 0}, 0) == 0);
@@ -53,8 +52,8 @@ TEST_CASE(
     "an object that slides out between two parallel sides is not closed, though both regions are "
     "empty",
     "[closure]") {
-  // Four contacts on the long sides of a rectangle: no rotation is free in either sense, but
-  // sliding is. The thesis would call this form closure.
+  // Four contacts on long sides prevent all rotation but not sliding. The thesis would call this
+  // form closure.
   const Polygon rectangle = polygon({{0, 0}, {10, 0}, {10, 2}, {0, 2}});
   const Closure c = analyse_closure(
       rectangle, {5, 1}, {{Vec2(2, 0), 0}, {Vec2(8, 0), 0}, {Vec2(2, 2), 2}, {Vec2(8, 2), 2}});
@@ -72,7 +71,7 @@ TEST_CASE(
 TEST_CASE("a rectangle held off the middle of its four sides is closed in one sense each",
           "[closure]") {
   const Polygon p = polygon(square);
-  // A pinwheel: it can turn one way, not the other.
+  // A pinwheel turns one way only.
   const Closure one = analyse_closure(
       p, {1, 1}, {{Vec2(0.5, 0), 0}, {Vec2(2, 0.5), 1}, {Vec2(1.5, 2), 2}, {Vec2(0, 1.5), 3}});
   CHECK(one.clockwise.exists != one.counterclockwise.exists);
@@ -90,9 +89,8 @@ TEST_CASE("a rectangle held off the middle of its four sides is closed in one se
   CHECK(both.form_closure);
   CHECK_FALSE(both.second_order);
   CHECK_FALSE(both.translation);
-  // The wrenches (0,1,z), (0,-1,z) with z = +-0.5 / sqrt(2), (-1,0,0) and (1,0,0) span a polyhedron
-  // like an octahedron, with the facets |x| + |z| / s <= 1 and so on. The nearest facets are those
-  // that x and z span.
+  // The wrenches (0,1,z), (0,-1,z) with z = +-0.5 / sqrt(2), (-1,0,0) and (1,0,0) span a kind of
+  // octahedron, with facets |x| + |z| / s <= 1 and so on. Those of x and z are nearest.
   const double s = 0.5 / std::sqrt(2.0);
   CHECK(*both.margin == Approx(1 / std::sqrt(1 + 1 / (s * s))).epsilon(1e-9));
 }
@@ -125,7 +123,7 @@ TEST_CASE("the midpoints of an equilateral triangle's sides are the classic case
   CHECK_FALSE(c.translation_free);
   REQUIRE(c.counterclockwise.clipped.size() == 1);
   CHECK((c.counterclockwise.clipped[0] - Vec2(0, h / 3)).norm() <= 1e-8);
-  // Beside the midpoint the normals no longer meet: one sense has a region with an area.
+  // Beside the midpoint the normals do not meet: one sense has a region with an area.
   const Closure off = held({0.1, 0});
   CHECK_FALSE(off.second_order);
   CHECK((off.clockwise.has_area != off.counterclockwise.has_area));
@@ -152,7 +150,7 @@ TEST_CASE("three contacts of a hexagon hold it to second order, six in closure b
 }
 
 TEST_CASE("a robot in the notch of a reflex vertex pushes on both of its edges", "[closure]") {
-  // The horseshoe's hollow: two reflex vertices and the two outer walls.
+  // Two reflex vertices and the two outer walls.
   const Polygon u = polygon(u_shape);
   const Closure hollow = analyse_closure(u, {3, 1.5}, {{Vec2(2, 2), 4}, {Vec2(4, 2), 3}});
   CHECK_FALSE(hollow.form_closure);
@@ -213,7 +211,7 @@ TEST_CASE("beside a flat hull of wrenches the margin is negative, however roundi
       analyse_closure(comb, {1.5, 5.5}, {{{0, 10}, 11}, {{3, 1}, 2}, {{0, 1}, 11}, {{3, 10}, 10}});
   REQUIRE(closure.margin.has_value());
   CHECK(*closure.margin == Approx(-0.23007429954685438).epsilon(1e-9));
-  // All four wrenches are in one plane with the origin, which is outside their hull.
+  // The wrenches' plane contains the origin, which is outside their hull.
   for (const double tilt : {0.0, 0.1, 0.3, 0.7, 1.1}) {
     const Eigen::AngleAxisd turn(tilt, Eigen::Vector3d(1, 2, 3).normalized());
     std::vector<Wrench> flat{{1, -1, 0}, {2, -1, 0}, {2, 1, 0}, {1, 1, 0}};
@@ -292,14 +290,14 @@ TEST_CASE("half-planes on a small grid agree with trying all corners", "[closure
   for (int i = 0; i < 4000; ++i) {
     const auto pick = [&] { return static_cast<double>(static_cast<int>(engine() % 7) - 3); };
     std::vector<HalfPlane> planes;
-    // A box keeps the intersection bounded, so that it has corners if it is not empty.
+    // A box bounds the intersection, which then has corners unless it is empty.
     for (const Vec2& axis : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)})
       planes.push_back({Vec2(0, 0), axis, 9});
     while (planes.size() < 5 + static_cast<std::size_t>(i % 5)) {
       const double x = pick(), y = pick();
       if (x != 0 || y != 0) planes.push_back({Vec2(0, 0), Vec2(x, y), pick()});
     }
-    // All numbers are small integers, so doubles decide exactly: q = (px, py) / d.
+    // Doubles decide small integers exactly: q = (px, py) / d.
     bool expected = false;
     for (std::size_t j = 0; j < planes.size() && !expected; ++j) {
       for (std::size_t k = 0; k < planes.size() && !expected; ++k) {

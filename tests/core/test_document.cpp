@@ -7,7 +7,7 @@
 
 using namespace evenlift;
 
-// The methods that choose among candidates are exactly those with a metric.
+// Exactly the methods with a metric choose among candidates.
 static_assert(std::all_of(std::begin(all_methods), std::end(all_methods), [](Method method) {
   return selects_candidates(method) ==
          (std::find(std::begin(candidate_methods), std::end(candidate_methods), method) !=

@@ -16,8 +16,8 @@ using namespace evenlift;
 
 namespace {
 
-// Of two equal chords either may stay. An end at a vertex, or where two edges nearly coincide, may
-// name either edge.
+// Of equal chords either may stay. An end at a vertex or where edges nearly coincide may name
+// either edge.
 bool same(const Polygon& polygon, const LiftingPoint& a, const LiftingPoint& b) {
   const auto lies_on = [&](std::uint32_t edge) {
     const Vec2 nearest =
@@ -34,8 +34,7 @@ bool same(const Polygon& polygon, const Candidate& a, const Candidate& b) {
          a.between_vertices == b.between_vertices && directions_agree(a.direction, b.direction);
 }
 
-// The first difference between the two ways to compute the candidates of a centre; empty if they
-// agree.
+// The first difference between the two computations; empty if they agree.
 std::string difference(const Polygon& polygon, const EvenChords& chords, const Vec2& centre) {
   const auto expected = find_candidates(polygon, centre, 1);
   if (!expected) return {};
@@ -47,8 +46,7 @@ std::string difference(const Polygon& polygon, const EvenChords& chords, const V
   return {};
 }
 
-// Centres that are likely to be hard: any place, the midpoint of two vertices or of two points of
-// the outline, vertices.
+// Often hard: any place, a vertex, the midpoint of two vertices or of two points of the outline.
 Vec2 any_centre(const Polygon& polygon, Rng& rng) {
   const auto vertex = [&] { return polygon.vertex(rng.below(polygon.size())); };
   const auto on_outline = [&]() -> Vec2 {

@@ -1,4 +1,4 @@
-// The measures of one polygon against place(), and the text in which they are kept.
+// One polygon's measures against place(), and their text.
 #include "evenlift/experiment/measure.h"
 
 #include "evenlift/closure.h"
@@ -53,7 +53,7 @@ TEST_CASE("every measure is the one that place reports", "[experiment][slow]") {
          {Method::area, Method::circle, Method::distance, Method::distributed}) {
       const std::vector<experiment::Measurement> rows = experiment::measure(subject, method, {});
       CHECK(rows.size() == subject.candidates.size());
-      // All small numbers, then some of the rest: a new placement for each number takes time.
+      // All small numbers and some others, because each takes a new placement.
       for (std::uint32_t teams = 1; teams <= rows.size(); teams += teams < 12 ? 1 : 17) {
         INFO(evenlift::name(method) << ", " << teams << " teams");
         const experiment::Measurement& m = rows[teams - 1];
@@ -173,7 +173,7 @@ TEST_CASE("closure alone is decided as with all that is said of it",
   }
   CHECK(closed > 20);
   CHECK(open > 20);
-  // The thesis's test accepts a hold that can still slide: a square held on two sides.
+  // The thesis's test accepts a square held on two sides, which can slide.
   const Document square = corpus::polygon("square");
   const experiment::Subject subject = subject_of(square);
   const Chord level = placed(square, Method::area, 1).candidates[1].chord;

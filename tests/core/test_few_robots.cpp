@@ -1,4 +1,4 @@
-// The table of few robots, and the averages that balanced robots must not change, on a tiny set.
+// On a tiny set: the table, and averages that balanced robots must not change.
 #include "evenlift/experiment/few_robots.h"
 
 #include "evenlift/experiment/claims.h"
@@ -30,7 +30,7 @@ std::vector<experiment::PolygonResult> tiny_set() {
   return results;
 }
 
-// A new placement of this number of robots on each polygon.
+// A new placement on each polygon.
 std::vector<Placement> placed(Method method, std::uint32_t robots) {
   std::vector<Placement> placements;
   for (const std::string& name : tiny) {
@@ -140,7 +140,7 @@ TEST_CASE("balanced robots change nothing of what is averaged of teams of two",
   for (experiment::PolygonResult& result : without)
     std::erase_if(result.measurements,
                   [](const experiment::Measurement& m) { return m.method == Method::balanced; });
-  // Here no teams of two have form closure, but balanced robots do.
+  // Here only balanced robots have form closure.
   for (std::vector<experiment::PolygonResult>* results : {&with, &without})
     for (experiment::Measurement& m : results->front().measurements)
       if (m.method != Method::balanced) m.form_closure = 0;

@@ -28,8 +28,8 @@ Polygon polygon_of(Family family, std::size_t n, std::uint64_t seed) {
   return *std::move(polygon);
 }
 
-// By definition: a point sees all of a counter-clockwise polygon if it is on or left of every
-// edge's line; if such points exist, two of these lines meet in one of them. O(n^3).
+// A point sees all of a counter-clockwise polygon if it is on or left of every edge's line. If any
+// does, so does an intersection of two lines. O(n^3).
 bool is_star_shaped(const Points& p) {
   const std::size_t n = p.size();
   const auto direction = [&](std::size_t i) { return Vec2(p[(i + 1) % n] - p[i]); };
@@ -46,7 +46,7 @@ bool is_star_shaped(const Points& p) {
   return false;
 }
 
-// The number of edges that the ray from the centroid in direction u crosses.
+// By the ray from the centroid in direction u.
 std::size_t edges_met(const Polygon& polygon, const Vec2& u) {
   std::size_t met = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -58,7 +58,7 @@ std::size_t edges_met(const Polygon& polygon, const Vec2& u) {
   return met;
 }
 
-// FNV-1a over the bits of all coordinates.
+// FNV-1a of all coordinates' bits.
 std::uint64_t fingerprint(const Points& points) {
   std::uint64_t hash = 14695981039346656037u;
   for (const Vec2& p : points)

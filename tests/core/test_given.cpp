@@ -1,5 +1,4 @@
-// Values given in files and requests: no value overrides another silently, and notices report the
-// facts.
+// No value overrides another silently, and notices report the facts.
 #include <string>
 
 #include "evenlift/import.h"
@@ -71,7 +70,7 @@ TEST_CASE("a list of robots is refused by name, and is no polygon", "[import][er
     INFO(text);
     CHECK(refusal(text).starts_with("these are the robots of a result, not a polygon"));
   }
-  // Other columns beside x and y do no harm.
+  // Other columns do no harm.
   CHECK(read_shapes("corner,x,y\n1,0,0\n2,4,0\n3,4,4\n").ok());
   CHECK(read_shapes(R"([{"corner": 1, "x": 0, "y": 0}, {"x": 4, "y": 0}, {"x": 4, "y": 4}])").ok());
 }

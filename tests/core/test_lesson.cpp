@@ -1,4 +1,4 @@
-// Lessons: the reader, and the ready-made ones.
+// The reader, and the ready-made lessons.
 #include <algorithm>
 #include <set>
 #include <sstream>
@@ -41,7 +41,7 @@ const std::string good =
     "[ cut   8 ]\nSeven.\n[end]\nEight.\n"
     "[question]\nWhy\neight?\n\n[ answer ]\nThat is\n\nas many as there are.\n";
 
-// Name and title of each line of the index.
+// Names and titles.
 std::vector<std::pair<std::string, std::string>> index() {
   std::istringstream lines(corpus::read_file(lessons_folder() / "index.txt"));
   std::vector<std::pair<std::string, std::string>> entries;
@@ -279,7 +279,7 @@ TEST_CASE("every ready-made lesson opens and has its steps", "[lesson]") {
     const auto missing = check_lesson(lesson, trace);
     INFO((missing ? describe(missing->place) : ""));
     CHECK_FALSE(missing);
-    // Steps are in the order of the algorithm.
+    // Steps are in the algorithm's order.
     std::uint32_t before = 0;
     for (const LessonStep& step : lesson.steps) {
       const std::uint32_t at = find_step(trace, step.address).value_or(0);
@@ -317,7 +317,6 @@ TEST_CASE("the example in docs/lessons.md is a lesson", "[lesson]") {
   CHECK(is_even(chord_of(trace.placement.teams[0])));
 }
 
-// The numbers that the lessons claim about their polygons.
 TEST_CASE("what the ready-made lessons claim is so", "[lesson]") {
   const auto trace = [](const char* name) { return trace_of(ready_made(name)); };
   const auto ratio_of_vertex = [](const Trace& t, std::uint32_t vertex) {
@@ -419,7 +418,7 @@ TEST_CASE("what the ready-made lessons claim is so", "[lesson]") {
   }
 }
 
-// The numbers in the answers to the questions at the lessons' ends.
+// The answers to the questions at the lessons' ends.
 TEST_CASE("what the ready-made lessons answer is so", "[lesson][slow]") {
   const auto placed = [](const char* name, auto change) {
     const Lesson lesson = ready_made(name);

@@ -1,4 +1,4 @@
-// The load of each robot, by the law of the lever.
+// Loads by the law of the lever.
 #include "evenlift/loads.h"
 
 #include "kit/catch.h"

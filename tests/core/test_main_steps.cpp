@@ -1,4 +1,4 @@
-// The main steps: the same story for every polygon, in about fifteen steps.
+// The same story for every polygon, in about fifteen steps.
 #include <algorithm>
 
 #include "evenlift/generate.h"
@@ -30,7 +30,7 @@ void check(const Trace& trace) {
   CHECK(std::adjacent_find(steps.begin(), steps.end()) == steps.end());
   const auto teams = trace.placement.teams.size();
   CHECK(of_kind(trace, steps, StepKind::team) == std::min<std::size_t>(teams, 4));
-  // Each chapter of the trace has a main step.
+  // Each chapter has a main step.
   for (std::uint32_t c = 0; c < chapter_count; ++c) {
     const auto chapter = static_cast<Chapter>(c);
     const bool told = std::any_of(steps.begin(), steps.end(), [&](std::uint32_t k) {
@@ -38,7 +38,7 @@ void check(const Trace& trace) {
     });
     CHECK(told == trace.chapter_begin(chapter).has_value());
   }
-  // Omitted items are counted: together with the steps, every pair, ray and team is covered.
+  // Steps and omitted items together cover every pair, ray and team.
   for (const std::uint32_t k : steps) {
     const Step step = trace.step(k);
     const std::uint32_t more = further_like(trace, step);

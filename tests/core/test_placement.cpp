@@ -1,4 +1,4 @@
-// place(): every sample polygon keeps the rules with every metric; refusals; the thesis's numbers.
+// Every sample keeps the rules with every metric; refusals; the thesis's numbers.
 #include "evenlift/placement.h"
 
 #include <array>

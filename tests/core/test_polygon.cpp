@@ -1,4 +1,4 @@
-// Properties of every Polygon, however small and however thin.
+// Every Polygon, however small or thin.
 #include "evenlift/polygon.h"
 
 #include <cmath>
@@ -33,7 +33,7 @@ double exact_area(const Points& vertices) {
   return oracle::nearest_double(abs(twice) / 2);
 }
 
-// The promises of polygon.h, compared with exact arithmetic.
+// The promises of polygon.h, in exact arithmetic.
 void check_promises(const Points& vertices) {
   const Result<Polygon> polygon = Polygon::create(vertices);
   REQUIRE(polygon.ok());
@@ -95,7 +95,7 @@ TEST_CASE("the thinnest polygons have a diagonal, an area above 0 and a centroid
       {{-1e9, 0}, {1e9, 0}, {0, least}},
       {{-1e9, -1e9}, {1e9, 1e9}, {5e8, std::nextafter(5e8, 0)}},
       {{1e9, 1}, {1e9, -1}, {std::nextafter(1e9, 0), 0}},
-      // Its area is above 0 only by the rest that remains after large parts cancel.
+      // Its area is only what remains after large parts cancel.
       {{0, 0}, {1, 0x1p-330}, {2, 0}, {1, 0x1p-331}},
   };
   for (const Points& vertices : slivers) check_promises(vertices);
@@ -121,7 +121,7 @@ TEST_CASE("random polygons of every thinness keep the promises of polygon.h", "[
   CHECK(kept > 1500);
 }
 
-// A rectangle with one corner moved, an L or a U, very thin in one direction.
+// A rectangle with a moved corner, an L or a U, very thin in one direction.
 Points any_sliver(double width, Rng& rng) {
   const Points shapes[] = {{{-1, -1}, {1, -rng.uniform()}, {1, 1}, {-1, 1}},
                            {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}},
@@ -174,8 +174,7 @@ TEST_CASE("whatever of the thinnest polygons can be placed has finite results", 
 
 TEST_CASE("points that all lie within a distance of one line have a hull without area",
           "[polygon][hull]") {
-  // They are within 1 of the line y = 0, and one of them is 2 away from the line through the
-  // others.
+  // All are within 1 of the line y = 0, but one is 2 from the line through the others.
   const Points points{{0, 1}, {5, -1}, {10, 1}};
   CHECK(convex_hull(points, 1) == Points{{0, 1}, {10, 1}});
   CHECK(convex_hull(points, 0.99).size() == 3);
@@ -183,8 +182,7 @@ TEST_CASE("points that all lie within a distance of one line have a hull without
 
 TEST_CASE("the diameter is that of the farthest corners, of sides that are nearly parallel, too",
           "[polygon][hull]") {
-  // A parallelogram except for rounding: either end of a side may seem farther from the opposite
-  // one.
+  // Up to rounding a parallelogram: either end of a side may seem farther from the opposite.
   for (const double side : {1.0, -1.0}) {
     const Points hull = convex_hull({{0, 0}, {side * 0.1, 0.4}, {side * 0.1, 0.5}, {0, 0.1}});
     REQUIRE(hull.size() == 4);

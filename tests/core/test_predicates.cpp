@@ -1,5 +1,5 @@
-// The predicates and their number types against rationals: signs are exact and values accurate to
-// 2^-45, whether coordinates are ordinary, nearly degenerate, huge or below the normal range.
+// Against rationals: signs are exact and values accurate to 2^-45, for ordinary, nearly degenerate,
+// huge and subnormal coordinates.
 #include "evenlift/predicates.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -30,8 +30,7 @@ Rational exact(double x) {
   return exponent < 0 ? Rational(Integer(mantissa), power) : Rational(Integer(mantissa) * power);
 }
 
-// Whether `value` has the sign of the exact one and is accurate to 2^-45, unless that is below the
-// smallest doubles.
+// Whether the sign is exact and the value accurate to 2^-45, or to the smallest doubles.
 bool right(double value, const Rational& expected) {
   if (expected == 0) return value == 0;
   if ((value > 0) != (expected > 0) || value == 0) return false;
@@ -68,7 +67,7 @@ struct Tally {
   void add(double value) { ++(value > 0 ? positive : value < 0 ? negative : zero); }
 };
 
-// Checks all four predicates on many quadruples.
+// All four predicates, on quadruples.
 template <class Make>
 Tally check_all(Make make, int number) {
   std::mt19937_64 engine(12345);
@@ -100,7 +99,7 @@ int below(std::mt19937_64& engine, int n) {
   return static_cast<int>(engine() % static_cast<unsigned>(n));
 }
 
-// One of the doubles next to x.
+// x or a neighbouring double.
 double nudged(double x, std::mt19937_64& engine) {
   switch (below(engine, 3)) {
     case 0:
@@ -174,7 +173,7 @@ TEST_CASE("predicates are right on points that mirror each other almost exactly"
   int zeros = 0;
   check_all(
       [&](std::mt19937_64& e) {
-        // d is on the opposite side of a from b, on the line of c and d or next to it.
+        // The mirror image of b at a is on the line of c and d, or next to it.
         const double scale = std::ldexp(1.0, -40 * below(e, 8));
         const Vec2 a = point(e, scale), b = point(e, scale), mirrored = 2 * a - b;
         const Vec2 step = point(e, scale);
@@ -196,7 +195,7 @@ TEST_CASE("predicates are right on points that mirror each other almost exactly"
 }
 
 TEST_CASE("a sum that rounds to 0 still counts where a point is mirrored", "[predicates]") {
-  // Relative to C, one coordinate of b is 1 - 1e-17, and the same coordinate of w is -1 - 1e-17.
+  // Relative to C, one coordinate is 1 - 1e-17 in b and -1 - 1e-17 in w.
   CHECK(orient_mirrored(Vec2(0, 1e-17), Vec2(5, -1), Vec2(0, 1), Vec2(1, 1)) == 2e-17);
   CHECK(orient_mirrored(Vec2(1e-17, 0), Vec2(-1, 5), Vec2(1, 0), Vec2(1, 1)) == -2e-17);
 }

@@ -1,5 +1,5 @@
-// The chords that the teams take: the lazy evaluation against the greedy choice written out, the
-// metrics solved by hand, equal angles and random teams.
+// Lazy evaluation against the greedy choice written out, metrics by hand, equal angles and random
+// teams.
 #include "evenlift/selection.h"
 
 #include <algorithm>
@@ -50,8 +50,7 @@ Shape small_shape(std::uint64_t number) {
 const std::vector<Method> metrics = testing::metrics();
 constexpr double tie = 1e-9;
 
-// The difference at which scores always tie; for `distance` it is larger where an edge of H is
-// short.
+// Scores always tie within this; for `distance` it is larger where an edge of H is short.
 double floor_of(const Shape& s, Method method, const std::vector<std::uint32_t>& taken) {
   const double size = s.polygon.diameter();
   if (method != Method::distance) return 1e-12 * size * size;
@@ -66,7 +65,7 @@ double floor_of(const Shape& s, Method method, const std::vector<std::uint32_t>&
   return 1e-15 * size * size / shortest;
 }
 
-// The rule word for word: all scores, then the keys one after another.
+// Word for word: all scores, then key after key.
 std::vector<std::uint32_t> greedy(const Shape& s, Method method, std::size_t teams) {
   std::vector<std::uint32_t> taken, left(s.candidates.size());
   std::iota(left.begin(), left.end(), 0u);
@@ -179,15 +178,14 @@ TEST_CASE("the three metrics score a triangle's chords as worked out by hand", "
   // Two triangles of area 1 with sides 1, sqrt(5), sqrt(8).
   const double radius = 2 / (1 + std::sqrt(5.0) + std::sqrt(8.0));
   CHECK(second(Metric::circle) == Approx(2 * pi * radius * radius).epsilon(1e-13));
-  // (0,0) gains sqrt(2) - 2/sqrt(5); (3,0) and (0,3) lose, because their arms about the new edges
-  // are longer.
+  // (0,0) gains sqrt(2) - 2/sqrt(5); (3,0) and (0,3) lose by longer arms about the new edges.
   const double half = std::sqrt(0.5), fifth = 2 / std::sqrt(5.0);
   CHECK(second(Metric::distance) ==
         Approx(std::sqrt(2.0) - fifth + (half - 1) + (half - fifth)).epsilon(1e-13));
 }
 
 TEST_CASE("area counts what belongs to the polygon, circle the whole triangle", "[selection]") {
-  // A plus; the first team is given, from tip to tip.
+  // A plus, with the first team from tip to tip.
   const Shape s = shape({{-1, -3},
                          {1, -3},
                          {1, -1},
@@ -211,8 +209,8 @@ TEST_CASE("area counts what belongs to the polygon, circle the whole triangle", 
     return 0u;
   };
   const std::uint32_t level = find({-3, 0}, {3, 0}), upright = find({0, -3}, {0, 3});
-  // The triangle (-3,0), (3,0), (0,3) has area 9. Its part inside the plus is below y = 3 - |x|,
-  // above 0 and beside the notches: 3 + 2 in the stem, and 1.5 in each arm.
+  // The triangle (-3,0), (3,0), (0,3) has area 9. Its part in the plus, below y = 3 - |x| and above
+  // 0, is 3 + 2 in the stem and 1.5 in each arm.
   const std::vector<double> area =
       scores(solid(s.polygon), s.centre, s.candidates, {level}, Metric::area);
   CHECK(area[upright] == Approx(2 * (5 + 2 * 1.5)).epsilon(1e-13));
@@ -226,7 +224,7 @@ namespace {
 
 double length_between(const Vec2& p, const Vec2& q) { return (p - q).norm(); }
 
-// Whether the chord connects the points, in either direction.
+// In either direction.
 bool runs_between(const Chord& chord, const Vec2& p, const Vec2& q) {
   const Vec2 &r1 = chord.r1.position, &r2 = chord.r2.position;
   return std::min(std::max(length_between(r1, p), length_between(r2, q)),
@@ -257,8 +255,8 @@ TEST_CASE("the first team is the longest even one, though a longer chord is unev
 
 TEST_CASE("with no even candidate the first team is the most even, though another is longer",
           "[selection]") {
-  // C is in the hollow of an arrowhead, nearer to its left arm, so that no chord is even. (A convex
-  // polygon always has an even chord.)
+  // C is in an arrowhead's hollow, nearer to its left arm, so that no chord is even. (A convex
+  // polygon always has one.)
   const Shape s = shape({{-3, 4}, {0, -2}, {3, 4}, {0, 1}}, Vec2(-1, 3.5), 0);
   const double best = 5.0 / 7;
   int less_even_and_longer = 0;
@@ -297,7 +295,7 @@ TEST_CASE("distributed teams stand at equal angles around a convex polygon", "[s
 
 TEST_CASE("distributed teams keep to directions that meet the boundary on both sides",
           "[selection]") {
-  // About a point in the hollow of the U, only lines through the bottom or through both legs count.
+  // In the hollow of the U, only lines through the bottom or both legs count.
   const Shape s =
       shape({{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}, Vec2(3, 3), 0);
   const auto chords = distributed_teams(s.polygon, s.centre, 7);
@@ -316,7 +314,7 @@ TEST_CASE("distributed teams keep to directions that meet the boundary on both s
 
 TEST_CASE("a centre of mass on a side of a square leaves distributed selection nothing",
           "[selection]") {
-  // C is strictly inside by a hair, but within tolerance of the side.
+  // C is inside by a hair, within tolerance of the side.
   const Shape s = shape({{0, 0}, {2, 0}, {2, 2}, {0, 2}}, Vec2(1, 0x1p-60), 0);
   CHECK(distributed_teams(s.polygon, s.centre, 3).empty());
 }
@@ -340,8 +338,7 @@ TEST_CASE("the same seed draws the same teams, another seed others", "[selection
 }
 
 TEST_CASE("random first ends are spread evenly along the perimeter", "[selection]") {
-  // About the centre of a square both ends of a team are random: each side has a quarter of all
-  // ends.
+  // About a square's centre both ends are random: each side has a quarter of them.
   const Shape s = shape({{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}, 0.8);
   const auto chords = random_teams(s.polygon, s.centre, 4000, 3);
   REQUIRE(chords.size() == 4000);
@@ -358,9 +355,8 @@ TEST_CASE("random first ends are spread evenly along the perimeter", "[selection
 }
 
 TEST_CASE("a random second end is any of the points across, each as likely", "[selection]") {
-  // Level lines through C meet both walls of both legs, and the outer walls are three times as far
-  // from C as the inner ones. Seen at the same angle, 3/4 of the perimeter there is outer, 1/4
-  // inner.
+  // Level lines through C meet both walls of both legs, the outer ones three times as far away.
+  // Within one angle, 3/4 of the perimeter is outer, 1/4 inner.
   const Shape s =
       shape({{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}, Vec2(3, 3.5), 0);
   const auto chords = random_teams(s.polygon, s.centre, 6000, 4);

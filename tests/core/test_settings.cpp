@@ -1,5 +1,4 @@
-// Settings from text: one grammar for the program, scripts, lessons and the texts that the page
-// keeps.
+// One grammar for the program, scripts, lessons and the texts that the page keeps.
 #include "evenlift/settings.h"
 
 #include <limits>
@@ -221,13 +220,13 @@ bool is_lesson_setting(Setting setting) {
   return setting == Setting::overlays || row_of(setting).option.group != OptionGroup::none;
 }
 
-// A lesson about a document, with one setting of its own.
+// A lesson with one setting.
 Result<Lesson> lesson_with(const Text& given) {
   return parse_lesson("title: T\npolygon: square\n" + hyphened(name(given.setting)) + ":" +
                       given.text + "\n[end]\nWords.\n");
 }
 
-// Changes the part that the function accepts: the settings of the placement, or of the view.
+// Changes the settings of the placement, or of the view.
 void change_part(Document& document, const auto& change) {
   if constexpr (std::is_invocable_v<decltype(change), Settings&>)
     change(document.settings);
@@ -235,7 +234,7 @@ void change_part(Document& document, const auto& change) {
     change(document.shown);
 }
 
-// A document with random settings of every kind.
+// Random settings of every kind.
 Document any_document(Rng& rng) {
   Document document = testing::random_document(rng, 0);
   for (const Text& given : good)
@@ -454,9 +453,9 @@ TEST_CASE("scripts and lessons take and refuse the same texts for a setting", "[
     if (given.setting == Setting::loads) continue;  // which scripts can set
     INFO(name(given.setting) << "=" << given.text);
     const auto refused = script(given);
-    // A text with a line end in it is two lines for a script.
+    // A line end makes two lines for a script.
     CHECK_FALSE(refused.ok());
-    // Spaces around a lesson's value are not part of it.
+    // Spaces around a lesson's value do not count.
     if (!is_lesson_setting(given.setting) || trimmed(given.text) != given.text) continue;
     CHECK_FALSE(lesson_with(given).ok());
   }
@@ -544,8 +543,7 @@ TEST_CASE("each range holds for settings as values, in links and placements alik
   check([](Shown& s) { s.units.weight = static_cast<WeightUnit>(4); }, Setting::weight_unit);
 }
 
-// Links contained such numbers before they were bounded, and must remain readable for ever
-// (link.h).
+// Older links contain such numbers, and must remain readable for ever (link.h).
 TEST_CASE("a number out of bounds stays in a link, and is refused where robots are placed",
           "[settings][link]") {
   const auto check = [](auto change, Setting setting) {

@@ -1,5 +1,5 @@
-// The polygons that Polygon::create accepts: simplicity against the definition over thousands of
-// careless chains, and the properties that a valid polygon reports.
+// Polygon::create: simplicity against the definition over thousands of careless chains, and the
+// properties of valid polygons.
 #include "polygon/ring_sweep.h"
 
 #include <cmath>
@@ -25,18 +25,18 @@ int side(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (value > 0) - (value < 0);
 }
 
-// Whether c, on the line of a and b, is between them or at one of them.
+// Whether c, on the line of a and b, is between them or at one.
 bool within(const Vec2& a, const Vec2& b, const Vec2& c) {
   return std::min(a.x(), b.x()) <= c.x() && c.x() <= std::max(a.x(), b.x()) &&
          std::min(a.y(), b.y()) <= c.y() && c.y() <= std::max(a.y(), b.y());
 }
 
-// Edges i and j share a point other than the vertex that joins them as neighbours.
+// In a point other than the shared vertex of neighbours.
 bool meet(const Points& v, std::size_t i, std::size_t j) {
   const std::size_t n = v.size();
   const Vec2 &a = v[i], &b = v[(i + 1) % n], &c = v[j], &d = v[(j + 1) % n];
   if ((i + 1) % n == j || (j + 1) % n == i) {
-    // Neighbours fold back if the far end of one is on the other.
+    // Neighbours fold back if one's far end is on the other.
     const bool first = (i + 1) % n == j;
     const Vec2 &shared = first ? b : a, &p = first ? a : b, &q = first ? d : c;
     if (side(p, shared, q) != 0) return false;
@@ -55,7 +55,7 @@ bool is_simple(const Points& v) {
   return true;
 }
 
-// Distinct points of a grid in random order, some moved off it by a hair.
+// Points of a grid in random order, some off it by a hair.
 Points careless_chain(std::mt19937_64& engine) {
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(engine() % n); };
   const std::size_t side_length = 2 + below(6);
@@ -181,7 +181,7 @@ TEST_CASE("the first refusal in order of vertices is reported", "[simplicity][re
     REQUIRE_FALSE(polygon.ok());
     return polygon.error();
   };
-  // Two pairs of repeated vertices: the error names the pair that is complete first.
+  // The error names the repeated pair that is complete first.
   const InputError repeated = error({{0, 0}, {1, 0}, {1, 1}, {1, 0}, {0, 0}});
   CHECK(repeated.code == ErrorCode::repeated_vertex);
   CHECK(repeated.place.index == 1);

@@ -1,4 +1,3 @@
-// Coverage, and the force that tips the object.
 #include "evenlift/stability.h"
 
 #include <cmath>
@@ -40,7 +39,7 @@ TEST_CASE("a hull without area covers nothing", "[stability]") {
 TEST_CASE("an edge of the hull that is hardly longer than rounding cuts nothing off",
           "[stability]") {
   const Polygon square = polygon({{-10, -10}, {10, -10}, {10, 10}, {-10, 10}});
-  // Relative to another corner, this edge would have another direction.
+  // Relative to another corner, this edge's direction would differ.
   const Vec2 p(1, 1 + 0x3p-52), q(1 - 0x4p-52, 1 + 0x5p-52);
   CHECK(coverage(solid(square), {{-8, -8}, {8, -8}, p, q}) == Approx(72.0 / 400));
   CHECK(coverage(solid(square), {{8, -8}, p, q, {-8, -8}}) == Approx(72.0 / 400));
@@ -75,10 +74,10 @@ TEST_CASE("coverage agrees with a sum over horizontal slabs", "[stability]") {
 TEST_CASE("a force beyond one edge of the hull tips by the lever about that edge", "[stability]") {
   const Points square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   const Vec2 centre(1, 2);
-  // C is 3 from the right edge, the force is 2 from it.
+  // C is 3 from the right edge, the force 2.
   CHECK(tipping_force(square, centre, 100, {6, 2}) == Approx(150));
   CHECK(tipping_force(square, centre, 100, {-4, 2}) == Approx(25));
-  // Where the force is beyond two edges, the weaker one decides.
+  // Beyond two edges, the weaker decides.
   CHECK(tipping_force(square, centre, 100, {5, -1}) == Approx(200));
   CHECK(tipping_force(square, centre, 100, {-1, 6}) == Approx(100));
 }

@@ -1,4 +1,4 @@
-// The trace: every step of every sample polygon, at once and in any order.
+// Every step of every sample, at once and in any order.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -28,7 +28,7 @@ using evenlift::testing::traced;
 
 namespace {
 
-// The sum of the progress when all steps up to `last` are played.
+// All steps up to `last` together.
 Progress played(const Trace& trace, std::uint32_t last) {
   Progress progress;
   for (std::uint32_t k = 0; k <= last; ++k) {
@@ -74,8 +74,7 @@ Progress played(const Trace& trace, std::uint32_t last) {
   return progress;
 }
 
-// A text for readers is complete: no NaN, no unfilled placeholder, no character that the font
-// lacks.
+// No NaN, no unfilled placeholder, and no character that the font lacks.
 void check_text(const std::string& text, bool sentence) {
   INFO(text);
   if (sentence) {
@@ -207,7 +206,7 @@ TEST_CASE("what is known at a step does not depend on the way to it", "[trace]")
       const Trace trace = traced(placed(corpus::polygon(name), method, 4));
       for (std::uint32_t k = 0; k < trace.size(); ++k)
         REQUIRE(progress_at(trace, k) == played(trace, k));
-      // Played forward, backward and twice from the same place: the words and shapes are the same.
+      // Words and shapes are the same forward, backward and twice from one place.
       std::vector<std::string> forward;
       const auto picture = [&](std::uint32_t k) {
         const StepDetail detail = look_at(trace, k);
@@ -261,7 +260,7 @@ TEST_CASE("where there is little or nothing to show the lesson says so", "[trace
   struct Hard {
     const char* text;
     double min_ratio;
-    StepKind has;  // a step that such a trace must have
+    StepKind has;  // a step that the trace must have
   };
   const Hard cases[] = {
       // C at a vertex, and in line with edges.
@@ -269,7 +268,7 @@ TEST_CASE("where there is little or nothing to show the lesson says so", "[trace
       {"CoM:(2,2)\n(0,0)\n(4,0)\n(4,2)\n(3,2)\n(3,4)\n(0,4)\n", 0.8, StepKind::radial},
       // C beside an edge.
       {"CoM:(1,0.001)\n(0,0)\n(4,0)\n(4,4)\n(0,4)\n", 1, StepKind::fewer},
-      // C so near to a corner that all chords are uneven.
+      // C so near a corner that all chords are uneven.
       {"CoM:(1,1)\n(0,0)\n(400,0)\n(400,400)\n(0,400)\n", 1, StepKind::fewer},
       {"CoM:(2,1e-10)\n(0,0)\n(4,0)\n(4,4)\n(0,4)\n", 0.8, StepKind::radial},
       {"(0,0)\n(4,0)\n(0,3)\n", 1, StepKind::fewer}};
@@ -308,7 +307,7 @@ TEST_CASE("where there is little or nothing to show the lesson says so", "[trace
 }
 
 TEST_CASE("a caption does not hide what decides", "[trace][words]") {
-  // Ratios that differ from 1 or from the minimum are not rounded to it.
+  // Other ratios are not rounded to 1 or the minimum.
   const Trace trace = traced(placed(corpus::polygon("thesis-sample-centroid")));
   const auto at = trace.find(StepKind::ray, 1);
   REQUIRE(at);
@@ -574,7 +573,7 @@ TEST_CASE("objects of every size have readable numbers", "[trace][words]") {
   }
 }
 
-// tests/expected/trace holds the program's output, so that changes become visible.
+// tests/expected/trace makes changes of the output visible.
 TEST_CASE("known polygons give the expected traces", "[trace][expected][slow]") {
   const std::filesystem::path folder =
       std::filesystem::path(EVENLIFT_TESTS_DIR) / "expected" / "trace";
@@ -620,8 +619,8 @@ TEST_CASE("every step of balanced robots has its words, figures and numbers",
 
 TEST_CASE("a step of a failure carries the object within tau L, not within tau of its box",
           "[trace][balanced][slow]") {
-  // The diameter of this square is 2, and the diagonal of its box 2.83. Once the last robot fails,
-  // C is 2.4e-9 outside the triangle of the other three.
+  // The square's diameter is 2, its box's diagonal 2.83. After the last failure, C is 2.4e-9
+  // outside the other three robots' triangle.
   Document document;
   document.vertices = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   document.settings.robots = 4;

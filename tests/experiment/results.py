@@ -82,8 +82,7 @@ class Recomputed:
         for row in rows:
             if row["method"] == "area":
                 self.most[row["polygon"]] = max(self.most[row["polygon"]], row["robots"])
-        # The polygons on which teams of two can have form closure; balanced robots are left out, as the thesis has
-        # none.
+        # Where teams of two can have form closure; without balanced robots, which the thesis lacks.
         self.possible = {test: {row["polygon"] for row in rows if row["method"] in PAIRS and row[test] > 0} for test in ("form_closure", "no_area")}
 
     def aggregate(self, method, robots):

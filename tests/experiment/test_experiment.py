@@ -23,7 +23,7 @@ import results  # noqa: E402
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 POLYGONS = ROOT / "assets" / "polygons"
 PROGRAM = os.path.abspath(os.environ.get("EVENLIFT_PROGRAM", ROOT / "build" / "bin" / "evenlift"))
-FEW = ("--max-balanced", "4")  # the search for more balanced robots only takes longer
+FEW = ("--max-balanced", "4")  # more balanced robots only take longer
 SOME = ["thesis-sample", "thesis-sample-centroid", "square", "star", "star-moved", "hammer", "letter-e", "comb", "gear", "island"]
 
 
@@ -90,7 +90,7 @@ class Runs(Case):
             self.assertEqual(results.figures(self.folder / "both", of), results.figures(self.folder / out, of))
 
     def test_an_interrupted_run_goes_on_and_loses_nothing(self):
-        # With so many samples the comb, which comes third, takes more than a second.
+        # With so many samples the comb, which is third, takes over a second.
         out = self.folder / "killed"
         process = subprocess.Popen([PROGRAM, "experiment", str(self.inputs), "--out", str(out), "--samples", "250", "--jobs", "1", *FEW],
                                    stdout=subprocess.DEVNULL)
@@ -346,7 +346,7 @@ class Shards(Case):
         text = (ROOT / "docs" / "experiments.md").read_text(encoding="utf-8")
         recipe = re.search(r"```sh\n(parallel .*?)```", text, re.S).group(1)
         self.assertIn("--merge", recipe)
-        for name in SOME[3:]:  # it measures up to 12 balanced robots, which takes long on combs
+        for name in SOME[3:]:  # up to 12 balanced robots take long on combs
             (self.inputs / f"{name}.txt").unlink()
         recipe = recipe.replace("assets/polygons", "polygons")
         bin_folder = self.folder / "bin"

@@ -73,7 +73,7 @@ class Numbers:
         candidates = {row["polygon"]: int(row["candidates"]) for row in self.polygons}
         expected = [(p, m, 2 * t) for p in sorted(candidates) for m in results.PAIRS for t in range(1, candidates[p] + 1)]
         self.assertEqual([(r["polygon"], r["method"], r["robots"]) for r in self.rows if r["method"] != "balanced"], expected)
-        # Balanced robots need no candidates, and their rows come after the others of their polygon.
+        # Balanced robots need no candidates, and their rows come last in each polygon.
         self.assertEqual([(r["polygon"], r["method"]) for r in self.rows],
                          sorted(((r["polygon"], r["method"]) for r in self.rows), key=lambda at: (at[0], results.METHODS.index(at[1]))))
         for polygon in candidates:
@@ -235,7 +235,7 @@ class ThesisLike(Numbers, unittest.TestCase):
     of = "thesis-like"
 
 
-# The classes of a set, by a polygon's outline and row in polygons.csv.
+# By the outline and the row in polygons.csv.
 def class_of_sample(outline, row, regular):
     if outline in regular:
         return "convex regular"

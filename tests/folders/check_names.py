@@ -13,7 +13,7 @@ import re
 import sys
 
 root = pathlib.Path(__file__).resolve().parent.parent.parent
-# Comments and literals, which may contain anything.
+# Comments and literals.
 ignored = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.DOTALL)
 preprocessor = re.compile(r"^[ \t]*#(?:[^\n\\]|\\\n|\\.)*", re.MULTILINE)
 named_namespace = re.compile(r"\bnamespace\s+([\w:]+)\s*$")
@@ -23,7 +23,7 @@ type_definition = re.compile(r"\b(?:struct|class|union|enum(?:\s+class)?)\s+(?:a
 def types_of(text):
     """The types that the text defines at the level of a named namespace, with their namespaces."""
     text = preprocessor.sub("", ignored.sub(" ", text))
-    scopes = []  # for each open brace the namespace that it opens, or None for anything else
+    scopes = []  # for each open brace its namespace, or None
     found = []
     begin = 0
     for brace in re.finditer(r"[{};]", text):

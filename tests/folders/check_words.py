@@ -14,7 +14,7 @@ import tokenize
 
 root = pathlib.Path(__file__).resolve().parent.parent.parent
 
-# What is given up, and what to write instead.
+# With what to write instead.
 given_up = {
     r"bears?|borne": "carry",
     r"firm(ly|ness|er)?": "margin",
@@ -38,7 +38,7 @@ given_up = {
 }
 pattern = re.compile(r"\b(?:" + "|".join(f"(?P<w{i}>{word})" for i, word in enumerate(given_up)) + r")\b", re.IGNORECASE)
 
-# Where such a word is right.
+# Where they are right.
 allowed = [
     ("core/src/document/settings.cpp", "halo"),  # the names of overlays
 ]

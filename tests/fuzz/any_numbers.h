@@ -1,6 +1,5 @@
-// Documents with arbitrary doubles wherever users give numbers: coordinates, weights, sizes, parts
-// of edges. Each document is refused with its setting or its place, or placed and written with
-// finite numbers.
+// Documents with arbitrary doubles wherever users give numbers. Each is refused with its setting or
+// place, or placed and written with finite numbers.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +17,7 @@
 
 namespace evenlift::testing {
 
-// Takes choices and doubles from bytes, and zeros after the last byte.
+// Choices and doubles from bytes, then zeros.
 class AnyNumbers {
  public:
   AnyNumbers(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
@@ -91,7 +90,7 @@ inline Document document_with(AnyNumbers& any) {
   return document;
 }
 
-// Whether a text contains no infinity or NaN: neither word appears alone or after a sign.
+// Whether neither inf nor nan appears as a word.
 inline bool is_finite_text(const std::string& text) {
   const auto is_letter = [&](std::size_t at) {
     return at < text.size() && ((text[at] >= 'a' && text[at] <= 'z') || text[at] == '_');
@@ -102,7 +101,7 @@ inline bool is_finite_text(const std::string& text) {
   return true;
 }
 
-// Whether the promises hold for the document. `placed` counts the documents with a placement.
+// `placed` counts the documents with a placement.
 inline bool keeps_its_word(const Document& document, int& placed) {
   const auto placement = place(document);
   if (!placement) return !placement.error().message.empty();

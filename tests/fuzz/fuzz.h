@@ -1,4 +1,4 @@
-// Shared by the fuzzers. Each is one libFuzzer entry; a broken promise ends the program.
+// Shared by the fuzzers; a broken promise ends the program.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace fuzz {
 
-// Unlike assert, it also works in builds without assertions.
+// Works without assertions, unlike assert.
 inline void require(bool condition) {
   if (!condition) __builtin_trap();
 }

@@ -1,5 +1,5 @@
-// Any bytes as a polygon's text in one of the three formats: refused with a reason, or written and
-// read again without loss.
+// Any bytes as a polygon's text in three formats: refused with a reason, or written and read
+// without loss.
 #include <string>
 
 #include "evenlift/formats.h"

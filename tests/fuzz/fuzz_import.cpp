@@ -1,5 +1,5 @@
-// Any bytes as a drawing, a table or a result: refused with a reason, or read as shapes within all
-// bounds. The shapes are the same when read again, and can be written and opened.
+// Any bytes as a drawing, table or result: refused with a reason, or shapes within all bounds,
+// equal when read again, which can be written and opened.
 #include <string>
 
 #include "evenlift/formats.h"

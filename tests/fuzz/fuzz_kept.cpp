@@ -1,7 +1,7 @@
-// Any bytes as the page's texts in the browser's storage, which every script of its origin and
-// every other version of the page may have written. Bytes 0 separate the address's fragment, the
-// work, the refused draft, the drawing and the preferences. The page must open with some placement,
-// and the texts that it then keeps must open the same document.
+// Any bytes as the page's texts in storage, which any script of its origin or other version may
+// have written. Bytes 0 separate the address's fragment, the work, the refused draft, the drawing
+// and the preferences. The page must open with a placement, and keep texts that open the same
+// document.
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,7 +34,7 @@ std::vector<std::string_view> parted(std::string_view text) {
 
 constexpr std::string_view sample = "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)\n";
 
-// As page_resume_drawing() does it.
+// Like page_resume_drawing().
 void resume_drawing(AppState& state, std::string_view text) {
   const auto kept = read_drawing(text);
   if (!kept || kept->points.empty()) return;
@@ -46,13 +46,13 @@ void resume_drawing(AppState& state, std::string_view text) {
                 testing::same_vertices(again->points, state.view.drawing.points));
 }
 
-// As page_keep() does it.
+// Like page_keep().
 void keep_preferences(std::string_view text) {
   const Kept kept = read_kept(text);
   fuzz::require(read_kept(kept_text(kept)).motion == kept.motion);
 }
 
-// The texts that the page would keep now open the same document.
+// What the page would keep opens the same document.
 void require_kept(const AppState& state) {
   const Result<Document> from_text = parse_document(write_thesis(last_good(state)));
   fuzz::require(from_text.ok() && testing::same_polygon(*from_text, last_good(state)));
@@ -73,7 +73,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require_kept(state);
   resume_drawing(state, parts[3]);
   fuzz::require(state.derived().placement.has_value());
-  // Everything can be undone, and a placement remains.
+  // After all undos, a placement remains.
   Commands undo{Undo{}};
   apply(state, undo);
   fuzz::require(state.derived().placement.has_value());

@@ -1,5 +1,5 @@
-// Any bytes as a teacher's lesson: refused with a line, or within the bounds of lesson.h; then
-// opened on a sample, as the page does it.
+// Any bytes as a lesson: refused with a line, or within the bounds of lesson.h and opened on a
+// sample.
 #include <string>
 
 #include "evenlift/lesson.h"
@@ -36,7 +36,7 @@ void check_bounds(const Lesson& lesson) {
 }
 
 void open(const Lesson& lesson) {
-  // Placing more vertices would take most of the time.
+  // More vertices would take most of the time.
   if (lesson.generated && lesson.generated->n > 40) return;
   const Result<Document> document = lesson_document(lesson, sample());
   if (!document) return require_refusal(document.error());

@@ -1,5 +1,5 @@
-// Any bytes as a link, and as a payload with a valid checksum: refused, or written and read again
-// without loss.
+// Any bytes as a link, and as a payload with a valid checksum: refused, or written and read without
+// loss.
 #include <string>
 
 #include "evenlift/lesson_link.h"

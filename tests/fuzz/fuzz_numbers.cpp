@@ -1,4 +1,4 @@
-// Any bytes as the doubles of a document: refused, or placed and written with finite numbers.
+// Any bytes as doubles of a document: refused, or placed and written with finite numbers.
 #include <cstdint>
 
 #include "fuzz/any_numbers.h"

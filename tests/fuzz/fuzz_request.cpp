@@ -1,5 +1,4 @@
-// Any bytes as a request in JSON: the answer is one or more lines of JSON, and the same when
-// repeated.
+// Any bytes as a request: the answer is one or more lines of JSON, the same when repeated.
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -20,7 +19,7 @@ struct AnyJson final : JsonSink {
   bool end() override { return true; }
 };
 
-// Excludes the largest searches, whose time is for the benchmarks.
+// Without the largest searches, which the benchmarks time.
 bool is_quick(const Request& request) {
   const Settings& settings = request.document.settings;
   if (request.command == Command::experiment)

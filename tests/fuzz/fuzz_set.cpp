@@ -1,5 +1,5 @@
-// Any bytes as the lines from window.evenlift.set(): refused with the setting's name, or a document
-// whose settings are in range and which place() answers.
+// Any bytes as lines of window.evenlift.set(): refused with the setting's name, or a document with
+// settings in range that place() answers.
 #include <algorithm>
 #include <cstdint>
 
@@ -33,7 +33,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Result<view::Changeable> again = view::with_settings(*changed, lines);
   fuzz::require(again.ok() && again->failed == changed->failed &&
                 testing::same_document(again->document, changed->document));
-  // The time for a million robots is for the benchmarks.
+  // The benchmarks time a million robots.
   Document few = changed->document;
   if (few.settings.teams) few.settings.teams = std::min<std::uint32_t>(*few.settings.teams, 1000);
   const Result<Placement> placement = place(few);

@@ -47,10 +47,10 @@ class Plate:
             arc(c, r, start, start + 90)
             for c, start in (((w - r, r), 270), ((w - r, h - r), 0), ((r, h - r), 90), ((r, r), 180))
         ]
-        # Round corners take a square less a quarter of a circle from each corner, symmetrically.
+        # Each round corner takes a square less a quarter circle, symmetrically.
         area = w * h - (4 - math.pi) * r * r
         pieces = [(area, w / 2, h / 2)]
-        for i in range(11):  # in the cells of a grid of 4 x 3; the last cell has the slot
+        for i in range(11):  # in a grid of 4 x 3, whose last cell has the slot
             cell = (w * (i % 4 + 0.5) / 4, h * (i // 4 + 0.5) / 3)
             radius = rng.randint(5, 60)
             centre = tuple(round(c + rng.uniform(-8, 8), 2) for c in cell)
@@ -122,7 +122,7 @@ def check(program, rng, folder):
     cut_away = [moments(hole) for hole in holes]
     whole, *first = [m - sum(cut[k] for cut in cut_away) for k, m in enumerate(moments(outline))]
     own = [m / (3 * whole) for m in first]
-    # Each curve stays within a thousandth of the plate's longer side of its chords.
+    # Curves stay within a thousandth of the plate's longer side of their chords.
     off = max(plate.size) / 1000
     near("the area of the drawing", whole / 2, plate.area, Fraction(off) * sum(plate.size) / 4)
     for k in (0, 1):

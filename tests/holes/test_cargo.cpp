@@ -1,4 +1,3 @@
-// The centre of mass with cargo, and placements of loaded objects.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -33,7 +32,7 @@ PolygonWithHoles object(const Points& outline, const std::vector<Points>& holes)
   return *std::move(made);
 }
 
-// A plate of 1220 x 610 with a round hole of 64 corners, as docs and lessons have it.
+// 1220 x 610 with a round hole of 64 corners, as in docs and lessons.
 PolygonWithHoles plate() {
   Points hole;
   for (int i = 0; i < 64; ++i) {
@@ -57,7 +56,7 @@ Vec2 exact_centre(const Vec2& own, const Settings& settings) {
   return {centre[0], centre[1]};
 }
 
-// A few units in the last place of the moments for each item, and of the sum.
+// A few units in the last place of each item's moments and of the sum.
 double rounding_of(const Vec2& own, const Settings& settings) {
   double arms = 0;
   for (const Cargo& item : settings.cargo)
@@ -66,7 +65,7 @@ double rounding_of(const Vec2& own, const Settings& settings) {
   return 0x1p-52 * ((3 + items) * arms + one_norm(own));
 }
 
-// Cargo around a place, light enough for C to stay near it.
+// Light enough for C to stay near the place.
 std::vector<Cargo> any_cargo(Rng& rng, const Vec2& about, double reach, double weight) {
   std::vector<Cargo> cargo(1 + rng.below(rng.below(5) == 0 ? 1000 : 6));
   const double share = weight / static_cast<double>(cargo.size());

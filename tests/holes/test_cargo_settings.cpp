@@ -1,4 +1,4 @@
-// Cargo as text: what is read, what is refused, and that it is written as it is read.
+// Cargo as text: read, refused, and written as it is read.
 #include <string>
 
 #include "document/cargo_settings.h"

@@ -1,5 +1,4 @@
-// Hands and supports near holes: a hand must lie on the material, and a support must not be in a
-// hole.
+// A hand must lie on the material, and a support must not be in a hole.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -38,7 +37,7 @@ PolygonWithHoles object(const Points& outline, const std::vector<Points>& holes)
   return *std::move(made);
 }
 
-// The stands of a hand of this depth and width on the square with one hole.
+// On the square with one hole, for a hand of this depth and width.
 Stands stands_of(double depth, double width, const Points& hole) {
   RobotSize robot;
   robot.depth = depth;
@@ -68,8 +67,8 @@ struct Compared {
   int stand = 0, hole = 0, other = 0;
 };
 
-// Compares with the definition at places along each edge. The reason is `hole` exactly where a
-// robot could stand if there were no holes.
+// Compares with the definition along each edge. The reason is `hole` exactly where a robot could
+// stand without holes.
 void compare(const PolygonWithHoles& of, const RobotSize& robot, Compared& compared) {
   const Stands stands(of, robot, {});
   const StandOracle oracle(of.outline(), robot, {}, of.holes()), filled(of.outline(), robot, {});

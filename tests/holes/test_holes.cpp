@@ -1,5 +1,4 @@
-// Polygons with holes: examples by hand, what depends on how the rings are listed, and holes too
-// small to matter.
+// Holes by hand, the effect of how rings are listed, and holes too small to matter.
 #include "evenlift/polygon_with_holes.h"
 
 #include <algorithm>
@@ -57,7 +56,7 @@ std::string refusal_in_words(const std::vector<Points>& holes) {
   return describe(error.place) + ": " + error.message;
 }
 
-// A case with holes and everything that says where the object is: C is the given one.
+// C is given, so that it does not change.
 Document numbered_document(std::uint64_t number) {
   Document document = document_of(holed_polygons::make_case(number).problem);
   document.settings.method = Method::area;
@@ -268,7 +267,7 @@ TEST_CASE("in units twice as large all numbers of an object are the same bits", 
 }
 
 TEST_CASE("an object elsewhere has the same area and coverage", "[holes][slow]") {
-  // All coordinates are multiples of 2^-20, and 2^25 away they still have them all.
+  // Coordinates are multiples of 2^-20, even 2^25 away.
   const auto on_grid = [](Points points) {
     for (Vec2& v : points)
       v = {std::ldexp(std::round(std::ldexp(v.x(), 20)), -20),

@@ -1,5 +1,4 @@
-// Polygons with holes against the exact oracle: which are refused and why, the area, the centroid,
-// the coverage in all its forms, the metric area, and whole placements.
+// Refusals, area, centroid, the coverage in all its forms, the metric area, and whole placements.
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -48,7 +47,7 @@ PolygonWithHoles object_with(const oracle::Problem& problem) {
   return object_with(points_of(problem.vertices), points_of(problem.holes));
 }
 
-// A generated outline with up to this number of holes.
+// With up to this number of holes.
 PolygonWithHoles generated(Family family, std::size_t n, std::uint64_t seed, std::size_t holes) {
   const auto outline = generate(family, n, seed);
   REQUIRE(outline.ok());
@@ -85,7 +84,7 @@ double exact_coverage(const oracle::Problem& problem, const Points& hull) {
   return hull.size() < 3 ? 0 : oracle::covered_share(problem, ring_of(hull));
 }
 
-// The rounding of a coverage: more for thin objects.
+// Of a coverage: more for thin objects.
 double rounding_of(const PolygonWithHoles& object) {
   const double size = object.outline().diameter();
   return 1e-13 * std::max(1.0, size * size / object.area());
@@ -110,10 +109,10 @@ std::string pair_in_words(const Place& place, const std::string& kind) {
 
 const oracle::Point& vertex(const Ring& ring, std::size_t i) { return ring[i % ring.size()]; }
 
-// Rings of a careless object; ring 0 is its outline.
+// Ring 0 is the outline.
 using Rings = std::vector<Ring>;
 
-// The first ring that is no polygon is refused as it would be by itself.
+// The first ring that is no polygon is refused as if alone.
 void check_bad_hole(const InputError& error, const Rings& rings) {
   const std::size_t ring = error.place.ring;
   REQUIRE((ring > 0 && ring < rings.size()));
@@ -146,7 +145,7 @@ void check_meeting(const InputError& error, const Rings& rings) {
                               vertex(other, at.other + 1)));
 }
 
-// The number of rings around the given one, if no two meet.
+// The number of rings around it, if no two meet.
 std::size_t depth_of(const Rings& rings, std::size_t of) {
   std::size_t depth = 0;
   for (std::size_t i = 0; i < rings.size(); ++i)
@@ -154,7 +153,7 @@ std::size_t depth_of(const Rings& rings, std::size_t of) {
   return depth;
 }
 
-// The innermost ring around the given one: of all those around it, the deepest.
+// The innermost: the deepest of all around it.
 std::optional<std::size_t> ring_around(const Rings& rings, std::size_t of) {
   std::optional<std::size_t> around;
   for (std::size_t i = 0; i < rings.size(); ++i)
@@ -164,7 +163,7 @@ std::optional<std::size_t> ring_around(const Rings& rings, std::size_t of) {
   return around;
 }
 
-// The hole that the error names is the first that is not directly within the outline.
+// The error names the first hole that is not directly within the outline.
 void check_outside(const InputError& error, const Rings& rings) {
   const std::size_t ring = error.place.ring;
   CHECK(error.code == ErrorCode::hole_outside);

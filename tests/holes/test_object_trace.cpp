@@ -1,4 +1,3 @@
-// The steps of the trace about an object with holes and with cargo.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -21,7 +20,7 @@ using evenlift::testing::traced;
 
 namespace {
 
-// The square 0 … 10 with the square hole 2 … 4: area 96, centroid (500 − 12) / 96 in x and y.
+// A square 0 … 10 with the hole 2 … 4: area 96, centroid (500 − 12) / 96 in x and y.
 Document square_with_hole() {
   Document document;
   document.vertices = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
@@ -108,7 +107,7 @@ TEST_CASE("the first steps count a hole and the cargo, in numbers", "[trace][hol
 
 TEST_CASE("the triangles of the centroid have the area of the object", "[trace][holes]") {
   Document document = square_with_hole();
-  // A hole that is not convex, whose fan folds back, in the other orientation.
+  // A hole whose fan folds back, in the other orientation.
   document.holes.push_back({{6, 6}, {7.5, 9}, {9, 6}, {7.5, 7}});
   for (const bool reversed : {false, true}) {
     CAPTURE(reversed);

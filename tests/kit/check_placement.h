@@ -1,5 +1,5 @@
-// Checks the rules of algorithm.md on any Placement, by short independent code that shares only the
-// public types with the core: plain doubles, and bounds that leave room only for rounding.
+// Checks the rules of algorithm.md on any Placement with short code that shares only public types
+// with the core: plain doubles, and bounds with room only for rounding.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ class Checker {
     }
     size_ = std::hypot(high.x() - low.x(), high.y() - low.y());
     near_ = 1e-9 * size_;
-    // Positions are rounded to doubles at their absolute place; nothing else is lost.
+    // Only positions are rounded, to doubles at their absolute place.
     rounding_ = 1e-11 * size_ + 8 * 0x1p-52 * reach;
     double area = 0;
     for (std::size_t i = 0; i < n(); ++i) area += cross_(v(i) - v(0), v(i + 1) - v(0));
@@ -35,7 +35,7 @@ class Checker {
     area_ = 0.5 * std::fabs(area);
   }
 
-  // Messages about broken rules; none if all rules hold.
+  // A message for each broken rule.
   std::vector<std::string> run() {
     check_candidates();
     check_teams();
@@ -46,8 +46,8 @@ class Checker {
     return std::move(wrong_);
   }
 
-  // area(P and H) / area(P) by horizontal slabs between all corners and crossings: within a slab
-  // the width of the common part changes linearly, so its width in the middle is enough.
+  // area(P and H) / area(P) by horizontal slabs between all corners and crossings: in a slab the
+  // common width changes linearly, so its middle is enough.
   double coverage_by_slabs() const {
     if (p_.lifting_base.size() < 3) return 0;
     std::vector<double> ys;
@@ -109,7 +109,7 @@ class Checker {
     const double whole = norm(to2 - to1);
     expect(chord.arm1 > 0 && chord.arm2 > 0 && dot_(to1, to2) < 0, name, " has C not between");
     const double miss = std::fabs(cross_(to1, to2)) / whole;
-    // Across from a random point, the ends of a radial edge count as met, which is true within
+    // Across from a random point, a radial edge's ends count as met, which is true within
     // tolerance. C is within tolerance of the line of opposite vertices.
     const bool opposite = at_vertex(chord.r1.position) && at_vertex(chord.r2.position);
     const double reach = p_.settings.method == Method::random || opposite ? near_ : 0;
@@ -149,13 +149,12 @@ class Checker {
                  4 * rounding_ / norm(d) + 1e-12,
              name, " has a wrong direction");
       if (i > 0) {
-        // Its slope is not below the preceding one: the turn is not to the right by less than 180
-        // degrees.
+        // The slope does not fall: there is no turn to the right by less than 180 degrees.
         const Vec2& before = p_.candidates[i - 1].direction;
         const Vec2& here = candidate.direction;
         const bool vertical = std::fabs(before.x()) <= 1e-9 * norm(before);
         const double turn = cross_(before, here) / (norm(before) * norm(here));
-        // Of three chords, the first and the last may agree only through the one between them.
+        // Two chords may agree only through a third one between them.
         const bool agree = std::fabs(turn) <= 2.002e-9;
         const bool both_vertical = vertical && std::fabs(here.x()) <= 1.001e-9 * norm(here);
         expect(agree || both_vertical || (turn > 0 && !vertical), name, " is out of order");
@@ -171,8 +170,8 @@ class Checker {
     for (std::size_t k = 0; k < by_x.size(); ++k) {
       for (std::size_t l = k + 1; l < by_x.size() && x(by_x[l]) <= x(by_x[k]) + near_; ++l) {
         const Chord &a = p_.candidates[by_x[k]].chord, &b = p_.candidates[by_x[l]].chord;
-        // The representative of one class may be this close to another one only if they are not
-        // within the tolerance: half of it leaves room for rounding.
+        // Representatives of different classes are not within the tolerance of each other; half of
+        // it leaves room for rounding.
         expect(norm(a.r1.position - b.r1.position) > 0.5 * near_ ||
                    norm(a.r2.position - b.r2.position) > 0.5 * near_,
                "candidates ", by_x[k], " and ", by_x[l], " are the same");
@@ -210,7 +209,7 @@ class Checker {
     if (selects_candidates() && placed > 0) check_first_team();
   }
 
-  // The longest even candidate, else the one with the largest ratio.
+  // The longest even candidate, else the largest ratio.
   void check_first_team() {
     const Candidate& first = p_.candidates[p_.team_candidates[0]];
     double longest_even = 0, largest_ratio = 0;
@@ -275,7 +274,7 @@ class Checker {
           const Vec2& q = robot.point.position;
           const double beyond =
               corners == 2 ? to_segment(q, h(0), h(1)) : -cross_(edge, q - h(i)) / norm(edge);
-          // A segment represents points within tolerance of one line, on both sides of it.
+          // A segment represents points within tolerance on both sides of it.
           expect(beyond <= (corners == 2 ? 2.02 : 1.01) * near_ + rounding_,
                  "a lifting point lies outside the hull by ", beyond);
         }
@@ -283,7 +282,7 @@ class Checker {
     }
   }
 
-  // The common width of P and H at a height that no corner has.
+  // Of P and H, at a height without corners.
   double common_width(double y) const {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t k = 0; k < p_.lifting_base.size(); ++k) {
@@ -374,8 +373,7 @@ class Checker {
     if (closure.margin) check_margin(all);
   }
 
-  // Free directions form a cone whose rims are tangents. Only a direction that is certainly free
-  // counts.
+  // Free directions form a cone with tangents as rims. Only a certainly free one counts.
   static bool some_tangent_is_free(const std::vector<Touch>& all) {
     for (const Touch& rim : all) {
       for (const double sign : {1.0, -1.0}) {
@@ -403,15 +401,14 @@ class Checker {
     for (const Vec2& q : region.clipped) {
       const double reach = (q - c_).cwiseAbs().maxCoeff();
       expect(reach <= 100 * size_ * (1 + 1e-9), name, " leaves the square");
-      // Widened by the tolerance; distant points are less exact. Directions are known within tau:
-      // the directions of the two edges at a straight vertex, and of the normal lines on both sides
-      // of a region without area.
+      // Widened by the tolerance; distant points are less exact. Directions of edges at a straight
+      // vertex, and of normal lines beside a region without area, are known within tau.
       const double room = (region.has_area ? 1.01 : 4) * near_ + 1.01e-9 * reach;
       const double known_to = rounding_ * (1 + reach / size_);
       expect(freedom(all, sense, q) >= -room - known_to, name, " has a corner that is blocked by ",
              -freedom(all, sense, q) / near_, " tau L");
     }
-    // Corners of the arrangement of normal lines, and points about C.
+    // Points where normal lines cross, and about C.
     bool free = false;
     for (std::size_t i = 0; i < all.size(); ++i) {
       for (std::size_t j = i + 1; j < all.size(); ++j) {
@@ -430,9 +427,8 @@ class Checker {
     expect(region.has_area || !wide, name, " is thought to have no area");
   }
 
-  // Every unit vector bounds the margin from above. If the origin is inside, the normal of some
-  // three wrenches attains it; else the normal of some two, or its opposite, shows that it is not
-  // inside.
+  // Every unit vector bounds the margin from above. If the origin is inside, the normal of three
+  // wrenches attains it; else that of two, or its opposite, shows that it is outside.
   void check_margin(const std::vector<Touch>& all) {
     using Wrench = std::array<double, 3>;
     double radius = 0;
@@ -461,7 +457,7 @@ class Checker {
         for (int k = -2; k <= 2; ++k) try_direction(i, j, k);
     for (std::size_t i = 0; i < w.size(); ++i) {
       try_both(w[i][0], w[i][1], w[i][2]);
-      // Directions at a right angle to a wrench: two opposite wrenches leave them free.
+      // At right angles to a wrench: two opposite wrenches leave these free.
       try_both(0, w[i][2], -w[i][1]);
       try_both(-w[i][2], 0, w[i][0]);
       try_both(w[i][1], -w[i][0], 0);
@@ -492,8 +488,8 @@ class Checker {
   std::vector<std::string> wrong_;
 };
 
-// The placement in units in which no product of coordinates leaves the range of doubles: scaled by
-// a power of two, which loses nothing.
+// Scaled by a power of two, which loses nothing, to keep products of coordinates in the range of
+// doubles.
 inline Placement in_handy_units(Placement placement) {
   double reach = 0;
   for (const Vec2& v : placement.vertices()) reach = std::max(reach, v.cwiseAbs().maxCoeff());
@@ -530,7 +526,7 @@ inline Placement in_handy_units(Placement placement) {
   return placement;
 }
 
-// The broken rules of the placement, a line for each; empty if all rules hold.
+// The broken rules, one a line.
 inline std::string check_placement(const Placement& placement) {
   const Placement handy = in_handy_units(placement);
   std::string text;

@@ -1,4 +1,4 @@
-// The polygons of assets/polygons and the results of tests/expected.
+// Polygons of assets/polygons and results of tests/expected.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ inline std::filesystem::path polygons_folder() {
   return std::filesystem::path(EVENLIFT_ASSETS_DIR) / "polygons";
 }
 
-// Names without ".txt", sorted; index.txt is left out.
+// Sorted, without ".txt" and index.txt.
 inline std::vector<std::string> polygon_names() {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(polygons_folder()))

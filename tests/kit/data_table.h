@@ -1,4 +1,4 @@
-// Tables in tests/data: columns separated by tabs, texts as JSON strings, lines with # left out.
+// Tables in tests/data: columns separated by tabs, texts as JSON strings, lines with # ignored.
 #pragma once
 
 #include <filesystem>
@@ -17,8 +17,7 @@ namespace evenlift::testing {
 
 using Row = std::vector<std::string>;
 
-// The rows of a table; a missing file, an empty table or a row with a wrong number of columns fails
-// the test.
+// A missing file, an empty table or a row with a wrong number of columns fails the test.
 inline std::vector<Row> read_table(const std::string& file, std::size_t columns) {
   std::ifstream stream(std::filesystem::path(EVENLIFT_TESTS_DIR) / "data" / file, std::ios::binary);
   REQUIRE(stream.good());
@@ -58,8 +57,7 @@ inline std::string name_of(ErrorCode code) {
   return "another error";
 }
 
-// Whether a message is one readable sentence: a line of printable text without a full stop at its
-// end, and shorter than a paragraph.
+// A line of printable text without a final full stop, shorter than a paragraph.
 inline bool is_one_sentence(const std::string& message) {
   for (const char c : message) {
     if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') return false;

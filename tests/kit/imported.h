@@ -10,7 +10,7 @@
 
 namespace evenlift::testing {
 
-// The shapes of a text that can be read.
+// The text must be readable.
 inline Import read(const std::string& text, const ImportOptions& options = {}) {
   Result<Import> import = read_shapes(text, options);
   INFO(text.substr(0, 300));
@@ -28,7 +28,7 @@ inline Points only(const std::string& text) {
   return import.shapes.front().document.vertices;
 }
 
-// Why a text is refused; the message is one sentence.
+// The message must be one sentence.
 inline InputError import_error(const std::string& text) {
   const Result<Import> import = read_shapes(text);
   INFO(text.substr(0, 300));
@@ -37,7 +37,7 @@ inline InputError import_error(const std::string& text) {
   return import.error();
 }
 
-// The same with its place: "line 2: a number is missing".
+// With the place: "line 2: a number is missing".
 inline std::string refusal(const std::string& text) {
   const InputError error = import_error(text);
   const std::string place = describe(error.place);

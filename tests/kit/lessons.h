@@ -1,4 +1,4 @@
-// Lessons as tests read them: those that must be right, and refusals with their lines.
+// Lessons that must be right, and refusals with their lines.
 #pragma once
 
 #include <cstddef>
@@ -27,12 +27,12 @@ inline Lesson ready_made(const std::string& name) {
   return lesson_of(corpus::read_file(lessons_folder() / (name + ".txt")));
 }
 
-// The sample that a lesson names; an empty document if it names none.
+// The sample it names, or an empty document.
 inline Document sample_of(const Lesson& lesson) {
   return lesson.polygon.empty() ? Document{} : corpus::polygon(lesson.polygon);
 }
 
-// The lesson must be refused at this line, with a sentence that has this part.
+// Requires a refusal at this line, with this part in its sentence.
 inline void refused(const std::string& text, std::size_t line, const std::string& part) {
   const Result<Lesson> lesson = parse_lesson(text);
   INFO(text);

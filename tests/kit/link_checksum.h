@@ -1,5 +1,4 @@
-// The checksum of share links as docs/link-format.md describes it, for hostile payloads that need a
-// valid one.
+// The checksum of docs/link-format.md, for hostile payloads that need a valid one.
 #pragma once
 
 #include <cstdint>

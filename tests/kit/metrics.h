@@ -1,5 +1,4 @@
-// The methods that choose among candidates by a metric. Each promise is tested for all of them,
-// including future ones.
+// Each promise is tested for all methods with a metric, including future ones.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,4 @@
-// The placement of a document that must have one, unchanged or by a method with a given number of
-// teams.
+// The placement of a document that must have one, perhaps by another method and number of teams.
 #pragma once
 
 #include <cstdint>

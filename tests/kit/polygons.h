@@ -1,4 +1,3 @@
-// Polygons that many tests use.
 #pragma once
 
 #include <utility>

@@ -1,4 +1,4 @@
-// RapidCheck under Catch2: properties with a fixed seed, so that every run is the same.
+// RapidCheck under Catch2, with a fixed seed, so that every run is the same.
 #pragma once
 
 #include <rapidcheck.h>
@@ -11,8 +11,8 @@
 
 namespace evenlift::property {
 
-// Checks that `property` (which uses RC_ASSERT or returns a bool) holds for this number of
-// generated arguments; the shrunk counterexample is the message.
+// `property` uses RC_ASSERT or returns a bool. It must hold for this number of generated arguments;
+// the message is the shrunk counterexample.
 template <class Property>
 void holds(Property&& property, int cases = 1000) {
   rc::detail::TestParams parameters;

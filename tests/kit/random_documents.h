@@ -1,5 +1,5 @@
-// Documents of every kind that a link or a text may have to carry, from a seed. Their polygons need
-// not be simple: links and texts do not require it.
+// Documents of every kind for links and texts, from a seed. Polygons need not be simple, as links
+// and texts do not require it.
 #pragma once
 
 #include <algorithm>
@@ -44,8 +44,7 @@ inline bool same_document(const Document& a, const Document& b) {
          bits_of(a.settings.min_ratio) == bits_of(b.settings.min_ratio);
 }
 
-// Any finite double of at most `limit` in size: all exponents are equally likely, so half are below
-// 1e-150.
+// Finite, at most `limit` in size. All exponents are equally likely, so half are below 1e-150.
 inline double any_double(Rng& rng, double limit) {
   for (;;) {
     const double value = double_of(rng.below(std::numeric_limits<std::uint64_t>::max()));
@@ -53,7 +52,7 @@ inline double any_double(Rng& rng, double limit) {
   }
 }
 
-// The kinds of coordinates of a document.
+// The kinds of coordinates.
 enum class Kind { integers, decimals, doubles, binary, any, few, offset, comb, smooth, count };
 
 inline double coordinate(Rng& rng, Kind kind, int decimals) {
@@ -92,7 +91,7 @@ inline Points random_vertices(Rng& rng, std::size_t n) {
       continue;
     }
     if (kind == Kind::smooth) {
-      // An ellipse by tangents of half angles: no functions that differ between platforms.
+      // An ellipse by tangents of half angles, which all platforms compute alike.
       const double t = 8 * static_cast<double>(i) / static_cast<double>(n) - 4;
       vertices.emplace_back(500 * (1 - t * t) / (1 + t * t), 300 * 2 * t / (1 + t * t));
       continue;
@@ -146,7 +145,7 @@ inline Document random_document(Rng& rng, std::size_t greatest_n) {
   return document;
 }
 
-// Gives the document rings that need not lie in it.
+// Adds rings that need not lie in the polygon.
 inline void take_random_holes(Rng& rng, Document& document) {
   for (std::uint64_t count = rng.below(5); count > 0; --count)
     document.holes.push_back(random_vertices(rng, 1 + rng.below(9)));
@@ -161,7 +160,7 @@ inline void take_random_cargo(Rng& rng, Document& document) {
                                        names[rng.below(std::size(names))]});
 }
 
-// Gives the document supports, the method `given`, and perhaps capacities.
+// Sets supports, the method `given`, and perhaps capacities.
 inline void take_random_supports(Rng& rng, Document& document) {
   document.settings.method = Method::given;
   document.settings.supports = random_vertices(rng, 1 + rng.below(12));
@@ -174,7 +173,7 @@ inline void take_random_supports(Rng& rng, Document& document) {
   capacities.back() = 30;
 }
 
-// The text with a few bytes changed, dropped, doubled or moved.
+// With a few bytes changed, dropped, doubled or moved.
 inline std::string mutated(Rng& rng, std::string text, std::string_view bytes) {
   for (std::uint64_t times = 1 + rng.below(4); times > 0 && !text.empty(); --times) {
     const std::size_t at = rng.below(text.size());

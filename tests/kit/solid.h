@@ -1,4 +1,3 @@
-// Objects without holes.
 #pragma once
 
 #include "evenlift/polygon_with_holes.h"

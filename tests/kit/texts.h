@@ -1,4 +1,3 @@
-// Helpers for tests of texts.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +8,6 @@
 
 namespace evenlift::testing {
 
-// The number of times that the part occurs in the text.
 inline std::size_t occurrences(const std::string& text, const std::string& part) {
   std::size_t found = 0;
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
@@ -17,14 +15,14 @@ inline std::size_t occurrences(const std::string& text, const std::string& part)
   return found;
 }
 
-// Displayed texts have U+00A0 between a number and its unit; here a space replaces it.
+// With a space instead of U+00A0 between number and unit.
 inline std::string plainly(std::string text) {
   for (std::size_t at = 0; (at = text.find("\u00A0", at)) != std::string::npos;)
     text.replace(at, std::string("\u00A0").size(), " ");
   return text;
 }
 
-// The names of an object's members, in their order.
+// In their order.
 inline std::vector<std::string> names_in(const nlohmann::ordered_json& json) {
   std::vector<std::string> names;
   for (const auto& member : json.items()) names.push_back(member.key());

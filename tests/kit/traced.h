@@ -1,4 +1,4 @@
-// The trace of a placement that must have one, and the numbers of its steps.
+// Traces that must succeed, and the numbers of their steps.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ inline std::optional<double> number_if_any(const Trace& trace, const StepDetail&
   return std::nullopt;
 }
 
-// The number of that name; a step without it fails the test.
+// A step without it fails the test.
 inline double number_of(const Trace& trace, const StepDetail& detail, std::string_view name) {
   const std::optional<double> number = number_if_any(trace, detail, name);
   INFO(name);

@@ -1,4 +1,3 @@
-// Tasks of lessons: the reader, the ready-made ones, and what counts as done.
 #include <cmath>
 #include <set>
 
@@ -36,7 +35,6 @@ Attempt attempt(const Lesson& lesson, const Document& document) {
   return attempt(lesson, begun(lesson), document);
 }
 
-// The document of an exercise with supports.
 Document with_supports(Document document, const Points& supports) {
   document.settings.method = Method::given;
   document.settings.supports = supports;
@@ -128,7 +126,7 @@ TEST_CASE("no ready-made task is done at its start, and each says what is to be 
       CHECK(at_start.changed.empty());
       REQUIRE_FALSE(at_start.goals.empty());
       for (const Goalpost& goal : at_start.goals) CHECK_FALSE(goal.words.empty());
-      // What the link of the start holds is the start.
+      // The start's link holds the start.
       CHECK(attempt(lesson, exercise, *decode_link(*encode_link(exercise.start))).changed.empty());
     }
   }
@@ -171,7 +169,7 @@ TEST_CASE("each ready-made task can be done", "[task]") {
   }
   for (const std::uint64_t number : {1u, 2u, 3u}) {
     INFO(number);
-    // The balanced robots of the same object show that four can do it.
+    // Balanced robots on the same object show that four are enough.
     for (const char* name : {"task-thirty", "task-closed"}) {
       const Lesson lesson = ready_made(name);
       const Exercise exercise = begun(lesson, number);

@@ -1,4 +1,3 @@
-// Tasks on the page: how they open, and how they are left.
 #include "app/open_lesson.h"
 #include "kit/catch.h"
 #include "view/view_page.h"
@@ -27,7 +26,7 @@ TEST_CASE("a task that is written is previewed in one step of undo, which never 
   give(state, Undo{});
   CHECK_FALSE(state.view.task);
   CHECK(state.work.document().vertices == before);
-  // Other work that was opened over a preview is not taken by the next one.
+  // The next preview does not take work that was opened over one.
   CHECK_FALSE(open_lesson(state, task_text, l_shape, LessonStart::preview));
   page.open(document("(0,0)\n(9,0)\n(9,9)\n(0,9)\n"));
   const Points square = state.work.document().vertices;

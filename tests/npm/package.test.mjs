@@ -1,6 +1,5 @@
-// The package for npm, packed and installed as its users do it: in Node, in a worker thread, in a browser and in a
-// worker there.
-//   EVENLIFT_NPM  the package's folder, build/npm if not given
+// The package, packed and installed as by users: in Node, in a browser, and in a worker of each.
+//   EVENLIFT_NPM  the package's folder, else build/npm
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
@@ -17,7 +16,7 @@ after(() => rmSync(work, { recursive: true, force: true }));
 
 const npm = (folder, ...args) => execFileSync("npm", args, { cwd: folder, encoding: "utf8" });
 
-// A project that has installed the packed package, and nothing else.
+// A project with the packed package and nothing else.
 const packed = JSON.parse(npm(work, "pack", "--json", packageFolder))[0];
 const project = path.join(work, "project");
 mkdirSync(project);
@@ -43,7 +42,7 @@ const samples = readdirSync(path.join(root, "assets/polygons"))
   .filter((name) => name !== "index.txt")
   .map((name) => name.replace(/\.txt$/, ""));
 
-// The first block of JavaScript in a text that imports the package.
+// The first block of JavaScript that imports the package.
 function lines(file) {
   const [, code] = /```js\n(import [^`]*from "evenlift";[^`]*)```/.exec(readFileSync(path.join(root, file), "utf8"));
   return code;
@@ -272,7 +271,7 @@ test("any bytes have an answer", () => {
   }
 });
 
-// The answer of each consumer: the placement as text.
+// Each consumer's answer, as text.
 const asText = (result) => JSON.stringify(result);
 
 test("a worker thread of Node places", () => {

@@ -1,5 +1,4 @@
-// The types of the package: the results of every sample have the declared type, with every member, and the compiler
-// refuses what the core would refuse.
+// Every sample's results have the declared type with every member, and the compiler refuses what the core would refuse.
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -13,7 +12,7 @@ const packageFolder = process.env.EVENLIFT_NPM || path.join(root, "build/npm");
 const ofPackage = (name) => import(pathToFileURL(path.join(packageFolder, name)).href);
 const declared = readFileSync(path.join(root, "npm/evenlift.d.ts"), "utf8");
 
-// The compiler's messages about a module that imports "evenlift", as "LINE: MESSAGE".
+// Complaints about a module that imports "evenlift", as "LINE: MESSAGE".
 function complaintsOf(code) {
   const files = {
     "/main.ts": code,
@@ -54,7 +53,7 @@ const printed = (name, ...options) =>
   evenlift("place", path.join(root, `assets/polygons/${name}.txt`), "--json", ...options);
 
 test("what the program prints is a Placement, with no member more or less", () => {
-  // As literals, so that the compiler reports undeclared members.
+  // As literals, in which the compiler reports undeclared members.
   const results = [
     ...names.map((name) => printed(name)),
     printed("hammer", "--failures", "--candidates", "--capacity", "20", "--com-radius", "5"),

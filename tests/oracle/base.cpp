@@ -1,4 +1,3 @@
-// The lifting base H, areas common with P, and the loads.
 #include "oracle/exact.h"
 
 #include <algorithm>
@@ -12,7 +11,7 @@ std::vector<ExactVec> convex_hull(std::vector<ExactVec> points) {
   std::sort(points.begin(), points.end(), before);
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
-  // Lower chain left to right, then upper chain right to left; a corner is a strict left turn.
+  // The lower chain left to right, then the upper one back; a corner is a strict left turn.
   const auto chain = [](auto first, auto last) {
     std::vector<ExactVec> c;
     for (auto p = first; p != last; ++p) {
@@ -38,7 +37,7 @@ using Corners = std::vector<RealVec>;
 
 bool within_one_line(const Corners& corners, const Real& size, Calls& calls) {
   if (corners.size() < 3) return true;
-  // The least width of a convex polygon is attained with an edge on one side.
+  // A convex polygon's least width is attained with an edge on one side.
   Real width = -1;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     Real extent = 0;
@@ -57,8 +56,8 @@ Corners farthest_two(const Corners& corners) {
   return ends;
 }
 
-/// Whether corner i is a corner only by rounding: at the place of a neighbour, or straight. The tip
-/// of a thin hull is also near the line of its neighbours, but not between them.
+/// Whether corner i is one only by rounding: at a neighbour's place, or straight. A thin hull's tip
+/// is near the line of its neighbours, but not between them.
 bool is_superfluous(const Corners& corners, std::size_t i, const Real& size, Calls& calls) {
   const std::size_t n = corners.size();
   const RealVec &a = corners[(i + n - 1) % n], &b = corners[(i + 1) % n];
@@ -96,8 +95,8 @@ Real signed_area(const std::vector<RealVec>& polygon) {
 }
 
 Real common_area(const std::vector<RealVec>& polygon, const std::vector<RealVec>& convex) {
-  // Cut by one half-plane after another. Parts that separate stay joined by edges traversed in both
-  // directions, which have no area.
+  // Cut by half-planes in turn. Separated parts stay joined by edges traversed both ways, without
+  // area.
   std::vector<RealVec> rest = polygon;
   for (std::size_t i = 0; i < convex.size() && !rest.empty(); ++i) {
     const RealVec& a = convex[i];

@@ -1,4 +1,4 @@
-// Candidates (algorithm.md, "Candidates"): every pair of edges, every rule, exactly.
+// Candidates (algorithm.md): every pair of edges and every rule, exactly.
 #include "oracle/exact.h"
 
 #include <algorithm>
@@ -6,8 +6,7 @@
 namespace oracle {
 namespace {
 
-/// An edge as C sees it: its line does not pass through C, and q is seen less than 180 degrees
-/// counter-clockwise of p.
+/// As C sees it: not in line with C, and q less than 180 degrees counter-clockwise of p.
 struct Edge {
   ExactVec p, q;
 };
@@ -24,21 +23,20 @@ std::optional<Edge> seen_edge(const ExactShape& shape, std::size_t i, Calls& cal
   return cross(p, q) > 0 ? Edge{p, q} : Edge{q, p};
 }
 
-/// Whether u points into the cone from p to q, p's direction included if `start`, q's if `end`.
+/// The cone from p to q includes p's direction if `start`, q's if `end`.
 bool in_cone(const ExactVec& u, const Edge& e, bool start, bool end) {
   const int from_p = sign(cross(e.p, u)), to_q = sign(cross(u, e.q));
   return (from_p > 0 || (start && from_p == 0 && dot(e.p, u) > 0)) &&
          (to_q > 0 || (end && to_q == 0 && dot(e.q, u) > 0));
 }
 
-/// s such that C + s u lies on the edge's line; u must not be parallel to it.
+/// s such that C + s u is on the edge's line, which must not be parallel to u.
 Exact reach(const ExactVec& u, const Edge& e) {
   const ExactVec along = e.q - e.p;
   return cross(e.p, along) / cross(u, along);
 }
 
-/// The open range of directions u for which C + s u meets a and C - s u meets b (s > 0), or
-/// nothing.
+/// The open range of directions u for which C + s u meets a and C - s u meets b (s > 0).
 struct Range {
   ExactVec first, last;  // the section ends are in these directions and opposite to them
 };
@@ -66,7 +64,6 @@ Section section_at(const ExactVec& u, const Edge& a, const Edge& b) {
 
 Real ratio_of(const Real& g) { return g <= 1 ? g : 1 / g; }
 
-/// Whether two vertices are opposite.
 bool opposite(const ExactShape& shape, const ExactVec& v, const ExactVec& w, Calls& calls) {
   if (dot(v, w) >= 0) return false;
   const RealVec rv = real(v), rw = real(w);
@@ -77,9 +74,9 @@ bool opposite(const ExactShape& shape, const ExactVec& v, const ExactVec& w, Cal
   return true;
 }
 
-/// The chord at the end of a range, in direction u from C or away from it. If a vertex there is
-/// opposite to a vertex of the other edge, and the chord meets or nearly meets that vertex, the
-/// result is the chord between the two; g stays that of the section.
+/// The chord at the end of a range, in direction u from C or away from it. If it meets or nearly
+/// meets a vertex of the other edge that is opposite to a vertex there, the result is the chord
+/// between the two; g stays that of the section.
 Section section_end(const ExactShape& shape, const ExactVec& u, const Edge& a, const Edge& b,
                     Calls& calls) {
   Section seen = section_at(u, a, b);
@@ -105,7 +102,7 @@ bool are_one_chord(const Section& one, const Section& two) {
          one.on_b == two.on_b;
 }
 
-/// The point where the line of a meets the line of b mirrored through C.
+/// Where the line of a meets the line of b mirrored through C.
 ExactVec bisecting_point(const Edge& a, const Edge& b) {
   const ExactVec da = a.q - a.p, db = b.q - b.p;
   const Exact ka = cross(a.p, da), kb = -cross(b.p, db);  // r x da = ka, r x db = kb
@@ -113,20 +110,19 @@ ExactVec bisecting_point(const Edge& a, const Edge& b) {
   return {(kb * da.x - ka * db.x) / det, (kb * da.y - ka * db.y) / det};
 }
 
-/// The direction in which |C on_b| / |C on_a| is the geometric mean of its values at the ends of
-/// the range: towards the middle of both sections, if the edges are parallel. The roots are rounded
-/// to 100 digits.
+/// The direction in which |C on_b| / |C on_a| is the geometric mean of its values at the ends;
+/// between parallel edges, towards both sections' middles. Roots have 100 digits.
 ExactVec middle_of(const Range& range, const Edge& a, const Edge& b) {
   const Section first = section_at(range.first, a, b), last = section_at(range.last, a, b);
   return first.on_a * Exact(sqrt(first.g)) + last.on_a * Exact(sqrt(last.g));
 }
 
-/// A vertex-chord that is even within the tolerance is a bisecting chord.
+/// If even within the tolerance, it is a bisecting chord.
 Kind kind_of_vertex_chord(const Real& ratio, Calls& calls) {
   return calls.within(1 - ratio, tau, "even vertex-chord") ? Kind::bisecting : Kind::vertex;
 }
 
-/// The chord between two vertices, with the ratio of its arms.
+/// With the ratio of its arms.
 ExactChord chord_between(const ExactVec& v, const ExactVec& w, Calls& calls) {
   const Real ratio = ratio_of(length(real(w)) / length(real(v)));
   ExactChord chord = exact_chord(v, w, kind_of_vertex_chord(ratio, calls), ratio);
@@ -134,7 +130,7 @@ ExactChord chord_between(const ExactVec& v, const ExactVec& w, Calls& calls) {
   return chord;
 }
 
-/// The candidate of the pair {a, b}, if it has one.
+/// Of the pair {a, b}, if it has one.
 std::optional<ExactChord> candidate_of(const ExactShape& shape, const Edge& a, const Edge& b,
                                        const Range& range, const Real& least_ratio,
                                        CandidateList& list, Calls& calls) {
@@ -176,7 +172,7 @@ std::optional<ExactChord> candidate_of(const ExactShape& shape, const Edge& a, c
   return even_enough(chord.ratio) ? std::optional(chord) : std::nullopt;
 }
 
-/// The chord between two vertices, if they are opposite and it meets the minimum ratio.
+/// If the vertices are opposite and the chord meets the minimum ratio.
 std::optional<ExactChord> candidate_between(const ExactShape& shape, std::size_t i, std::size_t j,
                                             const Real& least_ratio, Calls& calls) {
   const ExactVec &v = shape.vertices[i], &w = shape.vertices[j];
@@ -187,8 +183,7 @@ std::optional<ExactChord> candidate_between(const ExactShape& shape, std::size_t
   return chord;
 }
 
-/// The greater distance between the ends of two chords, for the matching of their ends with the
-/// smaller result.
+/// The greater distance between the ends of two chords, matched the better way.
 double apart_in_doubles(const ExactChord& a, const ExactChord& b) {
   const auto gap = [](const RealVec& p, const RealVec& q) {
     return std::hypot(static_cast<double>(p.x) - static_cast<double>(q.x),
@@ -205,13 +200,12 @@ Real apart(const ExactChord& a, const ExactChord& b) {
       std::max(gap(a.real_ends[0], b.real_ends[1]), gap(a.real_ends[1], b.real_ends[0])));
 }
 bool same_chord(const ExactChord& a, const ExactChord& b, const Real& size, Calls& calls) {
-  // A quick rejection, far above the errors of doubles: the ends are relative to C, so at most L in
-  // size.
+  // Quick, far above the errors of doubles: ends are relative to C, so at most L in size.
   if (apart_in_doubles(a, b) > 1e-6 * static_cast<double>(size)) return false;
   return calls.within(apart(a, b), tau * size, "duplicate chords");
 }
 
-/// Candidate order. Where "agrees" is not transitive, all directions linked by it count as one.
+/// Where "agrees" is not transitive, all linked directions count as one.
 class Order {
  public:
   Order(const Real& size, Calls& calls) : size_(size), calls_(calls) {}
@@ -230,7 +224,7 @@ class Order {
 
  private:
   using Iterator = std::vector<ExactChord>::iterator;
-  /// Visits the classes of a sorted list: an element linked to the preceding one is in its class.
+  /// Visits the classes of a sorted list: each element linked to the preceding one joins its class.
   template <class Linked, class Visit>
   static void by_class(Iterator first, Iterator last, Linked linked, Visit visit) {
     while (first != last) {
@@ -240,8 +234,7 @@ class Order {
       first = end;
     }
   }
-  /// Sorts by a key, the largest first, and visits the classes of chords that tie with the first of
-  /// their class.
+  /// Sorts by a key, the largest first, and visits the classes of chords that tie with their first.
   template <class Key, class Ties, class Visit>
   static void by_ties(Iterator first, Iterator last, Key key, Ties ties, Visit visit) {
     std::stable_sort(first, last,
@@ -254,9 +247,9 @@ class Order {
     }
   }
 
-  /// Chords of one line: the longer first, then the chord whose right end is farther from C. The
-  /// two chords of a bent line can tie in both; then the coordinates of their ends decide, where
-  /// they differ by more than half the tolerance.
+  /// The longer first, then the one whose right end is farther from C. Two chords of a bent line
+  /// can tie in both; then their ends' coordinates decide, if they differ by more than half the
+  /// tolerance.
   void sort_line(Iterator begin, Iterator end) {
     const auto length_of = [](const ExactChord& c) { return c.length; };
     const auto right_arm_of = [&](const ExactChord& c) { return right_arm(c); };
@@ -294,13 +287,13 @@ class Order {
     const Real sine = abs(cross(a.direction, b.direction)) / (a.length * b.length);
     return calls_.within(sine, tau, "equal directions");
   }
-  /// The index of the right end, or of the upper end of a vertical chord.
+  /// The right end, or the upper one of a vertical chord.
   std::size_t right_end(const ExactChord& c) {
     const ExactVec &e0 = c.ends[0], &e1 = c.ends[1];
     return vertical(c.direction) ? e1.y > e0.y : e1.x > e0.x;
   }
   Real right_arm(const ExactChord& c) { return length(c.real_ends[right_end(c)]); }
-  /// The coordinates of the left end, then of the right one.
+  /// Of the left end, then of the right one.
   std::array<Exact, 4> coordinates(const ExactChord& c) {
     const std::size_t right = right_end(c);
     const ExactVec &p = c.ends[1 - right], &q = c.ends[right];
@@ -310,9 +303,8 @@ class Order {
   Calls& calls_;
 };
 
-/// The representative of a set of duplicate chords: a chord between opposite vertices, else the
-/// largest ratio, then the first in order. A chord between vertices keeps its kind; otherwise
-/// precedence decides the kind.
+/// Of duplicate chords: one between opposite vertices, else the largest ratio, then the first in
+/// order. A chord between vertices keeps its kind; otherwise precedence decides it.
 ExactChord standing_one(std::vector<ExactChord> same, const Real& size, Calls& calls) {
   Order(size, calls).sort(same);
   ExactChord best = same.front();
@@ -432,7 +424,7 @@ std::vector<std::array<Point, 2>> vertex_chords(const Problem& problem) {
   for (std::size_t i = 0; i < n; ++i) {
     if (v[i] == ExactVec{0, 0}) continue;
     const ExactVec u = -v[i];
-    for (std::size_t j = 0; j < n; ++j)  // hits at a vertex: once for the two vertices
+    for (std::size_t j = 0; j < n; ++j)  // a hit at a vertex counts once for two
       if (j > i && cross(u, v[j]) == 0 && dot(u, v[j]) > 0)
         result.push_back({rounded(*shape, v[i]), rounded(*shape, v[j])});
     for (std::size_t j = 0; j < n; ++j)

@@ -1,4 +1,4 @@
-// Immobilization (algorithm.md, "Immobilization"): contacts, free motions, margin, second order.
+// Immobilization (algorithm.md): contacts, free motions, margin, second order.
 #include "oracle/exact.h"
 
 #include <algorithm>
@@ -13,8 +13,7 @@ struct Contact {
   ExactVec
       edge;  // along the edge, counter-clockwise about P: the inward normal is to its left, exactly
   RealVec normal;  // inward, of unit length
-  // The distances from the nearest corner of its side, and from the nearest convex vertex at which
-  // its side ends; empty if there is none.
+  // Distances from the nearest corner and convex vertex at which its side ends; empty without one.
   std::optional<Real> to_corner, to_end;
 };
 
@@ -52,8 +51,8 @@ std::size_t nearest_edge(const ExactShape& shape, const RealVec& p) {
   return nearest;
 }
 
-/// Where the outline is folded so closely that two edges of different directions are both within
-/// the tolerance of a robot, rounding decides which of them the robot touches.
+/// Where two edges of different directions are folded within the tolerance of a robot, rounding
+/// decides which one it touches.
 void note_folds(const ExactShape& shape, const RealVec& p, std::optional<std::size_t> vertex,
                 Calls& calls) {
   const std::size_t n = shape.vertices.size(), touched = vertex ? *vertex : nearest_edge(shape, p);
@@ -71,7 +70,7 @@ void note_folds(const ExactShape& shape, const RealVec& p, std::optional<std::si
   }
 }
 
-/// Positive at a convex vertex, 0 at a straight one, within the tolerance.
+/// Positive at a convex vertex, 0 at one straight within the tolerance.
 int turn_at(const ExactShape& shape, std::size_t vertex, Calls& calls) {
   const std::size_t n = shape.vertices.size();
   const ExactVec before = shape.vertices[vertex] - shape.vertices[(vertex + n - 1) % n];
@@ -83,7 +82,7 @@ int turn_at(const ExactShape& shape, std::size_t vertex, Calls& calls) {
   return sign(cross(before, after));
 }
 
-/// Whether a vertex is convex and turns by more than 15 degrees.
+/// Convex, with a turn of more than 15 degrees.
 bool is_corner(const ExactShape& shape, std::size_t vertex, Calls& calls, bool& unsure) {
   if (turn_at(shape, vertex, calls) <= 0) return false;
   const std::size_t n = shape.vertices.size();
@@ -95,8 +94,8 @@ bool is_corner(const ExactShape& shape, std::size_t vertex, Calls& calls, bool& 
   return cosine < of_15_degrees - tau;
 }
 
-/// Sets the distances of a contact on an edge from the corners and the convex vertices at which the
-/// edge ends, passing straight vertices.
+/// Distances from the corners and convex vertices at which the contact's edge ends, passing
+/// straight vertices.
 void set_distances(const ExactShape& shape, std::size_t edge, Calls& calls, bool& unsure,
                    Contact& contact) {
   const std::size_t n = shape.vertices.size();
@@ -123,7 +122,7 @@ std::vector<Contact> contacts_of(const ExactShape& shape, const std::vector<Real
       if (o.at == c.at && o.edge == c.edge) return;
     contacts.push_back(c);
   };
-  // For a robot that is not held in a reflex vertex.
+  // For a robot that no reflex vertex holds.
   const auto add_free = [&](const RealVec& at, std::size_t edge) {
     Contact contact = contact_on(shape, at, edge);
     set_distances(shape, edge, calls, corners_are_unsure, contact);
@@ -146,9 +145,9 @@ std::vector<Contact> contacts_of(const ExactShape& shape, const std::vector<Real
 }
 
 /// Some direction makes no obtuse angle with any normal: the normals leave a gap of at least 180
-/// degrees. The free directions form a closed cone. Unless the cone is everything, it has a side
-/// perpendicular to a normal on one side of the gap; this side is along that contact's edge. The
-/// tolerance is for the normal on the other side, nearly opposite to it.
+/// degrees. The free directions form a closed cone. Unless it is everything, it has a side
+/// perpendicular to a normal beside the gap, along that contact's edge. The tolerance is for the
+/// normal on the other side, nearly opposite.
 bool translation_is_free(const std::vector<Contact>& contacts, Calls& calls) {
   if (contacts.empty()) return true;
   for (const Contact& c : contacts) {
@@ -166,19 +165,18 @@ bool translation_is_free(const std::vector<Contact>& contacts, Calls& calls) {
   return false;
 }
 
-/// The signed distance of the point to the left of contact c's normal line, directed inward.
+/// The point's signed distance to the left of c's normal line, directed inward.
 Real left_of_normal(const Contact& c, const RealVec& point) {
   return cross(c.normal, point - c.at);
 }
 
-/// Weights that add up to 1 and balance the normals of a few contacts.
+/// Weights with sum 1 that balance a few contacts' normals.
 struct Balance {
   std::vector<std::size_t> contacts;
   std::vector<Real> weights;
 };
-/// The balances that cannot be combined from others: opposite pairs, and triples that span the
-/// plane positively. Decided exactly; with `loose`, pairs also count when opposite within the
-/// tolerance.
+/// The balances that others cannot combine: opposite pairs, and triples that span the plane
+/// positively. Exact; with `loose`, pairs opposite within the tolerance also count.
 std::vector<Balance> balances(const std::vector<Contact>& c, bool loose, Calls& calls) {
   std::vector<Balance> result;
   const std::size_t m = c.size();
@@ -204,22 +202,22 @@ std::vector<Balance> balances(const std::vector<Contact>& c, bool loose, Calls& 
   return result;
 }
 
-/// A free region: the points on the left (side = 1) or right (side = -1) of every normal.
+/// The points to the left (side = 1) or right (side = -1) of every normal.
 struct Region {
   int side;
-  std::optional<Real> widening;  // the least that makes it non-empty; nothing if it stays non-empty
-                                 // however narrowed
+  std::optional<Real> widening;  // the least that makes it non-empty; nothing if no narrowing
+                                 // empties it
 };
 
-/// The contacts, and after them four contacts for the border of the plane: no rotation centre
-/// farther than L / tau from C along an axis counts, or L / sqrt(tau) if a translation is free.
+/// The contacts, then four for the plane's border: rotation centres count up to L / tau from C
+/// along an axis, or L / sqrt(tau) if a translation is free.
 std::vector<Contact> with_border(std::vector<Contact> contacts) {
   for (const auto& [x, y] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}})
     contacts.push_back({{0, 0}, {x, y}, {Real(-y), Real(x)}});
   return contacts;
 }
 
-/// By Farkas's lemma the half-planes side * (n x c) >= side * (n x p) - w of the contacts and side
+/// By Farkas's lemma, the half-planes side * (n x c) >= side * (n x p) - w of the contacts and side
 /// * (n x c) >= -reach of the border have no common point exactly if some balance has a positive
 /// sum of weight * (side * n x p - w) and of weight * -reach.
 Region region(const std::vector<Contact>& contacts, const std::vector<Balance>& exact_balances,
@@ -263,8 +261,7 @@ Stretch stretch_on_line(const std::vector<Contact>& contacts, const Region& r, c
   return s;
 }
 
-/// Two normals that are opposite and on one line, both within the tolerance: there the region is a
-/// segment.
+/// Two normals opposite and on one line within the tolerance: there the region is a segment.
 struct Segment {
   RealVec from, way;
   Stretch stretch;
@@ -278,8 +275,7 @@ std::optional<Segment> segment_of(const std::vector<Contact>& contacts, const Re
       if (!calls.within(abs(cross(a.normal, b.normal)), tau, "opposite normals")) continue;
       const RealVec way = (a.normal - b.normal) * (1 / length(a.normal - b.normal));
       const RealVec from = (a.at + b.at) * (Real(1) / 2);
-      // Half the distance between the lines; measured at `from`, so that both are as near as
-      // possible.
+      // Half the distance between the lines, measured at `from`, to be near both.
       if (!calls.within(abs(left_of_normal(a, from)), tau * size, "normals on one line")) continue;
       const Segment s{from, way, stretch_on_line(contacts, r, from, way, tau * size)};
       if (s.stretch.longer_than(tau * size)) return s;
@@ -288,8 +284,8 @@ std::optional<Segment> segment_of(const std::vector<Contact>& contacts, const Re
   return std::nullopt;
 }
 
-/// The point at which a region without area is most nearly non-empty: the corner in which it
-/// vanishes as the widening is reduced.
+/// Where a region without area is most nearly non-empty: the corner in which it vanishes as the
+/// widening shrinks.
 std::optional<RealVec> last_point(const std::vector<Contact>& contacts, const Region& r,
                                   const Real& size) {
   const Real w = *r.widening + size * Real("1e-50");
@@ -313,7 +309,7 @@ std::optional<RealVec> last_point(const std::vector<Contact>& contacts, const Re
   return best;
 }
 
-/// Whether the contacts whose normals pass through c stop every finite motion about it.
+/// Whether the contacts whose normals pass through c stop finite motions about it.
 bool immobile_about(const std::vector<Contact>& contacts, const RealVec& c, const Real& size,
                     Calls& calls) {
   std::vector<Contact> through;
@@ -331,9 +327,8 @@ bool immobile_about(const std::vector<Contact>& contacts, const RealVec& c, cons
   return false;
 }
 
-/// Whether the contacts stop every motion about the points of a region without area: about a
-/// segment's midpoint, or about the single point. A segment without an end is a translation that
-/// only rounding keeps from being free.
+/// Whether the contacts stop motions about a region without area: about a segment's midpoint, or
+/// the single point. An endless segment is a translation that only rounding keeps from being free.
 bool immobile_in(const std::vector<Contact>& contacts, const Region& r, const Real& size,
                  Calls& calls) {
   if (const auto segment = segment_of(contacts, r, size, calls)) {
@@ -353,7 +348,7 @@ Vec3 cross3(const Vec3& a, const Vec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Squared distance from the origin to the segment a b.
+/// From the origin.
 Real squared_to_segment(const Vec3& a, const Vec3& b) {
   const Vec3 along = minus(b, a);
   const Real squared = dot3(along, along);
@@ -363,8 +358,7 @@ Real squared_to_segment(const Vec3& a, const Vec3& b) {
   return dot3(p, p);
 }
 
-/// Squared distance from the origin to the triangle's interior, if the foot of the perpendicular is
-/// in it.
+/// From the origin, if the foot of the perpendicular is inside.
 std::optional<Real> squared_to_triangle(const Vec3& a, const Vec3& b, const Vec3& c,
                                         const Vec3& normal) {
   const auto edge_keeps = [&](const Vec3& p,
@@ -376,15 +370,15 @@ std::optional<Real> squared_to_triangle(const Vec3& a, const Vec3& b, const Vec3
   return height * height / dot3(normal, normal);
 }
 
-/// The radius of the largest ball about the origin inside the hull of the wrenches; if the origin
-/// is not inside, minus its distance from that hull.
+/// The radius of the largest ball about the origin in the hull, or minus its distance from the
+/// hull.
 Real margin(const std::vector<Vec3>& w) {
   // If the origin is outside, the hull's nearest point is in a triangle of wrenches.
   Real nearest = dot3(w[0], w[0]);
   for (std::size_t i = 0; i < w.size(); ++i)
     for (std::size_t j = i + 1; j < w.size(); ++j)
       nearest = std::min(nearest, squared_to_segment(w[i], w[j]));
-  // A triangle with all wrenches on one side of its plane is a facet (or part of one).
+  // A triangle with all wrenches on one side is (part of) a facet.
   bool inside = w.size() >= 4;
   bool any = false;
   Real least = 0;
@@ -393,7 +387,7 @@ Real margin(const std::vector<Vec3>& w) {
       for (std::size_t k = j + 1; k < w.size(); ++k) {
         const Vec3 normal = cross3(minus(w[j], w[i]), minus(w[k], w[i]));
         const Real size = sqrt(dot3(normal, normal));
-        if (size < Real("1e-60")) continue;  // collinear, or two points coincide
+        if (size < Real("1e-60")) continue;  // collinear, or two coincide
         if (const auto d = squared_to_triangle(w[i], w[j], w[k], normal))
           nearest = std::min(nearest, *d);
         const Real height = dot3(normal, w[i]) / size;
@@ -404,7 +398,7 @@ Real margin(const std::vector<Vec3>& w) {
           below = below || h < -Real("1e-60");
         }
         if (above && below) continue;
-        if (!above && !below) inside = false;  // everything in one plane: no room for a ball
+        if (!above && !below) inside = false;  // all in one plane: no room for a ball
         const Real room = above ? Real(-height) : height;
         if (!any || room < least) least = room;
         any = true;
@@ -422,12 +416,12 @@ std::vector<Vec3> wrenches_of(const std::vector<Contact>& contacts, const Real& 
   return wrenches;
 }
 
-/// For each contact, takes the contacts that are at least as far away; if they are in form closure,
-/// calls look(distance, margin). A contact without an end is infinitely far.
+/// For each contact: if all contacts at least as far away are in form closure, calls look(distance,
+/// margin). A contact without an end is infinitely far.
 template <class Look>
 void for_each_hold(const std::vector<Contact>& contacts, std::optional<Real> Contact::*distance,
                    const Real& radius, Closure& result, const Look& look) {
-  // Contacts that are equally far except for rounding give the same set.
+  // Contacts equally far except for rounding give the same set.
   std::vector<Real> looked_at;
   const auto is_new = [&](const Real& far) {
     return std::none_of(looked_at.begin(), looked_at.end(), [&](const Real& other) {
@@ -443,13 +437,13 @@ void for_each_hold(const std::vector<Contact>& contacts, std::optional<Real> Con
     for (const Contact& c : contacts)
       if (!(c.*distance) || (far && *(c.*distance) >= least)) counted.push_back(c);
     const Real m = margin(wrenches_of(counted, radius));
-    // The core decides within the tolerance whether the object is held.
+    // The core decides within the tolerance.
     if (abs(m) < 100 * tau) result.clearance_is_unsure = true;
     if (m > 0) look(far, m);
   }
 }
 
-/// Clearance and tolerance by their definition.
+/// By definition.
 void find_clearance(const std::vector<Contact>& contacts, const Real& radius, Closure& result) {
   std::optional<Real> clearance = Real(0);
   for_each_hold(contacts, &Contact::to_corner, radius, result, [&](const auto& far, const Real&) {

@@ -1,5 +1,5 @@
-// Selection at equal angles (algorithm.md, "Distributed"): over the directions whose line meets the
-// boundary on both sides of C, with sines and arctangents of 100 digits.
+// Equal angles (algorithm.md, "Distributed"), over directions whose line meets the boundary on both
+// sides of C. Sines and arctangents have 100 digits.
 #include "oracle/exact.h"
 
 #include <algorithm>
@@ -56,11 +56,11 @@ class Spread {
 
  private:
   inline static const Real slip =
-      Real("1e-60");  // far above the rounding of 100 digits: the rim of a part belongs to it
+      Real("1e-60");  // far above the rounding of 100 digits: a part includes its rim
   static Real pi() { return boost::math::constants::pi<Real>(); }
   static RealVec direction(const Real& angle) { return {cos(angle), sin(angle)}; }
 
-  /// The distance of the boundary point farthest from C in direction u.
+  /// How far the boundary reaches from C in direction u.
   std::optional<Real> farthest(const RealVec& u) const {
     std::optional<Real> best;
     for (const auto& [p, q] : edges_) {

@@ -1,4 +1,4 @@
-// Shared by the oracle's files: its numbers, its vectors, and the tolerance.
+// The oracle's numbers, vectors, and tolerance.
 #pragma once
 
 #include "oracle/oracle.h"
@@ -12,10 +12,9 @@ namespace oracle {
 
 namespace mp = boost::multiprecision;
 
-/// Exact. Used wherever a sign decides without a tolerance.
+/// Used where a sign decides without a tolerance.
 using Exact = mp::number<mp::cpp_rational_backend, mp::et_off>;
-/// 100 digits. Used for roots, and for quantities that are only compared with a tolerance or
-/// reported.
+/// 100 digits, for roots, and for quantities compared with a tolerance or reported.
 using Real = mp::number<mp::cpp_bin_float<100>, mp::et_off>;
 
 template <class T>
@@ -31,7 +30,7 @@ struct Vec {
 using ExactVec = Vec<Exact>;
 using RealVec = Vec<Real>;
 
-/// Positive when b is to the left of a.
+/// Positive if b is to the left of a.
 template <class T>
 T cross(const Vec<T>& a, const Vec<T>& b) {
   return a.x * b.y - a.y * b.x;
@@ -40,7 +39,7 @@ template <class T>
 T dot(const Vec<T>& a, const Vec<T>& b) {
   return a.x * b.x + a.y * b.y;
 }
-/// Positive when c is to the left of a -> b.
+/// Positive if c is to the left of a -> b.
 template <class T>
 T orient(const Vec<T>& a, const Vec<T>& b, const Vec<T>& c) {
   return cross(b - a, c - a);
@@ -56,21 +55,21 @@ inline ExactVec exact(const Point& p) { return {Exact(p[0]), Exact(p[1])}; }
 /// The tolerance, exactly 1e-9.
 inline const Real tau = Real(1) / 1000000000;
 
-/// Records every decision that a tolerance makes.
+/// Records the decisions of a tolerance.
 class Calls {
  public:
-  /// Whether value <= threshold; both of one unit, the threshold positive.
+  /// value <= threshold; both of one unit, the threshold positive.
   bool within(const Real& value, const Real& threshold, const char* what) {
     note(static_cast<double>(value / threshold), what);
     return value <= threshold;
   }
-  /// Records a decision that compared value / threshold with 1.
+  /// Records a comparison of value / threshold with 1.
   void note(double quotient, const char* what) {
     const double distance = std::fabs(quotient - 1);
     if (distance < closest_.distance) closest_ = {distance, what};
   }
-  /// A rule that needs nearness to be transitive met a case where it is not, or the rounding of
-  /// doubles is large enough to decide otherwise.
+  /// Nearness is not transitive where a rule needs it, or the rounding of doubles may decide
+  /// otherwise.
   void either_is_right(const char* what) { closest_ = {0, what}; }
   const ClosestCall& closest() const { return closest_; }
 
@@ -78,8 +77,7 @@ class Calls {
   ClosestCall closest_;
 };
 
-/// Everything is in the frame with its origin at C, so that no large coordinates are subtracted
-/// later.
+/// In the frame with origin C, so that no large coordinates are subtracted later.
 struct ExactShape {
   std::vector<ExactVec> vertices;           // counter-clockwise, relative to C
   std::vector<RealVec> real_vertices;       // the same
@@ -94,7 +92,7 @@ struct ExactChord {
   std::array<RealVec, 2> real_ends;
   Real ratio;
   Real length;
-  RealVec direction;  // from one end to the other, pointing right, or up if exactly vertical
+  RealVec direction;  // from end to end, pointing right, or up if exactly vertical
   Kind kind = Kind::vertex;
   Real ratio_slack, ends_slack;
   bool between_vertices = false;  // between opposite vertices
@@ -107,7 +105,7 @@ struct ExactChords {
 std::vector<ExactVec> exact_points(const std::vector<Point>& points);
 Exact doubled_area(const std::vector<ExactVec>& ring);
 
-/// Whether the closed segments a b and c d have a point in common.
+/// Whether two closed segments share a point.
 bool meet(const ExactVec& a, const ExactVec& b, const ExactVec& c, const ExactVec& d);
 
 std::shared_ptr<const ExactShape> exact_shape(const Problem& problem);
@@ -116,27 +114,25 @@ ExactChord exact_chord(const ExactVec& end0, const ExactVec& end1, Kind kind, co
 /// Nearest double, ties to even.
 double nearest_double(const Exact& value);
 
-/// Convex hull, corners only, counter-clockwise; two points if all are collinear, one if all agree.
+/// Corners only, counter-clockwise; two points if all are collinear, one if all agree.
 std::vector<ExactVec> convex_hull(std::vector<ExactVec> points);
 
-/// H of these points, which must not all coincide: its corners, except those that stick out by no
-/// more than the tolerance; the two ends of a segment if all points are within the tolerance of one
-/// line.
+/// Of points that do not all coincide: corners that stick out by more than the tolerance, or a
+/// segment's ends if all points are within the tolerance of one line.
 std::vector<RealVec> lifting_base(const std::vector<ExactVec>& points, const Real& size,
                                   Calls& calls);
 
-/// The signed distance of v from the line p -> q, positive to the right: outside, as H is
-/// counter-clockwise.
+/// Signed distance from the line p -> q, positive to the right: outside counter-clockwise H.
 Real outside(const RealVec& v, const RealVec& p, const RealVec& q);
 
-/// The area of the intersection of a simple polygon and a convex one, both counter-clockwise.
+/// Of a simple and a convex polygon, both counter-clockwise.
 Real common_area(const std::vector<RealVec>& polygon, const std::vector<RealVec>& convex);
 Real signed_area(const std::vector<RealVec>& polygon);
 
-/// The area of the object without its holes within a convex polygon, counter-clockwise.
+/// Of the object without holes within a convex polygon, counter-clockwise.
 Real area_within(const ExactShape& shape, const std::vector<RealVec>& convex);
 
-/// The distance from p to the segment a b.
+/// From p to the segment a b.
 Real distance_to_segment(const RealVec& p, const RealVec& a, const RealVec& b);
 
 Closure immobilization(const ExactShape& shape, const std::vector<RealVec>& lifting_points);

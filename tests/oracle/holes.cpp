@@ -6,7 +6,7 @@
 namespace oracle {
 namespace {
 
-/// Whether the boxes around two segments have a point in common: comparing doubles is exact.
+/// Around two segments; comparing doubles is exact.
 bool boxes_meet(const Point& a, const Point& b, const Point& c, const Point& d) {
   for (const std::size_t k : {0u, 1u})
     if (std::max(a[k], b[k]) < std::min(c[k], d[k]) || std::max(c[k], d[k]) < std::min(a[k], b[k]))
@@ -20,7 +20,7 @@ struct Sums {
   ExactVec moments{0, 0};
 };
 
-/// Of a ring, counted as counter-clockwise.
+/// As if counter-clockwise.
 Sums sums_of(const Ring& ring) {
   const std::vector<ExactVec> v = exact_points(ring);
   Sums sums;
@@ -77,7 +77,7 @@ bool rings_meet(const Ring& a, const Ring& b) {
   return false;
 }
 
-// A ray to the left; an edge counts with its lower end and without its upper one.
+// By a ray to the left; an edge counts with its lower end only.
 bool contains(const Ring& ring, const Point& p) {
   bool odd = false;
   for (std::size_t i = 0; i < ring.size(); ++i) {

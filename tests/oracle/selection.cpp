@@ -1,4 +1,4 @@
-// Selection (algorithm.md, "Selection"): the first team, f(p) of each metric, and every tie.
+// Selection (algorithm.md): the first team, f(p) of each metric, and every tie.
 #include "oracle/exact.h"
 
 #include <algorithm>
@@ -11,14 +11,14 @@
 namespace oracle {
 namespace {
 
-/// Same direction from C, within the tolerance.
+/// From C, within the tolerance.
 bool same_direction(const RealVec& u, const RealVec& v, Calls& calls) {
   if (dot(u, v) <= 0) return false;
   return calls.within(abs(cross(u, v)) / (length(u) * length(v)), tau, "directions from C");
 }
 
-/// Whether v is seen from C counter-clockwise of `from` and clockwise of `to`, a range of at most
-/// 180 degrees. Precondition: v agrees with neither direction.
+/// Whether v is counter-clockwise of `from` and clockwise of `to`, at most 180 degrees apart. It
+/// must agree with neither.
 bool strictly_between(const RealVec& from, const RealVec& v, const RealVec& to) {
   return cross(from, v) > 0 && cross(v, to) > 0;
 }
@@ -29,7 +29,7 @@ bool seen_in(const RealVec& h1, const RealVec& v, const RealVec& h2, Calls& call
          strictly_between(h1, v, h2);
 }
 
-/// H before the candidate, and the edge to which an outside point belongs.
+/// H before the candidate.
 class Base {
  public:
   Base(const std::vector<ExactVec>& points, const Real& size, Calls& calls)
@@ -38,8 +38,7 @@ class Base {
         calls_(calls),
         segment_(corners_.size() < 3) {}
 
-  /// The edges h1 h2 to which p belongs: one, or two in the direction of a corner, or none if p
-  /// adds nothing.
+  /// The edges to which p belongs: one, two in a corner's direction, or none if p adds nothing.
   using Edge = std::array<RealVec, 2>;
   std::vector<Edge> edges_of(const RealVec& p) {
     const std::size_t n = corners_.size();
@@ -60,7 +59,6 @@ class Base {
     return {};
   }
 
-  /// The length of the shortest edge.
   Real shortest_edge() const {
     Real shortest = length(corners_[1] - corners_[0]);
     for (std::size_t i = 0; i < corners_.size(); ++i)
@@ -98,8 +96,8 @@ Real circle_metric(const RealVec& h1, const RealVec& h2, const RealVec& p) {
   return boost::math::constants::pi<Real>() * radius * radius;
 }
 
-/// Adds to `rounding` the possible change of the sum if each position is off by `unit`: the shorter
-/// an edge, the more its line turns.
+/// Adds to `rounding` how the sum may change if positions are off by `unit`: a shorter edge's line
+/// turns more.
 Real distance_metric(const ExactShape& shape, const RealVec& h1, const RealVec& h2,
                      const RealVec& p, const Real& unit, Real& rounding, Calls& calls) {
   Real sum = 0;
@@ -121,10 +119,10 @@ Real distance_metric(const ExactShape& shape, const RealVec& h1, const RealVec& 
   return sum;
 }
 
-/// Keeps the elements of `remaining` whose key ties with the best. `doubt` is the largest change
-/// that rounding in doubles may make to the difference of two keys.
+/// Keeps the elements of `remaining` whose key ties with the best. `doubt` is how far rounding in
+/// doubles may change the difference of two keys.
 using Key = std::function<Real(std::size_t)>;
-using Tie = std::function<Real(const Real& best)>;  // how far below the best a tying key may be
+using Tie = std::function<Real(const Real& best)>;  // how far below the best a tie may be
 void keep_best(std::vector<std::size_t>& remaining, const Key& key, const Tie& tie, Calls& calls,
                const char* what, const Real& doubt = 0) {
   std::vector<Real> keys;
@@ -233,7 +231,7 @@ class Selector {
     return Base(points, shape_.size, calls_);
   }
 
-  /// Of these candidates; `doubt` grows to the possible change by rounding.
+  /// `doubt` grows to the possible change by rounding.
   std::vector<Real> scores_of(const std::vector<std::size_t>& candidates, Base& base, Real& doubt) {
     std::vector<Real> scores(chords_.size());
     for (std::size_t i : candidates) {
@@ -244,7 +242,7 @@ class Selector {
     return scores;
   }
 
-  /// f(p): of two edges, the larger value.
+  /// f(p): the larger value of two edges.
   Real gain(Base& base, const RealVec& p) {
     std::optional<Real> largest;
     for (const auto& [h1, h2] : base.edges_of(p)) {
@@ -278,7 +276,7 @@ class Selector {
   Selection result_;
   Calls calls_;
   Real unit_;          // the rounding error of a position
-  Real rounding_ = 0;  // the resulting error of the score being computed
+  Real rounding_ = 0;  // the resulting error of the current score
 };
 
 }  // namespace

@@ -1,4 +1,3 @@
-// Validation, the centroid and the frame of C, by definition.
 #include "oracle/exact.h"
 
 #include <algorithm>
@@ -6,7 +5,7 @@
 namespace oracle {
 namespace {
 
-/// Whether p, known to be on the line of a b, is on the closed segment.
+/// For p on the line of a b: whether it is on the closed segment.
 bool in_box(const ExactVec& a, const ExactVec& b, const ExactVec& p) {
   return p.x >= std::min(a.x, b.x) && p.x <= std::max(a.x, b.x) && p.y >= std::min(a.y, b.y) &&
          p.y <= std::max(a.y, b.y);
@@ -43,8 +42,7 @@ bool simple(const std::vector<ExactVec>& v) {
     for (std::size_t j = i + 1; j < n; ++j) {
       const ExactVec &a = v[i], &b = v[(i + 1) % n], &c = v[j], &d = v[(j + 1) % n];
       if (j == i + 1 || (i == 0 && j == n - 1)) {
-        // Neighbours may meet only at the shared vertex, so they must not fold back onto each
-        // other.
+        // Neighbours may meet only at the shared vertex, without folding back.
         const ExactVec shared = j == i + 1 ? b : a;
         const ExactVec one = (j == i + 1 ? a : b) - shared, other = (j == i + 1 ? d : c) - shared;
         if (cross(one, other) == 0 && dot(one, other) > 0) return false;
@@ -56,8 +54,8 @@ bool simple(const std::vector<ExactVec>& v) {
   return true;
 }
 
-/// p is strictly in the hull of v if every line through p has vertices strictly on both sides. It
-/// suffices to try the lines through p and a vertex, as any other can be turned until it meets one.
+/// p is strictly in the hull of v if every line through p has vertices strictly on both sides.
+/// Lines through p and a vertex suffice: any other can be turned until it meets one.
 bool strictly_in_hull(const std::vector<ExactVec>& v, const ExactVec& p) {
   for (const ExactVec& through : v) {
     if (through == p) continue;
@@ -95,8 +93,7 @@ double nearest_double(const Exact& value) {
   if (value == 0) return 0;
   const bool negative = value < 0;
   mp::cpp_int num = abs(numerator(value)), den = denominator(value);
-  // At least 64 bits of quotient, the lowest made sticky: then only one rounding of an integer to
-  // 53 bits is left.
+  // At least 64 bits of quotient, the lowest made sticky, leave only one rounding to 53 bits.
   int shift = static_cast<int>(msb(den)) - static_cast<int>(msb(num)) + 65;
   if (shift > 1074) shift = 1074;  // the grid of subnormals: never round twice
   if (shift > 0)

@@ -1,4 +1,4 @@
-// The oracle against cases solved by hand. test_core_against_oracle.cpp uses it.
+// The oracle, used in test_core_against_oracle.cpp, against cases solved by hand.
 #include "kit/catch.h"
 #include "oracle/oracle.h"
 
@@ -23,7 +23,7 @@ Answer solve(const Problem& problem) {
   return a;
 }
 
-/// The verdict on chords given by hand, which are all teams.
+/// On chords given by hand, all of which are teams.
 Judgement judge_all(const Problem& problem, const std::vector<std::array<Point, 2>>& chords) {
   std::vector<Candidate> given;
   std::vector<std::size_t> teams;
@@ -87,7 +87,7 @@ TEST_CASE(
   const auto second_score = [&](Metric metric) {
     const Selection s = select({.vertices = right_triangle, .metric = metric}, list);
     CHECK(s.teams ==
-          std::vector<std::size_t>{0, 1, 2});  // the longest first, then a tie that order decides
+          std::vector<std::size_t>{0, 1, 2});  // the longest, then a tie that order decides
     return s.scores[1];
   };
   CHECK(second_score(Metric::area) == 2);
@@ -95,8 +95,7 @@ TEST_CASE(
   const double radius = 2 / (1 + std::sqrt(5.0) + std::sqrt(8.0));
   CHECK(second_score(Metric::circle) ==
         Approx(2 * std::acos(-1.0) * radius * radius).epsilon(1e-13));
-  // (0,0) gains sqrt(2) - 2/sqrt(5); (3,0) and (0,3) lose, because their arms about the new edges
-  // are longer.
+  // (0,0) gains sqrt(2) - 2/sqrt(5); (3,0) and (0,3) lose by longer arms about the new edges.
   const double half = std::sqrt(0.5), fifth = 2 / std::sqrt(5.0);
   CHECK(second_score(Metric::distance) ==
         Approx(std::sqrt(2.0) - fifth + (half - 1) + (half - fifth)).epsilon(1e-13));
@@ -181,7 +180,7 @@ TEST_CASE("two pinwheels hold a square in form closure in the oracle, one alone 
   CHECK(one.clockwise);
   CHECK_FALSE(one.counterclockwise);
   CHECK_FALSE(one.second_order);
-  // All wrenches have the same torque, -0.5 / sqrt(2), so the hull misses the origin by that.
+  // All wrenches have the torque -0.5 / sqrt(2): the hull misses the origin by that.
   CHECK(one.margin.value() == Approx(-0.5 / std::sqrt(2.0)).epsilon(1e-14));
   const Closure both = judge_all({.vertices = square}, {a, b, c, d}).closure;
   CHECK(both.form_closure);

@@ -41,7 +41,7 @@ test("so does every method, with settings of all kinds", async () => {
   }
 });
 
-// The page's text for the program's output: its sentences, then each row of its table.
+// From the program's output: its sentences, then each row of its table.
 function said(name, metric, { teams, min_ratio = 0.8, capacity, ...more }) {
   const options = Object.entries({ metric, teams, min_ratio, capacity, ...more })
     .filter(([, value]) => value !== undefined)

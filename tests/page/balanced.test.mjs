@@ -1,5 +1,4 @@
-// Balanced robots in the page: the first answer at once, the search in a worker, and the texts of the panel and the
-// card.
+// The first answer at once, the search in a worker, and the texts of the panel and the card.
 import assert from "node:assert/strict";
 import path from "node:path";
 import { test } from "node:test";
@@ -87,7 +86,7 @@ test("how many it takes if any one may fail is counted beside the page, to the p
   assert.equal(unknown, null);
   await idle(page);
   assert.deepEqual(await state(page), program("grand-piano", "--robots", "8", "--capacity", "25"));
-  // The lesson runs the search itself, and the number of robots is still computed.
+  // The lesson runs the search, and the number of robots is still computed.
   await set(page, { robots: 5, weight: 90 });
   await page.keyboard.press("b");
   await idle(page);
@@ -178,7 +177,7 @@ test("where the start is slow, the page does not wait for it", async () => {
     return evenlift.state();
   });
   assert.deepEqual(first.teams, []);
-  // The start under way is abandoned for another one.
+  // Another start replaces the one under way.
   await set(page, { robots: 4, goal: "cover" });
   await idle(page);
   assert.deepEqual(await state(page), program("comb", "--robots", "4", "--goal", "cover"));

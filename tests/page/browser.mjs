@@ -1,7 +1,7 @@
-// A browser with the built page in it, for the tests beside this file.
-//   EVENLIFT_PAGE     the page's folder, build/page if not given
-//   EVENLIFT_BROWSER  Chromium or Chrome; if not given, /usr/bin/chromium-headless-shell or /usr/bin/chromium
-//   EVENLIFT_PROGRAM  the native program, build/bin/evenlift if not given
+// A browser with the built page, for the tests.
+//   EVENLIFT_PAGE     the page's folder, else build/page
+//   EVENLIFT_BROWSER  Chromium or Chrome, else /usr/bin/chromium-headless-shell or /usr/bin/chromium
+//   EVENLIFT_PROGRAM  the native program, else build/bin/evenlift
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
@@ -16,22 +16,21 @@ export const root = fileURLToPath(new URL("../..", import.meta.url));
 export const pageFolder = process.env.EVENLIFT_PAGE || path.join(root, "build/page");
 const executed = process.env.EVENLIFT_PROGRAM || path.join(root, "build/bin/evenlift");
 
-// Headless Chromium without the rest of the browser opens a page three times as fast.
+// Headless Chromium alone opens a page three times as fast.
 const executable =
   process.env.EVENLIFT_BROWSER ||
   ["/usr/bin/chromium-headless-shell", "/usr/bin/chromium"].find((file) => existsSync(file));
 
-// axe-core, as a script for the page; and a reader of QR codes.
+// axe-core as a script for the page, and a reader of QR codes.
 export const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 export { default as jsQR } from "jsqr";
 
-// The WebGL of a machine without graphics: Mesa's where it is installed, which draws twice as fast, or Chromium's own.
+// WebGL without graphics hardware: Mesa's if installed, which draws twice as fast, or Chromium's own.
 const graphics = existsSync("/usr/share/glvnd/egl_vendor.d/50_mesa.json")
   ? ["--use-angle=gl-egl", "--ignore-gpu-blocklist"]
   : ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 
-// The browser makes no network requests of its own, and optimises WebAssembly later than usual: most tests are too short to
-// repay it.
+// No network requests of its own; WebAssembly is optimised late, as most tests are too short to repay it.
 const options = [
   "--js-flags=--wasm-tiering-budget=200000000",
   ...graphics,
@@ -43,18 +42,17 @@ const options = [
   "--disable-sync",
 ];
 
-// How long a test waits for an expected event: long enough for a very busy machine.
+// How long to wait for an expected event: enough for a very busy machine.
 export const patience = 300000;
 
 export const wide = { width: 1280, height: 800 };
 export const phone = { width: 390, height: 844 };
 
-// The program's output, as text.
 export function evenlift(...args) {
   return execFileSync(executed, args, { encoding: "utf8", maxBuffer: 1 << 28 });
 }
 
-// The file of a sample, its contents, and the program's placement of it.
+// A sample's file, its contents, and the program's placement of it.
 export const sample = (name) => path.join(root, "assets/polygons", `${name}.txt`);
 export const asset = (name) => readFileSync(sample(name), "utf8");
 export const program = (name, ...options) =>
@@ -62,7 +60,7 @@ export const program = (name, ...options) =>
 
 export const lShape = "(0,0)\n(400,0)\n(400,150)\n(150,150)\n(150,300)\n(0,300)\n";
 
-// The gallery's files, in its order.
+// In the gallery's order.
 export function gallery() {
   return readFileSync(path.join(root, "assets/polygons/index.txt"), "utf8")
     .split("\n")
@@ -79,10 +77,10 @@ export async function startBrowser(extraOptions = [], { drawn: always = false } 
     server.close();
   }
 
-  // Opens a page with storage of its own. Any complaint of the page, or request to another host, fails the test at
-  // close(). The canvas is painted only with `drawn`, for tests of its pixels and of WebGL itself: without graphics
-  // hardware, painting takes a third of a test's time. With `hasty`, a test can fire the page's timers early. With `first`, the
-  // card of the first visit is shown. With `offline`, the browser may keep the page for later; `site` is the address of another server.
+  // A page with its own storage. Complaints of the page and requests to other hosts fail the test at close(). Only
+  // `drawn` paints the canvas, for tests of its pixels and of WebGL: without graphics hardware, painting takes a third
+  // of a test's time. With `hasty`, a test can fire the page's timers early; `first` shows the first visit's card. With
+  // `offline`, the browser may keep the page for later; `site` is another server's address.
   async function open({
     address = "",
     ready = true,
@@ -96,7 +94,7 @@ export async function startBrowser(extraOptions = [], { drawn: always = false } 
     site = server.url,
     ...contextOptions
   } = {}) {
-    // Without motion, a test need not wait for it.
+    // A test need not wait for motion.
     const usual = { viewport: wide, colorScheme: "light", reducedMotion: "reduce" };
     const context = reused ?? (await browser.newContext({ ...usual, ...contextOptions }));
     context.setDefaultTimeout(patience);
@@ -134,8 +132,8 @@ export async function startBrowser(extraOptions = [], { drawn: always = false } 
     return page;
   }
 
-  // The share of pixels that differ visibly between two PNGs of the same size: by more than anti-aliasing in some
-  // channel, from every neighbouring pixel.
+  // The share of pixels that differ visibly between two PNGs of one size: by more than anti-aliasing in some channel,
+  // from every neighbour.
   async function compare(a, b) {
     const page = await browser.newPage();
     try {
@@ -147,8 +145,7 @@ export async function startBrowser(extraOptions = [], { drawn: always = false } 
   return { browser, server, open, compare, close };
 }
 
-// A browser for all tests of a file. It starts before them and then runs `begin`; after them it runs `end` and closes.
-// With `drawn`, its pages paint their canvas.
+// For all tests of a file: starts before them and runs `begin`, then runs `end` and closes. `drawn` paints the canvas.
 export function sharedBrowser({ begin = () => {}, end = () => {}, drawn = false } = {}) {
   const shared = {};
   before(async () => {
@@ -165,13 +162,13 @@ export function sharedBrowser({ begin = () => {}, end = () => {}, drawn = false 
   return shared;
 }
 
-// The page's WebGL takes every command and does nothing; everything else is as usual.
+// The page's WebGL accepts every command and does nothing.
 async function paintNothing(page) {
   await page.addInitScript(drawNowhere);
   page.screenshot = () => assert.fail("this page paints nothing: open it with `drawn`");
 }
 
-// Runs in the page before its own scripts.
+// Runs before the page's own scripts.
 function drawNowhere() {
   const { prototype } = globalThis.WebGL2RenderingContext ?? {};
   if (!prototype) return;
@@ -199,7 +196,7 @@ function drawNowhere() {
   };
 }
 
-// Runs in a browser, which has a PNG decoder.
+// Runs in a browser, which decodes PNG.
 async function comparePictures([first, second]) {
   const pixels = async (data) => {
     const image = new Image();
@@ -240,7 +237,7 @@ export const link = (page) => page.evaluate(() => evenlift.link());
 export const fragment = (page) => page.evaluate(() => location.hash.slice(1));
 export const toScreen = (page, [x, y]) => page.evaluate((p) => evenlift.view.to_screen(...p), [x, y]);
 
-// The message of the error that a call throws in the page; undefined if it does not.
+// The message of the error that a call throws in the page, or undefined.
 export function thrown(page, call, argument) {
   return page.evaluate(
     ([name, value]) => {
@@ -254,13 +251,13 @@ export function thrown(page, call, argument) {
   );
 }
 
-// The text about the drawing and its result for screen readers.
+// The text for screen readers about drawing and result.
 export const summary = (page) => page.locator("#summary").textContent();
 
-// Resolves once nothing is under way in the page (docs/page.md): tests wait for this, not for a fixed time.
+// Resolves once nothing is under way in the page (docs/page.md): tests wait for this, not for a time.
 export const idle = (page) => page.evaluate(() => evenlift.idle());
 
-// The place of a control of the canvas, by its name, and its middle; null if it is not shown.
+// The place and middle of a control of the canvas; null if it is not shown.
 export async function controlIfShown(page, name) {
   await idle(page);
   const place = await page.evaluate((n) => evenlift.view.control(n), name);
@@ -283,7 +280,7 @@ export async function tap(page, name) {
   await page.touchscreen.tap(...middle);
 }
 
-// Runs in the page before its own scripts: evenliftTimersRing() fires all timers at once.
+// Runs before the page's own scripts: evenliftTimersRing() fires all timers at once.
 function keepTimers() {
   const { setTimeout: begin, clearTimeout: end } = globalThis;
   const kept = new Map();
@@ -309,8 +306,7 @@ function keepTimers() {
   };
 }
 
-// Checks that nothing is drawn, however long the wait: all timers fire, and the browser draws frames of its own. For
-// pages that were opened as `hasty`.
+// Checks that nothing is drawn, however long the wait: all timers fire, and the browser draws frames. Needs `hasty`.
 export async function drawsNothing(page, why) {
   await idle(page);
   const [before, after] = await page.evaluate(async () => {
@@ -322,13 +318,13 @@ export async function drawsNothing(page, why) {
   assert.equal(after, before, why);
 }
 
-// Runs in the page before its own scripts: a browser that keeps no page for later, as some do in private windows.
+// Runs before the page's own scripts: some browsers keep no page for later in private windows.
 function keepNothing() {
   if (globalThis.ServiceWorkerContainer)
     ServiceWorkerContainer.prototype.register = () => Promise.reject(new Error("not here"));
 }
 
-// Presses at one point and moves in steps to another, as a hand does.
+// Presses at one point and moves in steps to another, like a hand.
 export async function drag(page, from, to, steps = 8) {
   await page.mouse.move(...from);
   await page.mouse.down();
@@ -337,14 +333,14 @@ export async function drag(page, from, to, steps = 8) {
   await idle(page);
 }
 
-// Reloads the page and waits until it is idle.
+// Waits until the page is idle again.
 export async function reload(page) {
   await page.reload();
   await page.evaluate(() => evenlift.ready);
   await idle(page);
 }
 
-// A page with the L in it, idle.
+// An idle page with the L.
 export async function openL(browser, options) {
   const page = await browser.open(options);
   await load(page, lShape);

@@ -111,7 +111,7 @@ test("a click and a short shake move nothing", async () => {
 test("quick presses between two frames are not lost", async () => {
   const page = await opened();
   const [x, y] = await toScreen(page, [400, 150]);
-  // All in one task: no frame is drawn before the last of them.
+  // In one task, so that no frame is drawn before the last.
   await page.evaluate(
     ([fromX, fromY]) => {
       const canvas = document.getElementById("canvas");
@@ -144,7 +144,7 @@ test("keys that the page does not use stay the browser's", async () => {
       },
       { capture: true },
     );
-    // The page's own listener came first and stops the event, so check the event after that.
+    // The page's own listener came first and stops the event, so check afterwards.
     const own = Event.prototype.preventDefault;
     Event.prototype.preventDefault = function () {
       globalThis.prevented[this.key ?? this.type] = true;
@@ -167,7 +167,7 @@ test("keys that the page does not use stay the browser's", async () => {
     "Control+Shift+i",
   ]) {
     const last = key.split("+").at(-1);
-    // Dispatched, not pressed: the browser would act on some of them.
+    // Dispatched, not pressed: the browser would act on some.
     const prevented = await page.evaluate(
       ([full, name]) => {
         const event = new KeyboardEvent("keydown", {
@@ -240,8 +240,7 @@ test("a finger drags a vertex from farther off, two fingers zoom", async () => {
   await page.done();
 });
 
-// The browser counts clicks by the system's settings; two clicks that it counts as single are not a double-click,
-// however quick.
+// The browser counts clicks by the system's settings: two that it counts as single are no double-click, however quick.
 test("two clicks that the browser does not count as a double-click are none", async () => {
   const page = await opened();
   const [x, y] = await toScreen(page, [200, 0]);
@@ -253,8 +252,8 @@ test("two clicks that the browser does not count as a double-click are none", as
   await page.done();
 });
 
-// The page counts taps by the time at which they were made, not at which a busy page receives them. They are away from
-// every robot: a finger on a robot takes it.
+// A tap's time is when it was made, not when a busy page receives it. Taps are away from robots, which a finger would
+// take.
 test("two taps are a double one by the time at which they were made", async () => {
   for (const [between, vertices] of [
     [200, 7],

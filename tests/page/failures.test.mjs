@@ -1,4 +1,3 @@
-// Robots that fail, loads by other models, and the C uncertainty in the page.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {

@@ -1,5 +1,4 @@
-// The page in Firefox, through WebDriver BiDi: opening, drawing, link and drag. Firefox has WebGL only with a screen;
-// without one, Xvfb replaces it.
+// Firefox, through WebDriver BiDi: opening, drawing, link and drag. It has WebGL only with a screen, or with Xvfb.
 //   EVENLIFT_FIREFOX  Firefox; without it, these tests are skipped
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
@@ -16,7 +15,7 @@ let screen;
 let server;
 let browser;
 
-// A separate display, whatever numbers are taken: Xvfb chooses one and reports it.
+// Xvfb chooses a free display, and reports its number.
 async function startScreen() {
   screen = spawn("Xvfb", ["-displayfd", "3", "-screen", "0", "1400x1000x24", "-nolisten", "tcp"], {
     stdio: ["ignore", "ignore", "ignore", "pipe"],
@@ -37,7 +36,7 @@ before(async () => {
     executablePath,
     headless: false,
     env: { ...process.env, DISPLAY },
-    // A machine without graphics draws in software, which Firefox avoids by default.
+    // Without graphics hardware, Firefox avoids WebGL by default.
     extraPrefsFirefox: { "webgl.force-enabled": true, "widget.dmabuf.force-enabled": false },
   });
 });
@@ -161,7 +160,7 @@ test("Firefox shows the lesson: by keys, by its buttons, and from a link", { ski
   await other.done();
 });
 
-// Last, because it ends the server.
+// Last, because the server ends.
 test("Firefox opens the page without a network after one visit", { skip }, async () => {
   const page = await open();
   await page.evaluate(async () => {

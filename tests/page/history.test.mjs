@@ -1,4 +1,3 @@
-// Undo and redo survive a reload, and name their changes.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -167,7 +166,7 @@ test("only the newest steps are kept, within a bound of bytes", async () => {
           .filter((line) => /^[<>]/.test(line)).length,
     );
   assert.equal(await count(), 500);
-  // Coordinates of full precision, so that their link is long.
+  // Full precision makes their link long.
   await page.evaluate(() => {
     for (let k = 0; k < 12; ++k) {
       const points = Array.from(

@@ -1,4 +1,4 @@
-// window.evenlift: the interface that other pages and tests may rely on.
+// window.evenlift, on which other pages and tests may rely.
 import assert from "node:assert/strict";
 import path from "node:path";
 import { test } from "node:test";

@@ -1,4 +1,3 @@
-// The walkthrough of the algorithm, ready-made lessons, and the ways to open them.
 import assert from "node:assert/strict";
 import { readFileSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
@@ -50,7 +49,7 @@ const beyondTheLast = "1.8CqeqKY7TMGrHNZK-59rGPFxpBqDhRjFOEC700";
 
 const drawing = { x: 0, y: 70, width: 915, height: 550 };
 
-// The step in the link, from 0; undefined without a lesson.
+// From 0; undefined without a lesson.
 async function step(page) {
   return JSON.parse(evenlift("link", "decode", await link(page))).step ?? undefined;
 }
@@ -183,7 +182,7 @@ test("the timeline gives each chapter the same width, with main steps and with a
     if (all) await page.keyboard.press("u");
     const { x, y, width, height } = await control(page, "timeline");
     for (const [i, chapter] of chapters.entries()) {
-      // Just after a chapter's mark; the knob's middle keeps 8 px from both ends.
+      // Just after a chapter's mark; the knob's middle stays 8 px from both ends.
       await page.mouse.click(x + 8 + ((width - 16) * (i + 0.02)) / chapters.length, y + height / 2);
       await idle(page);
       assert.equal(stone[await step(page)].chapter, chapter, `${all}`);
@@ -346,7 +345,7 @@ test("paused before its time, it does not draw when that would have come", async
   await page.keyboard.press("Space");
   await page.waitForFunction((before) => evenlift.frames > before + 2, frames); // it waits for its next step
   await page.keyboard.press("Space");
-  const at = await step(page); // 5, unless the machine was so busy that a step passed
+  const at = await step(page); // 5, unless a busy machine let a step pass
   await drawsNothing(page);
   await stands(page, at);
   await page.done();
@@ -416,7 +415,7 @@ test("an edit keeps the place, and so does undo", async () => {
   await page.done();
 });
 
-// A place on a candidate's chord, away from the centre and from all other chords.
+// On a candidate's chord, away from C and all other chords.
 async function onCandidate(page, index) {
   const {
     candidates,
@@ -553,7 +552,7 @@ test("a copied address opens the same lesson at the same stop", async () => {
   await other.reload();
   await other.evaluate(() => evenlift.ready);
   await spoken(other, /^Step 3 of 6, .*Some edge pairs/);
-  // Puts another step of the same lesson into the same tab.
+  // Another step of the same lesson, in the same tab.
   await page.keyboard.press("ArrowRight");
   await spoken(page, /^Step 4 of 6/);
   await other.evaluate(
@@ -655,7 +654,7 @@ test("a challenge link hides the answer and asks", async () => {
   await other.keyboard.press("b");
   await other.waitForFunction(() => location.search === "");
   await other.done();
-  // A challenge of a ready-made lesson, at a later step.
+  // A ready-made lesson's challenge, at a later step.
   const both = await browser.open({ address: "?lesson=moved&challenge=1" });
   for (let i = 0; i < 13 && !(await both.locator("#alert").textContent()); ++i) await both.keyboard.press("ArrowRight");
   assert.match(await both.locator("#alert").textContent(), /\?/);
@@ -713,7 +712,7 @@ test("a challenge begins at the beginning, whatever step its link has, and has s
       await idle(other);
     }
     assert.match(await other.locator("#alert").textContent(), /\?/, address);
-    // A link at a step that is put into the same tab also starts from the beginning.
+    // A link at a step, put into the same tab, also starts from the beginning.
     await other.evaluate((l) => {
       location.hash = l;
     }, last);

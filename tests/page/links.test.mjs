@@ -1,4 +1,3 @@
-// Links, the address bar, and work that survives a reload.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import path from "node:path";
@@ -86,7 +85,7 @@ test("a new fragment is opened, and undo leads back", async () => {
 test("hostile links give a message and leave the page working", async () => {
   const good = encoded("thesis-sample");
   const version = good.slice(0, good.indexOf("."));
-  // The browser drops line breaks and tabs before any code sees them.
+  // The browser drops line breaks and tabs before code sees them.
   const listed = readFileSync(path.join(root, "tests/data/hostile_links.txt"), "utf8")
     .split("\n")
     .filter((line) => line && !line.startsWith("#"))
@@ -173,7 +172,7 @@ test("work survives a reload at once, before anything was written at leisure", a
   await page.done();
 });
 
-// A browser may reload the address before the last one written.
+// Browsers may reload the address before the last one written.
 test("work survives a reload of the address before the last", async () => {
   const page = await browser.open();
   await set(page, { teams: 5 });

@@ -1,4 +1,4 @@
-// The lines of docs/page.md that serve and script the page run as they are printed.
+// The lines in docs/page.md that serve and script the page run as printed.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { readFileSync } from "node:fs";

@@ -1,4 +1,4 @@
-// Robots dragged by hand stay in place: in undo, after a reload, in a shared link, and in the program.
+// Robots dragged by hand stay in place: in undo, after a reload, in a link, and in the program.
 import assert from "node:assert/strict";
 import path from "node:path";
 import { test } from "node:test";
@@ -23,7 +23,7 @@ import {
 
 const browser = sharedBrowser();
 
-// Drags a robot a little about the centre of mass.
+// Drags a robot a little about C.
 async function turn(page, team, end, by) {
   const {
     teams,
@@ -84,7 +84,7 @@ test("a team that was dragged along its range comes back by undo, reload and lin
   await idle(page);
   await page.locator("#canvas").focus();
   const states = [await state(page)];
-  // A press on a robot at a vertex takes the vertex.
+  // A press takes a vertex before its robot.
   const far = ([x, y]) => states[0].polygon.every(([vx, vy]) => Math.hypot(vx - x, vy - y) > 15);
   const [one, other] = [...states[0].teams.keys()].filter((team) => far(states[0].teams[team].ends[0]));
   for (const [team, by] of [
@@ -97,7 +97,7 @@ test("a team that was dragged along its range comes back by undo, reload and lin
   }
   assert.ok(states.length > 2);
   await checkKept(page, states);
-  // Settings that affect the robots' places put them back; the weight does not.
+  // Settings that affect places put robots back; the weight does not.
   await set(page, { weight: 250 });
   assert.equal((await state(page)).moved, states.at(-2).moved);
   await set(page, { teams: 2 });

@@ -1,5 +1,5 @@
-// The page without a network: it opens after one visit, in a sub-folder and under its policy, loads a new version on
-// request, and can be installed. The network is really cut: the server ends.
+// Without a network, the page opens after one visit, in a sub-folder and under its policy; it loads a new version on
+// request and can be installed. The server really ends.
 import assert from "node:assert/strict";
 import { createHash } from "node:crypto";
 import { execFileSync } from "node:child_process";
@@ -28,14 +28,14 @@ const policy = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-
 
 // --- A host -----------------------------------------------------------------------------------------------------------
 
-// The service worker of a page's folder: the build that it lists, and the rest of its text.
+// A folder's service worker: the build that it lists, and the rest of its text.
 function workerOf(folder) {
   const text = readFileSync(path.join(folder, "service_worker.js"), "utf8");
   const [, json] = /^const build = (\{.*\});\n/.exec(text);
   return { build: JSON.parse(json), rest: text.slice(text.indexOf("\n") + 1) };
 }
 
-// Replaces files in a page's folder, as another build does.
+// Replaces files, as another build does.
 function buildAgain(folder, files) {
   const { build, rest } = workerOf(folder);
   for (const [name, text] of Object.entries(files)) writeFileSync(path.join(folder, name), text);
@@ -45,7 +45,7 @@ function buildAgain(folder, files) {
   execFileSync("python3", [path.join(root, "assets/offline_files.py"), folder, script, ...names]);
 }
 
-// A host with the page in one of its folders. cut() ends it, back() starts it again at the same address.
+// A host with the page in a folder. cut() ends it, back() starts it at the same address.
 async function startHost(t) {
   const whole = mkdtempSync(path.join(tmpdir(), "evenlift-offline-"));
   const folder = path.join(whole, "course", "lifting");
@@ -198,8 +198,7 @@ test("without a network the policy holds", async (t) => {
   await page.done();
 });
 
-// Runs in the page before its own scripts: records the number of frames drawn before the page registered its service
-// worker.
+// Runs before the page's own scripts: records how many frames precede the registering of the service worker.
 function noteRegistering() {
   globalThis.registeredAfter = [];
   const { register } = ServiceWorkerContainer.prototype;
@@ -225,7 +224,7 @@ test("nothing is kept before the first picture, nor by a figure in an article", 
 
 // --- A new version ----------------------------------------------------------------------------------------------------
 
-// A worker that reports the version that it sees, as the page's own workers would.
+// A worker that reports the version that it sees, as the page's own would.
 const probe = {
   "probe.js": 'fetch("version.json").then((answer) => answer.json()).then(({ version }) => postMessage(version));\n',
 };
@@ -284,7 +283,7 @@ test("a new version says so in a sentence, is loaded by its button, and other ta
   assert.deepEqual(await state(page), mine);
   assert.equal(await card(page).count(), 0);
 
-  // The other tab, with workers that it starts from now on, even when the service worker was ended in between.
+  // The other tab, with workers started from here on, even after the service worker was ended.
   const client = await context.newCDPSession(page);
   await client.send("ServiceWorker.enable");
   await client.send("ServiceWorker.stopAllWorkers");
@@ -315,7 +314,7 @@ test("what was needed by the former version alone goes, and what both have is no
       return (await (await caches.open(name)).keys()).map(({ url }) => url.slice(url.lastIndexOf("/") + 1)).sort();
     });
   const before = await places();
-  // Only changed files are still on the server.
+  // The server has only changed files.
   buildAgain(host.folder, edition("second"));
   for (const name of Object.keys(workerOf(host.folder).build.files))
     if (name !== "version.json") rmSync(path.join(host.folder, name));
@@ -327,7 +326,7 @@ test("what was needed by the former version alone goes, and what both have is no
   );
   await idle(page);
   assert.equal(await versionSeen(page), "second");
-  // The page with the former version is closed by now, and the next page that opens checks for that.
+  // The former version's page is closed; the next page that opens checks for that.
   await page.reload();
   await page.evaluate(() => evenlift.ready);
   await page.waitForFunction(async (count) => {
@@ -376,7 +375,7 @@ test("where the host has the page no more, what is kept goes", async (t) => {
   await kept(page);
   writeFileSync(path.join(host.folder, "index.html"), "<!doctype html><title>Something else</title>");
   rmSync(path.join(host.folder, "service_worker.js"));
-  await page.reload(); // the kept page opens one last time
+  await page.reload(); // the kept page opens once more
   await page.evaluate(() => evenlift.ready);
   await page.waitForFunction(
     async () => (await navigator.serviceWorker.getRegistrations()).length === 0 && (await caches.keys()).length === 0,

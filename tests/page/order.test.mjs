@@ -1,4 +1,4 @@
-// Clicks, drags, keys and calls take effect in the order in which they were made, however long a frame takes.
+// Clicks, drags, keys and calls take effect in their order, however long frames take.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { idle, load, openL, set, sharedBrowser, state, toScreen } from "./browser.mjs";
@@ -14,7 +14,7 @@ const corners = [
   [190, 470],
 ];
 
-// A frame that takes half a second, as on a slow machine with a large polygon.
+// Half a second each, as on a slow machine with a large polygon.
 function slowFrames() {
   const own = globalThis.requestAnimationFrame.bind(globalThis);
   globalThis.requestAnimationFrame = (callback) =>
@@ -27,8 +27,8 @@ function slowFrames() {
 
 const opened = (options) => openL(browser, options);
 
-// Browser events in one task: no frame is drawn in between. Each is [what, ...]: a key, a place to click, a drag from
-// one place to another, or a setting from a script.
+// Browser events in one task, without a frame in between. Each is [what, ...]: a key, a place to click, a drag from
+// place to place, or a script's setting.
 function act(page, actions) {
   return page.evaluate((all) => {
     const canvas = document.getElementById("canvas");
@@ -84,7 +84,7 @@ test("so do the browser's own clicks and keys, one behind the other, where each 
   const page = await opened({ script: slowFrames });
   const expected = await worldOf(page, corners);
   await page.locator("#canvas").focus();
-  // The test does not wait for the page in between.
+  // Without waiting for the page in between.
   await Promise.all([
     page.keyboard.press("d"),
     ...corners.map(([x, y]) => page.mouse.click(x, y)),
@@ -97,7 +97,7 @@ test("so do the browser's own clicks and keys, one behind the other, where each 
 test("a key is dealt with after the click before it, and before the click after it", async () => {
   const page = await opened();
   const expected = await worldOf(page, [corners[0], corners[2], corners[3]]);
-  // Escape removes the second vertex, and no other.
+  // Escape removes only the second vertex.
   await act(page, [
     ["key", "d"],
     ["click", corners[0]],
@@ -123,7 +123,7 @@ test("calls of scripts take their place between drags and keys", async () => {
   let now = await state(page);
   assert.equal(now.requested_teams, 2);
   assert.ok(Math.hypot(now.polygon[2][0] - to[0], now.polygon[2][1] - to[1]) < 2, "the drag came first");
-  // Undo first reverts the call, which came last, and then the drag.
+  // Undo first reverts the call, which came last.
   await act(page, [["key", "z", true]]);
   now = await state(page);
   assert.equal(now.requested_teams, 3);
@@ -208,7 +208,7 @@ test("a number that is typed at once after the key of its field is all in the fi
   await page.done();
 });
 
-// The page's answer to this polygon, without a drag.
+// The page's answer without a drag.
 async function answerTo(text) {
   const page = await browser.open();
   await load(page, text);

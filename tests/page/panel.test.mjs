@@ -1,4 +1,4 @@
-// The panel and the toolbar: typed values, controls reached by keys, and that nothing moves or leaves the window.
+// Typed values, controls reached by keys; nothing moves or leaves the window.
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
@@ -78,7 +78,7 @@ test("a number is clicked and typed over, with its unit and a decimal comma or w
   await page.done();
 });
 
-// Types into a field as users do, with Enter at the end.
+// As users do, with Enter at the end.
 async function type(page, name, text) {
   await press(page, name);
   await page.keyboard.type(text);
@@ -327,7 +327,7 @@ for (const [width, height, options] of sizes) {
     for (const list of [undefined, "more", "methods"]) {
       const begin = list && (await controlIfShown(page, list));
       if (begin) {
-        if (begin.y + begin.height > height) continue; // in the part of the sheet that is not pulled up
+        if (begin.y + begin.height > height) continue; // in the sheet's part that is not pulled up
         await (options.hasTouch ? tap : press)(page, list);
         await idle(page);
       }

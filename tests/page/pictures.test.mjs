@@ -1,6 +1,5 @@
-// The page's intended appearance, against kept pictures (expected/). Pictures that differ are written to the folder of
-// the environment variable EVENLIFT_PICTURES; `EVENLIFT_PICTURES=tests/page/expected` renews them all, and records the
-// system in expected/drawn-on.txt.
+// The page's appearance, against kept pictures (expected/). Differing ones are written to the folder EVENLIFT_PICTURES;
+// `EVENLIFT_PICTURES=tests/page/expected` renews all, and records the system in expected/drawn-on.txt.
 import assert from "node:assert/strict";
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
@@ -13,8 +12,7 @@ const browser = sharedBrowser({ drawn: true });
 
 const expected = fileURLToPath(new URL("expected/", import.meta.url));
 const ofReadme = fileURLToPath(new URL("../../docs/page.png", import.meta.url));
-// Other systems draw letters and the edges of shapes slightly differently: up to 1.6 % of a window full of words on
-// Debian 13.
+// Systems draw letters and edges slightly differently: up to 1.6 % of a window full of words on Debian 13.
 const system =
   /^PRETTY_NAME="?([^"\n]*)/m.exec(existsSync("/etc/os-release") ? readFileSync("/etc/os-release", "utf8") : "")?.[1] ??
   process.platform;

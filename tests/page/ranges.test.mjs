@@ -1,5 +1,4 @@
-// Teams anywhere in their ranges, and teams chosen for a hold: the program's answers, the panel, a team dragged along
-// its range.
+// Teams anywhere in their ranges or chosen for a hold: the program's answers, the panel, a drag along the range.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -72,14 +71,14 @@ test("a team is dragged along its range with its loads, and reset puts it back",
   await set(page, { positions: "range" });
   await idle(page);
   const before = await state(page);
-  // A press takes a vertex before the robot on it, so this picks a team whose robot is not at a vertex.
+  // A press takes a vertex before its robot, so this team has a robot away from vertices.
   const apart = ([px, py]) => before.polygon.every(([vx, vy]) => Math.hypot(vx - px, vy - py) > 40);
   const team = before.teams.findIndex((each) => apart(each.ends[0]));
   assert.ok(team >= 0);
   const other = team === 0 ? 1 : 0;
   const [x, y] = before.teams[team].ends[0],
     [cx, cy] = before.centre_of_mass;
-  // Around C, a little to one side and to the other: one of the two is within the range.
+  // Around C, a little to both sides: one is within the range.
   const turned = (by) => [cx + (x - cx) - by * (y - cy), cy + (y - cy) + by * (x - cx)];
   for (const by of [0.05, -0.05])
     await drag(page, await toScreen(page, (await state(page)).teams[team].ends[0]), await toScreen(page, turned(by)));

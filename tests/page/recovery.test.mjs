@@ -1,5 +1,5 @@
-// The page never gets stuck: whatever fails while something is opened or drawn, the last good document comes back with
-// a message, and a failed start is not repeated.
+// Whatever fails while opening or drawing, the last good document comes back with a message, and a failed start is not
+// repeated.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -23,8 +23,8 @@ const browser = sharedBrowser();
 
 // --- The documented limits -------------------------------------------------------------------------------------------
 
-// A smooth outline of n vertices, made in the page that needs it. A more symmetric outline has many teams of nearly
-// equal score: then the placement, not the drawing, would take most of the time.
+// A smooth outline of n vertices, made in the page. A more symmetric one has many teams of nearly equal score, whose
+// placement would take longer than the drawing.
 function loadOutline(page, n) {
   return page.evaluate((count) => {
     const lines = [];
@@ -86,8 +86,7 @@ test("one vertex more than is allowed is refused in a sentence", async () => {
 
 // --- Failures while the page runs ------------------------------------------------------------------------------------
 
-// Faults that a test can switch on: a browser that gives no more memory, and a browser whose WebGL throws, at once or
-// during a number of following starts.
+// A browser without more memory, and one whose WebGL throws, at once or during a number of following starts.
 function faults() {
   const doomed = location.protocol.startsWith("http") && localStorage.getItem("test.starts") > 0;
   const { grow } = WebAssembly.Memory.prototype;
@@ -105,7 +104,7 @@ function faults() {
 
 const faulty = (options = {}) => browser.open({ script: faults, quiet: false, ...options });
 
-// Runs an action that stops the page, and waits until the page has started again. The restart may interrupt the action.
+// Runs an action that stops the page, and waits for its restart, which may interrupt the action.
 async function startsAnew(page, act) {
   await page.evaluate(() => {
     globalThis.thisStart = true;
@@ -280,7 +279,7 @@ test("where nothing can be drawn at all it says so, and does not try for ever", 
   await page.done();
 });
 
-// A tab in which no frame is ever drawn; it reports when it has marked what it opens.
+// A tab that never draws a frame; it reports when it has marked what it opens.
 function withoutPictures() {
   globalThis.requestAnimationFrame = () => 0;
   const { setItem } = Storage.prototype;

@@ -1,4 +1,4 @@
-// Sharpness, size, colours, failure: the page on all kinds of screens and without one.
+// The page on all kinds of screens and without one.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -50,7 +50,7 @@ test("it follows the window's size and a change of the device-pixel ratio", asyn
     deviceScaleFactor: 2,
     mobile: false,
   });
-  await page.mouse.move(500, 300); // this emulation sends no event; on a real screen the browser does
+  await page.mouse.move(500, 300); // the browser sends an event on a real screen only
   await page.waitForFunction(() => document.getElementById("canvas").width === 2000);
   await idle(page);
   assert.deepEqual(await canvasSize(page), [2000, 1400]);
@@ -85,7 +85,7 @@ test("light and dark follow the system while the page runs", async () => {
   await page.done();
 });
 
-// The lightness of the background, in an empty corner.
+// Of the background, in an empty corner.
 async function lightness(page) {
   const other = await browser.browser.newPage();
   const png = (await page.screenshot({ clip: { x: 4, y: 300, width: 8, height: 8 } })).toString("base64");
@@ -194,7 +194,7 @@ test("what the first picture and all tools need is at most 720,000 bytes after c
 
 const encoded = (name, ...options) => evenlift("link", "encode", sample(name), ...options).trim();
 const verdict = (name, ...options) => evenlift("place", sample(name), ...options).split("\n")[0];
-// Two of its vertices are at the same place.
+// Two vertices are at one place.
 const refusedLink = "1.KmDRFlKatH44ZmxgIVCLZ23kF5N";
 
 const withoutWebGl = () => {

@@ -1,11 +1,11 @@
-// The sizes of the page's files, as a server sends them.
+// The page's files as a server sends them.
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { gzipSync } from "node:zlib";
 import { pageFolder } from "./browser.mjs";
 
-// The files loaded before the first frame: enough for drawing, placing and the lesson. The rest is loaded on demand:
-// windows and their lists, experiments.
+// Loaded before the first frame: enough for drawing, placing and the lesson. Windows, their lists and experiments are
+// loaded on demand.
 const atStart = ["index.html", "icon.svg", "page.css", "page.js", "evenlift.js", "evenlift.wasm"];
 
 export function sizes() {

@@ -1,4 +1,4 @@
-// A shape being drawn: by pointer, by typed lengths and angles, and by keys alone.
+// By pointer, by typed lengths and angles, and by keys alone.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { control, drag, idle, phone, press, sharedBrowser, state, tap } from "./browser.mjs";

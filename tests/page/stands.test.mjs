@@ -1,5 +1,4 @@
-// Robots with a size in the page: typed, drawn, no-go edges marked with the brush, undone, and the same as in the
-// program.
+// Sized robots: typed, drawn, no-go edges marked with the brush, undone, and as in the program.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -117,7 +116,7 @@ test("the radius has a slider, for the pointer and for keys, and is typed, too",
   await page.keyboard.press("Control+z");
   await idle(page);
   assert.equal(await radius(), 0, "a drag is one step of undo");
-  // Screen readers get it as an HTML slider.
+  // An HTML slider for screen readers.
   const slider = page.getByRole("slider", { name: "Radius of a robot, as a slider" });
   await slider.focus();
   await page.keyboard.press("ArrowRight");

@@ -1,4 +1,3 @@
-// Drawing, moving the whole shape, comparing, tipping, capacity: the user's actions on the canvas.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {

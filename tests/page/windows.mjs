@@ -1,4 +1,3 @@
-// The page's own windows, for the tests beside this file.
 import assert from "node:assert/strict";
 import { axe, idle } from "./browser.mjs";
 
@@ -14,7 +13,7 @@ const keys = {
   glossary: "G",
 };
 
-// Opens a window by its key, and waits until it is open.
+// Opens a window by its key, and waits for it.
 export async function openWindow(page, name) {
   await page.locator("#canvas").focus();
   await page.keyboard.press(keys[name]);
@@ -26,13 +25,13 @@ export async function openWindow(page, name) {
   return root;
 }
 
-// The page's notice, once all work that leads to it is done.
+// The page's notice, after all work that leads to it.
 export async function noticed(page) {
   await idle(page);
   return page.locator("#alert").textContent();
 }
 
-// Drops files or a text onto the page, as a browser does, with a DataTransfer of the page's own.
+// Drops files or a text like a browser, with the page's own DataTransfer.
 export async function drop(page, { files = [], text }, target = "#canvas") {
   const data = await page.evaluateHandle(
     ([list, plain]) => {
@@ -47,7 +46,7 @@ export async function drop(page, { files = [], text }, target = "#canvas") {
   await page.dispatchEvent(target, "drop", { dataTransfer: data });
 }
 
-// Pastes by the clipboard's own event, as Ctrl+V does.
+// Like Ctrl+V, by the clipboard's event.
 export async function paste(page, text) {
   await page.evaluate((plain) => {
     const clipboardData = new DataTransfer();
@@ -58,19 +57,18 @@ export async function paste(page, text) {
   }, text);
 }
 
-// Closes every window, after a test that leaves one open.
+// After a test that leaves windows open.
 export async function closeAll(page) {
   await page.evaluate(() => document.querySelectorAll("dialog").forEach((window) => window.close()));
   await allClosed(page);
 }
 
-// Checks that no window is open any more.
 export async function allClosed(page) {
   await idle(page);
   assert.equal(await page.locator("dialog").count(), 0, "a window is open");
 }
 
-// The faults that axe finds in the page, each with its place.
+// The faults that axe finds, with their places.
 export async function violations(page) {
   await page.evaluate(axe);
   return page.evaluate(async () =>

@@ -16,7 +16,7 @@ file(MAKE_DIRECTORY "${WORK}")
 set(compared 0)
 set(differences 0)
 
-# compare(<arguments>...): runs both programs in WORK and compares their output to the byte.
+# compare(<arguments>...): compares the output of both programs in WORK, to the byte.
 function(compare)
   foreach(kind native wasm)
     if(kind STREQUAL native)
@@ -53,9 +53,8 @@ endfunction()
 
 set(metrics area circle distance distributed random)
 
-# Every sample with one metric, taken in turn: the programs start again each time, which takes most of the
-# time. soak/fingerprints.test.mjs compares thousands of polygons with every metric and setting within one
-# run.
+# Every sample with one metric in turn: starting the programs takes most of the time. soak/fingerprints.test.mjs
+# compares thousands of polygons with every metric and setting in one run.
 file(GLOB files "${POLYGONS}/*.txt")
 set(turn 0)
 foreach(file IN LISTS files)
@@ -80,7 +79,7 @@ foreach(family regular convex star comb spiral random)
   endforeach()
 endforeach()
 
-# Drawings, tables and results: the list of their shapes, and each shape, with coarse and fine edges.
+# Drawings, tables and results: their lists of shapes, and each shape, with coarse and fine edges.
 file(GLOB drawings "${POLYGONS}/../../tests/data/import/*")
 foreach(file IN LISTS drawings)
   compare(place "${file}")
@@ -110,7 +109,7 @@ compare(place missing.txt)
 compare(place "${POLYGONS}/square.txt" --teams 0)
 compare()
 
-# An experiment writes files; the times in them differ.
+# The times in an experiment's files differ.
 set(measured "")
 foreach(name square star hammer thesis-sample letter-e-moved gear comb)
   list(APPEND measured "${POLYGONS}/${name}.txt")

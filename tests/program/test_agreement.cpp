@@ -1,4 +1,4 @@
-// The program and the page show the same words and digits for the same result.
+// The program and the page show the same words and digits for a result.
 #include <cstdlib>
 #include <regex>
 #include <string>
@@ -38,7 +38,6 @@ std::string options_of(const Asked& a) {
   return options;
 }
 
-// The program's output, line by line.
 std::vector<std::string> printed(const std::string& polygon, const Asked& a) {
   const std::filesystem::path out = std::filesystem::temp_directory_path() /
                                     ("evenlift-agreement-" + std::to_string(::getpid()) + ".txt");
@@ -52,7 +51,7 @@ std::vector<std::string> printed(const std::string& polygon, const Asked& a) {
   return lines;
 }
 
-// The page's text for the program's lines: the sentences, then the rows of its table.
+// For the program's lines: the sentences, then the rows of its table.
 std::string said_of(const std::vector<std::string>& lines, const Asked& a) {
   std::string text = lines.at(0);
   if (a.capacity && !lines.at(1).empty()) text += " " + lines.at(1);

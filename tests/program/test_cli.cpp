@@ -1,5 +1,5 @@
-// The program as a script uses it. EVENLIFT_COMMAND in the environment names another program to
-// try, such as "node build/bin/evenlift.js".
+// The program as scripts use it, or the one that the environment's EVENLIFT_COMMAND names, such as
+// "node build/bin/evenlift.js".
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// tests/cli/cases.txt, split into cases.
+// Of tests/cli/cases.txt.
 struct Case {
   std::string name;
   std::vector<std::pair<std::string, std::string>> files;  // name, text
@@ -70,7 +70,7 @@ class Folder {
   fs::path path_;
 };
 
-// Runs a line of sh in the folder; there `evenlift` is the program.
+// Runs a line of sh in the folder, where `evenlift` is the program.
 Outcome run(const Folder& folder, const std::string& line) {
   const char* other = std::getenv("EVENLIFT_COMMAND");
   const std::string program = other ? other : "'" EVENLIFT_PROGRAM "'";
@@ -323,7 +323,7 @@ TEST_CASE("tables have each number under its heading, in columns as wide as thei
   shows(" --com-radius 0.1",
         "  team  ratio        robot at       load        robot at       load\n"
         "     1  1.000  (0.000, 4.000)  15.2–18.2  (4.000, 0.000)  15.2–18.2");
-  // The loads of the others by plan, by springs and at best.
+  // The others' loads by plan, by springs and at best.
   shows(
       " --com 1.9,2 --min-ratio 0.5 --failures",
       "  fails  of team  carried  steady  tipping distance  coverage  form closure  by plan  springs  best\n"

@@ -29,7 +29,7 @@ def run_on_terminal(*arguments):
             while chunk := terminal.read(4096):
                 seen += chunk
         except OSError:
-            pass  # so Linux reports that no writer is left
+            pass  # Linux's sign that no writer is left
         return process.stdout.read(), seen
 
 

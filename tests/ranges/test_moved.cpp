@@ -1,4 +1,3 @@
-// Robots moved by hand: their new places, and that a link restores them.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -54,7 +53,7 @@ double distance_to_edge(const Placement& placement, const LiftingPoint& point) {
   return length(point.position - (a + along * (b - a)));
 }
 
-// The properties of a team of two wherever it stands, from its points alone.
+// By its points alone, wherever it stands.
 void check_team(const Placement& placement, const Team& team) {
   const double near = near_distance(placement.polygon().diameter());
   const Vec2& centre = placement.centre_of_mass;
@@ -173,7 +172,7 @@ TEST_CASE("a link brings moved robots back bit for bit", "[moved][link][slow]") 
         CHECK(again.loads->spread == 0);
         continue;
       }
-      // The steps are those of teams at their computed places.
+      // The steps are as for teams at computed places.
       document.moved = {};
       const auto trace = make_trace(again);
       REQUIRE(trace.ok());

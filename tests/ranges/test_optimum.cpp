@@ -1,4 +1,4 @@
-// The best choice of teams, against brute force over all of them.
+// Against brute force.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -31,7 +31,7 @@ double coverage_of(const Placement& placement, const std::vector<std::uint32_t>&
                   convex_hull(ends, near_distance(placement.polygon().diameter())));
 }
 
-// Visits every choice of `size` candidates.
+// Of `size` candidates.
 template <class Visit>
 void for_each_choice(std::uint32_t all, std::size_t size, std::vector<std::uint32_t>& taken,
                      Visit visit) {
@@ -63,7 +63,7 @@ Optimum optimum_of(const Placement& placement) {
                        placement.requested_teams, placement.team_candidates);
 }
 
-// Compares with brute force if the number of choices is small enough. Returns whether it was.
+// Returns whether the choices are few enough for brute force.
 bool compare(const Placement& placement) {
   const std::size_t teams = placement.teams.size();
   if (teams == 0 || teams < placement.requested_teams) return false;
@@ -77,7 +77,7 @@ bool compare(const Placement& placement) {
   return true;
 }
 
-// The samples on which three teams chosen to hold can be compared with all others.
+// Samples on which three teams chosen to hold can be compared with all.
 struct Held {
   std::string name;
   Placement placement;
@@ -124,7 +124,7 @@ TEST_CASE("with many candidates there is a bound, and a choice below it", "[opti
 }
 
 TEST_CASE("bounds of many candidates are true of few, too", "[optimum]") {
-  // The two ways to bound a choice, side by side: one is exact, and the other is never below it.
+  // Of two ways to bound a choice, one is exact, the other never below it.
   const Placement placement = placed(corpus::polygon("guitar"));
   const Optimum optimum = optimum_of(placement);
   CHECK(optimum.proved);
@@ -150,7 +150,7 @@ TEST_CASE("a bound that takes ends one by one is never below the best ring of wh
       const auto of_chords = optimum::best_ring_of_chords(triangles, teams, {});
       REQUIRE((by_sides && of_chords));
       CHECK(by_sides->share >= of_chords->share - 1e-12);
-      // The two diagonals of a square cover all of it.
+      // The diagonals of a square cover all of it.
       if (std::string(name) == "square" && teams == 2) CHECK(of_chords->share == Approx(1));
     }
   }

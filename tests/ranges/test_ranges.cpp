@@ -1,4 +1,4 @@
-// The ranges of edge pairs: their ends against exact rationals, and the candidates in them.
+// Ranges of edge pairs: their ends in exact rationals, and their candidates.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -24,18 +24,18 @@ namespace {
 
 ExactVec exact(const Vec2& p) { return {Exact(p.x()), Exact(p.y())}; }
 
-// The point, relative to C, where the line through C and p meets the line of an edge.
+// Relative to C: where the line through C and p meets an edge's line.
 ExactVec on_line(const ExactVec& p, const ExactVec& a, const ExactVec& b) {
   return p * Exact(oracle::cross(a, b) / oracle::cross(p, ExactVec(b - a)));
 }
 
-// |p| / |q| of two points on one line through the origin.
+// p| / |q| on one line through the origin.
 Exact ratio_of(const ExactVec& p, const ExactVec& q) {
   const Exact value = q.x != 0 ? Exact(p.x / q.x) : Exact(p.y / q.y);
   return value < 0 ? Exact(-value) : value;
 }
 
-// The section of an edge pair, exactly: its ends on edge a, and q there.
+// Exactly: the ends of an edge pair's section on edge a, and q there.
 struct ExactSection {
   ExactVec a[2];
   Exact q[2];
@@ -76,7 +76,7 @@ std::optional<Prepared> prepared(const Document& document) {
   return Prepared{*std::move(polygon), *centre, *std::move(pairs)};
 }
 
-// Whether q has the value at the place x, within rounding.
+// Whether q has the value at x, within rounding.
 bool reaches(const ExactSection& section, double x, double q) {
   const Exact at = section.q[0] + (section.q[1] - section.q[0]) * Exact(x);
   return std::fabs(number(at) - q) <=
@@ -94,8 +94,7 @@ void check_range(const PairRange& range, const ExactSection& section, double min
     const bool at_end = x == 0 || x == 1;
     CHECK((at_end || reaches(section, x, min_ratio) || reaches(section, x, 1 / min_ratio)));
   }
-  // Beyond a range end that is not an end of the section, the ratio of the chord is too low; within
-  // the range it is not.
+  // The chord's ratio is too low only beyond a range end that is not an end of the section.
   const auto ratio_at = [&](double x) {
     const double q = number(section.q[0] + (section.q[1] - section.q[0]) * Exact(x));
     return std::min(q, 1 / q);
@@ -208,7 +207,7 @@ TEST_CASE("ranges add candidates and leave the others as they are", "[ranges]") 
       ++next;
     }
     CHECK(next == best.candidates.size());
-    // The first team takes the longest chord of all.
+    // The first team takes the longest chord.
     if (range.teams.empty()) continue;
     ++with_teams;
     const Candidate& first = range.candidates[range.team_candidates[0]];
@@ -241,7 +240,7 @@ TEST_CASE("a range is one place only if its chords agree on both edges", "[range
   range.a0 = {1, 0};
   range.a1 = {1, 1e-10};
   CHECK(is_one_place(range, 1e-9));
-  // The other ends of its chords are a hundred times as far from C, and from each other.
+  // The other ends are a hundred times as far from C, and from each other.
   range.q0 = range.q1 = 0.01;
   CHECK_FALSE(is_one_place(range, 1e-9));
   // And the other way round.
@@ -257,7 +256,7 @@ TEST_CASE("the place towards a direction is where C sees it, or the nearest end 
   range.a1 = Vec2(1, 1);
   CHECK(place_towards(range, Vec2(1, 0.5)) == Approx(0.75));
   CHECK(place_towards(range, Vec2(1, -3)) == 0);
-  // Also behind C: 100 degrees from one end, 55 from the other.
+  // Behind C: 100 degrees from one end, 55 from the other.
   CHECK(place_towards(range, Vec2(-1, 0.1)) == 1);
   CHECK(place_towards(range, Vec2(-1, -0.1)) == 0);
   CHECK(place_towards(range, Vec2(-0.17, 0.98)) == 1);

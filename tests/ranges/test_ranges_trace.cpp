@@ -1,4 +1,3 @@
-// The steps of ranges and of swaps of teams.
 #include <algorithm>
 #include <string>
 
@@ -28,7 +27,7 @@ Trace trace_of(const std::string& name, std::uint32_t teams, Positions positions
   return testing::traced(placed(document));
 }
 
-// Every step has words, figures and numbers, whatever the sample.
+// On every sample, each step has words, figures and numbers.
 void check_words(const Trace& trace) {
   for (std::uint32_t k = 0; k < trace.size(); ++k) {
     const StepDetail detail = look_at(trace, k);

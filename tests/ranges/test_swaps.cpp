@@ -1,4 +1,4 @@
-// Teams swapped until they hold: properties of every result, and brute force.
+// Properties of every result, and brute force.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -31,7 +31,7 @@ Document to_hold(Document document, std::uint32_t teams, Positions positions) {
   return document;
 }
 
-// The keys of a choice by the functions that describe every placement, not by those of the search.
+// By the functions that describe every placement, not by those of the search.
 HoldKeys keys_by_definition(const Placement& placement, const std::vector<std::uint32_t>& taken,
                             const HoldRequirements& firm) {
   std::vector<LiftingPoint> points;
@@ -58,7 +58,7 @@ HoldKeys keys_by_definition(const Placement& placement, const std::vector<std::u
   return keys;
 }
 
-// Whether a is better than b by more than the difference between the two ways to compute keys.
+// By more than the two ways to compute keys differ.
 bool clearly_better(const HoldKeys& a, const HoldKeys& b) {
   if (a.level != b.level) return a.level > b.level;
   if (std::fabs(a.coverage - b.coverage) > 2e-9) return a.coverage > b.coverage;
@@ -66,7 +66,7 @@ bool clearly_better(const HoldKeys& a, const HoldKeys& b) {
   return a.ratios > b.ratios + 2 * tau;
 }
 
-// Whether a margin is so near to a bound that rounding could change the level.
+// Whether rounding could change the level.
 bool is_doubtful(const Placement& placement, const std::vector<std::uint32_t>& taken) {
   std::vector<LiftingPoint> points;
   for (const std::uint32_t i : taken) {
@@ -235,7 +235,7 @@ TEST_CASE("what cannot be swapped is refused, with the reason", "[swaps]") {
   CHECK(check_swaps(100, most_swapped_teams + 1)->place.option == "goal");
   CHECK_FALSE(check_swaps(100, 100));
   CHECK(check_swaps(most_swaps, 2)->place.option == "goal");
-  // If more teams are requested than there are candidates, all candidates are placed.
+  // If too many teams are requested, all candidates are placed.
   const Placement all = placed(to_hold(corpus::polygon("labyrinth"), 1'000'000, Positions::best));
   CHECK(all.teams.size() == all.candidates.size());
 }

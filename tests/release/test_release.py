@@ -57,7 +57,7 @@ class Release(unittest.TestCase):
             sources(work / name)
         cls.copy = work / "one"
         cls.files = pack(work / "one")
-        # The built files are also copied: their times and their place must not matter.
+        # The built files are also copied: their times and place must not matter.
         built = {name: work / "built" / name for name in folders}
         for name, path in built.items():
             shutil.copytree(folders[name], path, copy_function=shutil.copyfile)

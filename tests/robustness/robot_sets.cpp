@@ -16,15 +16,15 @@ using evenlift::Rng;
 using evenlift::Vec2;
 
 enum class Kind {
-  grid,         // a coarse grid, with many collinear or at one place
+  grid,         // coarse; many are collinear or at one place
   anywhere,     // doubles in a square
-  on_a_square,  // on its sides, as robots on an object's straight edges
+  on_a_square,  // on its sides, as at an object's straight edges
   pairs,        // across C
-  one_line,     // all on one slanted line, and C on it
-  one_place,    // two or three places for all
-  at_a_robot,   // C at one of the robots
-  on_the_edge,  // C half way between two robots; further robots may be on one side only
-  thin,         // within a strip of 1e-5 L
+  one_line,     // on one slanted line with C
+  one_place,    // two or three places
+  at_a_robot,   // C is at a robot
+  on_the_edge,  // C is half way between two robots; the others may be on one side
+  thin,         // in a strip of 1e-5 L
   count
 };
 constexpr const char* names[] = {"grid",      "anywhere",   "on a square", "pairs", "one line",
@@ -146,9 +146,9 @@ RobotSet make_set(std::uint64_t number, std::size_t most) {
   const auto kind = static_cast<Kind>(number % static_cast<std::uint64_t>(Kind::count));
   RobotSet set = basic_set(kind, rng, 1 + rng.below(most));
   switch (rng.below(5)) {
-    case 0:  // as small as an object may be
+    case 0:  // as small as permitted
       return scaled_and_shifted(set, 1e-9, Vec2::Zero());
-    case 1:  // as large as an object may be
+    case 1:  // as large as permitted
       return scaled_and_shifted(set, 1e8, Vec2::Zero());
     case 2:  // far away
       return scaled_and_shifted(set, 64, {4649776.25, -512345.5});

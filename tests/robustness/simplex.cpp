@@ -5,8 +5,8 @@
 namespace simplex {
 namespace {
 
-// Rows of the program with the right sides in the last column; each row's basic variable has a
-// column of its own. The last row holds the reduced costs, and their negated value.
+// Rows with right sides in the last column; each row's basic variable has its own column. The last
+// row holds the reduced costs and their negated value.
 class Tableau {
  public:
   Tableau(std::vector<Row> rows, std::vector<std::size_t> basis)
@@ -22,7 +22,7 @@ class Tableau {
     return value;
   }
 
-  // Removes the variables from `first` on from the program. Basic ones among them are 0.
+  // Removes the variables from `first` on. Basic ones among them are 0.
   void forbid(std::size_t first) {
     for (std::size_t i = basis_.size(); i-- > 0;) {
       if (basis_[i] < first) continue;
@@ -81,7 +81,7 @@ class Tableau {
 
 std::optional<Exact> least(const std::vector<Row>& rows, const Row& right, const Row& cost) {
   const std::size_t variables = cost.size();
-  // First with one more variable for each row; all of these must vanish.
+  // First with another variable for each row; these must vanish.
   std::vector<Row> extended;
   std::vector<std::size_t> basis;
   Row missing(variables, 0);

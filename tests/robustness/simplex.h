@@ -1,5 +1,4 @@
-// Linear programs in rationals, by the simplex method with Bland's rule: exact, and always
-// terminating.
+// Linear programs in rationals, by the simplex method with Bland's rule: exact, and always ending.
 #pragma once
 
 #include <optional>
@@ -12,8 +11,7 @@ namespace simplex {
 using oracle::Exact;
 using Row = std::vector<Exact>;
 
-// The least value of cost . x over x >= 0 with rows x = right, or nothing if there is no such x. It
-// must be bounded from below.
+// The least cost . x, bounded from below, over x >= 0 with rows x = right; nothing without such x.
 std::optional<Exact> least(const std::vector<Row>& rows, const Row& right, const Row& cost);
 
 }  // namespace simplex

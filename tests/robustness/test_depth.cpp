@@ -1,4 +1,3 @@
-// The number of robots that may fail at once.
 #include <cstdint>
 
 #include "evenlift/failures.h"
@@ -17,11 +16,11 @@ namespace {
 using oracle::Exact;
 using oracle::ExactVec;
 
-// Sets of robots are bit masks.
+// Sets of robots, as bits.
 using Mask = std::uint32_t;
 
-// Decides exactly, for any subset of the robots, whether it carries the object and whether it keeps
-// it steady, from pairs and triangles of robots.
+// Decides exactly, from pairs and triangles of robots, whether a subset carries the object and
+// keeps it steady.
 class Subsets {
  public:
   explicit Subsets(const RobotSet& set)
@@ -39,8 +38,8 @@ class Subsets {
     return false;
   }
 
-  // A line through two robots of the subset with all others on it or to its left supports the hull:
-  // C must be on its left by more than the tolerance.
+  // C must be to the left, by more than the tolerance, of each line through two robots of the
+  // subset without a robot to its right.
   bool keeps_steady(Mask subset) const {
     bool supported = false;
     for (const Side& side : sides_) {
@@ -51,12 +50,11 @@ class Subsets {
     return supported;
   }
 
-  // The greatest number of robots that may be missing in every combination; -1 if it does not hold
-  // even with all robots.
+  // The most robots that may be missing in any combination; -1 if it does not hold even with all.
   template <class Holds>
   int failures(Holds holds) const {
     const auto m = static_cast<int>(robots_.size());
-    int worst = m;  // the least number of missing robots for which it no longer holds
+    int worst = m;  // the least number missing for which it does not hold
     for (Mask subset = 0; subset < Mask{1} << m; ++subset)
       if (!holds(subset)) worst = std::min(worst, m - __builtin_popcount(subset));
     return worst - 1;
@@ -74,7 +72,7 @@ class Subsets {
 
   bool near_point(const ExactVec& p) const { return square(p) <= near_square_; }
 
-  // Whether the origin is within tolerance of the segment.
+  // Whether the origin is within tolerance.
   bool near_segment(const ExactVec& p, const ExactVec& q) const {
     if (near_point(p) || near_point(q)) return true;
     const ExactVec along = q - p;
@@ -150,7 +148,7 @@ TEST_CASE("teams of two carry any failures but as many as there are teams", "[ro
     const std::size_t teams = 1 + number % 12;
     const RobotSet set = robot_sets::make_pairs(number, teams);
     INFO(number);
-    // Every side of a line through C has one robot of each team; the line of a team has no more.
+    // Each side of a line through C has a robot of every team, except teams on the line.
     CHECK(carried(set) >= static_cast<int>(teams) - 1);
     CHECK(steady(set) <= carried(set));
   }
@@ -191,7 +189,7 @@ TEST_CASE("the teams of every sample carry any failures but one for each team",
 TEST_CASE("few robots, no robots and robots at the centre of mass", "[robustness][depth]") {
   CHECK(carried(about_origin({})) == -1);
   CHECK(steady(about_origin({})) == -1);
-  // A single robot below C carries the object, but nothing is steady on one leg.
+  // A robot below C carries the object, but nothing is steady on one leg.
   CHECK(carried(about_origin({{0, 0}})) == 0);
   CHECK(steady(about_origin({{0, 0}})) == -1);
   CHECK(carried(about_origin({{1, 1}})) == -1);
@@ -199,10 +197,10 @@ TEST_CASE("few robots, no robots and robots at the centre of mass", "[robustness
   CHECK(steady(about_origin({{-1, -2}, {2, 4}})) == -1);
   CHECK(carried(about_origin({{3, 0}, {-2, 2}, {-2, -2}})) == 0);
   CHECK(steady(about_origin({{3, 0}, {-2, 2}, {-2, -2}})) == 0);
-  // The corners of a square: the two that are left may or may not be opposite.
+  // Of a square's corners, the two that are left may be opposite or not.
   CHECK(carried(about_origin({{1, 1}, {-1, 1}, {-1, -1}, {1, -1}})) == 1);
   CHECK(steady(about_origin({{1, 1}, {-1, 1}, {-1, -1}, {1, -1}})) == 0);
-  // A robot at C helps to carry, whichever others fail; it does not steady the object.
+  // A robot at C helps to carry whichever others fail, but steadies nothing.
   CHECK(carried(about_origin({{1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {0, 0}})) == 2);
   CHECK(steady(about_origin({{1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {0, 0}})) == 0);
 }

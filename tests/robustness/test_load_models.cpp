@@ -1,5 +1,5 @@
-// The loads of the robots by each model: checked against linear programs and least squares in exact
-// arithmetic, and by the conditions that define them.
+// The loads by each model, against linear programs and least squares in exact arithmetic, and by
+// their defining conditions.
 #include "evenlift/load_models.h"
 
 #include <algorithm>
@@ -39,14 +39,13 @@ double greatest(const std::vector<double>& loads) {
   return *std::max_element(loads.begin(), loads.end());
 }
 
-// Few robots with whole coordinates, many of them collinear or at one place, and C anywhere on the
-// grid; or a set with C well inside.
+// Robots at whole coordinates, often collinear or at one place, and C anywhere on the grid; or a
+// set with C well inside.
 RobotSet small_set(std::uint64_t number) {
   if (number % 3 == 0) return robot_sets::make_steady_set(number, 4);
   return robot_sets::make_grid(number, 7);
 }
 
-// The robots relative to C.
 std::vector<ExactVec> seen(const RobotSet& set) {
   std::vector<ExactVec> robots;
   for (const Vec2& p : set.robots)
@@ -54,7 +53,7 @@ std::vector<ExactVec> seen(const RobotSet& set) {
   return robots;
 }
 
-// The rows of the equilibrium of a weight of 1, with room for more variables.
+// For a weight of 1, with room for more variables.
 std::vector<simplex::Row> equilibrium(const std::vector<ExactVec>& robots, std::size_t variables) {
   std::vector<simplex::Row> rows(3, simplex::Row(variables, 0));
   for (std::size_t i = 0; i < robots.size(); ++i) {
@@ -68,7 +67,7 @@ std::vector<simplex::Row> equilibrium(const std::vector<ExactVec>& robots, std::
 std::optional<double> exact_best(const RobotSet& set) {
   const std::vector<ExactVec> robots = seen(set);
   const std::size_t m = robots.size();
-  // The variables are the loads, the difference of each from the greatest, and the greatest.
+  // The variables: the loads, their differences from the greatest, and the greatest.
   std::vector<simplex::Row> rows = equilibrium(robots, 2 * m + 1);
   simplex::Row right{1, 0, 0}, cost(2 * m + 1, 0);
   for (std::size_t i = 0; i < m; ++i) {
@@ -93,8 +92,8 @@ std::optional<double> exact_worst(const RobotSet& set, std::size_t robot) {
   return static_cast<double>(-*value);
 }
 
-// The loads with the least sum of squares that balance a weight of 1 with the robots of a subset
-// alone, if there are any; some may pull. Dependent equations are eliminated.
+// With the least sum of squares for a weight of 1 on a subset alone, if possible; some may pull.
+// Dependent equations are eliminated.
 std::optional<std::vector<Exact>> least_squares(const std::vector<ExactVec>& robots,
                                                 std::uint32_t subset) {
   std::vector<simplex::Row> rows = equilibrium(robots, robots.size());
@@ -130,7 +129,7 @@ std::optional<std::vector<Exact>> least_squares(const std::vector<ExactVec>& rob
   return loads;
 }
 
-// Of all subsets that can balance the weight by pushing, the loads with the least sum of squares.
+// The least sum of squares over all subsets that balance the weight by pushing.
 std::optional<std::vector<double>> exact_springs(const RobotSet& set) {
   const std::vector<ExactVec> robots = seen(set);
   std::optional<std::vector<Exact>> best;
@@ -150,7 +149,7 @@ std::optional<std::vector<double>> exact_springs(const RobotSet& set) {
   return loads;
 }
 
-// The remaining moment about C, in units of L.
+// About C, in units of L.
 double moment(const RobotSet& set, const std::vector<double>& loads) {
   Vec2 sum = Vec2::Zero();
   for (std::size_t i = 0; i < loads.size(); ++i)
@@ -205,7 +204,7 @@ TEST_CASE("equally stiff robots whose centroid is the centre of mass share evenl
 }
 
 TEST_CASE("a spring that would have to pull lets go", "[robustness][models]") {
-  // C is above the left end; the far robot on the right would pull.
+  // C is above the left end; the far right robot would pull.
   const auto result = springs(by_hand({{-1, 0}, {1, 0}, {10, 0}}, {-0.5, 0}), 4);
   REQUIRE(result);
   CHECK(result->loads[0] == Approx(3));
@@ -216,8 +215,8 @@ TEST_CASE("a spring that would have to pull lets go", "[robustness][models]") {
 
 TEST_CASE("loads change in proportion until a spring that is free takes hold",
           "[robustness][models]") {
-  // The third robot begins to carry a load when C is 0.45 farther to the right. The second one goes
-  // slack when C is 0.5 farther to the left.
+  // The third robot takes a load when C is 0.45 farther right. The second goes slack when C is 0.5
+  // farther left.
   const auto result = springs(by_hand({{-1, 0}, {1, 0}, {20, 0}}, {-0.5, 0}));
   REQUIRE(result);
   CHECK(result->loads[2] == 0);
@@ -320,7 +319,7 @@ TEST_CASE("two robots carry by the lever in every model", "[robustness][models]"
   CHECK(*best(set, 100) == Approx(75));
   CHECK((*worst(set, 100))[0] == Approx(75));
   CHECK((*worst(set, 100))[1] == Approx(25));
-  // C moves along the line by 4 of its 4 sqrt 2 from one robot to the other.
+  // C moves 4 of the 4 sqrt 2 from one robot to the other.
   CHECK(springs(set, 100)->per_length[0] == Approx(100 / std::sqrt(32)));
   CHECK(springs(set, 100)->same_within == Approx(std::sqrt(2)));
 }
@@ -344,7 +343,7 @@ TEST_CASE("two robots carry what lies within tolerance beyond the line between t
 
 TEST_CASE("robots beside the line on which the centre of mass lies carry nothing",
           "[robustness][models]") {
-  // C is on the edge of H between the first two.
+  // C is between the first two, on the edge of H.
   const RobotSet set = by_hand({{-1, 0}, {3, 0}, {0, 5}, {1, 2}}, {0, 0});
   for (const auto& loads : {springs(set, 4)->loads, *worst(set, 4)}) {
     CHECK(loads[0] == Approx(3));

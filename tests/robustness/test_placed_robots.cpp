@@ -1,4 +1,3 @@
-// The robots of a placement one by one.
 #include "evenlift/placed_robots.h"
 
 #include <cmath>
@@ -17,7 +16,7 @@ using evenlift::testing::placed;
 
 namespace {
 
-// The heading of a robot at the point of the edge.
+// At the point of the edge.
 double heading(const Points& vertices, const Vec2& at, std::uint32_t edge) {
   Placement placement(solid(testing::polygon(vertices)));
   placement.teams = {Team{{Robot{{at, edge}, 1, 1}}, 1}};
@@ -161,7 +160,7 @@ TEST_CASE(
   document.vertices = {{-2, -2}, {2, -2}, {2, 2}, {-2, 2}};
   document.settings.method = Method::balanced;
   document.settings.robots = 5;
-  // Without the first robot all others are on the right of C.
+  // Without the first robot, all others are on the right of C.
   const Placement placement = with_robots(
       placed(document),
       {{{-2, 0}, 3}, {{0.25, 2}, 2}, {{0.25, -2}, 0}, {{0.75, 2}, 2}, {{0.75, -2}, 0}}, true);

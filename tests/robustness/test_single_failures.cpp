@@ -1,4 +1,4 @@
-// The rest of the lift if one robot fails: compared with a lift that never had this robot.
+// After a robot fails, compared with a lift that never had it.
 #include <algorithm>
 
 #include "evenlift/closure.h"
@@ -18,7 +18,7 @@ using evenlift::testing::placed;
 
 namespace {
 
-// The greatest load of the others by plan: each of their teams carries an equal part of the weight.
+// By plan: each of the other teams carries an equal part of the weight.
 double greatest_of_other_teams(const Placement& placement, std::size_t failed) {
   std::vector<Chord> chords;
   for (std::size_t t = 0; t < placement.teams.size(); ++t)

@@ -1,4 +1,3 @@
-// Slopes, starts, stops and a further load.
 #include "evenlift/tilt.h"
 
 #include <cmath>
@@ -20,7 +19,7 @@ using evenlift::testing::plainly;
 
 namespace {
 
-// A square of side 1 with robots at its corners, and a weight of 100.
+// Of side 1 with robots at the corners, and a weight of 100.
 Document square() {
   Document document;
   document.vertices = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -48,7 +47,7 @@ TEST_CASE("an object tips at the slope at which its weight leaves the lifting ba
   document.shown.carrying.slope = 0.3;
   document.shown.carrying.acceleration = 0.2;
   CHECK(tilt_of({placement, document.shown})->reach == 0.5);
-  CHECK(tilt_of({placement, document.shown})->stays);  // at the edge, within tolerance
+  CHECK(tilt_of({placement, document.shown})->stays);  // on the edge within tolerance
   document.shown.com_radius = 0.1;
   const auto off = tilt_of({placement, document.shown});
   CHECK_FALSE(off->stays);
@@ -134,7 +133,7 @@ TEST_CASE("three robots at the corners bear any load on the triangle between the
   const auto extra = extra_load({placed(document), document.shown});
   CHECK(extra->share == Approx(1));
   CHECK_FALSE(extra->anywhere);
-  // Beside a line of robots there is no place for anything.
+  // Nothing has a place beside a line of robots.
   document.settings.supports = {{0, 1}, {2, 1}};
   const auto on_line = extra_load({placed(document), document.shown});
   REQUIRE(on_line);
@@ -236,7 +235,7 @@ TEST_CASE("an object is steady on a slope if it stays upright there after any on
     document.shown.carrying.slope = slope;
     return check_conditions({placement, document.shown}, read_conditions("steady").value())[0].kept;
   };
-  // Without a corner, C is sqrt(1/8) = 0.354 inside the base of the others.
+  // Without a corner, C is sqrt(1/8) = 0.354 inside the others' base.
   CHECK(steady(0));
   CHECK(steady(0.35));
   CHECK_FALSE(steady(0.36));

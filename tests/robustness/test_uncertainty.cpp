@@ -1,4 +1,3 @@
-// How far C may be off.
 #include "evenlift/uncertainty.h"
 
 #include <cmath>
@@ -80,13 +79,13 @@ TEST_CASE("ranges are as wide as the C uncertainty, and no load is below 0",
   CHECK(ranges[0].greatest == 12);
   CHECK(ranges[1].least == 1);
   CHECK(ranges[1].greatest == 3);
-  // If one may let go, the greatest loads hold whichever robots carry.
+  // If one may go slack, the greatest loads hold whichever robots carry.
   const auto wider = load_ranges({10, 2}, {1, false, {4, 4}, {50, 60}});
   CHECK(wider[0].least == 6);
   CHECK(wider[0].greatest == 50);
   CHECK(wider[1].least == 0);
   CHECK(wider[1].greatest == 60);
-  // On a slope a part of the weight acts along the ground.
+  // On a slope, a part of the weight acts along the ground.
   CHECK(load_ranges({10, 2}, {0.9, false, {1, 1}, {50, 60}})[0].least == 8);
   CHECK(load_ranges({10, 2}, {0.9, false, {1, 1}, {50, 60}})[0].greatest == 11);
   const Points corners{{0, 0}, {1e-9, 0}, {1e-9, 1e-9}, {0, 1e-9}};
@@ -109,7 +108,7 @@ TEST_CASE("loads may change by what uneven heights and a tilt do", "[robustness]
   const LoadChanges tilted =
       load_changes(square, middle, std::sqrt(2), 100, *springs, {.reach = 0.2});
   for (const double by : tilted.by) CHECK(by == Approx(100 * 0.2 * std::sqrt(0.5)));
-  // A plane fits any heights of three robots, and of two at the ends of a line.
+  // A plane fits any heights of three robots, or of two ends of a line.
   const Points three{{0, 0}, {1, 0}, {0, 1}}, two{{0, 0.5}, {1, 0.5}};
   const Vec2 third(0.3, 0.3);
   const auto of_three = spring_loads(three, third, 2, 100),
@@ -134,7 +133,7 @@ TEST_CASE("the worst load while C may be off is that at the worst place of C",
     const auto worst = worst_loads(set.robots, set.centre, set.diameter, 1, reach);
     REQUIRE(worst);
     INFO(number << ", " << set.kind << ", reach " << reach);
-    // The worst load of a robot while C is at this angle of the circle; below 0 where it tips.
+    // A robot's worst load with C at this angle of the circle; below 0 where it tips.
     const auto load_at = [&](std::size_t robot, double angle) {
       const Vec2 centre = set.centre + reach * Vec2(std::cos(angle), std::sin(angle));
       const auto here = worst_loads(set.robots, centre, set.diameter, 1);
@@ -152,7 +151,7 @@ TEST_CASE("the worst load while C may be off is that at the worst place of C",
     }
     for (std::size_t robot = 0; robot < set.robots.size(); ++robot) {
       const Vec2 to = set.robots[robot] - set.centre;
-      // A load falls along each ray from its robot: C is worst at the robot, or on the circle.
+      // Loads fall along rays from the robot: C is worst at it, or on the circle.
       double angle = std::atan2(to.y(), to.x());
       double sampled = length(to) <= reach ? 1 : load_at(robot, angle);
       for (std::size_t i = 0; i < directions; ++i) {
@@ -182,10 +181,10 @@ TEST_CASE("a capacity allows as much uncertainty as its first robot has room for
   CHECK(within(30, 12) == 4.0);
   CHECK(within(30, 10) == 0.0);
   CHECK_FALSE(within(30, 9.9));
-  // Nothing is promised beyond the radius at which a robot goes slack or the object tips.
+  // Nothing is promised beyond where a robot goes slack or the object tips.
   CHECK(within(30, 1000) == 20.0);
   CHECK(within(3, 1000) == 3.0);
-  // Other reasons for change leave less room.
+  // Other changes leave less room.
   const std::vector<std::optional<double>> twelve(2, 12);
   CHECK(radius_within_capacity(springs, 30, twelve, {1, false, {1, 0}, {}}, 2) == 2.0);
   CHECK(radius_within_capacity(springs, 3, twelve, {1, false, {0, 0}, {}}, 2) == 1.0);

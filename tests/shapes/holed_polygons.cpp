@@ -14,7 +14,7 @@ using evenlift::Rng;
 using oracle::Point;
 using oracle::Ring;
 
-/// A star about the origin with radii from `least` to 1; with equal radii a convex ring.
+/// A star with radii from `least` to 1; a convex ring if they are equal.
 Ring ring_about_origin(Rng& rng) {
   const std::size_t n = 3 + rng.below(7);
   const double least = rng.below(2) == 0 ? 1 : 0.3;
@@ -49,7 +49,7 @@ struct Bounds {
   double size() const { return std::max(high[0] - low[0], high[1] - low[1]); }
 };
 
-/// A ring that fits about a random point, or nothing.
+/// About a random point, if it fits.
 std::optional<Ring> hole_in(const Ring& outline, const std::vector<Ring>& holes, Rng& rng) {
   const Bounds bounds(outline);
   const double right = rng.uniform(), up = rng.uniform();
@@ -75,7 +75,7 @@ std::optional<Ring> hole_in(const Ring& outline, const std::vector<Ring>& holes,
   return placed(shape, middle, scale);
 }
 
-/// Distinct points of a grid, joined in any order.
+/// Distinct points of a grid in any order.
 Ring careless_ring(Rng& rng, std::size_t side) {
   const std::size_t n = 3 + rng.below(3);
   std::set<Point> seen;
@@ -89,7 +89,7 @@ Ring careless_ring(Rng& rng, std::size_t side) {
   return ring;
 }
 
-/// A rectangle of the grid, with perhaps a vertex on a side.
+/// Of the grid, perhaps with a vertex on a side.
 Ring rectangle(Rng& rng, std::size_t side) {
   const double x = static_cast<double>(rng.below(side)), y = static_cast<double>(rng.below(side));
   const double width = static_cast<double>(1 + rng.below(side)),
@@ -100,7 +100,7 @@ Ring rectangle(Rng& rng, std::size_t side) {
   return ring;
 }
 
-/// Half as large, about the middle of its vertices: often within the ring.
+/// About the middle of its vertices: often within the ring.
 Ring halved(const Ring& ring) {
   Point sum{0, 0};
   for (const Point& p : ring) sum = {sum[0] + p[0], sum[1] + p[1]};

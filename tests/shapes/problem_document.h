@@ -30,7 +30,7 @@ inline std::vector<Points> points_of(const std::vector<oracle::Ring>& rings) {
   return points;
 }
 
-// The object as a problem, with its centroid as C.
+// With its centroid as C.
 inline oracle::Problem problem_of(const PolygonWithHoles& object) {
   oracle::Problem problem;
   problem.vertices = ring_of(object.outline().vertices());

@@ -33,8 +33,7 @@ class Draw {  // splitmix64
   std::uint64_t state_;
 };
 
-/// (cos, sin) of a turn by 2 pi f, f in [0, 1]: Taylor's series for a 16th of it, squared four
-/// times.
+/// (cos, sin) of 2 pi f, f in [0, 1]: Taylor's series for a 16th, squared four times.
 Point turn(double f) {
   const double x = f * 6.283185307179586 / 16;
   double c = 1, s = x, term = x;
@@ -84,7 +83,7 @@ Points on_ellipse(Draw& draw) {
 
 Points star(Draw& draw) {
   const int n = draw.chance(10) ? draw.between(20, 30) : draw.between(5, 12);
-  const bool even = draw.chance(30);  // a regular star, with every possible tie
+  const bool even = draw.chance(30);  // regular, with every possible tie
   const double inner = draw.between(2.0, 8.0);
   Points p;
   for (int i = 0; i < n; ++i)
@@ -94,7 +93,7 @@ Points star(Draw& draw) {
 }
 
 Points comb(Draw& draw) {
-  // A C-shaped frame with teeth on both arms facing each other, or one arm alone.
+  // A C-shaped frame with teeth on both arms, or one arm alone.
   const int teeth = draw.between(1, 4);
   const bool even = draw.chance(50);
   const auto height = [&] { return even ? 4.0 : draw.between(2.0, 4.5); };
@@ -130,8 +129,7 @@ Points spiral(Draw& draw) {
   return p;
 }
 
-/// A closed walk through the points without crossings: crossing edges are reconnected until there
-/// are none.
+/// A closed walk through the points: crossing edges are reconnected until there are none.
 Points untangled(Points p) {
   const std::size_t n = p.size();
   for (int round = 0; round < 400; ++round) {
@@ -172,7 +170,7 @@ Points on_grid(Draw& draw) {
   return untangled(p);
 }
 
-/// Only upright and level edges; often mirror-symmetric.
+/// Upright and level edges; often mirror-symmetric.
 Points staircase(Draw& draw) {
   const int columns = draw.between(1, 5);
   const bool mirrored = draw.chance(50);
@@ -194,7 +192,7 @@ Points staircase(Draw& draw) {
   return p;
 }
 
-/// Mirror-symmetric about the vertical through 0, or symmetric about the point 0.
+/// About the vertical through 0, or about the point 0.
 Points symmetric(Draw& draw) {
   const int k = draw.between(2, 6);
   Points half;
@@ -212,7 +210,7 @@ Points symmetric(Draw& draw) {
   return p;
 }
 
-/// Vertices in the middle of edges: exactly there if the coordinates permit it.
+/// In the exact middle of edges, if coordinates permit.
 void add_straight_vertices(Points& p, Draw& draw) {
   for (std::size_t i = 0; i < p.size() && p.size() < 30; ++i) {
     if (!draw.chance(30)) continue;
@@ -223,7 +221,7 @@ void add_straight_vertices(Points& p, Draw& draw) {
   }
 }
 
-/// A change that is hard for doubles. If C is given, it is also changed.
+/// Hard for doubles. C changes too, if given.
 std::string transform(Points& p, std::optional<Point>& c, Draw& draw) {
   const auto each = [&](auto change) {
     for (Point& q : p) q = change(q);
@@ -255,7 +253,7 @@ std::string transform(Points& p, std::optional<Point>& c, Draw& draw) {
       each([&](const Point& q) { return Point{q[0] * k, q[1] * k}; });
       return " scaled";
     }
-    case 5: {  // noise as from a file with few digits or a dragged vertex
+    case 5: {  // as from few digits in a file, or a dragged vertex
       const double step = draw.one_of({1e-14, 1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 1e-3});
       for (Point& q : p)
         for (double& x : q) x += step * draw.between(-1.0, 1.0);
@@ -269,13 +267,13 @@ std::string transform(Points& p, std::optional<Point>& c, Draw& draw) {
   }
 }
 
-/// With `hairs`, sometimes a centre that is a hair off an edge's line or a vertex.
+/// `hairs` permits a centre a hair off an edge's line or a vertex.
 std::optional<Point> choose_centre(const Points& p, Draw& draw, std::string& name, bool hairs) {
   const int n = static_cast<int>(p.size());
   const auto vertex = [&](int i) -> const Point& { return p[static_cast<std::size_t>(i % n)]; };
   const int i = draw.below(n), j = draw.below(n), k = draw.below(n);
   switch (draw.below(hairs ? 11 : 10)) {
-    case 10: {  // nearer to a vertex or to an edge's line than the tolerance, or just not
+    case 10: {  // just within the tolerance of a vertex or an edge's line, or just not
       name += ", C a hair off";
       const double s = draw.one_of({0.0, 0.5, 1.5, -1.0}),
                    hair = draw.one_of({1e-15, 1e-12, 1e-10, 1e-7}) * 10;

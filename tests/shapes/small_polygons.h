@@ -1,6 +1,6 @@
-// Small polygons with settings, one for each number, for comparing the core with the oracle: every
-// family, with an emphasis on hard cases (ties, collinear points, thin, far away). They are the
-// same on every platform: own generator, own sine.
+// Small polygons with settings, one per number, for comparing the core with the oracle: every
+// family, mostly hard (ties, collinear points, thin, far away). Own generator and sine make them
+// the same on every platform.
 #pragma once
 
 #include "oracle/oracle.h"
@@ -16,28 +16,26 @@ struct Case {
   oracle::Problem problem;
 };
 
-/// The families, in the order in which `make_case` cycles through them.
+/// As `make_case` cycles through them.
 inline constexpr const char* families[] = {"regular", "convex", "star",      "comb",     "spiral",
                                            "random",  "grid",   "staircase", "symmetric"};
 
-/// One attempt at the case of that number, of family number % 9. Most are valid.
+/// Of family number % 9. Most are valid.
 Case attempt_case(std::uint64_t number, std::uint64_t attempt);
 
-/// The first attempt that the oracle accepts.
+/// The first that the oracle accepts.
 Case make_case(std::uint64_t number);
 
-/// One attempt at a case of the same families with all difficulty in the shape: symmetric, with
-/// straight vertices, parallel edges and centres of mass in awkward places, but never within a few
-/// tolerances of another shape.
+/// All difficulty is in the shape: symmetric, with straight vertices, parallel edges and centres in
+/// awkward places, but never within a few tolerances of another shape.
 Case attempt_plain_case(std::uint64_t number, std::uint64_t attempt);
 
-/// The first attempt that the oracle accepts.
 Case make_plain_case(std::uint64_t number);
 
-/// Points joined in any order, on a grid so small that they often touch: rarely valid.
+/// In any order, on a grid so small that they often touch: rarely valid.
 Case make_careless_case(std::uint64_t number);
 
-/// Cases made by hand, each for one difficulty; all valid.
+/// Each has one difficulty; all are valid.
 std::vector<Case> hand_made();
 
 }  // namespace small_polygons

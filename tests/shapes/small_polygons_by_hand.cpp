@@ -1,4 +1,3 @@
-// Small polygons made by hand, each for one difficulty.
 #include "shapes/small_polygons.h"
 
 namespace small_polygons {

@@ -1,4 +1,4 @@
-// Separate from small_polygons.cpp, which programs without the oracle also use.
+// Apart from small_polygons.cpp, which programs use without the oracle.
 #include "shapes/small_polygons.h"
 
 namespace small_polygons {

@@ -1,17 +1,17 @@
-// Checks that the native and the WebAssembly program print the same fingerprints of the same documents. Each call
-// covers many documents; if two lines differ, the batch is repeated one document at a time.
+// Checks that the native and the WebAssembly program print the same fingerprints. Calls cover many documents; if two
+// lines differ, the batch is repeated one document at a time.
 import { run } from "./run.mjs";
 
 const batch = 1000;
 const mostBatchesAtATime = 10;
-// For a batch that hangs: a hundred times its duration on an idle machine.
+// If a batch hangs: a hundred times its usual duration.
 const secondsForABatch = 120;
 const mostDifferences = 20;
 
 const ask = (program, first, count, ...more) =>
   run([...program, `${first}`, `${count}`, ...more], { seconds: secondsForABatch * Math.ceil(count / batch) });
 
-// The first document of the batch on which the two disagree; `ended` describes how the two ended on the whole batch.
+// The first document on which the two disagree; `ended` says how they ended on the whole batch.
 async function findDocument({ native, webAssembly, first, count, ended }) {
   const [a, b] = await Promise.all([ask(native, first, count, "each"), ask(webAssembly, first, count, "each")]);
   for (let i = 0; i < count; ++i) {
@@ -26,7 +26,7 @@ async function findDocument({ native, webAssembly, first, count, ended }) {
   return { number: first, problem: `a batch of ${count} differs, but none of its documents by itself (${ended})` };
 }
 
-// Compares `count` documents from `first` on. Returns the number on which the programs agree, and the differences.
+// Compares `count` documents from `first` on. Returns the number that agree, and the differences.
 export async function compareBatches({ native, webAssembly, first, count, most = mostDifferences }) {
   const [a, b] = await Promise.all([ask(native, first, count), ask(webAssembly, first, count)]);
   const ended = `native: ${a.ending}, WebAssembly: ${b.ending}`;
@@ -40,8 +40,7 @@ export async function compareBatches({ native, webAssembly, first, count, most =
   return { cases, different };
 }
 
-// Compares documents until the time is over: at first one batch, then the number of batches that fit into the remaining
-// time.
+// Compares until the time is over: one batch, then as many as fit into the rest.
 export async function compareStreams({ native, webAssembly, first, seconds, chunk = batch }) {
   const began = performance.now();
   const left = () => seconds * 1000 - (performance.now() - began);

@@ -1,4 +1,4 @@
-// The comparison of the native program with the WebAssembly one, tried with programs that differ on purpose.
+// The comparison itself, with programs that differ on purpose.
 import assert from "node:assert/strict";
 import test from "node:test";
 

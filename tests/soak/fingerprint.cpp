@@ -1,12 +1,12 @@
-// evenlift's output for an endless series of documents, as hashes: compiled natively and to
-// WebAssembly, the two must print the same lines.
+// evenlift's output for an endless series of documents, as hashes, in lines that must be the same
+// natively and in WebAssembly.
 //
 //   evenlift_fingerprint FIRST COUNT        for each 1,000 documents: first number, hash
 //   evenlift_fingerprint FIRST COUNT each   for each document: number, hash
-//   evenlift_fingerprint show NUMBER        the hashed text of that document, for comparison
+//   evenlift_fingerprint show NUMBER        that document's hashed text, for comparison
 //
-// A document is made from its number alone. Everything here must be the same on every platform,
-// including the making of the document, which is part of the hash.
+// A document is made from its number alone. Everything must be the same on every platform, also the
+// making of the document, which is part of the hash.
 #include <cinttypes>
 #include <cstddef>
 #include <cstdint>
@@ -52,13 +52,12 @@ class Hash {
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
-// The small polygons of the tests, with an emphasis on hard cases. Some are refused, and the reason
-// must also be the same.
+// The tests' small polygons, mostly hard. Of those refused, the reason must also be the same.
 Document small_document(std::uint64_t number) {
   return testing::document_of(small_polygons::attempt_case(number, 0).problem);
 }
 
-// A polygon of a generator's family; one in a hundred is large.
+// Of a generator's family; one in a hundred is large.
 Document generated_document(Rng& rng) {
   const Family family = all_families[rng.below(std::size(all_families))];
   const std::uint64_t size = rng.below(100);
@@ -68,7 +67,7 @@ Document generated_document(Rng& rng) {
   Document document;
   if (auto points = generate(family, static_cast<std::size_t>(n), rng.below(1u << 30)))
     document.vertices = *std::move(points);
-  // Between three vertices, and so in the convex hull.
+  // Between three vertices, so in the convex hull.
   if (rng.below(3) == 0 && !document.vertices.empty()) {
     Vec2 sum = Vec2::Zero();
     for (int i = 0; i < 3; ++i)
@@ -78,7 +77,7 @@ Document generated_document(Rng& rng) {
   return document;
 }
 
-// Robots at vertices, on edges, or somewhere between, which may be outside the object.
+// At vertices, on edges, or between, perhaps outside the object.
 void add_supports(Rng& rng, Document& document) {
   Settings& settings = document.settings;
   const Points& vertices = document.vertices;
@@ -116,9 +115,8 @@ Settings settings_from(Rng& rng) {
   return settings;
 }
 
-// In one document of four, where the method allows it, robots have a size, and sometimes there is a
-// no-go edge. Sized balanced robots take by far the longest to find, so they are in only one of
-// twenty.
+// One in four gets a size where the method allows it, and sometimes a no-go edge. Sized balanced
+// robots take by far the longest, so only one in twenty.
 void give_size(Rng& rng, Document& document) {
   const bool has_size = rng.below(document.settings.method == Method::balanced ? 20 : 4) == 0;
   const double size = rng.uniform() / 20, parts[] = {0, 0.5, 1};
@@ -142,8 +140,7 @@ Document document_of(std::uint64_t number) {
   return document;
 }
 
-// Passes `take` one text after another: the document, its results, and for some documents one of
-// the other outputs.
+// Passes each text to `take`: the document, its results, and sometimes one other output.
 template <class Take>
 void say_all(std::uint64_t number, Take take) {
   const Document document = document_of(number);

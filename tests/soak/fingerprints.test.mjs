@@ -1,4 +1,4 @@
-// Native and WebAssembly give the same results for 2,000 documents: of every family, with every method and setting.
+// Native and WebAssembly agree on 2,000 documents of every family, with every method and setting.
 import assert from "node:assert/strict";
 import path from "node:path";
 import test from "node:test";

@@ -1,8 +1,8 @@
-// Runs a program to its end and returns its output line by line, both streams together.
+// Runs a program and returns its output line by line, both streams together.
 import { spawn } from "node:child_process";
 import readline from "node:readline";
 
-// `seconds` is the limit for a program that hangs; then it is killed, and `ending` records that.
+// After `seconds` a hanging program is killed, and `ending` records that.
 export function run([program, ...args], { seconds = 600, onLine = () => {} } = {}) {
   return new Promise((resolve) => {
     const child = spawn(program, args, { stdio: ["ignore", "pipe", "pipe"] });

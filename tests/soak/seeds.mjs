@@ -1,4 +1,4 @@
-// The fuzzers, and their first texts, from the project's own assets and tests.
+// The fuzzers, and their first texts from the project's assets and tests.
 import { mkdir, readFile, readdir, writeFile } from "node:fs/promises";
 import path from "node:path";
 
@@ -7,7 +7,7 @@ const textsOf = async (folder) => {
   return Promise.all(names.map((name) => readFile(path.join(folder, name), "utf8")));
 };
 
-// A column of a table in tests/data (tests/kit/data_table.h), where texts are JSON strings or bare.
+// Of a table in tests/data (tests/kit/data_table.h); texts are JSON strings or bare.
 const column = async (root, file, index) => {
   const rows = (await readFile(path.join(root, "tests/data", file), "utf8")).split("\n");
   const cells = rows.filter((line) => line && !line.startsWith("#")).map((line) => line.split("\t")[index]);
@@ -27,7 +27,7 @@ const written = [
   '{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,3],[0,0]]]}',
   '{"type":"Feature","properties":{"centre_of_mass":[1,1]},"geometry":{"type":"Polygon","coordinates":[[[0,0],[4,0],[4,3],[0,0]]]}}',
 ];
-// In addition to the files of tests/data/import.
+// Besides tests/data/import.
 const drawn = [
   '<svg><path d="M0 0C1 0 2 1 2 2S0 4 0 3zm9 9a1 2 30 0110 0q1 1 2 0t3 4z"/><rect x="1" width="3mm" height="2" rx=".5" transform="rotate(30)skewX(3)"/></svg>',
   '<svg><ellipse rx="3" ry="2"/><polyline points="0,0 1e1,0 0-3"/><polygon points="0 0 4 0 4 3"/><circle r="2"/></svg>',
@@ -58,7 +58,7 @@ const settings = [
   "weight=1e100\nmin_ratio=1",
 ];
 
-// Bytes for tests/fuzz/any_numbers.h: choices and doubles, all of them unusual.
+// For tests/fuzz/any_numbers.h: choices and unusual doubles.
 const numbers = ["", "\0\x01\x02\x03".repeat(40), "\x04\x07\x7f\x01".repeat(40), "0123456789abcdef".repeat(10)];
 
 const square = '"polygon": [[0, 0], [4, 0], [4, 3], [0, 3]]';
@@ -73,7 +73,7 @@ const requests = [
   '{"command": "version"}',
 ];
 
-// The texts that the page keeps (tests/fuzz/fuzz_kept.cpp), separated by a byte 0.
+// The page's kept texts (tests/fuzz/fuzz_kept.cpp), separated by bytes 0.
 const kept = async (root) => {
   const [polygon] = await polygons(root);
   const some = (await links(root)).slice(0, 6);
@@ -114,7 +114,7 @@ export const fuzzers = {
   kept: { what: "kept work", longest: 2048, seeds: kept },
 };
 
-// Writes the fuzzer's seeds into a folder, and returns its name.
+// Returns the name of the folder.
 export async function writeSeeds(root, name) {
   const folder = path.join(root, "build/soak/seeds", name);
   await mkdir(folder, { recursive: true });

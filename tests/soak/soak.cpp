@@ -1,11 +1,11 @@
 // Searches for cases that break a promise, from an untried number on:
 //
-//   evenlift_soak KIND FIRST SECONDS   one case after another, until the time is over
+//   evenlift_soak KIND FIRST SECONDS   case after case, until the time is over
 //   evenlift_soak KIND NUMBER          one case
 //
-// Kinds: `oracle` compares the core with the exact oracle; `one-shape` compares a shape with its
-// copies, turned, mirrored, moved and scaled. Prints each failure with the command that repeats it,
-// and at the end one line: the numbers of cases tried, skipped and failed.
+// Kinds: `oracle` compares the core with the exact oracle; `one-shape` compares a shape with copies
+// turned, mirrored, moved and scaled. Prints each failure with the command that repeats it, and at
+// the end one line: the numbers of cases tried, skipped and failed.
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -86,7 +86,7 @@ void attempt(const Kind& kind, std::uint64_t number, Totals& totals) {
   std::fflush(stdout);
 }
 
-// A search with this number of failures has found a broken rule, not a rare case.
+// So many failures show a broken rule, not a rare case.
 constexpr std::uint64_t most_failures = 20;
 
 Totals search(const Kind& kind, std::uint64_t first, std::uint64_t seconds) {

@@ -1,11 +1,11 @@
-// `./dev soak` after everything is built: searches for broken promises with fresh seeds, and reports what was tried.
+// `./dev soak` after the build: searches for broken promises with fresh seeds.
 //
 //   node tests/soak/soak.mjs [--compare] [MINUTES] [SEED]
 //
-// With --compare, only the comparisons run: the core against the oracle and against itself, native against WebAssembly.
-// They need no build but that of `./dev test`; fuzzing needs all code once more, instrumented.
-// Searches run side by side, one for each processor, for MINUTES in all. Prints every failure with the command that
-// repeats it, and a table at the end. The exit status is 0 if nothing failed.
+// --compare runs only comparisons: the core against the oracle and itself, native against WebAssembly. They need only
+// the build of `./dev test`; fuzzing needs all code once more, instrumented. Searches run side by side, one per
+// processor, for MINUTES in all. Prints every failure with the command that repeats it, and finally a table. The exit
+// status is 0 if nothing failed.
 import { randomBytes } from "node:crypto";
 import { existsSync } from "node:fs";
 import { mkdir, rm } from "node:fs/promises";
@@ -21,10 +21,9 @@ const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..")
 const bin = path.join(root, "build/bin");
 const found = path.join(root, "build/soak/found");
 
-// One row of the table.
 const row = (kind, cases, passedOver, failures) => ({ kind, cases, passedOver, failures });
 
-// The searches of the C++ program: the oracle, and one shape, one answer.
+// The C++ program's searches: the oracle, and one shape, one answer.
 const searchOf = (kind) => async (seconds, seed) => {
   const program = path.join(bin, "evenlift_soak");
   const { lines, status, ending } = await run([program, kind, `${seed}`, `${Math.ceil(seconds)}`], {
@@ -68,7 +67,7 @@ const fuzz = (name) => async (seconds, seed) => {
       `-seed=${(seed % 0xffffffff) + 1}`,
       `-max_len=${fuzzers[name].longest}`,
       `-artifact_prefix=${found}/${name}-`,
-      "-timeout=120", // far more than an input of this length takes, even on a busy machine
+      "-timeout=120", // far more than such an input takes, even on a busy machine
       "-rss_limit_mb=2048",
       "-print_final_stats=1",
       corpus,
@@ -85,7 +84,7 @@ const fuzz = (name) => async (seconds, seed) => {
   return row(kind, Number(executed?.[1] ?? 0), 0, 1);
 };
 
-// The searches, each with its part of the time.
+// With their parts of the time.
 const comparisons = [
   { part: 4, search: searchOf("oracle") },
   { part: 4, search: searchOf("one-shape") },
@@ -93,7 +92,7 @@ const comparisons = [
 ];
 const fuzzing = Object.keys(fuzzers).map((name) => ({ part: 1, search: fuzz(name) }));
 
-// Runs the searches, `together` at a time, in about this many seconds. Returns their rows, in the order of the table.
+// `together` at a time, in about this many seconds. Returns the table's rows in order.
 async function runAll(searches, seconds, seed, together) {
   const parts = searches.reduce((sum, { part }) => sum + part, 0);
   const rows = [];
@@ -133,7 +132,7 @@ async function main([...argv]) {
   const onlyCompares = argv[0] === "--compare";
   if (onlyCompares) argv.shift();
   const minutes = numberFrom(argv[0] ?? "10", "the minutes", 0.1, 10000);
-  // Far below 2^53, so that counting up from it stays exact.
+  // Far below 2^53, to count up from it exactly.
   const seed = argv[1] === undefined ? randomBytes(6).readUIntBE(0, 6) : numberFrom(argv[1], "the seed", 0, 2 ** 48);
   console.log(`evenlift: soaking for ${minutes} minutes, seed ${seed}`);
   await rm(found, { recursive: true, force: true });

@@ -1,5 +1,5 @@
-// Whether a robot can stand at a place, by the four conditions and nothing else: every edge is
-// checked, those of holes included, and counting crossings decides whether a point is in the object. Also whether two robots
+// Whether a robot can stand at a place, by the four conditions alone: every edge is checked, also
+// of holes, and counted crossings decide whether a point is in the object. Also whether robots
 // collide, by bodies, arms and hands.
 #pragma once
 
@@ -13,8 +13,7 @@ namespace evenlift::testing {
 
 class StandOracle {
  public:
-  // `slack` is the distance from its bound beyond which a condition surely counts as broken or
-  // kept.
+  // Beyond `slack` from its bound, a condition is surely broken or kept.
   StandOracle(const Polygon& polygon, const RobotSize& robot, const std::vector<EdgePart>& no_go,
               const std::vector<Polygon>& holes = {})
       : polygon_(polygon),
@@ -43,8 +42,8 @@ class StandOracle {
     return verdict;
   }
 
-  // Whether two robots, given by their contacts, can stand beside each other, if each can stand
-  // alone. For the tests, collisions of bodies, arms and hands are counted separately.
+  // Whether robots that can stand alone, given by their contacts, can stand beside each other.
+  // Collisions of bodies, arms and hands are counted separately for the tests.
   struct Clashes {
     int bodies = 0, arms = 0, hands = 0;
   };
@@ -75,8 +74,8 @@ class StandOracle {
   }
 
  private:
-  // The distance of the hand from the no-go part of another edge within the strip beneath the
-  // hand's own edge, w/10 deep; 0 where that depends on the strip's bounds.
+  // From the hand to the no-go part of another edge, within the strip w/10 deep beneath the hand's
+  // edge; 0 where that depends on the strip's bounds.
   double room_beside(const EdgePart& no, const Vec2& c, const Vec2& along, const Vec2& out) const {
     const Vec2 p = polygon_.edge_start(no.edge), way = polygon_.edge_end(no.edge) - p;
     const auto room = [&](double slack) {
@@ -104,25 +103,25 @@ class StandOracle {
     return polygon_.counter_clockwise() ? Vec2(along.y(), -along.x()) : Vec2(-along.y(), along.x());
   }
 
-  // Updates the verdict with the room for a condition: above 0 the condition is kept.
+  // Above 0, the condition is kept.
   void keep(Verdict& verdict, double room) const {
     if (room < -slack_) verdict = Verdict::cannot;
     if (std::fabs(room) <= slack_ && verdict == Verdict::stands) verdict = Verdict::unsure;
   }
 
-  // The distance of the segments p + [0, 1] u and q + [0, 1] v from crossing: negative by the
-  // amount by which they cross. Segments that are nearly parallel count as unsure if they overlap.
+  // How far the segments p + [0, 1] u and q + [0, 1] v are from crossing; negative by how much they
+  // cross. Nearly parallel ones are unsure if they overlap.
   double between(const Vec2& p, const Vec2& u, const Vec2& q, const Vec2& v) const {
     const double side = cross(u, v), sizes = length(u) * length(v);
     if (!(sizes > 0)) return 2 * slack_;
     if (std::fabs(side) < 1e-5 * sizes) return distance(p, u, q, v) > slack_ ? 2 * slack_ : 0;
     const double x = cross(q - p, v) / side, y = cross(q - p, u) / side;
     const double out_x = std::max(-x, x - 1) * length(u), out_y = std::max(-y, y - 1) * length(v);
-    // Seen from the side, an end slightly beyond the other segment is near to it.
+    // Seen from the side, an end slightly beyond the other segment is near it.
     return std::max(out_x, out_y) * std::fabs(side) / sizes;
   }
 
-  // The distance of segments that do not cross.
+  // If they do not cross.
   static double distance(const Vec2& p, const Vec2& u, const Vec2& q, const Vec2& v) {
     return std::min(std::min(to_segment(p, q, q + v), to_segment(p + u, q, q + v)),
                     std::min(to_segment(q, p, p + u), to_segment(q + v, p, p + u)));
@@ -141,7 +140,7 @@ class StandOracle {
         keep(to_segment(s, polygon_.edge_start(f), polygon_.edge_end(f)) - robot_.radius);
   }
 
-  // Visits all edges of the outline and of the holes but one of the outline.
+  // All edges except one of the outline.
   template <class Visit>
   void for_each_edge_but(std::size_t edge, Visit visit) const {
     for (std::size_t f = 0; f < polygon_.size(); ++f)
@@ -150,7 +149,7 @@ class StandOracle {
       for (std::size_t f = 0; f < hole.size(); ++f) visit(hole.edge_start(f), hole.edge_end(f));
   }
 
-  // The depth of a point inside the object; below 0 outside and in a hole.
+  // Below 0 outside and in a hole.
   double depth(const Vec2& s) const {
     bool inside = false;
     double nearest = 1e300;
@@ -175,7 +174,7 @@ class StandOracle {
     for (int k = 1; k <= samples; ++k) keep(-depth(c + k * way / samples * out));
   }
 
-  // The turn of the outline at a vertex in degrees, positive where it is convex.
+  // Positive where it is convex.
   double turn_in_degrees(std::size_t vertex) const {
     const Vec2 in = polygon_.vertex(vertex) - polygon_.vertex(polygon_.previous(vertex)),
                out = polygon_.vertex(polygon_.next(vertex)) - polygon_.vertex(vertex);
@@ -183,7 +182,7 @@ class StandOracle {
     return polygon_.counter_clockwise() ? turn : -turn;
   }
 
-  // An extra vertex on a straight side changes nothing.
+  // Extra vertices on straight sides change nothing.
   template <class Keep>
   void check_corners(std::size_t edge, const Vec2& c, Keep keep) const {
     for (const bool at_end : {false, true}) {
@@ -202,8 +201,8 @@ class StandOracle {
     check_corners(edge, c, keep);
     const double half = robot_.width / 2, from = robot_.width / 10, to = robot_.depth;
     if (from >= to) return;
-    // Parts thinner than the spacing of the samples below. A search that goes deeper meets a
-    // slanting edge slightly farther along.
+    // Parts thinner than the spacing of the samples below. A deeper search meets a slanting edge
+    // slightly farther along.
     const double aside = 20 * slack_;
     for_each_edge_but(edge, [&](const Vec2& start, const Vec2& end) {
       const auto seen = [&](const Vec2& p) { return Vec2(dot(p - c, along), -dot(p - c, out)); };
@@ -222,7 +221,7 @@ class StandOracle {
       }
   }
 
-  // Whether a segment meets a rectangle (Y.-D. Liang and B. Barsky, 1984).
+  // By Y.-D. Liang and B. Barsky, 1984.
   static bool meets(const Vec2& p, const Vec2& q, double half, double low_y, double high_y) {
     double begin = 0, end = 1;
     const auto clip = [&](double at, double way, double low, double high) {
@@ -239,8 +238,7 @@ class StandOracle {
     return begin <= end;
   }
 
-  // Whether a segment surely meets a rectangle: a line that only touches the end of the segment may
-  // be free.
+  // Surely meets it: a line that only touches the segment's end may be free.
   bool is_met(const Vec2& p, const Vec2& q, double half, double low_y, double high_y) const {
     if (half > 0) return meets(p, q, half, low_y, high_y);
     const Vec2 aside(slack_, 0);

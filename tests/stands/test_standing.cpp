@@ -1,4 +1,3 @@
-// Candidates, selection and balanced robots with robots that have a size.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -24,7 +23,7 @@ using namespace evenlift;
 
 namespace {
 
-// Some sizes in units of L, from a small body to all parts at once.
+// In units of L, from a small body to all parts at once.
 RobotSize size_number(int number, double diagonal) {
   const double d = diagonal;
   switch (number) {
@@ -47,7 +46,7 @@ Document sample(const std::string& name, int size, Method method = Method::area)
   return document;
 }
 
-// Whether all placed robots can stand, by the oracle at the contacts.
+// By the oracle at the contacts.
 void check_standing(const Placement& p) {
   REQUIRE(p.stands);
   const Stands& stands = *p.stands;
@@ -108,7 +107,7 @@ TEST_CASE("robots of every size stand where they can and never collide", "[stand
 }
 
 TEST_CASE("arms of robots that are placed keep off other bodies and arms", "[stands][slow]") {
-  // Without checking arms, the arm of robot 2 passed through the body of robot 6 here.
+  // Without checks of arms, robot 2's arm passed through robot 6's body here.
   const auto vertices = generate(Family::star, 19, 372);
   REQUIRE(vertices.ok());
   Document document;
@@ -131,7 +130,7 @@ TEST_CASE("arms of robots that are placed keep off other bodies and arms", "[sta
 
 namespace {
 
-// Whether a team can move to the candidate without colliding with the others.
+// Without colliding with the other teams.
 bool has_room(const Placement& p, const std::vector<std::uint32_t>& taken, std::size_t team,
               std::uint32_t candidate) {
   std::vector<LiftingPoint> robots{p.candidates[candidate].chord.r1,
@@ -212,7 +211,7 @@ TEST_CASE("as robots shrink the placement becomes that of points", "[stands]") {
     REQUIRE(robots.ok());
     INFO(name);
     ++compared;
-    // Where candidates tie, as in symmetric shapes, others may be chosen.
+    // Other candidates may win ties, as in symmetric shapes.
     same += std::fabs(robots->coverage - points->coverage) < 1e-4 ? 1 : 0;
   }
   CHECK(compared > 60);
@@ -239,7 +238,7 @@ TEST_CASE("a diagonal between opposite corners stays, as near to them as hands c
   document.settings.robot = {0.01, 0, 0, 0.1, 0};
   const auto placed = place(document);
   REQUIRE(placed.ok());
-  // Two through the middles of sides, and for each diagonal one near it on either pair of sides.
+  // Two through the middles of sides; for each diagonal, one near it on either pair of sides.
   CHECK(placed->candidates.size() == 6);
   document.settings.teams = 2;
   CHECK(place(document)->coverage > 0.85);
@@ -265,7 +264,7 @@ TEST_CASE("the best chord of cut edges is as good as any that is sampled", "[sta
     REQUIRE(found.ok());
     for (std::uint32_t a = 0; a < polygon->size(); ++a) {
       for (std::uint32_t b = 0; b < polygon->size(); ++b) {
-        // Chords from places on one edge through C to the other, with both ends usable.
+        // From places on one edge through C, with both ends usable.
         double best = 0;
         for (int k = 0; k < 200; ++k) {
           const double size = length(polygon->edge_end(a) - polygon->edge_start(a));
@@ -325,7 +324,7 @@ TEST_CASE("lines face each other as a look at every two of them says", "[stands]
       ++seen[std::min(i, j)][std::max(i, j)];
       return true;
     });
-    // A line and the mirror image of another are seen in a common direction.
+    // A line and another's mirror image are seen in a common direction.
     for (std::uint32_t i = 0; i < 30; ++i)
       for (std::uint32_t j = i + 1; j < 30; ++j) {
         bool facing = false;

@@ -1,4 +1,3 @@
-// Robots with a size in pictures and JSON.
 #include <nlohmann/json.hpp>
 #include <string>
 

@@ -1,4 +1,3 @@
-// Positions anywhere in the range for robots with a size.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -20,7 +19,7 @@ using namespace evenlift;
 
 namespace {
 
-// Some sizes in units of L, all without depth except the last two.
+// In units of L; only the last two have depth.
 RobotSize size_number(std::uint64_t number, double diagonal) {
   const double d = diagonal;
   switch (number % 5) {
@@ -42,7 +41,7 @@ struct Prepared {
   Stands stands;
 };
 
-// Generated objects of every family in which robots of some size can stand.
+// Of every family, where robots of some size can stand.
 std::vector<Prepared> prepared_objects() {
   std::vector<Prepared> objects;
   for (std::uint64_t number = 0; number < 80; ++number) {
@@ -68,7 +67,7 @@ Document sized(const std::string& name, const RobotSize& parts, Positions positi
   return document;
 }
 
-// The point across C on the line of an edge's lifting points; nothing if that line is not beyond C.
+// Across C on an edge's line of lifting points; nothing if that is not beyond C.
 std::optional<LiftingPoint> across(const Prepared& object, const Vec2& centre, const Vec2& from,
                                    std::uint32_t edge) {
   const Vec2 start = object.stands.lifting_point({object.polygon.edge_start(edge), edge}).position;
@@ -113,7 +112,7 @@ TEST_CASE("ranges of robots with a size are where both can stand and share evenl
           const double ratio = other ? std::min(arm / length(other->position - centre),
                                                 length(other->position - centre) / arm)
                                      : 0;
-          // Near an end of the usable part, or of the ratio, either answer is accepted.
+          // Either answer is accepted near an end of the usable part or the ratio.
           const auto usable = [&](std::uint32_t edge, double at) {
             return !object.stands.why_not(edge, at - slack) &&
                    !object.stands.why_not(edge, at + slack);
@@ -163,7 +162,7 @@ TEST_CASE("each range of robots with a size offers two candidates a sixteenth fr
       return std::any_of(offered->candidates.begin(), offered->candidates.end(),
                          [&](const Candidate& c) { return same_place(c.chord, chord, 4 * near); });
     };
-    // Every chord at the best positions is also in the ranges.
+    // Chords at the best positions are also in the ranges.
     for (const Candidate& candidate : best->candidates) CHECK(is_offered(candidate.chord));
     for (const Candidate& candidate : offered->candidates) {
       CHECK(object.stands.can_lift(candidate.chord.r1));
@@ -176,7 +175,7 @@ TEST_CASE("each range of robots with a size offers two candidates a sixteenth fr
       for (std::uint32_t b = a + 1; b < n; ++b) {
         const auto ranges = standing_ranges(object.polygon, centre, a, b, min_ratio, object.stands);
         if (ranges.empty()) continue;
-        // By the lengths along both edges, from an independent look at the ends.
+        // By the lengths along both edges, looking at the ends independently.
         std::size_t longest = 0;
         std::vector<double> ways;
         for (const PairRange& range : ranges) {
@@ -212,7 +211,7 @@ TEST_CASE("of ranges of two edges that are equally long within tolerance the fir
     PairRange range;
     range.a0 = {1, 0};
     range.a1 = {1, y};
-    return range;  // from end to end it is 2 y long, on both edges together
+    return range;  // 2 y long from end to end, on both edges together
   };
   CHECK(longest_range({up_to(1), up_to(1 + 1.5e-10)}, 1e-9) == 0);
   CHECK(longest_range({up_to(1), up_to(1 + 1.5e-9)}, 1e-9) == 1);
@@ -220,7 +219,7 @@ TEST_CASE("of ranges of two edges that are equally long within tolerance the fir
 
 TEST_CASE("robots with a size have the ranges that miss the minimum ratio by less than tolerance",
           "[stands][ranges]") {
-  // C is 4 from the lower side and 5 from the upper one.
+  // C is 4 from the lower side, 5 from the upper.
   const auto polygon = Polygon::create({{0, 0}, {10, 0}, {10, 9}, {0, 9}});
   REQUIRE(polygon.ok());
   const Stands stands(solid(*polygon), {1, 0, 0, 0, 0}, {});
@@ -288,7 +287,7 @@ TEST_CASE("as robots in their ranges shrink the placement becomes that of points
       REQUIRE(robots.ok());
       INFO(name);
       ++compared;
-      // Where candidates tie, as in symmetric shapes, others may be chosen.
+      // Other candidates may win ties, as in symmetric shapes.
       same += std::fabs(robots->coverage - points->coverage) < 1e-4;
     }
   }
@@ -355,8 +354,7 @@ TEST_CASE("the steps of ranges tell robots with a size where they can stand",
 
 TEST_CASE("what a pair is said to offer to robots with a size is its best chord",
           "[stands][trace]") {
-  // Both no-go parts end on one chord of ratio 0.6, which comes before the even one in order of
-  // slope.
+  // Both no-go parts end on one chord of ratio 0.6, before the even one by slope.
   const auto polygon = Polygon::create({{-3, -1}, {3, -1}, {3, 1}, {-3, 2}});
   REQUIRE(polygon.ok());
   const Vec2 centre(0, 0);

@@ -26,7 +26,7 @@ Polygon made(Points vertices) {
 
 Polygon square() { return made({{0, 0}, {1, 0}, {1, 1}, {0, 1}}); }
 
-// An L with a reflex corner at (1, 1).
+// Its reflex corner is at (1, 1).
 Polygon corner() { return made({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}); }
 
 // About the origin, with a corner at (radius, 0).
@@ -39,7 +39,7 @@ Polygon regular(int corners, double radius) {
   return made(vertices);
 }
 
-// A bean: convex curves and one hollow curve, in sides of equal turns.
+// Convex curves and one hollow curve, in sides of equal turns.
 Polygon bean(int sides) {
   Points vertices;
   const auto add_arc = [&](const Vec2& middle, double radius, double from, double to) {
@@ -64,7 +64,7 @@ std::vector<Stretch> stretches(const Stands& stands, std::uint32_t edge) {
   return {stands.usable(edge).begin(), stands.usable(edge).end()};
 }
 
-// Checks the order and the bounds of the usable ranges.
+// The order and bounds of the usable ranges.
 void check_order(const Polygon& polygon, const Stands& stands) {
   const double near = near_distance(polygon.diameter());
   for (std::uint32_t edge = 0; edge < polygon.size(); ++edge) {
@@ -80,7 +80,7 @@ void check_order(const Polygon& polygon, const Stands& stands) {
   }
 }
 
-// Compares with the oracle at places along each edge. Returns the number of certain answers.
+// At places along each edge. Returns the number of certain answers.
 int compare(const Polygon& polygon, const RobotSize& robot, const std::vector<EdgePart>& no_go,
             int places) {
   const Stands stands(solid(polygon), robot, no_go);
@@ -121,7 +121,7 @@ TEST_CASE("a point without marked edges can stand anywhere, and nothing is compu
 
 TEST_CASE("a robot keeps its radius from a reflex corner", "[stands]") {
   const Stands stands(solid(corner()), sized(0.25), {});
-  // The edge from (3, 1) to (1, 1) ends at the reflex corner.
+  // From (3, 1) to the reflex corner (1, 1).
   REQUIRE(stretches(stands, 2).size() == 1);
   CHECK(stretches(stands, 2)[0].to == Approx(1.75));
   REQUIRE(stretches(stands, 3).size() == 1);
@@ -135,11 +135,11 @@ TEST_CASE("with an arm, the other side of a notch is in the way of the body alon
   const Polygon polygon = made({{0, 0}, {5, 0}, {5, 3}, {3, 3}, {3, 1}, {2, 1}, {2, 3}, {0, 3}});
   CHECK(stretches(Stands(solid(polygon), sized(0.6), {}), 4).empty());
   CHECK(stretches(Stands(solid(polygon), sized(0.4), {}), 4).size() == 1);
-  // From the bottom of the notch, an arm of 2 and more reaches a body above it.
+  // From the notch's bottom, an arm of 2 and more reaches a body above it.
   const Stands armed(solid(polygon), sized(0.6, 2.7), {});
   REQUIRE(stretches(armed, 4).size() == 1);
   CHECK(stretches(armed, 4)[0].from == Approx(2e-9 * polygon.diagonal()));
-  // Its sides are too near to each other for an arm longer than their distance.
+  // No arm may be longer than its sides' distance.
   CHECK(stretches(Stands(solid(polygon), sized(0.01, 1.5), {}), 3).empty());
   CHECK(Stands(solid(polygon), sized(0.01, 1.5), {}).why_not(3, 1.5) == WhyUnusable::arm);
 }
@@ -161,7 +161,7 @@ TEST_CASE("a hand needs depth beneath it and half its width from corners", "[sta
   CHECK(stretches(stands, 0)[0].from == Approx(0.2));
   CHECK(stretches(stands, 0)[0].to == Approx(2.8));
   CHECK(stands.why_not(0, 0.1) == WhyUnusable::corner);
-  // Beside the reflex corner the object continues.
+  // The object continues beside the reflex corner.
   CHECK(stretches(stands, 2)[0].to == Approx(2));
   // The arms of the L are 1 wide.
   const Stands deep(solid(corner()), sized(0, 0, 1.5, 0.4), {});
@@ -182,8 +182,7 @@ TEST_CASE("a hand may be wider than the sides of a flattened curve, which has no
       CHECK(stretches(stands, edge)[0].to > side - 1e-8);
     }
   }
-  // The sagitta of a chord as long as the hand, here 0.134, is at most a tenth of it if the hand
-  // fits.
+  // The sagitta of a chord as long as the hand, 0.134 here, is at most a tenth of it.
   CHECK(Stands(solid(circle), sized(0, 0, 0.2, 1), {}).why_not(0, side / 2) == WhyUnusable::hand);
   CHECK(Stands(solid(circle), sized(0, 0, 1.97, 0.6), {}).why_not(0, side / 2) ==
         WhyUnusable::hand);
@@ -205,7 +204,7 @@ TEST_CASE("next to the edge a hand may stick out by a tenth of its width", "[sta
   CHECK(stretches(stands, 0)[0].to == Approx(1.8));
   CHECK(stands.why_not(0, 0.9) == WhyUnusable::corner);
   CHECK(stands.why_not(0, 1.9) == WhyUnusable::hand);
-  // A hand that is less deep only has to avoid corners.
+  // A shallower hand only avoids corners.
   const Stands flat(solid(polygon), sized(0, 0, 0.15, 2), {});
   REQUIRE(stretches(flat, 0).size() == 1);
   CHECK(stretches(flat, 0)[0].from == Approx(1));
@@ -222,7 +221,7 @@ TEST_CASE("a hand that meets no edge is still not beneath an object that is too 
   CHECK(Stands(solid(plate), robot, {}).why_not(2, 5) == WhyUnusable::hand);
   const Polygon wedge = made({{0, 0}, {10, -0.25}, {10, 0.25}});
   CHECK(Stands(solid(wedge), robot, {}).why_not(0, 1.5) == WhyUnusable::hand);
-  // Beyond a slit the object continues.
+  // The object continues beyond a slit.
   const Polygon slit =
       made({{0, 0}, {10, 0}, {10, 0.05}, {2, 0.05}, {2, 0.1}, {10, 0.1}, {10, 5}, {0, 5}});
   CHECK_FALSE(Stands(solid(slit), robot, {}).why_not(0, 5));
@@ -268,7 +267,7 @@ TEST_CASE("the whole width of a hand keeps off what is marked", "[stands]") {
   CHECK(stands.why_not(0, 0.35) == WhyUnusable::near_no_go);
   CHECK(stands.why_not(0, 0.65) == WhyUnusable::near_no_go);
   CHECK_FALSE(stands.why_not(0, 0.29));
-  // The listed no-go part is exactly the given one.
+  // The no-go part is exactly the given one.
   for (const UnusablePart& part : stands.unusable())
     if (part.edge == 0 && part.why == WhyUnusable::no_go) {
       CHECK(part.part.from == Approx(0.4));
@@ -276,9 +275,9 @@ TEST_CASE("the whole width of a hand keeps off what is marked", "[stands]") {
     }
   REQUIRE(stretches(stands, 2).size() == 1);
   CHECK(stretches(stands, 2)[0].from == Approx(0.35));
-  // A no-go part on one edge does not reach around the corner.
+  // No-go parts do not reach around corners.
   CHECK(stretches(stands, 1)[0].to == Approx(0.9));
-  // Between two no-go parts there must be room for all of it.
+  // All of it needs room between two no-go parts.
   CHECK(stretches(Stands(solid(square()), sized(0, 0, 0, 0.2), {{0, 0, 0.4}, {0, 0.55, 1}}), 0)
             .empty());
   CHECK(stretches(Stands(solid(square()), sized(0.01, 0, 0, 0), {{0, 0, 0.4}, {0, 0.55, 1}}), 0)
@@ -306,7 +305,7 @@ TEST_CASE("every place is as the four conditions say", "[stands][thorough]") {
     const Polygon polygon = made(*vertices);
     const double size = polygon.diagonal();
     RobotSize robot;
-    // Each size is present or absent, at random.
+    // Each is present or not, at random.
     for (double* value : {&robot.radius, &robot.reach, &robot.depth, &robot.width}) {
       const bool there = rng.below(3) > 0;
       const double part = rng.uniform();
@@ -347,7 +346,7 @@ TEST_CASE("every place of flattened curves is as the four conditions say", "[sta
   for (int number = 0; number < 60; ++number) {
     const int sides = 3 + static_cast<int>(rng.below(30));
     const Polygon polygon = number % 2 ? bean(sides) : regular(2 * sides + 1, 3);
-    // From hands narrower than the sides to hands for which no curve has room.
+    // From hands narrower than the sides to those that no curve has room for.
     RobotSize robot;
     robot.width = std::pow(0.9, static_cast<double>(rng.below(60))) * 4;
     robot.depth = robot.width * std::pow(0.8, static_cast<double>(rng.below(20))) * 2;
@@ -391,7 +390,7 @@ TEST_CASE("two robots collide by their bodies or by their hands", "[stands]") {
   CHECK(length(stands.stand(lifting(0.5)) - Vec2(0.5, -0.1)) < 1e-15);
   CHECK(stands.collide(lifting(0.2), lifting(0.44)));
   CHECK_FALSE(stands.collide(lifting(0.2), lifting(0.46)));
-  // Hands that cross beneath the object, of bodies far from each other.
+  // Hands cross beneath the object, of bodies far apart.
   const LiftingPoint from_left = stands.lifting_point({{0, 0.2}, 3});
   CHECK(stands.collide(lifting(0.2), from_left));
   CHECK_FALSE(stands.collide(lifting(0.6), from_left));
@@ -405,8 +404,8 @@ TEST_CASE("robots that are the gap apart but for rounding do not collide", "[sta
 }
 
 TEST_CASE("the arm of a robot keeps off another robot's body and arm", "[stands]") {
-  // Beside the reflex corner of the L one robot stands above the lower bar, and one to the right of
-  // the other bar. The middles of their bodies are (2, 2.6) and (2.6, y).
+  // One robot is above the L's lower bar, one to the right of its other bar, with bodies at (2,
+  // 2.6) and (2.6, y).
   const auto from_below = [](const Stands& stands) { return stands.lifting_point({{2, 1}, 2}); };
   const auto from_left = [](const Stands& stands, double y) {
     return stands.lifting_point({{1, y}, 3});
@@ -419,21 +418,21 @@ TEST_CASE("the arm of a robot keeps off another robot's body and arm", "[stands]
     REQUIRE(stands.can_lift(a));
     REQUIRE(stands.can_lift(b));
     CHECK(length(stands.stand(a) - stands.stand(b)) > 0.2);
-    // Up to 2.6 the arms cross; up to 2.7 the arm would pass through the body at its end.
+    // Up to 2.6 arms cross; up to 2.7 the arm passes through the body at its end.
     CHECK(stands.collide(a, b) == (y < 2.7));
     CHECK(stands.collide(b, a) == (y < 2.7));
     CHECK(stands.any_collide({a, b}) == (y < 2.7));
   }
-  // The gap also applies between an arm and a body.
+  // The gap also counts between arm and body.
   const Stands wider(solid(corner()), sized(0.1, 1.5, 0.2, 0.1, 0.05), {});
   CHECK(wider.collide(from_below(wider), from_left(wider, 2.74)));
   CHECK_FALSE(wider.collide(from_below(wider), from_left(wider, 2.76)));
-  // Arms cross even if bodies are points; arms that only touch do not.
+  // Arms of point bodies cross too; touching is no crossing.
   const Stands thin(solid(corner()), sized(0, 1.5), {});
   CHECK(thin.collide(from_below(thin), from_left(thin, 2.4)));
   CHECK_FALSE(thin.collide(from_below(thin), from_left(thin, 2.5)));
   CHECK_FALSE(thin.collide(from_below(thin), from_left(thin, 2.6)));
-  // Without a reach there is no arm outside the body.
+  // Without a reach, no arm is outside the body.
   const Stands round(solid(corner()), sized(0.5, 0), {});
   CHECK_FALSE(round.collide(round.lifting_point({{2.5, 1}, 2}), round.lifting_point({{1, 2}, 3})));
 }
@@ -455,7 +454,7 @@ TEST_CASE("two robots collide as bodies, arms and hands say", "[stands][slow]") 
     }
     if (!robot.has_body()) continue;
     INFO("polygon " << number << ", " << robot_text(robot));
-    // Whether they could stand there alone does not matter.
+    // Whether they could stand alone does not matter.
     const Stands stands(solid(polygon), robot, {});
     const StandOracle oracle(polygon, robot, {});
     const auto contact = [&] {

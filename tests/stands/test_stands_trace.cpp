@@ -1,4 +1,3 @@
-// The step of the trace that explains which parts of the boundary robots with a size can use.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -68,10 +67,10 @@ TEST_CASE("the step about stands says how much is lost to each reason", "[stands
       const std::vector<std::uint32_t> main = main_steps(trace);
       CHECK(std::find(main.begin(), main.end(), k) != main.end());
       const StepDetail detail = look_at(trace, k);
-      // The whole boundary except the bits before the vertices.
+      // All but the bits before the vertices.
       double sum = number_of(trace, detail, "usable");
       for (const char* why : {"no_go", "body", "arm", "corner", "hand", "near_no_go", "narrow"}) {
-        // A reason that excludes nothing is not named.
+        // Reasons that exclude nothing are not named.
         const double share = number_if_any(trace, detail, why).value_or(0);
         sum += share;
         reasons += share > 0;

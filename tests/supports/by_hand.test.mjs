@@ -1,4 +1,4 @@
-// Robots placed by hand: dragged from any method, kept in undo and links, taken away, and evened out.
+// Dragged from any method, in undo and links, removed, and evened out.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -20,7 +20,7 @@ import {
 
 const browser = sharedBrowser();
 
-// Drags a robot by a part of its way to the centre of mass.
+// Drags a robot by a part of its way to C.
 async function inwards(page, robot, part) {
   const { robots, centre_of_mass: centre } = await state(page);
   const at = robots[robot].at;
@@ -158,7 +158,7 @@ test("the robots' places stand in a table beside the coordinates, and typing one
   const after = await state(page);
   assert.equal(after.metric, "given");
   assert.deepEqual(after.supports[2], [typed, toMiddle]);
-  // A place outside the object is refused, and nothing changes.
+  // A place outside the object is refused, without a change.
   await table.getByLabel("Robot 3, x", { exact: true }).fill("1e6");
   await table.getByLabel("Robot 3, x", { exact: true }).press("Tab");
   await table.getByText(/is .* outside the object/).waitFor();
@@ -219,7 +219,7 @@ test("a challenge shows the object alone, then both scores, and passes mine on w
   const rows = () => card.locator("tbody tr").allInnerTexts();
   assert.match((await rows())[1], /To beat\s+4\s+29\.3 kg\s+8\.1 kg\s+61 %\s+no/);
   assert.equal((await rows()).length, 2);
-  // Nothing tells where evenlift would put them: no undo, no offer, no comparison.
+  // No undo, offer or comparison tells where evenlift would put them.
   await undo(other);
   assert.deepEqual(await state(other), begun);
   for (const name of [/^Use /, "Show evenlift's"])
@@ -248,7 +248,7 @@ test("a challenge shows the object alone, then both scores, and passes mine on w
   await published(other);
   assert.equal(await other.evaluate(() => location.search), "");
   await other.done();
-  // Numbers that are none are not shown, and an address without a link asks about the sample.
+  // Invalid numbers are not shown, and an address without a link asks about the sample.
   const odd = await browser.open({ address: "?place=4&beat=1,2,x,0" });
   await odd.locator("#challenge").waitFor();
   assert.equal(await odd.locator("#challenge tbody tr").count(), 1);

@@ -20,8 +20,8 @@ import sys
 import time
 from fractions import Fraction
 
-TAU = 1e-9  # the tolerance of the definition; lengths are compared with TAU times the size of the polygon
-LOADS = 1e-9  # loads are compared with this part of the weight
+TAU = 1e-9  # the definition's tolerance; for lengths, times the polygon's size
+LOADS = 1e-9  # for loads, times the weight
 MOTIONS = ("clockwise", "counterclockwise", "translation")
 
 
@@ -236,7 +236,7 @@ def springs_by_subsets(points, centre, weight):
             if min(loads) >= 0 and (best is None or sum(f * f for f in loads) < sum(f * f for f in best)):
                 best = loads
         if best is not None and count == len(points):
-            break  # the least squares of all robots need no bound
+            break  # all robots' least squares need no bound
     return best
 
 
@@ -296,7 +296,7 @@ def worst_of(points, centre, weight):
 
 # Falling.
 
-Standing = collections.namedtuple("Standing", "stands margin beyond")  # beyond: how far C is beyond the line of an edge
+Standing = collections.namedtuple("Standing", "stands margin beyond")  # beyond: how far C is beyond an edge's line
 
 
 def standing_of(polygon, points, centre):
@@ -698,7 +698,7 @@ def support(rng, polygon, kind):
     if kind == "near vertex":
         part = rng.choice([2e-8, 1e-7, 4e-7]) * size / distance(a, b)
         return beside(polygon, edge, along(a, b, Fraction(part)), rng.choice([0, 1e-8]) * size)
-    # In the corner, as near to one edge as to the other if they follow the axes.
+    # As near to one edge as to the other if they follow the axes.
     return as_doubles(x + rng.choice([1, -1]) * Fraction(2e-7 * size) for x in a)
 
 
@@ -829,7 +829,7 @@ def check_result(polygon, supports, places, centre, weight, result, capacities=N
     return Checked(stands, loads, check_base(polygon, points, result), check_closure(polygon, places, centre, result))
 
 
-# Kinds of cases. Each draws a case, returns its run, and a function that checks the answer and names what the case was.
+# Kinds of cases. Each draws a case, and returns its run and a function that checks the answer and names the case.
 
 
 def placed_case(polygon, supports, snap, centre, weight, more=()):
@@ -927,7 +927,7 @@ def deciding_vertex(rng, program):
 
 def second_order(rng, program):
     """Normals that all pass through one point: the second order decides, perhaps with one more contact."""
-    apart = rng.random() < 0.4  # robots in a pocket push apart, which a turn makes easier
+    apart = rng.random() < 0.4  # a pocket's robots push apart, which a turn makes easier
     polygon = random_polygon(rng, (pocket_polygon,)) if apart else random_polygon(rng)
     centre, supports = random_centre(rng, polygon), normals_through(rng, polygon, apart)
     if supports is None:
@@ -995,7 +995,7 @@ def edge_through_centre(rng, program):
         expect(answer.status == 0, f"exit status {answer.status}: {answer.error}")
         exact = check_basics(polygon, supports, places, centre, answer.result)
         stands = check_standing(polygon, points, exact, answer.result)
-        if stands:  # the loads of the nearest point of the lifting base, to the tolerance of C
+        if stands:  # the loads of the lifting base's nearest point, to the tolerance of C
             right = springs_of(points, nearest_in_hull(exact, convex_hull(points)), Fraction(100))
             for i, f in enumerate(right):
                 expect_near(answer.result["robots"][i]["load"], f, 1e-9 * 100 if off == 0 else 1e-4, f"robots[{i}].load")
@@ -1038,7 +1038,7 @@ def evened_out(rng, program, hard=False):
     exact, count = centre or as_doubles(polygon.centroid()), rng.choice([2, 3, 3, 4, 4, 5, 6])
     supports = [support(rng, polygon, rng.choice(["edge", "edge", "vertex", "inside"])) for _ in range(count)]
     chords = even_chords(polygon.edges, polygon.vertices, exact) if rng.random() < 0.15 else []
-    if chords:  # a set that is even already
+    if chords:  # already even
         supports = [as_doubles(p) for chord in rng.sample(chords, rng.randint(1, min(3, len(chords)))) for p in chord]
         count = len(supports)
     points = [place_of(polygon, p, 1e-6 * polygon.size).point for p in supports]
@@ -1127,11 +1127,13 @@ def required(rng, program):
     yes = {"stands": right.stands}
     if not (closure.closed or closure.second_order):
         yes["held"] = False
-    elif is_held_clear_of_corners(polygon, places, exact):  # the definition does not say whether a hold beside a corner is held
+    elif is_held_clear_of_corners(polygon, places, exact):  # the definition leaves open whether a hold beside a corner
+                                                            # is held
         yes["held"] = True
     rest = [nearest_in_hull(exact, convex_hull(points[:i] + points[i + 1 :])) == exact for i in range(len(points))]
     lines = [abs(distance_to_line(exact, p, q)) for p, q in itertools.combinations(points, 2) if p != q]
-    if min(lines, default=0) > 0.05 * max(distance(v, exact) for v in polygon.vertices):  # C is far from the edges of any lifting base
+    if min(lines, default=0) > 0.05 * max(distance(v, exact) for v in polygon.vertices):  # C is far from any lifting
+                                                                                          # base's edges
         yes["steady"] = all(rest)
     conditions, answers = [], []
     for word in rng.sample(sorted({*values, *yes}), rng.randint(1, min(4, len(values) + len(yes)))):
@@ -1282,7 +1284,7 @@ def check_all(description, examples, shares, usual_cases):
             run, check = drawn(kind, asked.seed, index, asked.program)
             try:
                 problem, found = disagreement(run, check)
-            except Ambiguous:  # the program's C decides otherwise than the rounded centroid
+            except Ambiguous:  # the program's C and the rounded centroid decide differently
                 names["too near to decide"] += 1
                 continue
             names.update(found)

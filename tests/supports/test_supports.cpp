@@ -1,4 +1,3 @@
-// Robots that stand where the user puts them.
 #include "evenlift/supports.h"
 
 #include <algorithm>
@@ -274,7 +273,7 @@ TEST_CASE("each support may have a capacity of its own", "[supports][capacity]")
   const auto capacity = capacity_in_json({placement, both});
   CHECK_FALSE(capacity->plan.possible);
 
-  // After a failure each of the others is compared with its own capacity.
+  // After a failure, each other robot has its own capacity.
   Document four = standing_on(unit_square);
   four.centre_of_mass = Vec2(0.5, 0.5);
   four.shown.support_capacities = {60, 60, 40, 60};
@@ -393,7 +392,7 @@ TEST_CASE("turned and moved, an object stands on its supports as before", "[supp
   plain.settings.method = Method::given;
   plain.settings.supports = positions(lifting_points(placed(document).teams));
   const Placement before = placed(plain);
-  // A turn by the angle of the 3-4-5 triangle, and a move.
+  // Turned by the 3-4-5 triangle's angle, and moved.
   const auto turned = [](const Vec2& p) {
     return Vec2(0.6 * p.x() - 0.8 * p.y() + 1000, 0.8 * p.x() + 0.6 * p.y() - 300);
   };
@@ -423,7 +422,7 @@ TEST_CASE("a requirement names a quantity, and is kept within tolerance", "[supp
   CHECK(kept("max<=25,min>=25,spread<=0,robots<=4,robots>=5") == "++++-");
   CHECK(kept("margin>=0") == "-");  // no contacts, so no margin
   CHECK(kept("tipping_distance>=0.5, tipping_distance>=0.51") == "+-");
-  // C lies on the line between the two neighbours of a failed corner.
+  // C is on the line between a failed corner's neighbours.
   CHECK(kept("max_after_failure<=50, max_after_failure<=49") == "+-");
   CHECK(kept("capacity") == "+");
   shown.support_capacities = {25, 30, 30, 24};

@@ -1,4 +1,3 @@
-// Robots placed by hand, in the view.
 #include <algorithm>
 #include <string>
 
@@ -32,7 +31,7 @@ Points robots(const AppState& state) { return positions(lifting_points(placement
 
 const Points& supports(const AppState& state) { return settings(state).supports; }
 
-// Holds a robot, as a press on it does.
+// As a press does.
 void hold(AppState& state, std::size_t robot) {
   const auto [team, end] = find_robot(placement(state).teams, robot);
   give(state, SetHeld{{Pick::Kind::robot, team, static_cast<int>(end), Vec2(0, 0)}});

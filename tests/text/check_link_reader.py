@@ -49,7 +49,7 @@ for link, text in rows("lesson_links.txt"):
         sys.exit(f"the readers of lessons differ: {link}")
     count += 1
 
-# It promises to detect damage, but not every form that no writer produces.
+# It must detect damage, but not every form that no writer makes.
 for code, link, why in rows("hostile_links.txt"):
     if code == "bad_link":
         continue

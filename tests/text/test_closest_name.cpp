@@ -1,4 +1,3 @@
-// The name that a mistyped one may stand for.
 #include "evenlift/closest_name.h"
 
 #include "evenlift/similar_setting.h"

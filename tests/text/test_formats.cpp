@@ -143,7 +143,7 @@ TEST_CASE("a number just between two doubles goes to the even one", "[formats][n
   CHECK(read_number("9007199254740993.0000000000000000000000000000000000001") ==
         9007199254740994.0);
   CHECK(read_number("9007199254740995") == 9007199254740996.0);
-  // Half of the smallest subnormal, plus a little in the 800th digit.
+  // Half the smallest subnormal, plus a little in the 800th digit.
   const std::string half =
       "2.470328229206232720882843964341106861825299013071623822127928412503377536351043759326"
       "49918180817996189898282347722858865463328355177969898199387398005390939063150356595155"
@@ -233,7 +233,7 @@ TEST_CASE("GeoJSON reads as a Polygon or a Feature of one, members in any order"
                  R"("geometry":{"type":"Polygon","coordinates":[)" +
                      ring + "]}}",
                  triangle));
-  // The coordinates of the feature's geometry, not those beside it.
+  // From the feature's geometry, not beside it.
   CHECK(reads_as(R"({"type":"Feature","coordinates":[[[7,7]]],"geometry":{"type":"Polygon",)"
                  R"("geometry":{"type":"Point"},"coordinates":[)" +
                      ring + "]}}",
@@ -297,7 +297,7 @@ TEST_CASE("messages say what was expected and what is there", "[formats][errors]
         "this is not valid JSON: unexpected number literal; expected ']'");
   CHECK(refusal("{\"a\xff\":1}").message ==
         "this is not valid JSON: invalid string: ill-formed UTF-8 byte; expected string literal");
-  // Text from the input after such words is not repeated, whatever its bytes.
+  // The input's text after such words is not repeated.
   CHECK(refusal(std::string("{\"S'; expected &S\xff\0F", 19)).message ==
         "this is not valid JSON: invalid string: ill-formed UTF-8 byte; expected string literal");
   CHECK(refusal("{\"type\":\"S'; expected &S\xff").message ==
@@ -539,5 +539,5 @@ TEST_CASE("any bytes give a document of finite numbers or one sentence", "[forma
       FAIL(text << ": " << document.error().message);
     }
   }
-  CHECK(documents > 1000);  // not every mutation makes the text invalid
+  CHECK(documents > 1000);  // some mutated texts are valid
 }

@@ -45,7 +45,7 @@ bool near(const Points& a, const Points& b) {
                     [](const Vec2& p, const Vec2& q) { return length(p - q) < 1e-9; });
 }
 
-// The distance of a point from the nearest of the edges.
+// From the nearest edge.
 double distance(const Points& edges, const Vec2& p, bool closed) {
   double best = HUGE_VAL;
   for (std::size_t i = 0; i + (closed ? 0 : 1) < edges.size(); ++i) {
@@ -102,7 +102,7 @@ TEST_CASE("edges are nowhere farther from an ellipse than the tolerance, whateve
       const Vec2 p = frame({std::cos(angle), std::sin(angle)});
       if (distance(*edges, p, false) > 0.01 * (1 + 1e-9)) FAIL("ellipse " << i << " at " << angle);
     }
-    // Its corners are on the ellipse, so it is no larger either.
+    // Its corners are on the ellipse, so it is no larger.
     const double determinant = frame.a * frame.d - frame.b * frame.c;
     for (const Vec2& p : *edges) {
       const Vec2 q = p - Vec2(frame.e, frame.f);
@@ -114,8 +114,7 @@ TEST_CASE("edges are nowhere farther from an ellipse than the tolerance, whateve
 }
 
 TEST_CASE("a circle has no more edges than its tolerance asks for", "[import][curves]") {
-  // Its quarters are halved until the edges are near enough. Their distance is 100 (1 - cos(180° /
-  // edges)).
+  // Quarters are halved until edges are near: their distance is 100 (1 - cos(180° / edges)).
   const auto edges = [](double tolerance) {
     return flatten(Outline::ellipse({100, 0, 0, 100, 0, 0}), tolerance, 1000)->size() - 1;
   };
@@ -152,7 +151,7 @@ TEST_CASE("a bulge makes the arc whose quarter angle has it as its tangent", "[i
     const std::optional<Points> edges = flatten(outline, 1e-4, 1000000);
     REQUIRE(edges);
     CHECK(same_vertices({edges->front(), edges->back()}, {{2, 1}, {5, 5}}));
-    // The circle through both ends on which the chord is seen at half of 4 atan(bulge).
+    // The circle through both ends that sees the chord at half of 4 atan(bulge).
     const Vec2 chord(3, 4), middle(3.5, 3);
     const Vec2 centre = middle + left_normal(chord) * ((1 - bulge * bulge) / (4 * bulge));
     const double radius = length(Vec2(2, 1) - centre);
@@ -163,7 +162,7 @@ TEST_CASE("a bulge makes the arc whose quarter angle has it as its tangent", "[i
       lowest = std::min(lowest, beside);
       highest = std::max(highest, beside);
     }
-    // It sticks out by half the chord times the bulge, to the right if the bulge is positive.
+    // It sticks out by half the chord times the bulge, to the right if that is positive.
     CHECK(std::abs((bulge > 0 ? -lowest : highest) - std::abs(bulge) * 2.5) <
           1e-3 * std::max(1.0, std::abs(bulge)));
   }
@@ -226,7 +225,7 @@ TEST_CASE("SVG: layers, labels, holes, and what is left out", "[import][svg]") {
   const Import finer = read_data("layers.svg", {0.001});
   CHECK(finer.shapes[1].tolerance == 0.001);
   CHECK(finer.shapes[1].document.vertices.size() == 512);
-  // The wheel is drawn around (60, 70), in user units, and y is flipped upwards.
+  // The wheel is about (60, 70) in user units, with y flipped.
   for (const Vec2& p : finer.shapes[1].document.vertices)
     CHECK(std::abs(length(p - Vec2(60, -70)) - 40) < 1e-9);
 }
@@ -245,7 +244,7 @@ TEST_CASE("SVG: a size on paper that fits a unit names it, and the coordinates s
   CHECK(unit_of(R"(width="595.276pt" height="841.890pt" viewBox="0 0 210 297")") == "millimetres");
   CHECK(unit_of(R"(width="8.5in" height="11in" viewBox="0,0 8.5,11")") == "inches");
   CHECK(unit_of(R"(width="210mm" height="297mm" viewBox="-5 -5 21 29.7")") == "centimetres");
-  // No size on paper, or none that is above 0.
+  // Without a size on paper above 0.
   CHECK(unit_of(R"(width="793.7" height="1122.52px" viewBox="0 0 210 297")").empty());
   CHECK(unit_of(R"(width="210mm" height="297mm" viewBox="0 0 0 297")").empty());
   CHECK(unit_of(R"(width="-210mm" height="1e999mm" viewBox="0 0 210 none")").empty());
@@ -261,7 +260,7 @@ TEST_CASE("SVG: smooth curves go on as the ones before, and flags may follow wit
   same("M0 0q5 10 10 0t10 0v30h-20z", "M0 0Q5 10 10 0Q15 -10 20 0V30H0z");
   same("M0 0s0 10 10 10V30H0z", "M0 0C0 0 0 10 10 10V30H0z");
   same("M0 0a5 5 0 0110 0v9h-10z", "M0 0A5 5 0 0 1 10 0V9H0z");
-  // Radii that are too small grow; a radius of 0 makes a line.
+  // Too small radii grow; 0 makes a line.
   same("M0 0a1 1 0 0110 0v9h-10z", "M0 0A5 5 0 0 1 10 0V9H0z");
   same("M0 0A0 3 0 0 1 10 0V9H0z", "M0 0H10V9H0z");
 }
@@ -290,8 +289,7 @@ TEST_CASE("SVG: an inch is as long in every unit", "[import][svg]") {
 }
 
 TEST_CASE("SVG: an arc's flags choose among four", "[import][svg]") {
-  // From (0, 5) to (5, 0) with the radius 5: around (0, 0) or (5, 5), by the short arc or the long
-  // one.
+  // From (0, 5) to (5, 0), radius 5: about (0, 0) or (5, 5), by the short or the long arc.
   const auto check = [](const char* flags, const Vec2& centre, const Vec2& low, const Vec2& high) {
     INFO(flags);
     const Import import = read(path("M0 5A5 5 0 " + std::string(flags) + " 5 0z"), {1e-6});
@@ -334,7 +332,7 @@ TEST_CASE("SVG: what cannot be read is said", "[import][svg]") {
   CHECK(refusal(svg(deep)).find("too deep") != std::string::npos);
   CHECK(refusal(path("M0 0h1e400v1z")).find("too large") != std::string::npos);
   CHECK(refusal(path("M0 0h1e300v1z")).find("beyond 1,000,000,000") != std::string::npos);
-  // One bad shape among good ones is left out.
+  // A bad shape is left out.
   const Import import = read(svg("<path d='M0 0 x'/><rect width='3' height='4'/>"));
   CHECK(described(import) == std::vector<std::string>{"rectangle, 4 vertices, 3 x 4"});
   REQUIRE(import.notes.size() == 1);
@@ -429,7 +427,7 @@ TEST_CASE("DXF: what is seen from behind is turned round", "[import][dxf]") {
 
 TEST_CASE("DXF: of arcs seen from behind the last one turns round, too", "[import][dxf]") {
   const std::string behind = "230\n-1\n";
-  // Two half circles about (1, 0); seen from behind, about (-1, 0).
+  // Half circles about (1, 0); from behind, about (-1, 0).
   const std::string circle = "0\nLWPOLYLINE\n70\n1\n10\n0\n20\n0\n42\n1\n10\n2\n20\n0\n42\n1\n";
   for (const bool mirrored : {false, true}) {
     const Points points = only(dxf(circle + (mirrored ? behind : "")));
@@ -438,7 +436,7 @@ TEST_CASE("DXF: of arcs seen from behind the last one turns round, too", "[impor
     for (const Vec2& p : points) CHECK(length(p - Vec2(mirrored ? -1 : 1, 0)) == Approx(1));
     CHECK(bounding_box(points).size().y() == Approx(2));
   }
-  // Half an ellipse above its axis; seen from behind, below it.
+  // Half an ellipse above its axis; from behind, below.
   const std::string half =
       "0\nELLIPSE\n10\n0\n20\n0\n11\n1\n21\n0\n40\n1\n41\n0\n42\n3.141592653589793\n";
   const std::string axis = "0\nLINE\n10\n-1\n20\n0\n11\n1\n21\n0\n";
@@ -458,14 +456,14 @@ TEST_CASE("DXF: ellipses and elliptical arcs", "[import][dxf]") {
     const double along = dot(q, Vec2(3, 4)) / 25, across = cross(Vec2(3, 4), q) / 12.5;
     CHECK(std::abs(along * along + across * across - 1) < 1e-6);
   }
-  // Half of it, and the line that closes it.
+  // Half of it, closed by a line.
   const Import half = read(
       dxf(ellipse + "41\n0\n42\n3.141592653589793\n" + "0\nLINE\n10\n4\n20\n6\n11\n-2\n21\n-2\n"));
   CHECK(half.shapes[0].kind == "2 lines and arcs, joined");
 }
 
 TEST_CASE("a B-spline is its pieces", "[import][curves]") {
-  // Its points by the recursion that defines its basis functions (de Boor, Cox).
+  // By the recursion that defines its basis functions (de Boor, Cox).
   Rng rng(6);
   for (std::size_t degree = 1; degree <= 3; ++degree)
     for (int i = 0; i < 50; ++i) {
@@ -522,7 +520,7 @@ TEST_CASE("DXF: a spline whose ends nearly meet closes by itself", "[import][dxf
   const auto line = [&](const char* x, const char* y, const char* u, const char* v) {
     return "0\nLINE\n" + point(x, y) + "11\n" + u + "\n21\n" + v + "\n";
   };
-  // In one piece, and with a gap that is small in the drawing but not in the spline.
+  // In one piece, and with a gap small in the drawing but not in the spline.
   const std::string square = line("0", "0", "100", "0") + line("100", "0", "100", "100") +
                              line("100", "100", "0", "100") + line("0", "100", "0", "0");
   const std::string loop =
@@ -532,7 +530,7 @@ TEST_CASE("DXF: a spline whose ends nearly meet closes by itself", "[import][dxf
   REQUIRE(import.shapes.size() == 1);
   CHECK(import.shapes[0].kind == "4 lines and arcs, joined");
   CHECK(import.shapes[0].document.holes.size() == 1);
-  // A single line no longer than the gap does not make a loop.
+  // A line no longer than the gap makes no loop.
   const Import alone = read(dxf(square + line("20", "20", "20", "20.0005")));
   CHECK(alone.shapes.size() == 1);
 }
@@ -712,8 +710,8 @@ TEST_CASE("a result with balanced robots opens again with what was asked", "[imp
   document.settings.goal.reset();
   document.settings.apart.reset();
   CHECK(read(document_json(document)).shapes.at(0).document.settings == document.settings);
-  // Choosing another method afterwards gives the same as a link: the requested number of teams, and
-  // their usual goal.
+  // Another method afterwards gets the same as from a link: the requested number of teams, the
+  // usual goal.
   for (const std::optional<std::uint32_t>& teams :
        {std::optional<std::uint32_t>(3), std::optional<std::uint32_t>(7),
         std::optional<std::uint32_t>()}) {

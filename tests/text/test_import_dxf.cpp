@@ -1,4 +1,4 @@
-// Blocks, visibility, old polylines and splines of DXF.
+// Blocks, visibility, old polylines and splines.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -184,7 +184,7 @@ TEST_CASE("DXF: a block that is not drawn has its own reason", "[import][dxf]") 
 TEST_CASE("DXF: blocks without end are refused", "[import][dxf]") {
   CHECK(refusal(drawing(insert("a"), block("a", insert("b")) + block("b", insert("A"))))
             .find("the block \"a\" contains itself") != std::string::npos);
-  // Each block has two of the next one.
+  // Each has two of the next.
   const auto tower = [](int height) {
     std::string blocks = block("b0", polyline(square));
     for (int i = 1; i <= height; ++i) {
@@ -202,7 +202,7 @@ TEST_CASE("DXF: blocks without end are refused", "[import][dxf]") {
         std::string::npos);
   CHECK(refusal(drawing(insert("a", many), block("a", lines({{0, "LINE"}, {11, 5}}))))
             .find("more than 1048576 lines and arcs") != std::string::npos);
-  // A number that is none, in a block that nothing inserts, does not matter.
+  // An invalid number does not matter in a block that nothing inserts.
   const std::string bad = lines({{0, "CIRCLE"}, {40, "1,5"}});
   CHECK(read(drawing(polyline(square), block("a", bad))).notes.empty());
   CHECK(refusal(drawing(insert("a"), block("a", bad))).find("expected a number") !=
@@ -235,7 +235,7 @@ TEST_CASE("DXF: what is not seen is left out, and counted", "[import][dxf]") {
         "2 objects on layers that are off or frozen were left out");
   CHECK(notes(polyline(other, "DEFPOINTS")) == "1 object on the layer Defpoints was left out");
   CHECK(notes(polyline(other) + lines({{60, 1}})) == "1 invisible object was left out");
-  // The vertices of a polyline that is not seen are not seen either.
+  // A hidden polyline's vertices are hidden.
   CHECK(notes(lines({{0, "POLYLINE"},
                      {8, "frame"},
                      {70, 1},
@@ -246,7 +246,7 @@ TEST_CASE("DXF: what is not seen is left out, and counted", "[import][dxf]") {
                      {20, 5},
                      {0, "SEQEND"}})) == "1 object on a layer that is off or frozen was left out");
 
-  // A frozen layer hides all of a block, and one that is off its objects on layer 0 only.
+  // A frozen layer hides a whole block; one that is off, only its objects on layer 0.
   const std::string blocks = block("mixed", polyline(other) + polyline(other, "old"));
   CHECK(notes(insert("mixed", {{8, "Old"}}), blocks) ==
         "1 object on a layer that is off or frozen was left out");
@@ -268,10 +268,10 @@ TEST_CASE("DXF: an old polyline is the curve, not the frame of its spline", "[im
   };
   CHECK(outlines(vertices({{{0, 0}, 16}, {{9, 0}, 16}, {{1, 1}, 8}, {{5, 1}, 8}, {{3, 4}, 8}},
                           5)) == std::vector<Points>{{{1, 1}, {5, 1}, {3, 4}}});
-  // In space, with the bit 32 of its vertices, and not mirrored.
+  // In space, with bit 32 of its vertices, not mirrored.
   CHECK(outlines(vertices({{{9, 0}, 48}, {{1, 1}, 40}, {{5, 1}, 40}, {{3, 4}, 40}}, 13)) ==
         std::vector<Points>{{{1, 1}, {5, 1}, {3, 4}}});
-  // Vertices that were added to fit arcs, and a frame without its curve.
+  // Vertices added to fit arcs, and a frame without its curve.
   CHECK(outlines(vertices({{{0, 0}, 0}, {{9, 0}, 1}, {{9, 9}, 0}}, 3)).at(0).size() == 3);
   CHECK(outlines(vertices({{{0, 0}, 16}, {{9, 0}, 16}, {{9, 9}, 16}}, 1)).at(0).size() == 3);
   CHECK(refusal(vertices({{{0, 0}, 0}, {{9, 0}, 0}, {{9, 9}, 0}}, 17)).find("1 mesh") !=
@@ -300,7 +300,7 @@ std::string spline(const Curve& curve) {
   return drawing(lines(pairs));
 }
 
-// The basis functions of B-splines by the recursion of de Boor and Cox.
+// By the recursion of de Boor and Cox.
 double basis(const std::vector<double>& knots, std::size_t k, std::size_t degree, double t) {
   if (degree == 0) return knots[k] <= t && t < knots[k + 1] ? 1 : 0;
   const double a = knots[k + degree] - knots[k], b = knots[k + degree + 1] - knots[k + 1];
@@ -330,7 +330,7 @@ double distance_from(const Points& edges, const Vec2& p) {
   return least;
 }
 
-// Knots 0 and 1 at the ends, and all others once between them.
+// 0 and 1 at the ends, others once between.
 std::vector<double> even_knots(std::size_t points, std::size_t degree) {
   std::vector<double> knots(degree + 1, 0.0);
   const double spans = static_cast<double>(points - degree);
@@ -339,7 +339,7 @@ std::vector<double> even_knots(std::size_t points, std::size_t degree) {
   return knots;
 }
 
-// Around the square of side 2 about the origin.
+// Around a square of side 2 about the origin.
 const double root = std::sqrt(0.5);
 const Curve circle = {
     2,
@@ -356,10 +356,10 @@ TEST_CASE("DXF: a circle as a NURBS curve", "[import][dxf]") {
   CHECK(import.shapes[0].kind == "closed spline");
   CHECK(std::abs(signed_area(import.shapes[0].document.vertices) - 3.14159265) < 1e-4);
   for (const Vec2& p : import.shapes[0].document.vertices) CHECK(length(p) == Approx(1));
-  // It has as few vertices as a circle.
+  // As few vertices as a circle.
   CHECK(outlines(spline(circle)).at(0).size() == 64);
 
-  // Half a circle of degree 3, and its diameter.
+  // A half circle of degree 3, and its diameter.
   const Curve half = {3, {{1, 0}, {1, 2}, {-1, 2}, {-1, 0}}, even_knots(4, 3), {3, 1, 1, 3}};
   const std::string line = lines({{0, "LINE"}, {10, -1}, {11, 1}});
   std::string text = spline(half);
@@ -378,7 +378,7 @@ TEST_CASE("a B-spline of any degree with weights is near its formula", "[import]
       curve.control.resize(n + 1 + static_cast<std::size_t>(rng.uniform() * 6));
       for (Vec2& p : curve.control) p = Vec2(rng.uniform() * 10 + 1e6, rng.uniform() * 10);
       curve.knots = even_knots(curve.control.size(), n);
-      if (i % 3 == 1) {  // of multiplicity 2 and more, and not from 0 to 1
+      if (i % 3 == 1) {  // repeated, and not from 0 to 1
         for (double& knot : curve.knots) knot = std::floor(knot * 3);
       }
       if (i % 2 == 0)
@@ -414,7 +414,7 @@ TEST_CASE("DXF: a spline of degree 5 is near its formula", "[import][dxf]") {
 }
 
 TEST_CASE("DXF: knots as different programs write them", "[import][dxf]") {
-  // Bézier curves one after another, whose ends have all knots.
+  // Bézier curves in turn, whose ends have all knots.
   const Curve beziers = {
       2, {{0, 0}, {9, 0}, {9, 9}, {9, 9}, {0, 9}, {0, 0}}, {0, 0, 0, 1, 1, 1, 2, 2, 2}, {}, 11};
   const Points leaf = outlines(spline(beziers)).at(0);
@@ -425,20 +425,20 @@ TEST_CASE("DXF: knots as different programs write them", "[import][dxf]") {
   weighted.weights.assign(6, 0.25);
   CHECK(outlines(spline(weighted)).at(0) == leaf);
 
-  // Without the first and the last knot.
+  // Without the first and last knot.
   Curve shorter = beziers;
   shorter.knots.erase(shorter.knots.begin());
   shorter.knots.pop_back();
   CHECK(outlines(spline(shorter)).at(0) == leaf);
 
-  // A closed curve with and without its first points again.
+  // Closed, with and without its first points again.
   const Curve around = {
       2, {{0, 0}, {9, 0}, {5, 8}, {0, 0}, {9, 0}}, {0, 1, 2, 3, 4, 5, 6, 7}, {}, 11};
   Curve once = around;
   once.control.resize(3);
   CHECK(outlines(spline(once)) == outlines(spline(around)));
 
-  // Marked as periodic, with the knots of an open curve.
+  // Marked as periodic, with an open curve's knots.
   once.knots = even_knots(3, 2);
   const Import marked = read(spline(once));
   CHECK(marked.shapes.at(0).document.vertices == outlines(spline(around)).at(0));

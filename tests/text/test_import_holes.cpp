@@ -1,4 +1,4 @@
-// Holes and cargo in drawings, WKT, GeoJSON, Esri JSON and results.
+// In drawings, WKT, GeoJSON, Esri JSON and results.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -28,7 +28,7 @@ Words described(const Import& import) {
   return words;
 }
 
-// A shape as "vertices + holes", such as "4" or "4+1".
+// "vertices + holes", such as "4" or "4+1".
 Words counts(const std::string& text) {
   Words words;
   for (const ImportedShape& shape : read(text).shapes) {
@@ -58,7 +58,7 @@ std::string polyline(const Points& points) {
   return text;
 }
 
-// A square from (x, x), in the direction of the numbers or, with '-', against it.
+// From (x, x), in the direction of the numbers, or with '-' against it.
 std::string ring(double x, double side, char direction = '+') {
   const std::string low = shortest(x), across = shortest(side), back = shortest(-side);
   return direction == '+' ? "M" + low + " " + low + "h" + across + "v" + across + "h" + back + "z"
@@ -69,7 +69,7 @@ Points square(double x, double side) {
   return {{x, x}, {x + side, x}, {x + side, x + side}, {x, x + side}};
 }
 
-// The same ring from its least vertex on, counter-clockwise.
+// From its least vertex on, counter-clockwise.
 Points in_order(Points points) {
   if (signed_area(points) < 0) std::reverse(points.begin(), points.end());
   const auto before = [](const Vec2& a, const Vec2& b) {
@@ -92,7 +92,7 @@ bool same_object(const Document& a, const Document& b) {
   return in_order(a.vertices) == in_order(b.vertices) && in_order(a.holes) == in_order(b.holes);
 }
 
-// A sheet with a jagged boundary, and stars as holes in some of its cells.
+// With a jagged boundary, and stars as holes in some cells.
 Document random_sheet(Rng& rng) {
   constexpr double cell = 10;
   const auto cells = static_cast<int>(1 + rng.below(4));
@@ -127,7 +127,7 @@ std::string path_of(const Points& points) {
   return text + "z";
 }
 
-// The sheet as drawings in which holes are told by a fill-rule, by paths without a fill, and by loops.
+// Holes by a fill-rule, by paths without a fill, and by loops.
 Words drawings_of(const Document& sheet) {
   std::string one = path_of(sheet.vertices), against = one, lines, dxf_loops;
   const bool turns = signed_area(sheet.vertices) > 0;
@@ -159,7 +159,7 @@ TEST_CASE("thousands of sheets with holes come back from every format", "[import
       REQUIRE(import.shapes.size() == 1);
       if (!same_object(import.shapes[0].document, sheet)) FAIL(text);
     }
-    // Shapes, whose order is by area, from a file of several.
+    // A file of several: its shapes are ordered by area.
     const Import two = read(write_wkt(sheet) + write_wkt(sheet));
     REQUIRE(two.shapes.size() == 2);
     CHECK(same_object(two.shapes[1].document, sheet));
@@ -177,7 +177,7 @@ TEST_CASE("SVG: a filled path has the holes that its fill-rule leaves", "[import
   const Row rows[] = {
       {"<path d='" + outer + hole + "'/>", {"4+1"}},
       {"<path d='" + hole + outer + "'/>", {"4+1"}},
-      // The same direction leaves no hole: it is a filled shape inside another.
+      // The same direction makes a filled shape inside another.
       {"<path d='" + outer + same + "'/>", {"4", "4"}},
       {"<path d='" + outer + hole + island + "'/>", {"4+1", "4"}},
       {"<path d='" + outer + same + "' " + odd + "/>", {"4+1"}},
@@ -191,7 +191,7 @@ TEST_CASE("SVG: a filled path has the holes that its fill-rule leaves", "[import
       // Mirrored, turned and copied.
       {"<path transform='scale(-1 2)' d='" + outer + hole + "'/>", {"4+1"}},
       {"<defs><path id='p' d='" + outer + hole + "'/></defs><use href='#p' x='5'/>", {"4+1"}},
-      // Holes beside each other, and two shapes in a path.
+      // Neighbouring holes, and two shapes in a path.
       {"<path d='" + outer + ring(10, 20, '-') + ring(40, 20, '-') + "'/>", {"4+2"}},
       {"<path d='" + outer + hole + ring(100, 20) + ring(105, 5, '-') + "'/>", {"4+1", "4+1"}}};
   for (const Row& row : rows) {
@@ -215,12 +215,12 @@ TEST_CASE("SVG: shapes without a fill inside another are holes, filled ones are 
   CHECK(shapes(rect + line + inner + line + innermost + line) == Words{"4+1", "4"});
   CHECK(shapes(rect + line + inner + "/>" + innermost + line) == Words{"4", "4+1"});
   CHECK(shapes(rect + line + inner + line + innermost + "/>") == Words{"4+1", "4"});
-  // Inside the hole that a fill-rule leaves.
+  // In the hole that a fill-rule leaves.
   const std::string plate = "<path d='" + ring(0, 90) + ring(10, 60, '-') + "'";
   CHECK(shapes(plate + "/>" + innermost + line) == Words{"4+1", "4"});
   CHECK(shapes(plate + "/>" + innermost + "/>") == Words{"4+1", "4"});
   CHECK(shapes(plate + "/>" + "<path d='" + ring(75, 9) + "'" + line) == Words{"4+2"});
-  // A stroke that repeats a fill, with its holes, and the part that was cut out of it.
+  // A stroke repeats a fill with its holes, and the part cut out of it.
   CHECK(shapes(plate + "/>" + rect + line + inner + line) == Words{"4+1"});
   CHECK(shapes(plate + "/>" + inner + "/>") == Words{"4+1", "4"});
   CHECK(shapes(plate + "/>" + plate + "/>") == Words{"4+1"});
@@ -264,10 +264,10 @@ TEST_CASE("DXF: closed loops inside another are holes by their depth", "[import]
   CHECK(described(import) == Words{"closed polyline, 4 vertices, 4 holes, 120 x 80"});
   CHECK(import.notes == Words{"4 outlines inside others were read as holes"});
   CHECK(object_of(import.shapes[0].document)->area() == Approx(9600 - 4 * 28.27).epsilon(1e-3));
-  // A washer in the hole of a plate is a shape of its own, with its hole.
+  // A washer in a plate's hole is a shape with a hole.
   CHECK(counts(dxf(plate + circle(60, 40, 30) + circle(60, 40, 20) + circle(60, 40, 10))) ==
         Words{"4+1", "128+1"});
-  // Loops that cross or touch are shapes.
+  // Crossing or touching loops are shapes.
   CHECK(counts(dxf(plate + circle(0, 40, 3))).size() == 2);
   CHECK(counts(dxf(plate + polyline(square(0, 20)))).size() == 2);
 }
@@ -327,7 +327,7 @@ TEST_CASE("holes can be left out, and a note says how many", "[import][holes]") 
   }
   CHECK(read("POLYGON((0 0,9 0,9 9),(6 1,8 1,8 3))", without).notes == Words{"1 hole is left out"});
   CHECK(read("POLYGON((0 0,9 0,9 9))", without).notes.empty());
-  // More holes than a shape may have.
+  // More holes than permitted.
   std::string many = "POLYGON((0 0,9 0,9 9)";
   for (std::size_t i = 0; i <= max_holes; ++i) many += ",(6 1,8 1,8 3)";
   CHECK(read(many + ")", without).notes == Words{"1001 holes are left out"});
@@ -346,7 +346,7 @@ TEST_CASE("a result with holes and cargo is read back", "[import][json][holes][c
   CHECK(all.settings.cargo == std::vector<Cargo>{{{8, 8}, 24, "motor"}, {{21, 0.5}, 0.5, ""}});
   CHECK(all.settings.weight == 96);
   CHECK(all.centre_of_mass == Vec2(5, 6));
-  // The centroid of the object with its holes, in every bit, is none given.
+  // The object's centroid with holes, in every bit, counts as none given.
   const Vec2 centroid = object_of(all)->centroid();
   const std::string pair = "[" + shortest(centroid.x()) + "," + shortest(centroid.y()) + "]";
   CHECK_FALSE(

@@ -1,4 +1,4 @@
-// What an SVG shows: visibility, style sheets, copies, sizes on paper.
+// Visibility, style sheets, copies, size on paper.
 #include <algorithm>
 #include <cmath>
 
@@ -34,7 +34,7 @@ std::string rect(int width, const std::string& attributes = "") {
   return "<rect width='" + std::to_string(width) + "' height='1' " + attributes + "/>";
 }
 
-// The box of the only shape, with y downwards as in the drawing.
+// Of the only shape, with y downwards.
 Box box_of(const std::string& text) {
   const Import import = read(text);
   INFO(text.substr(0, 400));
@@ -111,7 +111,7 @@ TEST_CASE("SVG: a shape without fill and stroke is left out if another one is se
     CHECK(widths(import) == Widths{2});
     REQUIRE(import.notes.size() == 1);
     CHECK(import.notes[0] == "1 shape without fill and stroke was left out");
-    // Nothing else: it is read, with a note.
+    // Alone, it is read, with a note.
     const Import alone = read(svg(style + rect(3, nothing)));
     CHECK(widths(alone) == Widths{3});
     REQUIRE(alone.notes.size() == 1);
@@ -149,10 +149,10 @@ TEST_CASE("SVG: of the rules of a style sheet the last of the highest specificit
   CHECK_FALSE(is_seen("rect#a{visibility:hidden}", "id='a'"));
   CHECK_FALSE(is_seen("x,.b , .a\n{visibility:hidden}", "class='a'"));
   CHECK(is_seen("circle.a,.A,#a,rec{visibility:hidden}", "class='a'"));
-  // Over an attribute, under a style.
+  // Above an attribute, below a style.
   CHECK_FALSE(is_seen("*{visibility:hidden}", "visibility='visible'"));
   CHECK(is_seen("#a{visibility:hidden}", "id='a' style='visibility:visible'"));
-  // The last one, the highest one, the important one.
+  // The last, the highest, the important one.
   CHECK(is_seen(".a{visibility:hidden}.b{visibility:visible}", "class='b a'"));
   CHECK_FALSE(is_seen(".b{visibility:visible}.a{visibility:hidden}", "class='b a'"));
   CHECK_FALSE(is_seen("rect.a{visibility:hidden}.a{visibility:visible}rect{visibility:visible}",
@@ -180,7 +180,7 @@ TEST_CASE("SVG: at-rules, comments and other selectors of a style sheet are skip
   CHECK(count("<![CDATA[ .a > .b {} .a{display:none} ]]>") == 1);
   CHECK(count(".a{display:none") == 1);
   CHECK(count("}}{{.a{display:none}") == 2);
-  // If another selector gives paint, a shape without any is not left out.
+  // If another selector gives paint, a shape without paint stays.
   CHECK(count("rect{fill:none}") == 2);
   CHECK(count(".a{stroke:red}rect{fill:none}") == 1);
   CHECK(count(".a{stroke:red}rect{fill:none} g rect{stroke:red}") == 2);
@@ -257,7 +257,7 @@ TEST_CASE("SVG: copies are drawn where they are, with the look around them", "[i
   is_box(box_of(svg(original + "<g transform='translate(1 1)'><use href=' #r '/></g>")), 1, 1, 4,
          2);
   is_box(box_of(svg(original + "<use href='#r' xlink:href='#none'/>")), 0, 0, 3, 1);
-  // A copy of a copy, of a group, and one that comes before its original.
+  // Of a copy, of a group, and before the original.
   is_box(box_of(svg("<use href='#b' x='1'/><defs><use id='b' href='#r' y='1'/></defs>" + original)),
          1, 1, 4, 2);
   CHECK(widths(svg("<defs><g id='g'>" + rect(1) + rect(2) + "</g></defs><use href='#g'/>")) ==
@@ -329,7 +329,7 @@ TEST_CASE("SVG: symbols and drawings in the drawing have their own viewports", "
   is_box(aspect("none"), 10, 10, 50, 30);
   is_box(aspect("xMidYMin slice"), 10, 10, 50, 50);
   is_box(aspect("xMidYMax slice"), 10, -10, 50, 30);
-  // Per cent is of the nearest viewport.
+  // Per cent of the nearest viewport.
   is_box(box_of(svg("<svg x='10%' y='10%' width='50%' height='40%'><rect x='50%' width='50%' "
                     "height='100%'/></svg>",
                     all)),
@@ -363,7 +363,7 @@ TEST_CASE("SVG: the size on paper decides the unit and the scale", "[import][svg
     CHECK(extent.x() == Approx(width));
     CHECK(extent.y() == Approx(height));
   };
-  // User units of 1/90 inch, of 1/100 mm, of 1/10000 inch, of points.
+  // User units of 1/90 inch, 1/100 mm, 1/10000 inch, and points.
   check("width='1000mm' height='500mm' viewBox='0 0 3543.3071 1771.6535'", "millimetres", 8.466667,
         11.288889);
   check("width='297mm' height='210mm' viewBox='0 0 29700 21000'", "millimetres", 0.3, 0.4);
@@ -373,11 +373,11 @@ TEST_CASE("SVG: the size on paper decides the unit and the scale", "[import][svg
   check("width='51pc' height='66pc' viewBox='0 0 612 792'", "millimetres", 10.583333, 14.111111);
   check("width='840Q' height='400Q' viewBox='0 0 420 200'", "millimetres", 15, 20);
   check("width=' 210MM ' height='297 mm' viewBox='0 0 105 148.5'", "millimetres", 60, 80);
-  // Without a view box a user unit is 1/96 inch.
+  // Without a view box, a user unit is 1/96 inch.
   check("width='210mm' height='297mm'", "millimetres", 7.9375, 10.583333);
   check("width='6in' height='6in'", "inches", 0.3125, 0.4166667);
   check("width='210mm'", "millimetres", 7.9375, 10.583333);
-  // One side is enough; the smaller scale counts, and without an aspect ratio both do.
+  // One side is enough; the smaller scale counts, or both without an aspect ratio.
   check("width='210mm' viewBox='0 0 105 148.5'", "millimetres", 60, 80);
   check("height='297mm' width='100%' viewBox='0 0 105 148.5'", "millimetres", 60, 80);
   check("width='200mm' height='100mm' viewBox='0 0 50 50'", "millimetres", 60, 80);
@@ -413,12 +413,12 @@ TEST_CASE("SVG: a curve of a hair that ends where it began is dropped", "[import
     CHECK(Polygon::create(import.shapes[0].document.vertices).ok());
     CHECK(import.notes == std::vector<std::string>{"1 loop of a hair was left out"});
   }
-  // A fillet is none. A half turn is none, though its arc may end with a curve of no length. A small
-  // shape that is one curve is none.
+  // Not hairs: a fillet, a half turn whose arc ends in a curve without length, a small shape of one
+  // curve.
   for (const char* whole : {"M0 0H90a.1 .1 0 0 1 .1 .1V60H0z", "M6 0a3 3 0 1 0 0 6 3 3 0 0 0 0-6z",
                             "M0 0c.1 0 0-.1 0 0z", "M5 5c9 0 9 9 0 0"})
     CHECK(read(svg("<path d='" + std::string(whole) + "'/>")).notes.empty());
-  // A part of a path that would vanish.
+  // A vanishing part of a path.
   CHECK(widths(svg("<path d='M0 0H90V60H0zM5 5h.0001v.0001z M7 7q.01 0 .01 .01z'/>")) ==
         Widths{90});
 }

@@ -1,4 +1,4 @@
-// Tables, WKT and JSON as people's programs write them, and files of other kinds.
+// As programs write them, and files of other kinds.
 #include <string>
 #include <string_view>
 #include <vector>

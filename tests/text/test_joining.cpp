@@ -38,7 +38,7 @@ Points corners_of(const Outline& outline) {
   return corners;
 }
 
-// The areas of the outlines, the largest first.
+// The largest first.
 std::vector<double> areas(const Joining& joining) {
   std::vector<double> all;
   for (const JoinedOutline& joined : joining.outlines)
@@ -52,7 +52,7 @@ std::vector<DrawnPiece> operator+(std::vector<DrawnPiece> a, const std::vector<D
   return a;
 }
 
-// The same ring from its least corner on, counter-clockwise.
+// From its least corner on, counter-clockwise.
 Points in_order(Points ring) {
   if (signed_area(ring) < 0) std::reverse(ring.begin(), ring.end());
   const auto before = [](const Vec2& a, const Vec2& b) {
@@ -107,7 +107,7 @@ TEST_CASE(
     "[joining][import]") {
   const std::vector<DrawnPiece> cut = {line({50, 0}, {50, 80})};
   CHECK(areas(join(sides(plate) + cut)) == std::vector{5600.0, 4000.0});
-  // The end divides the side, but a stray end leaves no vertex.
+  // The end divides the side, but a stray one leaves no vertex.
   const Joining stray = join(sides(plate) + std::vector{line({50, 0}, {50, 30})});
   REQUIRE(stray.outlines.size() == 1);
   CHECK(stray.outlines[0].outline.pieces.size() == 4);
@@ -130,13 +130,13 @@ TEST_CASE("gaps are closed where something stays open, and told", "[joining][imp
   REQUIRE(join(wide).apart);
   CHECK(length(join(wide).apart->first - join(wide).apart->second) == 1);
   CHECK(areas(join(wide, 1.5)).size() == 1);
-  // A wide gap is bridged by a straight line, and no corner moves.
+  // A straight line bridges a wide gap; no corner moves.
   const Joining open =
       join({line({0, 0}, {120, 0}), line({120, 0}, {120, 80}), line({120, 80}, {0, 80})}, 90.0);
   CHECK(areas(open) == std::vector{9600.0});
   CHECK(open.gap == 80);
   wide[0].outline.pieces[0].end.x() += 0.998;
-  CHECK(join(wide, 0.001).outlines.empty());  // a finer distance than usual
+  CHECK(join(wide, 0.001).outlines.empty());  // finer than usual
 }
 
 TEST_CASE("layers are joined apart, and together only where nothing closes otherwise",
@@ -146,7 +146,7 @@ TEST_CASE("layers are joined apart, and together only where nothing closes other
   Joining joining = join(pieces);
   REQUIRE(joining.outlines.size() == 1);
   CHECK(joining.outlines[0].across_layers);
-  // Two outlines on two layers that touch keep apart.
+  // Touching outlines on two layers keep apart.
   joining = join(sides(plate, "A") + sides({{60, 0}, {180, 0}, {180, 80}, {60, 80}}, "B"));
   CHECK(areas(joining) == std::vector{9600.0, 9600.0});
   for (const JoinedOutline& joined : joining.outlines) CHECK_FALSE(joined.across_layers);
@@ -173,7 +173,7 @@ TEST_CASE("any polygon with holes, in pieces, comes back", "[joining][import][sl
     const double side = std::max(box.size().x(), box.size().y());
     CAPTURE(number, n);
     std::vector<DrawnPiece> pieces = sides(outline);
-    // Split in the middle, repeated, reversed, over two layers at times, and shuffled.
+    // Split in the middle, repeated, reversed, perhaps on two layers, and shuffled.
     const std::size_t whole = pieces.size();
     for (std::size_t i = 0; i < whole; ++i) {
       if (random.below(4) == 0) pieces.push_back(pieces[i]);
@@ -196,7 +196,7 @@ TEST_CASE("any polygon with holes, in pieces, comes back", "[joining][import][sl
       REQUIRE(same.outlines.size() == 1);
       CHECK(corners_of(same.outlines[0].outline) == corners_of(joining.outlines[0].outline));
     }
-    // Ends shaken by less than the safe distance.
+    // Ends shaken within the safe distance.
     for (DrawnPiece& piece : pieces) {
       const auto shake = [&](Vec2& end) {
         end.x() += (random.uniform() - 0.5) * 1e-6 * side;
@@ -218,7 +218,7 @@ TEST_CASE("a polygon with holes, drawn in pieces, is read from SVG and DXF",
   for (int round = 0; round < 400; ++round) {
     const auto n = static_cast<std::uint32_t>(5 + random.below(20));
     const Points outline = *generate(Family::convex, n, random.below(1u << 30));
-    // Two holes about the middle, which a convex polygon contains if they are small.
+    // Two small holes about the middle, within a convex polygon.
     Vec2 middle = Vec2::Zero();
     for (const Vec2& corner : outline) middle += corner / static_cast<double>(outline.size());
     double room = 1e300;
@@ -252,7 +252,7 @@ TEST_CASE("a polygon with holes, drawn in pieces, is read from SVG and DXF",
     std::string svg = "<svg xmlns='http://www.w3.org/2000/svg' stroke='black'>", dxf;
     for (const std::string& part : svg_parts) svg += part;
     for (const std::string& part : dxf_parts) dxf += part;
-    // At times the lines are in a block, which is inserted where it was drawn.
+    // Perhaps the lines are in a block, inserted where it was drawn.
     const bool in_block = random.below(2) == 0;
     const std::string header = "0\nSECTION\n2\n", end = "0\nENDSEC\n";
     const std::string drawing = in_block ? header + "BLOCKS\n0\nBLOCK\n2\nPART\n10\n0\n20\n0\n" +
@@ -314,11 +314,11 @@ TEST_CASE("a filled outline is a shape in whatever it lies, and may bring holes"
   using Shapes = std::vector<std::pair<std::size_t, std::size_t>>;
   CHECK(shapes({{&whole}, {&middle, nullptr, true}, {&inner}}) == Shapes{{0, 0}, {1, 1}});
   CHECK(shapes({{&inner}, {&whole, &hole, true}}) == Shapes{{1, 0}, {0, 0}});
-  // A hole of the same form as the shape in it, and as a line.
+  // A hole in the form of the shape in it, and as a line.
   CHECK(shapes({{&whole, &hole, true}, {&middle, nullptr, true}, {&inner}}) ==
         Shapes{{0, 0}, {1, 1}});
   CHECK(shapes({{&middle}, {&whole, &hole, true}, {&inner}, {&whole}}) == Shapes{{1, 0}, {2, 0}});
-  // The same outline with other holes is another shape.
+  // Other holes make another shape.
   CHECK(shapes({{&whole, &hole, true}, {&whole, nullptr, true}}).size() == 2);
   CHECK(shapes({{&whole, &hole, true}, {&whole, &hole, true}}).size() == 1);
 }
@@ -332,7 +332,7 @@ TEST_CASE("where what stays open is larger than every shape, a person should cho
     REQUIRE(import.ok());
     return import->doubtful;
   };
-  // An open path by itself is closed; with a stray line at its end it stays open.
+  // An open path alone is closed; a stray line at its end keeps it open.
   CHECK_FALSE(drawing("<circle cx='60' cy='40' r='5'/>" + open));
   CHECK(drawing("<circle cx='60' cy='40' r='5'/>" + open + "<path d='M0 80L-9 90'/>"));
   // Centre lines are longer than the part.

@@ -137,7 +137,7 @@ TEST_CASE("the numbers of the JSON read back to the same doubles", "[json][slow]
 
 TEST_CASE("with no team the loads are null and H is empty", "[json]") {
   Document document;
-  // A wide U with the centre of mass near one of its arms: no chord is nearly even.
+  // A wide U with C near one arm: no chord is nearly even.
   document.vertices = {{-1, -1}, {101, -1}, {101, 60}, {100, 60},
                        {100, 0}, {0, 0},    {0, 60},   {-1, 60}};
   document.centre_of_mass = Vec2(10, 50);
@@ -179,8 +179,8 @@ TEST_CASE("the JSON of a document holds its polygon and all settings", "[json]")
   CHECK(json["step"].is_null());
 }
 
-// tests/expected/POLYGON.METRIC.json holds the program's output with --candidates, so that changes
-// become visible. The target update_expected rewrites the files.
+// tests/expected/POLYGON.METRIC.json makes changes of the output with --candidates visible. The
+// target update_expected rewrites the files.
 TEST_CASE("known polygons give the expected results", "[expected]") {
   const std::filesystem::path folder = std::filesystem::path(EVENLIFT_TESTS_DIR) / "expected";
   const bool renew = std::getenv("EVENLIFT_UPDATE_EXPECTED") != nullptr;

@@ -60,7 +60,7 @@ Document thesis_sample() {
   return document;
 }
 
-// A polygon about (500, 500) with random angles and radii, optionally rounded to integers.
+// About (500, 500), with random angles and radii, perhaps rounded to integers.
 Document star(std::size_t n, std::uint64_t seed, bool integers) {
   Rng rng(seed);
   std::vector<double> angles(n);
@@ -168,7 +168,7 @@ TEST_CASE("every document reads back in every bit, and has one link", "[link][sl
 }
 
 TEST_CASE("links written before are read for ever", "[link]") {
-  // Never change a line of this file: links like these are in use everywhere.
+  // Never change a line: links like these are in use everywhere.
   for (const auto& row : evenlift::testing::read_table("links_version_1.txt", 2)) {
     INFO(row[0]);
     const Document document = decode(row[0]);
@@ -213,7 +213,7 @@ TEST_CASE("links written before are read for ever", "[link]") {
   }
 }
 
-// Balanced robots on the thesis's sample, with settings of any size.
+// On the thesis's sample, with settings of any size.
 static Document balanced_document(Rng& rng) {
   Document document = random_document(rng, 14);
   Settings& settings = document.settings;
@@ -291,7 +291,7 @@ TEST_CASE("positions and the goal to hold of teams of two read back in every bit
     REQUIRE(same_document(back, document));
     REQUIRE(encode(back) == link);
   }
-  // To cover is the usual goal of teams of two.
+  // Covering is the usual goal of teams of two.
   Document document = thesis_sample();
   const std::string link = encode(document);
   document.settings.goal = Goal::cover;
@@ -348,7 +348,7 @@ TEST_CASE("robots that were moved read back in every bit", "[link]") {
     REQUIRE(back.moved == document.moved);
     REQUIRE(encode(back) == link);
   }
-  // Moved robots of another method are not kept.
+  // Robots moved under another method are dropped.
   Document document = thesis_sample();
   const std::string link = encode(document);
   document.moved.robots = {{0, 0.5}};
@@ -363,7 +363,7 @@ TEST_CASE("robots that were moved read back in every bit", "[link]") {
 TEST_CASE("what version 1 holds is written as version 1", "[link]") {
   Rng rng(3);
   for (int i = 0; i < 500; ++i) CHECK(encode(random_document(rng, 14)).starts_with("1."));
-  // Settings of balanced robots do not belong to other methods.
+  // Other methods have no settings of balanced robots.
   Document document = thesis_sample();
   const std::string link = encode(document);
   document.settings.robots = 9;
@@ -380,8 +380,7 @@ TEST_CASE("balanced robots take a few characters more", "[link][length]") {
   CHECK(encode(document).size() <= length + 14);
 }
 
-// A link of version 2 without a polygon: an empty version 1, then these records, whether valid or
-// not.
+// Version 2 without a polygon: an empty version 1, then these records, valid or not.
 static std::string link_with(const std::vector<std::pair<unsigned, std::string>>& records,
                              bool ends) {
   Encoder coder;
@@ -415,7 +414,7 @@ TEST_CASE("records that no writer makes are refused, and later ones named", "[li
   for (const auto& records : std::vector<std::vector<std::pair<unsigned, std::string>>>{
            {},              // version 1 holds it
            {{2, "cover"}},  // the usual goal of teams of two
-           {{3, "0.1"}},    // from teams with the goal to cover
+           {{3, "0.1"}},    // from teams with that goal
            {{6, "best"}},
            {{6, "any"}},
            {{1, "1"}},
@@ -426,7 +425,7 @@ TEST_CASE("records that no writer makes are refused, and later ones named", "[li
            {{1, "six"}},
            {{1, "6"}, {1, "6"}},
            {{1, "6"}, {1, "7"}},
-           {{2, "hold"}, {1, "6"}},  // not in the order of their tags
+           {{2, "hold"}, {1, "6"}},  // out of order
            {{1, "6"}, {3, "0.05"}},  // the default
            {{1, "6"}, {3, "0.10"}},
            {{1, "6"}, {3, "2"}},
@@ -448,7 +447,7 @@ TEST_CASE("records that no writer makes are refused, and later ones named", "[li
            {{11, " mm"}},
            {{9, "none"}},  // the default
            {{9, "r=0"}},
-           {{9, "depth=2,r=1"}},  // not in their order
+           {{9, "depth=2,r=1"}},  // out of order
            {{9, "r=-1"}},
            {{9, "r=1" + std::string(160, '0')}},
            {{10, "none"}},
@@ -457,7 +456,7 @@ TEST_CASE("records that no writer makes are refused, and later ones named", "[li
            {{10, "3:0.5"}},
            {{18, ""}},
            {{19, ""}},
-           {{19, "3:0.5"}},  // a record of balanced robots
+           {{19, "3:0.5"}},  // of balanced robots
            {{1, "6"}, {19, "1@3:0.5/2"}},
            {{19, "1@3:0.50/2"}},
            {{19, "2@3:0.5/2,1@3:0.5/2"}},
@@ -480,7 +479,7 @@ TEST_CASE("records that no writer makes are refused, and later ones named", "[li
 }
 
 TEST_CASE("a link may leave out five digits, but not a sixth", "[link][errors]") {
-  // A decoder begins with five digits, and a value of 64 takes one more.
+  // A decoder begins with five digits; a value of 64 takes one more.
   const Digits none, one{0};
   Decoder empty(none);
   CHECK_FALSE(empty.failed());
@@ -494,7 +493,7 @@ TEST_CASE("a link may leave out five digits, but not a sixth", "[link][errors]")
 }
 
 TEST_CASE("links of version 2 written before are read for ever", "[link]") {
-  // Never change a line of this file either.
+  // Never change a line.
   for (const auto& row : evenlift::testing::read_table("links_version_2.txt", 2)) {
     INFO(row[0]);
     const Document document = decode(row[0]);
@@ -531,8 +530,7 @@ TEST_CASE("links of version 2 written before are read for ever", "[link]") {
 }
 
 TEST_CASE("a link without settings means the defaults of 1.0.0", "[link]") {
-  // If this fails because a default changed, set the old value in defaults_of_links()
-  // (link/settings.h).
+  // If a changed default breaks this, set the old one in defaults_of_links() (link/settings.h).
   Settings settings;
   settings.teams = 3;
   settings.method = Method::area;
@@ -694,7 +692,7 @@ TEST_CASE("a text longer than max_link_bytes is refused unread", "[link][bounds]
   CHECK(refusal("1." + std::string(max_link_bytes - 2, 'A')).code == ErrorCode::bad_checksum);
 }
 
-// A reader that scanned characters repeatedly would take hours for this test.
+// Scanning characters repeatedly would take hours.
 TEST_CASE("the longest hostile payloads are refused", "[link][bounds]") {
   for (const char fill : {'A', '_', 'g', 'P'}) {
     const std::string text = with_checksum("1." + std::string(max_link_bytes - 6, fill));
@@ -717,7 +715,7 @@ TEST_CASE("any bytes give a document or one sentence", "[link][fuzz]") {
     text = mutated(rng, text, bytes);
     const Result<Document> document = decode_link(text);
     ++(document.ok() ? documents : refused);
-    if (document.ok()) {  // the change has no effect, like a space before the link
+    if (document.ok()) {  // without effect, like a leading space
       const std::string again = encode(*document);
       if (text.find(again) == std::string::npos) FAIL(text << " reads as " << again);
     } else if (!evenlift::testing::is_one_sentence(document.error().message) ||
@@ -748,7 +746,7 @@ TEST_CASE("any payload with a good checksum gives a document that a link can car
       continue;
     }
     ++documents;
-    // Perhaps not as our writer would write it, but nothing is lost or added.
+    // Perhaps not as we write it, but nothing is lost or added.
     const Result<std::string> again = encode_link(*document);
     if (!again || !same_document(*decode_link(*again), *document)) FAIL(text);
   }

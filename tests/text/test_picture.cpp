@@ -31,7 +31,7 @@ TEST_CASE("a picture shows what the overlays ask for, back to front", "[picture]
                                         .lifting_base = false,
                                         .clockwise = false,
                                         .counterclockwise = false});
-  CHECK(bare.size() == 8);  // the object, its centre of mass and six robots
+  CHECK(bare.size() == 8);  // the object, C and six robots
   const std::vector<Role> all = roles({.candidates = true});
   CHECK(number(all, Role::candidate) + 3 == placement.candidates.size());
 }
@@ -79,7 +79,7 @@ TEST_CASE("a picture has the holes, and cargo with a lever from the object's own
   REQUIRE(own.size() == 1);
   CHECK(own[0].points == Points{placed->own_centre});
 
-  // Light cargo is as large as the part of the object that weighs as much.
+  // Light cargo is as large as the part of the object with its weight.
   document.settings.cargo = {{{8, 8}, 0.96, ""}};
   const std::vector<double> radii = cargo_radii(*place(document));
   CHECK(3.14159265358979 * radii.at(0) * radii.at(0) == Approx(0.96));

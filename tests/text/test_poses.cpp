@@ -1,5 +1,5 @@
-// Robots as poses: tables, JSON and messages of ROS 2. tests/consumers/check_poses.py reads them
-// with third-party readers.
+// Tables, JSON and ROS 2 messages, which tests/consumers/check_poses.py reads with third-party
+// readers.
 #include "evenlift/output/poses.h"
 
 #include <cmath>
@@ -20,7 +20,7 @@ using nlohmann::json;
 
 namespace {
 
-// One robot at this point of a square of side 4, whose centre of mass is (2, 2).
+// At this point of a square of side 4 with C at (2, 2).
 Placement one_robot(const Vec2& at, std::uint32_t edge) {
   Placement placement(solid(testing::polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}})));
   placement.centre_of_mass = {2, 2};
@@ -35,7 +35,7 @@ Shown in_units(LengthUnit length, WeightUnit weight) {
   return shown;
 }
 
-// The numbers of the message's only pose, by name: first its position, then its rotation.
+// By name, of the message's only pose: its position, then its rotation.
 json numbers_of_pose(const std::string& yaml) {
   json pose;
   for (const char* part : {"position", "orientation"}) {
@@ -114,7 +114,7 @@ TEST_CASE("a heading is above -180 degrees, however little its direction is", "[
 }
 
 TEST_CASE("a pose's rotation turns x into the heading, wherever the robot stands", "[poses]") {
-  // At the four edges, and at the four vertices along the bisector of the two normals.
+  // On the edges, and at vertices along the bisector of the normals.
   const struct {
     Vec2 at;
     std::uint32_t edge;

@@ -1,4 +1,4 @@
-// Degrees as metres, against the geodesic on the ellipsoid.
+// Against geodesics on the ellipsoid.
 #include "import/projection/projection.h"
 
 #include <cmath>
@@ -20,8 +20,8 @@ constexpr Real degree = 3.14159265358979323846264338327950288L / 180;
 constexpr Real half_axis = 6378137, flattening = 1 / 298.257223563L;
 constexpr Real other_half_axis = half_axis * (1 - flattening);
 
-// The length of the geodesic on WGS 84 between two places in degrees, as T. Vincenty computes it
-// (Survey Review 23, 1975).
+// Its length on WGS 84 between places in degrees, as T. Vincenty computes it (Survey Review 23,
+// 1975).
 Real geodesic(const Vec2& from, const Vec2& to) {
   const auto reduced = [](double latitude) {
     return std::atan((1 - flattening) * std::tan(Real(latitude) * degree));
@@ -55,7 +55,7 @@ Real geodesic(const Vec2& from, const Vec2& to) {
   return other_half_axis * a * (arc - shorter);
 }
 
-// The greatest relative error of the lengths between 49 places in a square about a place.
+// The relative error of the lengths between 49 places in a square.
 double greatest_error(const Vec2& middle, double side, double* stated) {
   const double north = side / 111320, east = north / std::cos(middle.y() * 0.017453292519943295);
   const Vec2 half(east / 2, north / 2);

@@ -1,4 +1,4 @@
-// Requests and answers in JSON. tests/consumers/check_c.py compares them with the program's output.
+// tests/consumers/check_c.py compares the answers with the program's output.
 #include "evenlift/request.h"
 
 #include <nlohmann/json.hpp>
@@ -35,7 +35,7 @@ std::string with(const std::string& members) {
   return "{" + std::string(l_shape) + ", " + members + "}";
 }
 
-// The error in the answer to the request.
+// The error in the answer.
 json refusal(const std::string& request) {
   const json answered = answer_json(request);
   INFO(request);

@@ -1,4 +1,4 @@
-// Loads, failures and the C uncertainty, in JSON and in words.
+// In JSON and in words.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -104,7 +104,7 @@ TEST_CASE("with a C uncertainty the JSON has ranges", "[json][robustness]") {
     CHECK(json["plan_ranges"][i][0] == Approx(load - change));
     CHECK(json["plan_ranges"][i][1] == Approx(load + change));
   }
-  // Within the radius that the capacity allows, the greatest load reaches the capacity.
+  // At the radius that the capacity allows, the greatest load reaches it.
   const ordered_json capacity = json_of(placement, {.capacity = 18.5})["capacity"];
   const double radius = capacity["com_radius"].get<double>();
   double greatest = 0;
@@ -135,8 +135,7 @@ TEST_CASE("with a C uncertainty the first sentence has the ranges, of balanced r
     CHECK(plainly(loads_in_words({placement, document.shown}, LoadModel::plan, ranges)) ==
           robots + " carry " + fixed(least, 1) + "–" + fixed(greatest, 1) +
               " kg each, with a C uncertainty of 3 cm (100 kg in all).");
-    // The loads of other models have separate sentences; the plan's loads assume C at its given
-    // place.
+    // Other models' loads have their own sentences; the plan's assume C as given.
     CHECK(loads_in_words(placement, LoadModel::springs, ranges) ==
           loads_in_words(placement, LoadModel::springs));
   }
@@ -235,7 +234,7 @@ TEST_CASE("a C uncertainty is told in sentences", "[words][robustness]") {
 
 TEST_CASE("how far C may be off for a capacity is told, with the other conditions",
           "[words][robustness]") {
-  // Four robots at the corners of a square of side 10: 25 kg each, and 5 kg more per unit.
+  // Four robots at the corners of a square of side 10: 25 kg each, and 5 kg per unit.
   Document document;
   document.vertices = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
   document.settings.method = Method::given;
@@ -271,7 +270,7 @@ TEST_CASE("an object can tip from the very distance on at which it tips", "[word
   CHECK(words(19.99).empty());
   CHECK(words(20) == "It can tip: the centre of mass may be off by 20" + tips);
   CHECK(words(25) == "It can tip: the centre of mass may be off by 25" + tips);
-  // Without a known place for C there is no message, even if the smallest error tips the object.
+  // Without a place for C there is no message, even if the smallest error tips the object.
   CHECK(words(0, 0).empty());
 }
 

@@ -1,6 +1,6 @@
-// The places that name settings and that no compiler reads. A message reports each missing name,
-// and each name that does not belong there. CONTRIBUTING.md, "Add a setting", lists these places.
-// The target update_expected adds what is missing in docs and packages, from the setting's row.
+// The places that name settings and that no compiler reads (CONTRIBUTING.md, "Add a setting").
+// Messages report names that are missing or do not belong there. The target update_expected adds
+// what docs and packages lack, from the setting's row.
 #include <map>
 #include <regex>
 #include <set>
@@ -19,12 +19,12 @@ using Names = std::set<std::string>;
 
 fs::path root() { return fs::path(EVENLIFT_TESTS_DIR).parent_path(); }
 
-// A file as what stands before a part of it, the part, and what stands after it.
+// What is before, in and after a part of a file.
 struct Parts {
   std::string before, part, after;
 };
 
-// The part between the two texts.
+// Between the two texts.
 Parts parts_of(const std::string& file, const std::string& begins, const std::string& ends) {
   const std::string text = corpus::read_file(root() / file);
   INFO(file << " has nothing between \"" << begins << "\" and \"" << ends << "\"");
@@ -39,7 +39,7 @@ std::string part_of(const std::string& file, const std::string& begins, const st
   return parts_of(file, begins, ends).part;
 }
 
-// The rows of the tables in a text, each without the characters before its first cell.
+// Each without the characters before its first cell.
 std::vector<std::string> table_rows(const std::string& text) {
   std::vector<std::string> rows;
   std::istringstream lines(text);
@@ -50,7 +50,7 @@ std::vector<std::string> table_rows(const std::string& text) {
 
 std::string first_cell(const std::string& row) { return row.substr(0, row.find(" |")); }
 
-// All matches of the pattern's first group.
+// All matches of the first group.
 Names found(const std::string& text, const std::string& pattern) {
   const std::regex each(pattern);
   Names names;
@@ -59,11 +59,11 @@ Names found(const std::string& text, const std::string& pattern) {
   return names;
 }
 
-// --- The doors: the settings at each of them, and their names there
+// --- The doors: the settings at each, and their names there
 
 bool is_option(const SettingRow& row) { return row.option.group != OptionGroup::none; }
 bool is_in_result(const SettingRow& row) { return row.in_result != Listed::never; }
-// Requests and the packages have a separate member for the centre of mass.
+// C has its own member in requests and packages.
 bool is_asked(const SettingRow& row) {
   return row.changes != Changes::view && row.setting != Setting::com;
 }
@@ -75,16 +75,16 @@ std::string as_member(const SettingRow& row) {
 }
 
 struct Door {
-  std::string file, begins, ends;  // the part of the file; in tables, the first cells count
+  std::string file, begins, ends;  // the part of the file; of tables, the first cells
   std::string name;                // a pattern, whose first group is a name
   std::string entry;               // what update_expected adds; with \n, on a line of its own
   std::string lacks;               // the message if it is missing
   bool (*goes_through)(const SettingRow&);
   std::string (*called)(const SettingRow&) = as_is;
-  Names others = {};  // names there that are not settings
+  Names others = {};  // other names there
 };
 
-// These list settings, and nothing else except `others`.
+// Only settings, apart from `others`.
 const Door lists[] = {
     {"docs/cli.md",
      "## `evenlift place`\n",
@@ -169,7 +169,7 @@ std::string replaced(std::string text, const std::string& old, const std::string
   return text;
 }
 
-// The pattern of an entry or message with what the row says.
+// With what the row says.
 std::string filled(std::string pattern, const Door& door, const SettingRow& row) {
   const std::string help(row.option.help.empty() ? row.subject : row.option.help);
   std::string sentence = help, needed = requirement(row.setting);
@@ -190,7 +190,7 @@ std::string filled(std::string pattern, const Door& door, const SettingRow& row)
   return pattern;
 }
 
-// The setting before this one that has an entry, and a value of the same kind.
+// The last setting before it with an entry and a value of the same kind.
 const SettingRow& one_before(const SettingRow& row, const Door& door) {
   const SettingRow* before = nullptr;
   for (const SettingRow& other : all_settings()) {
@@ -202,14 +202,14 @@ const SettingRow& one_before(const SettingRow& row, const Door& door) {
   return *before;
 }
 
-// Finds the setting's entries at the door; in tables, only in the first cells.
+// At the door; in tables, only in first cells.
 std::regex entries_of(const SettingRow& row, const Door& door) {
   const std::size_t begin = door.name.find('('), end = door.name.find(')') + 1;
   const std::string name = door.name.substr(0, begin) + door.called(row) + door.name.substr(end);
   return std::regex(name.starts_with('`') ? "\n\\| [^|]*" + name + "(?![a-z_-])" : name);
 }
 
-// Adds an entry after each entry of the setting before; on a line of its own, only once.
+// After each entry of the setting before; as a line, only once.
 void add_entry(const Door& door, const SettingRow& row) {
   auto [text_before, part, text_after] = parts_of(door.file, door.begins, door.ends);
   const std::regex entries = entries_of(one_before(row, door), door);
@@ -230,7 +230,7 @@ void add_entry(const Door& door, const SettingRow& row) {
   WARN(door.file << " has a new entry for " << row.name << ": read it, and say more if needed");
 }
 
-// Reports what the place lacks of a setting, or adds it if the expected files are renewed.
+// Adds it instead, if the expected files are renewed.
 void report_lack(const Door& door, const SettingRow& row) {
   static const bool renew = std::getenv("EVENLIFT_UPDATE_EXPECTED") != nullptr;
   if (renew)
@@ -253,7 +253,7 @@ Names check_names_of_settings(const Door& door, const Names& there) {
 
 // --- The records of links
 
-// The setting of each record, and the reserved numbers, according to docs/link-format.md.
+// By docs/link-format.md: each record's setting, and the reserved numbers.
 struct Description {
   std::map<int, std::string> held, reserved;
 };

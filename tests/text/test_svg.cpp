@@ -16,7 +16,7 @@ using evenlift::testing::placed;
 
 namespace {
 
-// The numbers of some attributes, for each element of a class.
+// Some attributes of each element of a class.
 std::vector<std::vector<double>> numbers_of(const std::string& svg, const std::string& of_class,
                                             const std::vector<std::string>& names) {
   std::vector<std::vector<double>> all;
@@ -31,7 +31,7 @@ std::vector<std::vector<double>> numbers_of(const std::string& svg, const std::s
   return all;
 }
 
-// Every tag is closed, in order; attributes are in quotes; every character is in a valid place.
+// Tags are closed in order, attributes are quoted, and every character is in a valid place.
 bool well_formed(const std::string& xml) {
   std::vector<std::string> open;
   for (std::size_t i = 0; i < xml.size(); ++i) {
@@ -104,7 +104,7 @@ TEST_CASE("robots are numbered from 1 by every method, and partners share a tall
       CHECK(occurrences(svg, ">" + std::to_string(robot) + "</text>") == 1);
     CHECK(occurrences(svg, ">7</text>") == 0);
     CHECK(occurrences(svg, "class=\"small-body\"") == 6);
-    // One stroke at both robots of the first team, two at the second's, three at the third's.
+    // One stroke at the first team's robots, two at the second's, three at the third's.
     CHECK(occurrences(svg, "class=\"tally\"") == (is_one_team(method) ? 0 : 12));
   }
 }

@@ -1,4 +1,4 @@
-// Numbers and results in words: the one formatter for all text that users read.
+// The one formatter for all text that users read.
 #include "evenlift/output/words.h"
 
 #include <cmath>
@@ -155,7 +155,7 @@ TEST_CASE("what can still move is named, and what holds the object", "[words]") 
         "The robots' contact alone stops it from sliding or turning. Robots may be off by 12 along "
         "their edges.");
   CHECK(is_held(placement));
-  // A hold by a hair cannot be relied on.
+  // A hold by a hair is unreliable.
   placement.settings.clear = 0.1;
   placement.closure.clearance = {0.0912, 4, 0.05};
   CHECK(plainly(closure_in_words(placement)) ==
@@ -227,7 +227,7 @@ TEST_CASE("a capacity says of which loads and of which robots it speaks", "[word
       words(LoadModel::worst, {}, none) ==
       "No robot carries more than 17 kg. As planned, even all 18 robots that can be placed are too "
       "few.");
-  // The failed robot carries nothing.
+  // A failed robot carries nothing.
   CHECK(words(LoadModel::springs, {2, 3, 5}, plan, 1) ==
         "3 of the other 5 robots are overloaded, with more than 17 kg: robots 3, 4 and 6. With no "
         "failures, this method needs 8 robots, with at most 12.5 kg each.");

@@ -27,7 +27,7 @@ from check_supports import (  # noqa: E402
     distance, dot, edges_of, expect, expect_near, grid_point, minus, nearest_on_segment, pairs_of,
     random_polygon, standing_of, star_polygon, steps_polygon, strictly_inside_hull, support, twice_area)  # fmt: skip
 
-NEAR = 1e-7  # a case is drawn again if a decision is nearer than this part of the weight or the size
+NEAR = 1e-7  # a nearer decision draws the case again; in parts of the weight or the size
 TILT = {"height", "reach", "stays", "slope", "degrees", "acceleration"}
 
 
@@ -171,7 +171,7 @@ def bounds_over_disc(points, i, centre, reach):
         outward = tuple(x / length(gradient) for x in gradient)
         inward = minus(tuple(sum(p[k] for p in points) / len(points) for k in (0, 1)), centre)
         inward = tuple(x / (length(inward) or 1) for x in inward)
-        for less in (Fraction(1, 10**e) for e in (14, 13, 12, 11)):  # a hair within the disc and the base
+        for less in (Fraction(1, 10**e) for e in (14, 13, 12, 11)):  # a hair inside the disc and the base
             way = [reach * ((1 - less) * x + less / 2 * y) for x, y in zip(outward, inward)]
             place = as_doubles(c + x for c, x in zip(centre, way))
             if distance_squared(place, centre) <= reach * reach:
@@ -212,8 +212,8 @@ class Case:
     supports: list
     settings: dict = dataclasses.field(default_factory=dict)
     weight: Fraction = Fraction(100)
-    own_centre: tuple | None = None  # as given with --com
-    cargo: list = dataclasses.field(default_factory=list)  # pairs of a place and a weight
+    own_centre: tuple | None = None  # from --com
+    cargo: list = dataclasses.field(default_factory=list)  # pairs of place and weight
     holes: list = dataclasses.field(default_factory=list)
     own_capacities: list | None = None
     more: tuple = ()
@@ -580,7 +580,7 @@ def check_extra(case, result):
     expect_near(extra["share"], share, 1e-8, "extra.share")
     low, high = greatest_anywhere(case)
     if low > 0 and extra["anywhere"] == 0:
-        pass  # without the weight a robot may go slack or is overloaded
+        pass  # without the weight, a robot may be slack or overloaded
     elif high is None:
         expect(extra["anywhere"] is None, f"extra.anywhere is {extra['anywhere']}, but any weight may stand anywhere")
     else:
@@ -672,7 +672,7 @@ def check_result(case, answer):
     yield from check_failures(case, result) * ["greatest ends after a failure"]
 
 
-# Kinds of cases. Each draws a case, returns its run, and a function that checks the answer and names what the case was.
+# Kinds of cases. Each draws a case, and returns its run and a function that checks the answer and names the case.
 
 
 def judged(rng, program):
@@ -987,7 +987,7 @@ def examples(program):
     def uneven_hexagon(r):
         expect_ranges(r, [(100 / 6 / 3, 100 / 6 * 5 / 3)] * 6)
 
-    def slack_hexagon(r):  # 4/3 of the mean load is more than it, so that the upper end is that of the model `worst`
+    def slack_hexagon(r):  # 4/3 of the mean load is more than it, so the upper end is that of `worst`
         expect_ranges(r, [(0, 50)] * 6, may_let_go=True)
 
     def uneven_three(r):  # three robots touch any ground

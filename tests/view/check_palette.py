@@ -17,7 +17,7 @@ import sys
 root = pathlib.Path(__file__).resolve().parent.parent.parent
 problems = []
 
-# The roles whose names differ from the theme's.
+# Roles whose names differ from the theme's.
 in_css = {"line": "panel_line", "second": "second_text", "on-accent": "on_accent", "amber-ground": "amber_ground"}
 in_svg = {"line": "panel_line", "outline": "object_outline", "clockwise": "clockwise_line", "counterclockwise": "counter_line", "overload": "amber", "slide": "amber",
           "no_go": "amber", "unusable": "quiet", "body": "robot", "cargo": "chord"}
@@ -72,7 +72,7 @@ def contrast(a, b):
     return (high + 0.05) / (low + 0.05)
 
 
-# Roles, and their backgrounds.
+# Roles and backgrounds.
 texts = [("text", ("panel", "well", "ground")), ("second_text", ("panel", "ground")), ("amber", ("panel", "amber_ground")),
          ("on_accent", ("accent",)), ("robot_text", ("robot",)), ("hull_text", ("object", "base")), ("accent_on_object", ("object",)),
          ("amber_on_object", ("object",))]
@@ -104,8 +104,7 @@ def lightness_and_hue(colour):
     return 116 * y - 16, 500 * (x - y), 200 * (y - z)
 
 
-# Colours with at least this difference in CIELAB are plainly different to most people; the lines' signs and dashes
-# distinguish them for all.
+# In CIELAB, plainly different to most people; signs and dashes of the lines distinguish them for all.
 least_difference = 25
 
 

@@ -1,4 +1,4 @@
-// Balanced robots in the view: the start at once, and the later results of a search.
+// The start at once, and a search's later results.
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,7 +27,6 @@ namespace {
 
 const std::string piano = asset(EVENLIFT_ASSETS_DIR "/polygons/grand-piano.txt");
 
-// A state that shows six balanced robots.
 AppState balanced_state(std::uint32_t robots = 6) {
   AppState state;
   Document opened_first = document(piano);
@@ -41,7 +40,7 @@ std::vector<LiftingPoint> standing(const AppState& state) {
   return lifting_points(state.derived().placement->teams);
 }
 
-// The final result of the search.
+// Of the whole search.
 std::string last_robots(const AppState& state) {
   return robots_text(lifting_points(place(state.work.document())->teams));
 }
@@ -107,7 +106,7 @@ TEST_CASE("what a search finds for another document is dropped", "[view][balance
 
 TEST_CASE("texts that are no robots change nothing", "[view][balanced]") {
   AppState state = balanced_state(2);
-  // Two robots are found at once.
+  // Two robots need no search.
   CHECK_FALSE(state.derived().search.under_way);
   const Polygon& polygon = state.derived().placement->polygon();
   const std::string good = robots_text(standing(state));
@@ -220,7 +219,7 @@ TEST_CASE("another method takes what it can have of the settings", "[view][balan
   settings.method = Method::balanced;
   CHECK(with_method(settings, Method::balanced, 4).goal == Goal::hold);
   CHECK_FALSE(with_method(settings, Method::area, 4).goal);
-  // Teams of two keep their goal where the method supports it.
+  // The goal of teams stays where the method supports it.
   settings.method = Method::area;
   CHECK(with_method(settings, Method::circle, 4).goal == Goal::hold);
   CHECK_FALSE(with_method(settings, Method::random, 4).goal);
@@ -277,7 +276,7 @@ TEST_CASE("one of three balanced robots is moved by hand, and the others follow"
   CHECK(state.work.history.undoes() == Edit::robots_moved);
   CHECK(link_lacks_in_words(state).empty());
   CHECK_FALSE(state.derived().search.under_way);
-  // A drag is one step of undo.
+  // A drag is one undo step.
   give(state, MoveRobot{0, before[0].position + along * 0.03});
   give(state, EndEdit{});
   const std::string moved = robots_text(standing(state));
@@ -287,7 +286,7 @@ TEST_CASE("one of three balanced robots is moved by hand, and the others follow"
   give(state, Undo{});
   CHECK(robots_text(standing(state)) == moved);
   CHECK_FALSE(state.derived().search.under_way);
-  // The weight changes, and the robots stay in place.
+  // Another weight moves no robot.
   Settings heavier = settings(state);
   heavier.weight = 300;
   give(state, SetSettings{heavier});
@@ -338,7 +337,7 @@ TEST_CASE("a balanced robot stops where the others cannot follow", "[view][balan
   give(state, SetHeld{});
   CHECK_FALSE(state.view.closed_to);
 
-  // Moving it by keys gives a message.
+  // By keys, it gives a message.
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     state.session.notice = {};
     const std::vector<LiftingPoint> before = standing(state);
@@ -397,7 +396,7 @@ TEST_CASE("arrows move the robot whose card is open", "[view][balanced]") {
     CHECK(state.derived().explanation->of.at == standing(state)[0].position);
     moved += standing(state)[0].position != before;
   }
-  // It cannot cross to the other side of its edge.
+  // It cannot cross to the edge's other side.
   CHECK(moved >= 2);
 }
 

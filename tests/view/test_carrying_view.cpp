@@ -1,4 +1,3 @@
-// Slopes, starts, uneven ground and another load, as the page shows them.
 #include <string>
 
 #include "actions/pointer.h"
@@ -113,7 +112,7 @@ TEST_CASE("a finger drags the load over the object, and pans the picture where n
     interact(state, pointer, commands);
     for (Command& command : commands) give(state, std::move(command));
   };
-  // Between the parts that can be taken.
+  // Between what can be taken.
   Vec2 from = state.view.camera.to_screen(state.derived().placement->centre_of_mass) + Vec2(30, 30);
   while (pick(state, from).kind != Pick::Kind::object) from += Vec2(3, 7);
   const Vec2 to = from + Vec2(20, 0);

@@ -1,5 +1,4 @@
-// While a large object is dragged, a worker chooses its teams (derive/elsewhere.h). These tests take
-// the worker's part.
+// During drags of large objects a worker, here the tests, chooses teams (derive/elsewhere.h).
 #include <limits>
 
 #include "derive/elsewhere.h"
@@ -17,7 +16,7 @@ Document generated(Family family, std::size_t vertices, std::uint64_t seed) {
   return document;
 }
 
-// What the worker answers: the choice, or nothing for a refused document.
+// The choice, or nothing for a refused document.
 std::vector<double> answer(const ChooseElsewhere& task) {
   const auto document = read_task(task.rings, task.settings);
   REQUIRE(document);
@@ -27,21 +26,21 @@ std::vector<double> answer(const ChooseElsewhere& task) {
 
 std::string result(const Placement& placement) { return placement_json(placement, true); }
 
-// Whether the last commands change the address and the storage.
+// Whether the last commands change the address and storage.
 bool tells_of_a_document(const AppState& state) {
   return std::any_of(
       state.session.effects.begin(), state.session.effects.end(),
       [](const Effect& effect) { return std::holds_alternative<DocumentChanged>(effect); });
 }
 
-// A page with a star whose placement takes longer than a frame.
+// With a star whose placement takes longer than a frame.
 struct LargePage {
   LargePage() { begin(state, placed(generated(Family::star, 9000, 1))); }
 
   const Document& document() const { return state.work.document(); }
   const Placement& shown_now() const { return *state.derived().placement; }
 
-  // Moves the first vertex, as a drag does, and returns what the worker is asked, if anything.
+  // Moves the first vertex like a drag, and returns the worker's task, if any.
   std::optional<ChooseElsewhere> drag(const Vec2& by) {
     return asked_by(MoveVertex{0, document().vertices[0] + by});
   }
@@ -123,7 +122,7 @@ TEST_CASE("numbers that no page or worker writes are refused", "[view][choosing]
       changed[i] = wrong;
       CHECK_FALSE(read_choice(changed, edges));
     }
-  // Edges, kinds, numbers and indices that do not exist.
+  // Invalid edges, kinds, numbers and indices.
   for (const std::size_t i : {0u, 1u, 4u, 7u, 11u})
     for (const double wrong : {-1.0, 0.5, 1e9}) {
       std::vector<double> changed = choice;
@@ -153,14 +152,14 @@ TEST_CASE("a drag of a large object places nothing itself, and skips what is ove
   CHECK_FALSE(page.drag({0.01, 0}));
   CHECK(computed().placements == placements);
 
-  // The answer is shown, and the worker gets the newest document.
+  // The answer appears, and the worker gets the newest document.
   const auto second = page.take(first->number, answer(*first));
   REQUIRE(second);
   CHECK(result(page.shown_now()) == result(placed(overtaken).placement));
   CHECK(read_task(second->rings, second->settings)->vertices == page.document().vertices);
   CHECK(lags(page.state));
 
-  // Then there is nothing more to ask, and the end of the drag places nothing.
+  // Then nothing is left to ask, and the drag's end places nothing.
   CHECK_FALSE(page.take(second->number, answer(*second)));
   CHECK_FALSE(lags(page.state));
   CHECK_FALSE(tells_of_a_document(page.state));

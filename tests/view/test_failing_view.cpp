@@ -1,4 +1,3 @@
-// Robots that fail, loads by another model and the C uncertainty, as the page shows them.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -211,7 +210,7 @@ TEST_CASE("the verdict's tip says what loads and stability presume of the robots
   CHECK(presumed_in_words(state).find("sudden") != std::string::npos);
   give(state, Fail{});
   CHECK(presumed_in_words(state) == presumed);
-  // Where no robot can stand, the verdict does not mention robots.
+  // Where no robot can stand, the verdict does not mention any.
   Document square = document("(0,0)\n(100,0)\n(100,100)\n(0,100)\n");
   square.settings.robot = {.radius = 100, .gap = 10000};
   begin(state, placed(square));
@@ -307,8 +306,7 @@ TEST_CASE("the loads of each model are shown, and what they presume is said", "[
     for (std::size_t i = 0; i < expected.size(); ++i)
       CHECK(state.derived().outlook.loads[i].greatest == expected[i].greatest);
     CHECK(model_words(state) == model_in_words(model, models));
-    // The headline has the plan's loads, and marks them as planned beside the loads of another
-    // model.
+    // The headline's loads are the plan's, marked as planned beside another model's.
     CHECK(verdict(state).headline.starts_with("As planned, ") == (model != LoadModel::plan));
   }
 }

@@ -1,4 +1,4 @@
-// Undo and redo: their effects, their messages, and the steps that are kept.
+// Effects, messages, and kept steps.
 #include <algorithm>
 #include <optional>
 #include <set>
@@ -154,7 +154,7 @@ TEST_CASE("each setting that is changed alone is named, also after it was kept",
   // Steps kept by 1.0.0 keep their meaning.
   CHECK(in_words(static_cast<Edit>(3)) == "changed the number of teams");
   CHECK(in_words(static_cast<Edit>(22)) == "changed the no-go edges");
-  // A setting without a number in the history uses the number of its record in links.
+  // Without its own number, a setting uses that of its record in links.
   const SettingRow later{.setting = Setting::apart,
                          .name = "later",
                          .subject = "a later one",
@@ -218,8 +218,7 @@ TEST_CASE("the drawing makes room for what the page lays over it", "[view][layou
     CHECK(seat.width() > 200);
     state.session.screen.foot = 100;
     CHECK(layout(state).free.bottom == before.free.bottom - 100);
-    // Above a card the margins around the polygon shrink with the remaining space, but half of it
-    // belongs to the polygon.
+    // Above a card, the polygon's margins shrink with the space, but the polygon keeps half of it.
     const Rect room = layout(state).room, free = layout(state).free;
     CHECK(room.bottom <= free.bottom - std::min(48.0, free.height() / 4));
     CHECK(room.bottom - room.top >= free.height() / 2);

@@ -1,4 +1,3 @@
-// Pictures of an object with holes and cargo.
 #include <imgui.h>
 
 #include <algorithm>
@@ -42,7 +41,7 @@ Points star(const Vec2& middle, double size, int points) {
   return ring;
 }
 
-// A plate of 400 by 300 with three holes, two of which have vertices on one line.
+// 400 by 300, with three holes; two have vertices on one line.
 Document plate() {
   Document document{{{0, 0}, {400, 0}, {400, 300}, {0, 300}}, std::nullopt};
   document.holes = {square({80, 80}, 40), star({300, 160}, 70, 7), square({80, 220}, 40)};
@@ -71,7 +70,7 @@ double area_of(const Points& corners, const std::vector<std::uint32_t>& triangle
   return area;
 }
 
-// The colour of a pixel of the last frame.
+// A pixel of the last frame.
 struct Pixel {
   double channels[3];
   bool is(const Colour& colour, double tolerance = 1.5) const {
@@ -120,7 +119,7 @@ Pixel pixel_at(const Colour& ground, const Vec2& at) {
         const auto alpha = [](const ImDrawVert& v) { return v.col >> IM_COL32_A_SHIFT & 0xFF; };
         const double most = std::max({alpha(a), alpha(b), alpha(c)});
         if (most == 0) continue;
-        // The fringe of a line fades to the outside.
+        // A line's fringe fades outwards.
         const double fade = (of_a * alpha(a) + of_b * alpha(b) + of_c * alpha(c)) / most;
         const ImU32 colour = alpha(a) == most ? a.col : alpha(b) == most ? b.col : c.col;
         pixel.draw(colour, texture_at(uv) * fade);
@@ -152,7 +151,7 @@ struct Looked {
 
 TEST_CASE("triangles fill an object and none of its holes", "[view]") {
   std::vector<Document> documents{plate(), loaded_plate()};
-  for (const int across : {1, 3, 8}) {  // a grid of holes with vertices at the same heights
+  for (const int across : {1, 3, 8}) {  // a grid of holes with vertices at equal heights
     Document grid{square({0, 0}, 50), std::nullopt};
     for (int i = 0; i < across * across; ++i) {
       const double step = 100.0 / across;
@@ -319,7 +318,7 @@ TEST_CASE("the disc of a weight tells its share of the total weight", "[view]") 
     CHECK(length(discs[i].middle - looked.view.camera.to_screen(cargo[i].at)) < 1e-6);
     CHECK(discs[i].radius < 50);
   }
-  // Far away, the discs cover little of the object.
+  // From far away, discs cover little of the object.
   give(page.app.state, SetCamera{zoom(page.app.state.view.camera, {0, 0}, 0.25, 1e-6, 1e6)});
   const Looked far(page);
   discs = cargo_discs(far.view);
@@ -381,7 +380,7 @@ TEST_CASE("a hovered weight is emphasised", "[view]") {
   };
   CHECK(rim().is(theme(state).chord, 8));
   give(state, SetHover{{Pick::Kind::cargo, 0, 0, {200, 240}}});
-  // The pointer keeps its place, so that the frame does not set another part.
+  // The pointer stays, so that the frame sets no other part.
   ImGui::NewFrame();
   draw_frame(page.app);
   ImGui::Render();

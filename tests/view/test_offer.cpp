@@ -1,4 +1,3 @@
-// The offer of other settings that would mend a placement.
 #include <string>
 
 #include "edits/sight.h"

@@ -1,4 +1,3 @@
-// The document with which the page opens.
 #include <string>
 
 #include "app/opening.h"

@@ -1,4 +1,3 @@
-// Teams in their ranges, and teams chosen to hold, in the view.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,7 +33,7 @@ AppState state_in_ranges(std::optional<Goal> goal = {}) {
   return state;
 }
 
-// By a tangent instead of an angle, which is accurate enough here.
+// A tangent for the angle is accurate enough here.
 Vec2 turned(const Vec2& from_centre, double tangent) {
   return from_centre + tangent * left_normal(from_centre);
 }
@@ -73,7 +72,7 @@ TEST_CASE("a team goes along its range by hand, its loads with it, and back", "[
   CHECK(state.work.history.undoes() == Edit::robots_moved);
   CHECK(link_lacks_in_words(state).empty());
   CHECK(explain(state, pick).reason.empty());
-  // Far beyond an end of its range it stops at that end.
+  // Far beyond its range, it stops at the end.
   give(state, MoveRobot{2, state.derived().placement->centre_of_mass + Vec2(1e-3, 1e6)});
   CHECK(state.derived().placement->teams[1].ratio >= 0.8 - 1e-9);
   give(state, EndEdit{});
@@ -234,7 +233,7 @@ TEST_CASE("among many candidates teams are swapped when a drag ends, and not bef
   Document selected = comb;
   selected.settings.goal = Goal::cover;
   CHECK(state.derived().placement->team_candidates == taken(selected));
-  // The steps of the lesson are those of the teams on the screen.
+  // The lesson's steps are those of the teams on the screen.
   give(state, OpenWalkthrough{});
   CHECK(state.view.walkthrough.trace->count(StepKind::swap) == 0);
   give(state, EndEdit{});
@@ -276,7 +275,7 @@ TEST_CASE("a robot is dragged along its range with the pointer, and drawn with i
   document.shown.overlays.candidates = true;
   page.open(document);
   page.frame();
-  // A press takes a vertex before the robot on it, so this picks a robot that is not at a vertex.
+  // A press takes a vertex before its robot, so this picks a robot away from vertices.
   const AppState& state = page.app.state;
   const auto stands_apart = [&](const Vec2& at) {
     const Points& vertices = state.derived().placement->vertices();
@@ -288,7 +287,7 @@ TEST_CASE("a robot is dragged along its range with the pointer, and drawn with i
   while (team < 3 && !stands_apart(place_of(state, team, 0))) ++team;
   REQUIRE(team < 3);
   const Vec2 at = place_of(state, team, 0), c = state.derived().placement->centre_of_mass;
-  // Around C, to one side and to the other: one of the two directions is possible.
+  // Around C, to both sides: one is possible.
   for (const double turn : {0.05, -0.05})
     page.drag(place_of(state, team, 0), c + (at - c) + turn * left_normal(at - c));
   CHECK(by_hand(state));

@@ -1,4 +1,4 @@
-// Robots with a size in the view: the brush, undo, and no-go parts that follow the vertices.
+// The brush, undo, and no-go parts that follow the vertices.
 #include <string>
 
 #include "evenlift/placed_robots.h"
@@ -139,7 +139,7 @@ TEST_CASE(
   REQUIRE(again);
   give(page, OpenDocument{std::move(again).value()});
   give(page, SetMethod{Method::area});
-  CHECK(now().robot == evenlift::RobotSize{});  // that belonged to another object
+  CHECK(now().robot == evenlift::RobotSize{});  // it belonged to another object
 }
 
 TEST_CASE("a robot's body that is smaller than its mark is not drawn", "[view][stands]") {

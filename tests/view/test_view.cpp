@@ -1,4 +1,3 @@
-// The view without a window.
 #include <imgui.h>
 
 #include <algorithm>
@@ -82,8 +81,7 @@ TEST_CASE("every panel draws for every sample on every kind of screen, and then 
         page.frame();
         CHECK_FALSE(settle(page.app));  // nothing needs another frame
         CHECK(page.app.commands.empty());
-        // The drawing and each card have separate lists, and every list has content. A phone on its
-        // side has no card of tools.
+        // The drawing and the cards have separate lists. A phone on its side has no card of tools.
         const ImDrawData& drawn = *ImGui::GetDrawData();
         CHECK(drawn.CmdListsCount >= (embed ? 2 : 3));
         for (int list = 0; list < drawn.CmdListsCount; ++list)
@@ -141,7 +139,7 @@ TEST_CASE("a refused polygon keeps the last good placement, link and reason", "[
   held.pressed = held.down = true;
   page.frame(held);
   held.pressed = false;
-  // During the first part of the drag the polygon is valid; then its edges cross.
+  // The polygon is valid at first; then its edges cross.
   std::string last_link, last_json;
   for (int i = 1; i <= 12; ++i) {
     held.at =
@@ -312,7 +310,7 @@ TEST_CASE("labels stand clear of each other, of robots and of what covers the dr
   const auto apart = [](const Rect& a, const Rect& b) {
     return a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top;
   };
-  // There is room for all of them.
+  // There is room for all.
   REQUIRE(places.size() == requests.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     REQUIRE(places[i]);
@@ -370,7 +368,7 @@ TEST_CASE("texts on lines that cross do not cover each other", "[view]") {
   REQUIRE(before.size() == 3);
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < i; ++j) CHECK(apart(before[i], before[j]));
-  // Where no place is left, the first one is used.
+  // Without a free place, the first is used.
   for (int i = 0; i < 10; ++i) box_on_line({0, 0}, {30, 0}, size, from_middle, before);
   CHECK(before.back().middle() == Vec2(15, 0));
 }
@@ -409,7 +407,7 @@ TEST_CASE("no two actions share a key, except in the lesson, while drawing and f
       if (key.name.empty()) continue;
       const bool lessons = a.id >= ActionId::step_on && a.id <= ActionId::predict;
       if (lessons && key.name.starts_with("Arrow")) continue;
-      // Delete removes the selected vertex, or else the robot whose card is open.
+      // Delete takes the selected vertex, or else the robot with the open card.
       if (a.id == ActionId::remove_robot) continue;
       if (a.id == ActionId::place || a.id == ActionId::take_back || a.id == ActionId::type_edge)
         continue;
@@ -566,7 +564,7 @@ TEST_CASE("what a huge disc covers is found at once, and is what it covers of th
           "[view]") {
   const Rect window{0, 0, 800, 600};
   Occupied occupied(window);
-  occupied.disc(Vec2(400, 600 + 1e12), 1e12 + 300);  // its top is in the middle of the window
+  occupied.disc(Vec2(400, 600 + 1e12), 1e12 + 300);  // its top is in the window's middle
   CHECK_FALSE(occupied.is_free({390, 320, 410, 340}));
   CHECK_FALSE(occupied.is_free({10, 320, 30, 340}));
   CHECK(occupied.is_free({390, 200, 410, 220}));
@@ -598,7 +596,7 @@ TEST_CASE("each press of the sheet's handle shows more of it, until it is closed
     CHECK(press() < -24);
     CHECK(state.view.sheet == Sheet::closed);
 
-    state.session.screen.width = 320;  // half of it is no more than the closed sheet
+    state.session.screen.width = 320;  // half is no more than the closed sheet
     state.session.screen.height = 568;
     CHECK(press() > 24);
     CHECK(state.view.sheet == Sheet::full);
@@ -801,7 +799,7 @@ TEST_CASE("two methods stand side by side and follow the same polygon", "[view]"
   CHECK(length(page.app.state.work.document().vertices[2] - Vec2(420, 180)) < 2);
   CHECK(page.app.state.derived().second->vertices() ==
         page.app.state.derived().placement->vertices());
-  // Through the other methods, and back to no comparison.
+  // Through the other methods, and back.
   for (std::size_t i = 1; i < std::size(all_methods); ++i) page.press({"k"});
   CHECK_FALSE(page.app.state.work.second_method);
 }
@@ -845,7 +843,7 @@ TEST_CASE("a capacity is planned for anew only when the plan can change", "[view
     INFO(key.name);
     CHECK(computed().plans == plans);
   }
-  // During a drag nothing is announced.
+  // A drag announces nothing.
   Settings lighter = settings(state);
   lighter.weight = 90;
   commands = {SetSettings{lighter, true}};
@@ -888,7 +886,7 @@ TEST_CASE("the heat map's bands are the polygon where the tipping force says so"
       for (std::size_t i = 0; i < band.triangles.size(); i += 3) {
         const Vec2 &a = band.triangles[i], &b = band.triangles[i + 1], &c = band.triangles[i + 2];
         area += std::abs(cross(b - a, c - a)) / 2;
-        // Well inside the band no smaller force tips the object.
+        // Well inside the band, no smaller force tips it.
         const Vec2 middle = (a + b + c) / 3;
         const double force = tipping_force(placed->lifting_base, placed->centre_of_mass, 1, middle);
         CHECK(force >= std::min(band.share, 1e9) * (1 - 1e-6));
@@ -1023,7 +1021,7 @@ TEST_CASE("what is shown is changed without computing anything, and is no step o
   const Overlays switched{true, false, false, false, false, true};
   CHECK(shown(state).overlays == switched);
   CHECK(decode_link(encode_link(last_good(state)).value())->shown.overlays == switched);
-  // Undo covers edits, and does not affect what is shown.
+  // Undo covers edits, not what is shown.
   page.press({"t"});
   page.press({"z", true});
   CHECK(settings(state).teams == 3u);
@@ -1071,8 +1069,8 @@ TEST_CASE("no way leads to a method beside itself", "[view]") {
   }
 }
 
-// More vertices than fit onto a stack of 8 MB while a line is drawn; tests/page/recovery.test.mjs
-// goes to the limit.
+// More vertices than fit onto a stack of 8 MB when drawn; tests/page/recovery.test.mjs goes to the
+// limit.
 TEST_CASE("very large polygons are drawn, in outline and filled, and as what is refused",
           "[view][thorough]") {
   constexpr int n = 400000;
@@ -1089,7 +1087,7 @@ TEST_CASE("very large polygons are drawn, in outline and filled, and as what is 
     page.frame();
     return ImGui::GetDrawData()->TotalVtxCount;
   };
-  // The drawing depends on the visible detail, not on the number of vertices.
+  // The drawing depends on visible detail, not on vertices.
   for (const double ratio : {1.0, 1.25, 1.5, 2.0, 3.0}) {
     const int vertices = drawn(ratio);
     CHECK(vertices > 10000);
@@ -1119,8 +1117,7 @@ TEST_CASE("rows of pixels fill what triangles fill, and the heat map's bands ali
     const Camera camera = fit(polygon, {20, 20, 780, 580});
     const double whole = area_of(polygon) * camera.scale * camera.scale;
     CHECK(filled(fill_rows(polygon, {}, camera, window, 0.5)) == Approx(whole).epsilon(0.003));
-    // With half of it outside the window, only the visible half is filled; the other half is the
-    // rest.
+    // Half outside the window: only the visible half is filled, and the other is the rest.
     const Camera aside = pan(camera, {-400, 0});
     const RowFill half = fill_rows(polygon, {}, aside, window, 0.5);
     const RowFill rest = fill_rows(polygon, {}, pan(camera, {400, 0}), window, 0.5);

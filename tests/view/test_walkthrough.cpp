@@ -1,4 +1,3 @@
-// The player of walkthroughs, without a window.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -42,7 +41,7 @@ std::string link(const AppState& state) {
   return *link;
 }
 
-// Changes a setting as a control would.
+// As a control would.
 template <class Change>
 void set(Page& page, const Change& change) {
   Settings changed = settings(page.app.state);
@@ -74,8 +73,8 @@ TEST_CASE("the lesson forward and back is the same at every step", "[view][lesso
     page.frame();
     if (k + 1 < count) page.press({"ArrowRight"});
   }
-  CHECK(action_for(page.app.state, {"ArrowRight"}) == nullptr);  // the key is left to the browser
-                                                                 // at the end
+  CHECK(action_for(page.app.state, {"ArrowRight"}) == nullptr);  // at the end the browser has the
+                                                                 // key
   for (std::uint32_t k = count; k-- > 0;) {
     CHECK(moment(page.app.state) == forward[k]);
     if (k > 0) page.press({"ArrowLeft"});
@@ -93,7 +92,7 @@ TEST_CASE("every step of every sample draws, and asks for no frame of its own",
     page.press({"b"});
     page.press({"u"});
     const std::uint32_t count = timeline(page.app.state).count;
-    // All steps of small ones, and for others some of each chapter.
+    // All steps of small ones, for others some of each chapter.
     for (std::uint32_t k = 0; k < count; k += 1 + count / 60) {
       go(page, k);
       page.frame();
@@ -171,7 +170,6 @@ TEST_CASE("presenting shows the drawing and the words alone, and Escape ends it 
   CHECK(page.app.state.view.presenting);
   CHECK(layout(page.app.state).panel.width() == 0);
   CHECK(page.app.state.session.screen.zoom > 1.4);  // letters, discs and buttons are larger by this
-                                                    // factor
   page.frame();
   CHECK(seen() > 0.85 * scale);  // and the drawing is hardly smaller
   set_canvas(page.app.state, 1920, 1080, 2);
@@ -202,7 +200,7 @@ TEST_CASE(
   CHECK(layout(page.app.state).toolbar.width() > 0);
   page.press({"b"});
   CHECK(layout(page.app.state).panel.width() == 0);
-  CHECK(page.app.state.session.screen.zoom > zoom);  // the steps have the screen to themselves
+  CHECK(page.app.state.session.screen.zoom > zoom);  // the steps have the whole screen
   page.press({"b"});
   CHECK(page.app.state.view.presenting);
   CHECK(page.app.state.session.screen.zoom == zoom);
@@ -275,7 +273,7 @@ TEST_CASE("predicting stops before each choice, and tells whether the guess was 
     if (!page.app.state.view.walkthrough.ask) continue;
     CHECK(page.app.state.view.walkthrough.at == before);  // not shown yet
     const Ask ask = *page.app.state.view.walkthrough.ask;
-    // Nothing of the previous question is among its choices.
+    // No choice of the previous question is left.
     CHECK_FALSE(page.app.state.view.walkthrough.answered);
     CHECK(page.app.state.view.walkthrough.verdict.empty());
     CHECK_FALSE(page.app.state.view.walkthrough.asked);
@@ -340,7 +338,7 @@ TEST_CASE("a question is asked over what is known before it, and about its own p
   CHECK(words_of_stop(page.app.state) == "The seventh.");
   page.press({"ArrowRight"});
   REQUIRE(walk.ask);
-  CHECK(walk.known.teams == 2);  // not those of the preceding step, where there were none
+  CHECK(walk.known.teams == 2);  // not the preceding step's, which had none
   CHECK(walk.base.size() == 4);
   CHECK(walk.figures.empty());
 }
@@ -351,7 +349,7 @@ TEST_CASE("a challenge does not tell which end is more even before it asks", "[v
   page.press({"u"});
   const Walkthrough& walk = page.app.state.view.walkthrough;
   std::uint32_t pair = 0;
-  double longest = 0;  // if the two ends look the same, there is no question
+  double longest = 0;  // no question if both ends look the same
   for (std::uint32_t i = 0; i < walk.trace->pairs.size(); ++i) {
     const PairDetail detail = look_at_pair(*walk.trace, i);
     const double section = length(detail.a[1] - detail.a[0]);
@@ -379,7 +377,7 @@ TEST_CASE("a challenge does not tell which end is more even before it asks", "[v
   REQUIRE(walk.ask);
   page.app.commands.push_back(Guess{walk.ask->question.answer});
   settle(page.app);
-  page.press({"ArrowLeft"});  // a guessed answer is no longer hidden
+  page.press({"ArrowLeft"});  // a guessed answer is not hidden
   CHECK(walk.at == step);
   CHECK(walk.caption.find("load ratio") != std::string::npos);
   CHECK(shows_ends());
@@ -419,7 +417,7 @@ TEST_CASE(
   REQUIRE(walkthrough_is_open(page.app.state));
   page.click(Vec2(120, 80));
   REQUIRE_FALSE(walk.why.empty());
-  page.click(Vec2(390, 290));  // in the notch of the L, away from every candidate
+  page.click(Vec2(390, 290));  // in the L's notch, away from candidates
   CHECK(walk.why.empty());
   page.press({"Escape"});
   CHECK_FALSE(walkthrough_is_open(page.app.state));

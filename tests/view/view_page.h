@@ -33,7 +33,7 @@ inline Document document(const std::string& text) {
   return *read;
 }
 
-// Places the document, as opening it does.
+// As opening it does.
 inline Opened placed(const Document& document) {
   Result<Opened> result = opened(document);
   REQUIRE(result.ok());
@@ -59,20 +59,19 @@ inline std::vector<std::filesystem::path> assets() {
   return paths;
 }
 
-// Carries out one command, as a control or a key would.
+// As a control or key would.
 inline void give(AppState& state, Command command) {
   Commands commands;
   commands.push_back(std::move(command));
   apply(state, commands);
 }
 
-// A page that begins with this document.
 inline void begin(AppState& state, Opened opened) {
   start_with(state, std::move(opened), std::nullopt);
   conclude(state);
 }
 
-// An edit that may be refused, as from a script.
+// It may be refused, as from a script.
 inline std::optional<InputError> edit_by_script(AppState& state, const Document& edited) {
   auto problem = try_edit(state, edited);
   conclude(state);
@@ -89,7 +88,6 @@ inline bool take_robots(AppState& state, std::uint64_t number, std::optional<std
       [](const Effect& effect) { return std::holds_alternative<SummaryChanged>(effect); });
 }
 
-// A page without a window.
 class Page {
  public:
   explicit Page(const std::string& text = l_shape) {
@@ -134,7 +132,7 @@ class Page {
     frame(p);
   }
 
-  // `off` in CSS pixels: the offset to a second drawing of the same polygon.
+  // `off` leads to a second drawing of the polygon, in CSS pixels.
   void drag(const Vec2& from, const Vec2& to, const Vec2& off = Vec2::Zero()) {
     Pointer p = at(from);
     p.at += off;

@@ -1,4 +1,3 @@
-// Slopes, starts, uneven ground and another load in the page.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {

@@ -1,4 +1,4 @@
-// What a class needs of the page: a teacher's own lesson as a link, presenting, tips for fingers, formulas on request.
+// A teacher's lesson as a link, presenting, tips for fingers, formulas on request.
 import assert from "node:assert/strict";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -36,7 +36,7 @@ move: teams, centre
 [task]
 Cover at least a tenth.
 `;
-// The program's link to a lesson with this text.
+// The program's link to this lesson.
 function linkTo(text) {
   const folder = mkdtempSync(path.join(tmpdir(), "evenlift-"));
   const file = path.join(folder, "lesson.txt");

@@ -1,4 +1,3 @@
-// Properties of each of the page's own windows.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { asset, idle, link, load, phone, sharedBrowser } from "../page/browser.mjs";
@@ -111,7 +110,7 @@ test("they fit small screens: they begin at their beginning, nothing is cut off,
         ),
         `${name} begins at its beginning`,
       );
-      // The text of a window has at least half of its height: buttons at its foot do not crowd it out.
+      // Text has at least half of a window's height, whatever buttons are at its foot.
       const words = await window.evaluate((root) => {
         const { top, bottom } = (root.querySelector(".scroll") ?? root).getBoundingClientRect();
         return Math.min(bottom, innerHeight) - top;

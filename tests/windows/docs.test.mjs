@@ -1,4 +1,3 @@
-// The documentation beside the page: readable pages with headings, links and pictures.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { phone, sharedBrowser } from "../page/browser.mjs";
@@ -6,7 +5,7 @@ import { openWindow, violations } from "../page/windows.mjs";
 
 const browser = sharedBrowser();
 
-// The addresses of the documents, as the About window names them.
+// From the About window.
 async function documents() {
   const page = await browser.open();
   const about = await openWindow(page, "about");
@@ -41,7 +40,7 @@ test("About leads to documents whose links and pictures all are there", async ()
       pictures.every((good) => good === true),
       `${address}: ${pictures}`,
     );
-    // Markdown that was not converted would look like this.
+    // Unconverted Markdown looks like this.
     const words = await page.locator("main").evaluate((main) => {
       const copy = main.cloneNode(true);
       for (const code of copy.querySelectorAll("pre, code")) code.remove();

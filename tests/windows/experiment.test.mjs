@@ -1,4 +1,4 @@
-// The window that compares the methods, on the polygon on the screen or over many.
+// On the polygon on the screen, or over many.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -15,7 +15,7 @@ const browser = sharedBrowser();
 const folder = mkdtempSync(path.join(tmpdir(), "evenlift-page-experiment-"));
 after(() => rmSync(folder, { recursive: true, force: true }));
 
-// The examples of tests/text/test_words.cpp, and cases in which toFixed() differs from the program.
+// From tests/text/test_words.cpp, and where toFixed() differs from the program.
 test("numbers are rounded as the program rounds them", () => {
   const examples = [
     [2.345, 2, "2.35"],
@@ -33,10 +33,10 @@ test("numbers are rounded as the program rounds them", () => {
   for (const [value, decimals, text] of examples) assert.equal(fixed(value, decimals), text);
 });
 
-// Searching for more balanced robots than these only takes longer.
+// More balanced robots only take longer.
 const mostBalanced = 5;
 
-// The program's output files for these paths, by name.
+// The program's output files, by name.
 function program(paths, { samples }) {
   const out = mkdtempSync(path.join(folder, "out-"));
   try {
@@ -58,14 +58,14 @@ function program(paths, { samples }) {
 
 const pathsOf = (names) => names.map((name) => path.join(root, "assets/polygons", `${name}.txt`));
 
-// A file with this text, for the program.
+// A file for the program.
 function fileWith(name, text) {
   const file = path.join(mkdtempSync(path.join(folder, "file-")), name);
   writeFileSync(file, text);
   return file;
 }
 
-// The rows of a CSV by the names of its columns.
+// By the names of its columns.
 function rowsOf(csv) {
   const [head, ...lines] = csv
     .trim()
@@ -251,7 +251,7 @@ test("the polygon on the screen is measured with its own centre of mass, ratio a
       row.robots,
     );
   }
-  // Its curves are these rows: teams at every even number of robots, balanced robots at every number.
+  // Teams at every even number of robots, balanced robots at every number.
   for (const method of ["area", "balanced"]) {
     const drawn = await window
       .locator(".plot svg")
@@ -266,7 +266,7 @@ test("the polygon on the screen is measured with its own centre of mass, ratio a
     );
   }
   assert.ok(await window.getByText("At most 5 balanced robots are measured, since").isVisible());
-  // The results are there when the window is opened again, until the polygon changes.
+  // Results stay for the next opening, until the polygon changes.
   await page.keyboard.press("Escape");
   await allClosed(page);
   await openWindow(page, "experiment");
@@ -404,7 +404,7 @@ test("the visitor's own files, one of them broken", async () => {
     await window.locator(".results .problem").textContent(),
     /1 polygon could not be read and was left out:broken: line 3, column 4: expected ','/,
   );
-  // Files dropped on the window belong to this window.
+  // Files dropped on the window belong to it.
   await drop(
     page,
     {
@@ -475,7 +475,7 @@ test("the page stays smooth while it computes; it shows how far it is, and stops
   await page.waitForFunction(() => document.querySelector("#experiment progress").value > 0);
   assert.match(await window.locator(".running p").textContent(), /^\d of 3 polygons: (square|kite)$/);
   assert.ok(page.workers().length >= 1);
-  // The page's own thread is never blocked: meanwhile it accepts changes, and draws them.
+  // The page's thread is never blocked: it accepts changes and draws them.
   const frames = await page.evaluate(() => evenlift.frames);
   for (const teams of [1, 2, 4]) {
     await page.evaluate((n) => evenlift.set({ teams: n }), teams);

@@ -1,4 +1,3 @@
-// The gallery of samples.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { asset, gallery, idle, load, phone, set, sharedBrowser, state, thrown } from "../page/browser.mjs";

@@ -1,4 +1,4 @@
-// The page in German: its windows, and how one chooses the language.
+// The page's windows in German, and the choice of language.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { asset, idle, link, load, phone, press, set, sharedBrowser, summary } from "../page/browser.mjs";
@@ -6,11 +6,11 @@ import { allClosed, openWindow } from "../page/windows.mjs";
 
 const browser = sharedBrowser();
 
-// Words that German sentences do not have. Lessons and documents are in English.
+// Words that no German sentence has. Lessons and documents are in English.
 const english = /\b(the|of|and|is|are|to|with|without|from|by|or|not|it|this|robots|edges?)\b/;
 const windows = ["samples", "open", "save", "table", "experiment", "keys", "glossary"];
 
-// What the page says in HTML: its controls, its windows and its live regions.
+// In HTML: controls, windows and live regions.
 function said(page) {
   return page.evaluate(() => {
     const texts = [document.title, document.getElementById("summary").textContent];

@@ -1,5 +1,4 @@
-// The window of lessons and its parts: the order, the seen lessons, the end of a lesson, the editor, the handout, the
-// glossary.
+// Order, seen lessons, a lesson's end, the editor, the handout, the glossary.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import path from "node:path";
@@ -215,7 +214,7 @@ test("the card at the end covers no control of the player, wide and on a phone",
     await begin(page, order[1]);
     await goToEnd(page);
     const card = await end(page).boundingBox();
-    // A low screen has the tools of the view in the toolbar's menu.
+    // Low screens have the view's tools in the toolbar's menu.
     const tools = options.viewport?.height < 480 ? [] : ["Show the whole object"];
     for (const name of ["timeline", "play", "Next step", "Samples", ...tools]) {
       const place = await control(page, name);
@@ -354,7 +353,7 @@ test("guesses are counted, the first one at each step, and summed up at the end"
   const window = await openWindow(page, "lessons");
   await window.getByRole("button", { name: "As a challenge" }).click();
   await allClosed(page);
-  // Takes the first choice at each question: sometimes it is right.
+  // Takes the first choice at each question, which is sometimes right.
   const choices = ["The first end", "take", "Candidate 1", "Candidate 2", "Candidate 3", "Candidate 4"];
   let asked = 0;
   while (!(await end(page).count())) {
@@ -377,10 +376,10 @@ test("guesses are counted, the first one at each step, and summed up at the end"
 
 // --- Leaving a lesson -------------------------------------------------------------------------------------------------
 
-// The open document, for comparison with a later one.
+// The open document, to compare with a later one.
 const open = async (page) => ({ link: await link(page), search: await page.evaluate(() => location.search) });
 
-// A drawing with its own settings, an edit that can be undone and one that can be redone.
+// A drawing with its own settings, an edit to undo and one to redo.
 async function drawing(browser) {
   const page = await browser.open();
   await load(page, asset("violin"));
@@ -394,7 +393,7 @@ async function drawing(browser) {
   return { page, before: await open(page), former, later };
 }
 
-// Undo and redo are those from before the lesson.
+// As before the lesson.
 async function sameHistory(page, { former, before, later }) {
   await redo(page);
   assert.equal(await link(page), later, "what could be done again");
@@ -493,7 +492,7 @@ test("a lesson that was loaded anew in its midst is left for what was open befor
   assert.deepEqual(await open(page), was.before);
   await undo(page);
   assert.equal(await link(page), was.former);
-  // The same after an edit, and with a lesson that the address cannot name.
+  // Again after an edit, and with a lesson that no address can name.
   await begin(page, "moved");
   await set(page, { teams: 2 });
   await reload(page);
@@ -679,7 +678,7 @@ test("the editor shows the lesson at the step of the cursor, and its problems wi
   await page.done();
 });
 
-// The number of steps in the template, by the open document.
+// The template's steps, by the open document.
 for (const [what, settings, steps] of [
   ["area", { metric: "area" }, 5],
   ["circle", { metric: "circle" }, 5],

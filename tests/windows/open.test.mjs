@@ -1,4 +1,3 @@
-// Input from outside: files, dropped and pasted texts, links.
 import assert from "node:assert/strict";
 import path from "node:path";
 import { afterEach, test } from "node:test";
@@ -14,7 +13,7 @@ const browser = sharedBrowser({
   end: () => page.done(),
 });
 
-// Windows that one test leaves open must not affect the next.
+// An open window must not affect the next test.
 afterEach(() => closeAll(page));
 
 const triangle = [
@@ -24,7 +23,7 @@ const triangle = [
 ];
 const svg = (inside, more = "") => `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 50 50"${more}>${inside}</svg>`;
 
-// The triangle, in all formats that are read.
+// In all formats that are read.
 const good = {
   thesis: "(0,0)\n(40,0)\n(10,30.5)\n",
   WKT: "POLYGON ((0 0, 40 0, 10 30.5, 0 0))",

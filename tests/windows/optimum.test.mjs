@@ -1,4 +1,4 @@
-// Compare with: optimum. The window shows the program's result.
+// The window shows the program's result.
 import assert from "node:assert/strict";
 import path from "node:path";
 import { test } from "node:test";

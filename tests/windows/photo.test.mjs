@@ -1,11 +1,10 @@
-// A photo or scan behind the drawing, for tracing.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { fragment, idle, set, sharedBrowser, state } from "../page/browser.mjs";
 
 const browser = sharedBrowser({ drawn: true });
 
-// Drops a red picture of this size, in pixels, made by the browser itself.
+// Drops a red picture of this size in pixels, made by the browser.
 const dropPicture = (page, { name = "table.png", type = "image/png", width = 400, height = 200 } = {}) =>
   page.evaluate(
     async ([name, type, width, height]) => {
@@ -30,7 +29,6 @@ async function withPhoto(options, screen) {
   return page;
 }
 
-// The colour of the screen at a point.
 async function colourAt(page, x, y) {
   const shot = await page.screenshot({ clip: { x, y, width: 1, height: 1 } });
   return page.evaluate(async (data) => {
@@ -53,7 +51,7 @@ test("a picture that is dropped is seen behind the drawing, and drawing begins",
   for (const type of ["image/png", "image/jpeg", "image/webp"]) {
     const page = await withPhoto({ type, name: `table.${type.slice(6)}` });
     const { left, top, width, height } = await boxOf(page);
-    const colours = []; // at two places, since one may be a dot of the grid
+    const colours = []; // at two places: one may be a dot of the grid
     for (const off of [3, 8])
       colours.push(await colourAt(page, Math.round(left + width / 2) + off, Math.round(top + height / 2) + off));
     assert.ok(
@@ -286,7 +284,7 @@ test("two points of the picture can be taken by keys", async () => {
   await distance.fill("1");
   await page.keyboard.press("Enter");
   await page.locator("#photo").waitFor();
-  const wanted = width / 100; // the two points are 100 pixels of the screen apart
+  const wanted = width / 100; // the points are 100 screen pixels apart
   assert.ok(Math.abs(Number(await widthOfPhoto(page).inputValue()) / wanted - 1) < 0.01);
   await page.done();
 });
@@ -299,7 +297,7 @@ for (const [width, height] of [
   test(`at ${width} by ${height} the picture is seen beside its card, and all of the card can be had`, async () => {
     const page = await withPhoto({}, { viewport: { width, height }, hasTouch: true, isMobile: true });
     const card = page.locator("#photo");
-    // The share of the picture that neither the card nor a control of the canvas covers.
+    // The picture's share that neither the card nor a control covers.
     const seen = () =>
       page.evaluate(() => {
         const picture = document.getElementById("backdrop").getBoundingClientRect(),
@@ -320,7 +318,7 @@ for (const [width, height] of [
     await page.locator("#photo .away").tap();
     await idle(page);
     assert.equal(await seen(), 1, "without the card");
-    await page.touchscreen.tap(width / 2, height / 2); // a vertex, so that the bar shows all its controls
+    await page.touchscreen.tap(width / 2, height / 2); // a vertex, for all controls of the bar
     await idle(page);
     assert.equal(await seen(), 1, "while it is traced");
     await page.locator("#canvas").focus();

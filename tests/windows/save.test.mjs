@@ -1,4 +1,3 @@
-// Share and save: the link, its QR code, and files.
 import assert from "node:assert/strict";
 import { mkdtempSync, readFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -24,7 +23,7 @@ import { allClosed, closeAll, drop, noticed, openWindow, paste } from "../page/w
 
 const browser = sharedBrowser();
 
-// Presses a button of the open window and returns the file that the browser saves.
+// Presses a button; returns the file that the browser saves.
 async function saved(page, button) {
   const coming = page.waitForEvent("download");
   await button.click();
@@ -32,7 +31,7 @@ async function saved(page, button) {
   return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
 }
 
-// The pixels of a PNG, by the browser's decoder.
+// By the browser's decoder.
 async function pixels(page, png) {
   const { width, height, data } = await page.evaluate(async (data) => {
     const image = new Image();
@@ -56,7 +55,7 @@ async function qrText(page, png) {
   return jsQR(data, width, height)?.data;
 }
 
-// A polygon of n corners whose link is long.
+// With n corners and a long link.
 const circle = (n) =>
   Array.from(
     { length: n },
@@ -111,7 +110,7 @@ test("every file holds what it should, under a name that says what it is", async
   assert.deepEqual([image.width, image.height], [2 * width, 2 * height]);
   assert.ok(new Set(image.data).size > 50, "it is not empty");
 
-  // A saved file opens again.
+  // It opens again.
   for (const { bytes } of [text, wkt, geojson]) {
     await load(page, String(bytes));
     assert.deepEqual((await state(page)).polygon, now.polygon);
@@ -128,7 +127,7 @@ test("the name of a file says how many balanced robots there are", async () => {
   await page.done();
 });
 
-// The name under which the open polygon would be saved as text.
+// For the open polygon, saved as text.
 async function savedName(page) {
   const window = await openWindow(page, "save");
   const { name } = await saved(page, window.getByRole("button", { name: /^Text\b/ }));
@@ -148,7 +147,7 @@ test("files are named after the one that was opened, as long as its polygon is o
   await open("bracket.svg", '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0H400V-150H150V-300H0z"/></svg>');
   assert.equal(await savedName(page), "bracket-6-robots.txt");
 
-  // Settings, edits and a lesson step do not change the document's name, and neither does a reload.
+  // Neither settings, edits, a lesson step nor a reload changes the name.
   await set(page, { teams: 2 });
   await drag(page, await toScreen(page, [400, 0]), await toScreen(page, [500, 0]));
   await page.keyboard.press("b");
@@ -160,7 +159,7 @@ test("files are named after the one that was opened, as long as its polygon is o
   await reload(page);
   assert.equal(await savedName(page), "bracket-6-robots.txt");
 
-  // Another sample, or a text, is another document; undo restores the bracket with its name.
+  // Another sample or text is another document; undo restores the bracket's name.
   await openWindow(page, "samples");
   await page.locator("#samples .sample").filter({ hasText: "Violin" }).click();
   await allClosed(page);
@@ -205,7 +204,7 @@ test("the name of an opened file is written so that any system takes it, and doe
   await page.locator("#shapes .sample").nth(1).click();
   await allClosed(page);
   assert.match(await savedName(page), /^mounting-plate-\d-robots\.txt$/, "one of several shapes");
-  // As text it is the same polygon, edited; a sample opened from its file keeps its name.
+  // As text, it is the polygon, edited; a sample opened from its file keeps its name.
   await drop(page, { files: [["bracket.v2.txt", bracket]] });
   await idle(page);
   await openWindow(page, "table");

@@ -1,4 +1,4 @@
-// What a link looks like to those who receive it: its title, one line of introduction, and what other sites show.
+// What receivers of a link see: a title, one line of introduction, and other sites' previews.
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
 import path from "node:path";

@@ -1,4 +1,3 @@
-// The coordinates beside the canvas.
 import assert from "node:assert/strict";
 import { afterEach, test } from "node:test";
 import {
@@ -129,7 +128,7 @@ test("the centre of mass, and back to the centroid", async () => {
   const { centre_of_mass: centroid } = await state(page);
   const back = window.getByRole("button", { name: "Back to centroid" });
   assert.ok(await back.isDisabled());
-  // 193.333…: rounded to fit, and exact once the field has the focus.
+  // 193.333…: rounded to fit, exact with the focus.
   const rounded = await centre("x").inputValue();
   assert.ok(rounded.length <= 11 && Math.abs(Number(rounded) - centroid[0]) < 1e-4, rounded);
   await centre("x").focus();

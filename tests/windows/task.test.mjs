@@ -1,4 +1,4 @@
-// Tasks of lessons in the page: the card follows every change, and what is handed in is marked by the program.
+// The card follows every change, and the program marks what is handed in.
 import assert from "node:assert/strict";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -29,7 +29,6 @@ async function goals(page) {
 }
 const ticks = (page) => card(page).locator(".tick.kept").count();
 
-// Waits until the card says this.
 const says = (page, words) => card(page).locator('[role="status"]', { hasText: words }).waitFor();
 
 async function copied(page) {
@@ -62,7 +61,7 @@ test("a task is done by hand, and the copied result is marked as done by the pro
   assert.match(address, /\?lesson=place-yourself#/);
   assert.match(evenlift("check", address, "--task", "place-yourself"), /The task is done\./);
   assert.deepEqual(await violations(page), []);
-  // The address of the result opens the result, with the task and its ticks.
+  // The result's address opens it, with the task and its ticks.
   const other = await browser.open({ address: address.slice(address.indexOf("?")) });
   await says(other, "Done!");
   assert.deepEqual(await state(other), await state(page));
@@ -83,7 +82,7 @@ test("each number has a task of its own, which stays in the address and after a 
   await reload(page);
   await card(page).waitFor();
   assert.deepEqual((await state(page)).polygon, first.polygon);
-  // Another learner types another number.
+  // Another learner's number.
   const field = card(page).getByLabel("Your number");
   assert.equal(await field.inputValue(), "4711");
   await field.fill("12");
@@ -103,7 +102,7 @@ test("what a task does not allow is said, and undo brings it back", async () => 
   await card(page).getByText("You changed").waitFor({ state: "detached" });
   await set(page, { cargo: "381.4,389.6:40:motor" });
   await says(page, "Done!");
-  // The question waits, and its answer is a second press away.
+  // The answer takes a second press.
   await card(page).getByRole("button", { name: "Question" }).click();
   await card(page).getByText("Must the motor lie above").waitFor();
   await card(page).getByRole("button", { name: "Answer" }).click();
@@ -208,7 +207,7 @@ test("a file of what a class hands in is marked with one command", async () => {
   await page.done();
 });
 
-// The card is on the screen, and the object beside it is as large as a share of the screen's width or height.
+// The card is on the screen, and the object beside it has a share of the screen's width or height.
 async function isBeside(page, { width, height }, [leastWide, leastHigh]) {
   await idle(page);
   const { polygon } = await state(page);

@@ -1,4 +1,3 @@
-// The first visit: the card that introduces the page, and the tour.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
@@ -343,7 +342,7 @@ test("the tour says of each placement what is free to move, and speaks of hatchi
     await page.keyboard.press("Escape");
     await idle(page);
   }
-  // It follows the placement, even while the stop is shown.
+  // It follows the placement, even while it is shown.
   await takeTour(page);
   await goToStop(page, "Can it still move?");
   await load(page, asset("puzzle-piece"));

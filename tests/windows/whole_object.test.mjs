@@ -1,4 +1,3 @@
-// Holes and weights on the page: opened from a text, dragged, drawn, typed, undone and kept in links.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { drag, idle, link, load, press, set, sharedBrowser, state, toScreen, undo } from "../page/browser.mjs";

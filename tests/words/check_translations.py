@@ -15,7 +15,7 @@ import re
 import sys
 
 root = pathlib.Path(__file__).resolve().parent.parent.parent
-# What the page says. The program's own words (native) and the experiments' report stay English.
+# The words of the program (native) and of the experiments' report stay English.
 trees = ["wasm", "web", *(f"core/src/{folder}" for folder in (
     "balanced", "candidates", "chords", "document", "errors", "experiment/measure", "experiment/thesis", "formats", "generate", "import", "lesson", "link",
     "numbers", "output/poses", "output/svg", "output/trace_words", "output/verdict", "output/words", "placement", "polygon", "stands", "supports", "swaps", "trace"))]  # fmt: skip
@@ -62,7 +62,7 @@ def texts_in(source, is_script):
     that join words and values."""
     for found in literal.finditer(source):
         if found["text"]:
-            # A line of the algorithm is looked up without its indent.
+            # Lines of the algorithm are looked up without indent.
             if not is_message_to_developers(source, found.start()):
                 text = unescaped(found["text"])
                 yield text.lstrip(" ") if text.startswith("  ") else text, False

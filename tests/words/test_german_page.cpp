@@ -1,4 +1,4 @@
-// The page in German: nothing on it stays English, and each text has room.
+// Nothing stays English, and each text has room.
 #include <nlohmann/json.hpp>
 
 #include <fstream>
@@ -39,9 +39,9 @@ class SpokenPage {
   SpokenPage(const SpokenPage&) = delete;
   SpokenPage& operator=(const SpokenPage&) = delete;
 
-  // Draws, and looks at all that was written.
+  // Draws, and looks at what was written.
   void look() {
-    // Cards take their size from the frame before.
+    // Cards get their size from the last frame.
     for (int frame = 0; frame < 3; ++frame) {
       drawn_.clear();
       page.frame();
@@ -67,7 +67,7 @@ class SpokenPage {
   std::vector<DrawnText> drawn_;
 };
 
-// Words that German sentences do not have.
+// By words that German sentences lack.
 bool is_english(const std::string& text) {
   const std::string padded = ' ' + text + ' ';
   for (const char* word :
@@ -83,8 +83,8 @@ std::string list(const std::set<std::string>& texts) {
   return all;
 }
 
-// Looks at the same in German and in English. The words of the verdict may be too many for their
-// room, and end with "…"; but not in German alone.
+// Looks at the same in German and English. The verdict may be cut by "…" for lack of room, but not
+// only in German.
 void check(void (*walk)(SpokenPage&)) {
   std::vector<std::set<std::string>> cut_in_english;
   {

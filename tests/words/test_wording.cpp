@@ -1,4 +1,3 @@
-// Sentences in the language of the reader.
 #include "evenlift/wording.h"
 
 #include <string>
@@ -10,7 +9,7 @@ using namespace evenlift;
 
 namespace {
 
-// The words of a language, until the end of a test.
+// A language's words, until the end of a test.
 class Spoken {
  public:
   Spoken(std::initializer_list<std::pair<const char*, const char*>> words) {

@@ -1,5 +1,4 @@
-// Charts of an experiment's figures, as SVG, by Observable Plot. The program's report and the page draw them alike;
-// charts.css sets colours and text sizes.
+// Draws an experiment's figures for the program's report and the page; charts.css sets colours and text sizes.
 import { axisX, axisY, dot, gridY, line, plot, pointer, ruleY, tip } from "@observablehq/plot";
 import { say, translated } from "../words/words.js";
 import { methods } from "./methods.js";
@@ -15,8 +14,7 @@ export function inWords(figure, method, [robots, value, polygons]) {
     : say("{method}: {value} {unit} with {robots} robots, {polygons} polygons", values);
 }
 
-// The chart of a figure, `width` pixels wide. A figure is
-// {id, title, unit, series: [{method, points: [[robots, value, polygons], …]}]}.
+// `width` is in pixels. A figure is {id, title, unit, series: [{method, points: [[robots, value, polygons], …]}]}.
 export function drawChart(figure, width) {
   const rows = figure.series.flatMap(({ method, points }) =>
     points.map((point) => ({
@@ -94,13 +92,13 @@ export function drawChart(figure, width) {
       ),
     ],
   });
-  // Plot adds a style sheet of its own, which a page's content security policy refuses; charts.css has the same rules.
+  // A page's content security policy refuses Plot's own style sheet; charts.css has the same rules.
   svg.querySelector("style")?.remove();
-  svg.setAttribute("aria-hidden", "true"); // it is read out as one picture, see follow()
+  svg.setAttribute("aria-hidden", "true"); // read out as one picture, see follow()
   return svg;
 }
 
-// The axis of the greatest share begins at 50 % (a greatest share is never below a half), every other axis at 0.
+// A greatest share is never below a half, so its axis begins at 50 %; every other begins at 0.
 function span(figure, rows) {
   const values = rows.map(({ value }) => value);
   if (values.length === 0) return [0, 1];
@@ -110,7 +108,6 @@ function span(figure, rows) {
   return [0, most > 0 ? most : 1];
 }
 
-// The lines and their names, for the methods that have values.
 export function legend(figures) {
   const used = Object.keys(methods).filter((method) =>
     figures.some(({ series }) => series.some((one) => one.method === method)),
@@ -151,7 +148,7 @@ export function legend(figures) {
   return list;
 }
 
-// Draws a figure into an element, and again whenever its width changes.
+// Draws a figure again whenever its element's width changes.
 export function follow(element, figure) {
   element.setAttribute("role", "img");
   const { title, sentence } = figure;

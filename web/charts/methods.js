@@ -1,6 +1,4 @@
-// The methods that an experiment compares, in the order of their series (Method in core/include/evenlift/document.h):
-// their names in legends, and the sign and dashes of their lines. Their colours are in charts.css, under the same
-// names.
+// In the order of Method in core/include/evenlift/document.h. charts.css has their colours, under the same names.
 export const methods = {
   area: { words: "area", sign: "circle", dashes: "none" },
   circle: { words: "circle", sign: "square", dashes: "6 3" },

@@ -1,2 +1,2 @@
-// Replaces charts.js where the page was built without the library that draws charts.
+// Replaces charts.js in a page built without Observable Plot.
 export const missing = true;

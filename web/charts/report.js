@@ -1,4 +1,4 @@
-// The report of `evenlift experiment`: draws the charts from the data in it.
+// For the report of `evenlift experiment`.
 import { follow, legend } from "./charts.js";
 
 const figures = JSON.parse(document.getElementById("figures").textContent);

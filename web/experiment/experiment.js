@@ -1,5 +1,4 @@
-// The window that compares the methods, on the open polygon or on many, as chapter 5 of the thesis does. Workers
-// compute the results; charts show them.
+// The window that compares the methods, on the open polygon or on many, as chapter 5 of the thesis does.
 import { runExperiment } from "./worker_pool.js";
 import { ensureStyles, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, download, el, number } from "../kit/elements.js";
@@ -7,10 +6,9 @@ import { showResults } from "./experiment_results.js";
 import { ownFiles, samples, thesisLike, thisPolygon } from "./experiment_sources.js";
 import { say, translated } from "../words/words.js";
 
-// The weight and the number of teams of an experiment: the same as in `evenlift experiment`.
+// As in `evenlift experiment`.
 const manyPolygons = { weight: 100, weightUnit: "kg", mostTeams: 1000 };
 
-// A message if the algorithm can place no team on the polygon.
 function withoutTeams({ figures }) {
   if (figures.some(({ series }) => series.some(({ method }) => method !== "balanced"))) return "";
   return figures.length > 0
@@ -18,7 +16,7 @@ function withoutTeams({ figures }) {
     : "No chord through the centre of mass meets this minimum load ratio: the algorithm can place no team here, and there are no balanced robots either, so nothing was measured.";
 }
 
-let kept; // the last results and what they describe; they survive closing the window
+let kept; // the last results and what they describe, even after closing the window
 
 const polygons = (n) => (n === 1 ? translated("1 polygon") : say("{number} polygons", { number: number(n) }));
 
@@ -35,20 +33,19 @@ export async function show(page, { start = false, source = "this" } = {}) {
   if (root) view.connect(root, start);
 }
 
-// Compares the methods on the open polygon at once.
 export const curves = (page) => show(page, { start: true });
 
-// Where the form fills the window, new content below it would go unnoticed.
+// New content below a form that fills the window would go unnoticed.
 function reveal(element) {
   const { top, height } = element.closest(".scroll").getBoundingClientRect();
   if (element.getBoundingClientRect().top > top + height * 0.7) element.scrollIntoView({ block: "start" });
 }
 
 class ExperimentWindow {
-  #polygon; // the open polygon: its text in the thesis's format, and the settings that affect it
+  #polygon; // its text in the thesis's format, and the settings that affect it
   #files = [];
-  #stop; // stops the run under way
-  #charts = []; // functions that stop the charts from following the width
+  #stop; // of the run under way
+  #charts = []; // functions that end the charts' updates
 
   constructor({ program }, source) {
     this.#polygon = {
@@ -119,7 +116,7 @@ class ExperimentWindow {
       inputmode: "decimal",
     });
     this.ratioLabel = el("label", {}, "Minimum load ratio ", this.ratio);
-    // Enough polygons for clear curves; more can be chosen.
+    // Enough for clear curves.
     this.most = el("input", {
       class: "field",
       type: "number",
@@ -130,7 +127,7 @@ class ExperimentWindow {
       inputmode: "numeric",
     });
     this.mostLabel = el("label", {}, "Max. teams ", this.most);
-    // Numbers up to 12, as `evenlift experiment` measures them, take five times as long as numbers up to 8.
+    // Up to 12, as `evenlift experiment` measures, takes five times as long as up to 8.
     this.balanced = el("input", {
       class: "field",
       type: "number",
@@ -203,7 +200,7 @@ class ExperimentWindow {
       root.addEventListener(type, (event) => {
         if (!event.dataTransfer?.types.includes("Files")) return;
         event.preventDefault();
-        event.stopPropagation(); // otherwise the page would open them
+        event.stopPropagation(); // else the page would open them
         if (type === "drop") this.#take([...event.dataTransfer.files]);
       });
     }
@@ -230,7 +227,6 @@ class ExperimentWindow {
     this.problem.say("");
   }
 
-  // The tasks, the settings, and the caption of the results.
   async #plan() {
     const random = this.samples.valueAsNumber,
       mostBalanced = this.balanced.valueAsNumber;

@@ -1,4 +1,4 @@
-// The results of an experiment as charts and tables (evenlift/experiment/outputs.h).
+// The results are described in evenlift/experiment/outputs.h.
 import { methods } from "../charts/methods.js";
 import { el, number } from "../kit/elements.js";
 import { figureTable } from "./figure_table.js";
@@ -7,7 +7,6 @@ import { say, translated } from "../words/words.js";
 const wide = (label, content) =>
   el("div", { class: "wide", tabindex: "0", role: "region", "aria-label": label }, content);
 
-// The polygons that were left out, and why.
 function refused({ refused: all }) {
   if (all.length === 0) return [];
   return [
@@ -76,7 +75,6 @@ function claims({ claims: { sets, rows } }) {
   ];
 }
 
-// A table of one measure for few robots, with a row for each number of robots.
 function fewRobotsTable(what, rows) {
   const head = (name) => el("th", { scope: "col" }, name);
   return el(
@@ -126,7 +124,7 @@ function fewRobots({ few_robots: sets }) {
   );
 }
 
-// Fills an element with the results under a caption. Returns functions that stop the charts from following its width.
+// Returns functions that end the charts' updates.
 export async function showResults(into, outputs, caption) {
   const places = outputs.figures.map(({ id }) => el("div", { class: "plot", "data-figure": id }));
   into.replaceChildren(

@@ -1,5 +1,5 @@
-// The polygons on which the methods can be compared: the open one, the sets of the project, and
-// files. Each source returns tasks for the workers (worker_pool.js).
+// The polygons on which methods are compared: the open one, the project's sets, and files. Each function returns tasks
+// for the workers (worker_pool.js).
 import { methods } from "../charts/methods.js";
 import { fetchJson } from "../kit/fetched.js";
 import { say } from "../words/words.js";
@@ -21,8 +21,7 @@ const cannotBeFetched = (what) => (error) => {
   throw new Error(say(what, { why: error.message }));
 };
 
-// The open polygon, as one task for each method, so that progress is visible. Balanced robots take longest and are
-// last.
+// One task for each method, so that progress is visible. Balanced robots take longest and are last.
 export function thisPolygon({ text }) {
   return Object.keys(methods).map((method) => ({
     set: "",
@@ -33,7 +32,7 @@ export function thisPolygon({ text }) {
   }));
 }
 
-// All files of assets/polygons, under the names of the gallery.
+// All of assets/polygons, under the gallery's names.
 export async function samples() {
   const [gallery, texts] = await Promise.all([fetchJson("samples.json"), fetchJson("polygons.json")]).catch(
     cannotBeFetched("The samples cannot be fetched: {why}"),
@@ -57,7 +56,6 @@ const inWords = (title) =>
     .map((part) => say(part.replace(/\d+/, "{number}"), { number: part.match(/\d+/) }))
     .join(", ");
 
-// All files of assets/thesis-like.
 export async function thesisLike() {
   const all = await fetchJson("thesis-like.json").catch(cannotBeFetched("The set cannot be fetched: {why}"));
   return all.map(({ name, title, text }) => ({
@@ -68,7 +66,7 @@ export async function thesisLike() {
   }));
 }
 
-// Two files with the same name would count as one polygon.
+// Files with the same name would count as one polygon.
 export function ownFiles(files) {
   if (files.length === 0) throw new Error("Choose files first, or drop them here");
   const names = files.map(nameOf);

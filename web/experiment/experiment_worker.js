@@ -1,5 +1,5 @@
-// A worker that measures polygons for the window of experiments (experiment.js) and compares with the optimum
-// (../windows/optimum.js), so that the page stays responsive.
+// Measures polygons for experiment.js, and compares with the optimum for ../windows/optimum.js, so that the page stays
+// responsive.
 import createModule from "./experiment_core.js";
 import { Program } from "../page/program.js";
 

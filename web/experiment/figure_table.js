@@ -1,4 +1,4 @@
-// A table of the numbers in a figure of an experiment, with a row for each number of robots and a column for each method.
+// A row for each number of robots, and a column for each method.
 import { methods } from "../charts/methods.js";
 import { inDigits } from "../charts/numbers.js";
 import { el } from "../kit/elements.js";

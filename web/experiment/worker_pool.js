@@ -1,8 +1,8 @@
-// A pool of web workers that measure the polygons of an experiment.
+// Workers that measure an experiment's polygons.
 import { translations } from "../words/words.js";
 import { underWay } from "../page/under_way.js";
 
-// One worker of the pool. It answers its questions in their order.
+// Answers its questions in their order.
 class PooledWorker {
   #worker;
   #waiting = new Map();
@@ -40,7 +40,7 @@ class PooledWorker {
   }
 }
 
-// Answers one task in a separate worker; the work ends if `signal` aborts.
+// Answers one task in a separate worker; `signal` may abort it.
 export function askWorker(task, given, signal) {
   return underWay(askOne(task, given, signal));
 }
@@ -56,14 +56,13 @@ async function askOne(task, given, signal) {
   }
 }
 
-// One processor is left to the page. Each worker has memory of its own, so there are at most four.
+// One processor is left to the page. Each worker has its own memory, so there are at most four.
 const most = () => Math.max(1, Math.min(4, (navigator.hardwareConcurrency || 2) - 1));
 
-// Carries out all tasks and returns the results (evenlift/experiment/outputs.h). A task is {set, name, title, read,
-// method}: a polygon, measured with one method, or with all if `method` is missing. `read()` returns the polygon's text
-// or fails. With `onePolygon` the results describe a single polygon, and one worker is enough. Then `partly(results)`
-// is called with the results of all tasks but the last, which may take long. `progress(done, title)` is called after
-// each finished task. If `signal` aborts, the call fails with the signal's reason.
+// Returns the results of all tasks (evenlift/experiment/outputs.h). A task is {set, name, title, read, method}: a
+// polygon, measured with one method, or without `method` with all. `read()` returns the polygon's text or fails. With
+// `onePolygon`, one worker is enough for all tasks; `partly(results)` then gets the results before the last task, which
+// may take long. `progress(done, title)` is called after each task. If `signal` aborts, the call fails with its reason.
 export function runExperiment(tasks, options) {
   return underWay(run(tasks, options));
 }

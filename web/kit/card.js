@@ -1,19 +1,18 @@
-// HTML cards over the canvas, at the bottom of the drawing. They are not modal, so work can continue. The program
-// reports where a card covers no control, and the polygon gets the remaining space.
+// HTML cards at the bottom of the drawing. They are not modal, so work can continue. The program reports where a card
+// covers no control, and the polygon gets the remaining space.
 import { ensureStyles } from "./dialogs.js";
 import { button, el } from "./elements.js";
 
 const widest = 960; // pixels: longer lines are hard to read
-let open; // the open card; there is at most one
-const later = []; // actions that wait until no card is open
+let open; // at most one
+const later = []; // actions
 
-// Calls `act` once no card is open.
 export function whenNoCard(act) {
   if (open) later.push(act);
   else act();
 }
 
-// A button that closes its card and then acts. Attributes are as for el().
+// Closes its card, then acts. Attributes are as for el().
 export function closingButton(name, attributes, act) {
   return button(name, {
     ...attributes,
@@ -24,11 +23,10 @@ export function closingButton(name, attributes, act) {
   });
 }
 
-// Shows a card with these elements, replacing any open card. `title` is its name for screen readers; `attributes` are
-// further ones, as for el(). A cross closes the card, unless one of its own buttons does (`cross`). `closed(byPerson)`
-// is called when the card closes. Returns { root, close, seat }; call seat() when the card has become higher or lower.
-// The program may move the seat, for example when a panel is folded or presentation mode begins. Then the card follows
-// by itself; in presentation mode it is larger.
+// Shows a card with these elements in place of any open card. `title` is its name for screen readers; `attributes` are
+// as for el(). A cross closes it, unless one of its own buttons does (`cross`). Then `closed(byPerson)` is called.
+// Returns { root, close, seat }; call seat() when the card's height has changed. If the program moves the seat, the
+// card follows; in presentation mode it is larger.
 export async function openCard(page, { name, title, body, closed, focus = false, cross = true, attributes = {} }) {
   await ensureStyles();
   open?.close();
@@ -81,11 +79,11 @@ export async function openCard(page, { name, title, body, closed, focus = false,
   document.body.append(root);
   seat();
   const { signal } = leave;
-  // The words need a different amount of space once their font has loaded.
+  // The loaded font needs a different amount of space.
   const follow = new ResizeObserver(seat);
   follow.observe(root);
   signal.addEventListener("abort", () => follow.disconnect());
-  // The panels draw a list on the canvas, below this card, and the list must stay visible.
+  // A list that the panels draw on the canvas, below the card, must stay visible.
   const giveWay = () => {
     const list = page.program.json("page_open_list");
     const card = root.getBoundingClientRect();

@@ -1,11 +1,11 @@
-// WebAssembly modules of the core that compute beside the page's own module.
+// WebAssembly modules of the core that compute beside the page's own.
 import { Program } from "../page/program.js";
 import { translations } from "../words/words.js";
 import { underWay } from "../page/under_way.js";
 
-// Returns a function that resolves with the module as a Program. `load` imports it when it is first needed. If that
-// fails, or if the module stops, the next call starts again. A module that cannot be loaded rejects with an Error that
-// says so.
+// Returns a function that resolves with the module as a Program, which `load` imports at the first use. If the module
+// cannot be loaded, it rejects with an Error that says so. After that, or if the module stops, the next call starts
+// again.
 export function coreModule(load) {
   let starting;
   const forget = () => {

@@ -1,11 +1,10 @@
-// The frame of the page's own windows. They are HTML, so that text can be typed and screen readers can read lists. Each
-// window is a module of its own.
+// The frame of the page's windows. They are HTML, so that text can be typed and screen readers can read lists.
 import { button, el } from "./elements.js";
 import { translated } from "../words/words.js";
 
 const styles = new Map();
 
-// Resolves once a style sheet is loaded: the common one, or one that a single window needs.
+// Resolves once a style sheet is loaded: the common one, or a window's own.
 export function ensureStyles(name = "dialogs.css") {
   if (!styles.has(name)) {
     styles.set(
@@ -20,17 +19,16 @@ export function ensureStyles(name = "dialogs.css") {
   return styles.get(name);
 }
 
-// Resolves once every closed window is gone. Browsers report a closing a little late. By then the next window may have
-// been requested, and the old one must not keep its name or focus.
+// Browsers report a closing a little late. By then the next window may have been requested, and the old one must not
+// keep its name or focus.
 async function windowsGone() {
   const leaving = [...document.querySelectorAll("dialog.window:not([open])")];
   await Promise.all(leaving.map((root) => new Promise((gone) => root.addEventListener("close", gone, { once: true }))));
 }
 
-// Opens a window: modal, or beside the canvas. Closing it removes its element and returns the focus to the canvas. If
-// there is no canvas or another window is below, the focus returns to its previous element. `tools` are added to the
-// header, and `focus` gets the focus. Returns the element; or undefined if the window is open already, or if a modal
-// window is open and `over` is false.
+// Opens a window: modal, or beside the canvas. After closing, the focus returns to the canvas, or, without a canvas or
+// above another window, to its previous element. `tools` go into the header. Returns undefined if the window is open
+// already, or if a modal window is open and `over` is false.
 export async function openWindow({ name, title, modal = true, over = false, tools = [], body, focus, closed }) {
   await ensureStyles();
   await windowsGone();
@@ -62,8 +60,7 @@ export async function openWindow({ name, title, modal = true, over = false, tool
   return root;
 }
 
-// Fades the scrolled content of this element out at the bottom, as long as there is more below: a cut line looks like a
-// fault.
+// Fades the content out at the bottom while there is more below: a cut line looks like a fault.
 export function fadeFoot(scroller) {
   const shade = el("div", { class: "foot-shade", "aria-hidden": "true" });
   scroller.append(shade);
@@ -78,7 +75,6 @@ export function closeWindows() {
   for (const root of document.querySelectorAll("dialog:modal")) root.close();
 }
 
-// A button that closes its window and then opens another with `show`.
 export function buttonTo(name, page, show) {
   return button(name, {
     onclick: ({ currentTarget }) => {
@@ -88,16 +84,15 @@ export function buttonTo(name, page, show) {
   });
 }
 
-// How far a window covers the screen at the left, at the right and at the bottom, in pixels. A window that covers all
-// of it hides the drawing, which then need not make room.
+// Pixels that a window covers at the left, the right and the bottom. A window that covers the whole screen hides the
+// drawing, which then need not make room.
 function covered(root) {
   const { left, right, top, height, width } = root.getBoundingClientRect();
   if (width >= innerWidth) return [0, 0, height >= innerHeight ? 0 : innerHeight - top];
   return left + right < innerWidth ? [right, 0, 0] : [0, innerWidth - left, 0];
 }
 
-// The drawing makes room for a window beside or below it, as long as the window is open. Returns a function that ends
-// that.
+// While a window is open, the drawing makes room for it. Returns a function that ends that.
 export function makeRoom(program, root) {
   const tell = () => program.call("page_cover", ...covered(root));
   const follow = new ResizeObserver(tell);
@@ -108,7 +103,7 @@ export function makeRoom(program, root) {
   };
 }
 
-// A press and release beside the window closes it. Selecting text beyond its edge does not.
+// A press and release beside the window closes it; selecting text beyond its edge does not.
 function closeOutside(root) {
   let pressed = false;
   const outside = (event) => {
@@ -124,7 +119,7 @@ function closeOutside(root) {
   root.addEventListener("click", (event) => pressed && outside(event) && root.close());
 }
 
-// A line that reports a problem and is read out at once. It is empty and invisible at first.
+// Reports a problem, which is read out at once. At first it is empty and invisible.
 export function problemLine(attributes = {}) {
   const line = el("p", { class: "problem", role: "alert", ...attributes });
   return Object.assign(line, {

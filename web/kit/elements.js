@@ -1,14 +1,12 @@
-// Elements and downloads for the page's own windows.
 import { ofWindows, shared } from "./icons.js";
 import { translated } from "../words/words.js";
 
 const svgSpace = "http://www.w3.org/2000/svg";
 
-// Attributes that people read.
 const readable = ["alt", "aria-label", "placeholder", "title"];
 
-// Makes an element. Attributes `on…` are event handlers, others are as in HTML; false and undefined leave an attribute
-// out. Texts that people read appear in their language.
+// Attributes `on…` are event handlers, others are as in HTML; false and undefined leave an attribute out. Texts that
+// people read are translated.
 export function el(name, attributes = {}, ...children) {
   return fill(document.createElement(name), attributes, children);
 }
@@ -38,7 +36,7 @@ export function icon(name) {
   );
 }
 
-// A button with a name and an optional icon. Attributes are as for el().
+// Attributes are as for el().
 export function button(name, attributes = {}, picture) {
   return el("button", { type: "button", class: "button", ...attributes }, ...(picture ? [icon(picture)] : []), name);
 }
@@ -49,7 +47,7 @@ export function download(blob, name) {
   setTimeout(() => URL.revokeObjectURL(url), 60000); // the browser may ask before it saves
 }
 
-// An SVG picture as a PNG, `scale` times as large.
+// A PNG, `scale` times as large.
 export async function rasterise(svg, scale) {
   const url = URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" }));
   try {
@@ -69,13 +67,13 @@ export async function rasterise(svg, scale) {
 // "82 %" stays on one line.
 export const unbroken = (text) => text.replace(/(?<=\d) (?=%)/g, "\u00a0");
 
-// A text whose lines are paragraphs, each with these attributes (el()); nothing for an empty text.
+// A paragraph for each line; attributes are as for el().
 export const paragraphs = (text, attributes = {}) =>
   text ? text.split("\n").map((line) => el("p", attributes, unbroken(translated(line)))) : [];
 
 export const number = (value) => value.toLocaleString("en");
 
-// A typed number, with a decimal comma allowed; NaN for any other text.
+// Allows a decimal comma; NaN for any other text.
 export function typedNumber(text) {
   return text.trim() ? Number(text.trim().replace(",", ".")) : NaN;
 }

@@ -1,7 +1,7 @@
 import { underWay } from "../page/under_way.js";
 import { say } from "../words/words.js";
 
-// The page's own data files. Each is fetched once, when it is first needed; after a failure it can be fetched again.
+// The page's data files. Each is fetched once, at the first use; after a failure again.
 const fetched = new Map();
 
 export function fetchJson(name) {

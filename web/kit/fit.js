@@ -1,13 +1,10 @@
-// Pictures of polygons in windows.
-
-// A polygon and its holes as the data of a path, which the rule "evenodd" fills without the holes.
+// Path data for the fill rule "evenodd".
 export const pathOf = (rings) => rings.map((ring) => `${lineOf(ring)}Z`).join("");
 
-// An open line as the data of a path.
 export const lineOf = (points) => `M${points.map((point) => point.join(" ")).join("L")}`;
 
 // Maps polygon coordinates, with y upwards, into a picture of this size, so that these points fill it except for the
-// margin. Coordinates are rounded to tenths, so that the picture stays small as text.
+// margin. Rounds to tenths, so that the picture stays small as text.
 export function fitted(points, width, height, margin) {
   const low = [0, 1].map((axis) => Math.min(...points.map((p) => p[axis])));
   const high = [0, 1].map((axis) => Math.max(...points.map((p) => p[axis])));

@@ -1,7 +1,7 @@
-// The icons of the canvas and of the windows: strokes in a square of 20 by 20, as SVG path data. A stroke of zero
-// length is a dot. assets/icons/strokes.py reads this file for the canvas.
+// Icons: strokes in a square of 20 by 20, as SVG path data. A stroke of zero length is a dot. assets/icons/strokes.py
+// reads this file for the canvas.
 
-// On the canvas and in the windows.
+// On the canvas and in windows.
 export const shared = {
   plus: "M3.5 10H16.5M10 3.5V16.5",
   close: "M5 5L15 15M5 15L15 5",
@@ -9,14 +9,12 @@ export const shared = {
   save: "M10 2.5V13M6 9L10 13L14 9M2.5 12.5V17H17.5V12.5",
 };
 
-// Only in the windows.
 export const ofWindows = {
   copy: "M7.5 7.5H16.25V16.25H7.5ZM12.5 7.5V3.75H3.75V12.5H7.5",
   qr: "M3.75 3.75H8.75V8.75H3.75ZM11.25 3.75H16.25V8.75H11.25ZM3.75 11.25H8.75V16.25H3.75ZM11.25 11.25H12.5M16.25 11.25V12.5M12.5 13.75V16.25M16.25 16.25H15",
   file: "M5 3.1H11.25L15 6.9V16.9H5ZM11.25 3.1V6.9H15",
 };
 
-// Only on the canvas.
 export const ofCanvas = {
   undo: "M7.5 1.5L2.5 6L7.5 10.5M2.5 6H12.5A5.5 5.5 0 0 1 12.5 17H6",
   redo: "M12.5 1.5L17.5 6L12.5 10.5M17.5 6H7.5A5.5 5.5 0 0 0 7.5 17H14",

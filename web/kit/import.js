@@ -3,12 +3,12 @@ import { coreModule } from "./core_module.js";
 
 const reader = coreModule(() => import("./import_core.js"));
 
-let last; // the text that the module holds
+let last; // the text in the module
 
-// Reads a text; `tolerance` is the distance between curves and edges, or 0 for the default. Returns { problem }, a
-// message, or { format, unit, notes, doubtful, leftOpen(), shapes }; in a
-// doubtful drawing what was left out is larger than any shape. leftOpen() has the lines that close no shape. Each shape has its description in words, the tolerance of its curves (or
-// 0), outline() and holes() for a picture, and text() for the program; with settings, text() may return a link.
+// `tolerance` is the distance between curves and edges, or 0 for the default. Returns { problem }, a message, or
+// { format, unit, notes, doubtful, leftOpen(), shapes }. In a doubtful drawing, what was left out is larger than any
+// shape. leftOpen() has the lines that close no shape. A shape has a description, the tolerance of its curves (or 0),
+// outline() and holes() for a picture, and text() for the program; with settings, text() may return a link.
 export async function readShapes(text, tolerance = 0) {
   let program;
   try {

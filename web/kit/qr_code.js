@@ -1,11 +1,11 @@
-// The QR code of an address: black on white whatever the theme, with the quiet zone that readers need.
+// An address as QR code: black on white whatever the theme, with the quiet zone that readers need.
 import { coreModule } from "./core_module.js";
 
 const qrModule = coreModule(() => import("./qr_core.js"));
 
 const quiet = 4; // modules
 
-// An SVG of rows of 0 and 1. Neighbouring dark modules of a row become one rectangle.
+// Neighbouring dark modules of a row become one rectangle.
 function picture(rows) {
   const side = rows.length + 2 * quiet;
   const runs = rows.flatMap((row, y) =>
@@ -17,7 +17,7 @@ function picture(rows) {
   );
 }
 
-// The code as SVG; undefined if the address is longer than a code holds. Throws if its module cannot be loaded.
+// SVG; undefined if the address is too long for a code. Throws if its module cannot be loaded.
 export async function qrCode(address) {
   const rows = (await qrModule()).text("qr_code", address).split("\n").filter(Boolean);
   return rows.length ? picture(rows) : undefined;

@@ -1,4 +1,4 @@
-// The words that the page uses, with the meaning that docs/algorithm.md gives them.
+// The page's words, with their meaning in docs/algorithm.md.
 import { fadeFoot, openWindow } from "../kit/dialogs.js";
 import { el } from "../kit/elements.js";
 import { translated } from "../words/words.js";

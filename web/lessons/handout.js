@@ -1,5 +1,5 @@
-// A lesson on paper: its steps as pictures with captions, six to a page. A separate module computes the steps
-// (wasm/modules/handout_api.cpp); handout_picture.js draws them.
+// A lesson on paper: its steps as pictures with captions, six to a page, computed by a separate module
+// (wasm/modules/handout_api.cpp) and drawn by handout_picture.js.
 import { coreModule } from "../kit/core_module.js";
 import { openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, paragraphs, unbroken } from "../kit/elements.js";
@@ -11,7 +11,7 @@ import { openLessonOf } from "./lesson_watch.js";
 
 const handoutModule = coreModule(() => import("./handout_core.js"));
 
-// "5. Candidates (2 of 4)": each step has a title of its own, though a chapter may have several.
+// "5. Candidates (2 of 4)": each step has its own title, though a chapter may have several steps.
 function titleOfStep({ steps }, step) {
   const ofChapter = steps.filter(({ chapter }) => chapter === step.chapter),
     parts = ofChapter.length,
@@ -35,7 +35,7 @@ function figureOf(handout, step) {
   );
 }
 
-// The question at the lesson's end. Its answer is upside down, so that it is not read by chance.
+// The answer is upside down, so that it is not read by chance.
 function questionOf({ question, answer }) {
   if (!question) return [];
   return [
@@ -49,8 +49,8 @@ function questionOf({ question, answer }) {
   ];
 }
 
-// The address that opens the same, in words and as a QR code, as far as it fits.
-const longestPrinted = 300; // characters that a student might type, or at least compare
+// In words and as QR code, as far as it fits.
+const longestPrinted = 300; // characters that a student might type, or compare
 async function wayBack(address) {
   const code = await qrCode(address).catch(() => undefined);
   return [
@@ -64,7 +64,6 @@ async function wayBack(address) {
   ];
 }
 
-// A task on paper: its object, what is to be reached, and a place for the learner's name and number.
 function taskOf(program, { words, goals, may, numbered }) {
   const drawing = `data:image/svg+xml,${encodeURIComponent(program.text("page_svg"))}`;
   return [
@@ -80,7 +79,7 @@ function taskOf(program, { words, goals, may, numbered }) {
   ];
 }
 
-// What is printed: its title, a sentence about it, and a function that makes its elements.
+// A title, a sentence about it, and a function that makes the elements.
 function subjectOf(program, link) {
   const lesson = openLessonOf(program);
   const steps = async () => {

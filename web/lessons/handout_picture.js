@@ -1,9 +1,9 @@
-// The pictures of a handout. All positions are on the paper (wasm/modules/handout_paper.h).
+// Positions are on the paper (wasm/modules/handout_paper.h).
 import { el, svgEl } from "../kit/elements.js";
 import { pathOf } from "../kit/fit.js";
 
-// How each kind of figure is drawn, as a class of dialogs.css. A line also has a name for the list of lines, since
-// paper has no pointer to identify it. A kind that is not here is drawn as an accent.
+// The class in dialogs.css for each kind of figure; other kinds are drawn as an accent. A line also has a name for the
+// list of lines, since paper has no pointer to identify it.
 const looks = {
   base: ["base", "the lifting base H"],
   base_before: ["base-before", "the previous lifting base"],
@@ -52,7 +52,6 @@ const lookOf = (kind) => (looks[kind] ?? ["accent"])[0];
 const arrows = ["translation", "way", "sum", "arm"];
 const round = ["gain_circle", "body"];
 
-// An area, a line or a dot, depending on the number of points.
 function shape(points, look) {
   if (points.length > 2)
     return svgEl("polygon", { points: points.map((point) => point.join(" ")).join(" "), class: look });
@@ -61,7 +60,6 @@ function shape(points, look) {
   return svgEl("line", { x1, y1, x2, y2, class: look });
 }
 
-// A line with a head at its end.
 function arrow([x1, y1], [x2, y2], look) {
   const long = Math.hypot(x2 - x1, y2 - y1) || 1,
     [u, v] = [(x2 - x1) / long, (y2 - y1) / long];
@@ -80,17 +78,17 @@ function drawnFigure({ kind, points, value }) {
   return points.flatMap((point, i) => arrow(point, points[(i + 1) % points.length], look));
 }
 
-// A disc with a number: a robot, or the former place of one.
+// A robot, or its former place.
 const numbered = ([cx, cy], number, disc, look) => [
   svgEl("circle", { cx, cy, r: disc, class: look }),
   svgEl("text", { x: cx, y: cy + 3.5, class: `number ${look}-number` }, number),
 ];
 
-// Figures that lie in the object, so that the holes show the paper. The parts of an object with holes touch themselves,
-// and so have no outline.
+// Figures in the object, so that holes show the paper. The parts of an object with holes touch themselves, so they have
+// no outline.
 const inObject = { base: "base", gain_triangle: "gain", gain_part: "gain filled" };
 
-// The holes over the areas that lie in the object, and over them the lines of these areas.
+// The holes over the areas in the object, and the lines of these areas over the holes.
 function drawnHoles(holes, base, areas) {
   if (holes.length === 0) return [];
   const filled = areas.map(({ kind, points }) => shape(points, inObject[kind]));
@@ -102,7 +100,6 @@ function drawnHoles(holes, base, areas) {
   ];
 }
 
-// The weights, the object's own centre of mass, and the line from it to C.
 function drawnCargo(cargo, [x1, y1], [x2, y2]) {
   if (cargo.length === 0) return [];
   return [
@@ -112,7 +109,7 @@ function drawnCargo(cargo, [x1, y1], [x2, y2]) {
   ];
 }
 
-// A picture of a step. The paper clips lines and regions that extend beyond it.
+// The paper clips lines and regions that extend beyond it.
 export function picture({ width, height, disc, polygon, holes, cargo, own_centre: own, centre }, step) {
   const [cx, cy] = centre;
   const below = step.figures.filter(({ kind }) => holes.length > 0 && kind in inObject);
@@ -136,7 +133,6 @@ export function picture({ width, height, disc, polygon, holes, cargo, own_centre
   );
 }
 
-// The lines and areas of all the pictures, each once, with their names.
 export function legend({ steps }) {
   const kinds = new Set(
     steps.flatMap((step) => [
@@ -146,7 +142,7 @@ export function legend({ steps }) {
       ...step.figures.map(({ kind }) => kind),
     ]),
   );
-  // Balanced robots do not form teams of two: there such a line connects a robot to C.
+  // Balanced robots do not form teams of two: such a line connects a robot to C.
   const balanced = !steps.some((step) => step.teams.length);
   const named = Object.entries({ ...looks, ...(balanced && { team: ["chord", "from a robot to C"] }) }).filter(
     ([kind, [, name]]) => name && kinds.has(kind),

@@ -1,5 +1,5 @@
-// The editor of lessons: the text in a window beside the canvas, and on the canvas the lesson, at the step of the
-// cursor. Mistakes are reported with their line while the text is typed.
+// The text is in a window beside the canvas, which shows the lesson at the step of the cursor. Mistakes are reported
+// with their line during typing.
 import { makeRoom, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, download, el, number } from "../kit/elements.js";
 import { fetchJson } from "../kit/fetched.js";
@@ -14,7 +14,7 @@ import { fetchLessons } from "./ready_made.js";
 const draftKey = "evenlift.lesson-draft";
 const pause = 350; // ms after the last letter
 
-// The first steps of a template, for any method: it keeps those that the algorithm takes.
+// For any method: the template keeps those that the algorithm takes.
 const firstSteps = [
   ["centre", "What should they notice here? Ask before you explain."],
   ["vertex 1", "A chord from the first vertex through C."],
@@ -29,7 +29,7 @@ const firstSteps = [
 
 const inText = (steps) => steps.map(([address, words]) => `[${address}]\n${translated(words)}\n`).join("\n");
 
-// A lesson to begin with: about the open polygon, unless its link is long.
+// About the open polygon, unless its link is long.
 function template(program) {
   const link = program.text("page_link");
   const begin = `${translated("# Lines that begin with # are notes for the author.")}
@@ -37,7 +37,7 @@ title: ${translated("My lesson")}
 `;
   const own = link && link.length < 2000;
   const about = (steps) => `${begin}${own ? `link: ${link}` : "polygon: trapezium"}\n\n${inText(steps)}`;
-  // The sample's teams are chosen by area, where only these steps exist.
+  // The sample's teams are chosen by area, which has only these steps.
   const ofSample = new Set(["centre", "vertex 1", "candidates", "team 1", "end"]);
   const there = own ? program.json("page_steps_that_exist", about(firstSteps)) : null;
   return `${about(firstSteps.filter(([address], i) => (there ? there[i] : ofSample.has(address))))}
@@ -52,8 +52,7 @@ ${translated("What they will find.")}
 
 const option = (value, name) => el("option", { value }, name);
 
-// The samples by their titles and groups in the gallery. Each has a twin with another centre of mass, which the gallery
-// omits.
+// Each sample has a twin with another centre of mass, which the gallery omits.
 function choiceOfSamples(names, gallery) {
   const twin = /-moved$/;
   const groups = new Map();
@@ -95,12 +94,12 @@ export async function show(page) {
 
 class Editor {
   #page;
-  #samples; // texts by their names
-  #due; // the scheduled update of the canvas: { timer, done }
-  #shown = {}; // the lesson on the canvas: { text, stop }
+  #samples; // by name
+  #due; // the next update of the canvas: { timer, done }
+  #shown = {}; // on the canvas: { text, stop }
   #before; // the lesson that was open before, if any: { name, text, at }
-  #begun; // the text with which the editor began
-  #wrong = ""; // the problem of the text, if it has one
+  #begun; // with which the editor began
+  #wrong = ""; // the problem of the text, if any
   #leave = new AbortController();
 
   constructor(page, samples, lessons, gallery) {
@@ -137,7 +136,6 @@ class Editor {
     );
   }
 
-  // The list of texts to begin with.
   #beginWith(lessons) {
     const open = openLessonOf(this.#page.program);
     const texts = [
@@ -168,7 +166,7 @@ class Editor {
     document.addEventListener("selectionchange", () => document.activeElement === this.field && this.#soon(), {
       signal,
     });
-    // Tab leaves the text, as everywhere; Escape closes the window, and the draft stays.
+    // Tab leaves the text; Escape closes the window, and the draft stays.
     root.addEventListener(
       "keydown",
       (event) => {
@@ -184,7 +182,7 @@ class Editor {
     this.#look();
   }
 
-  // After looking without editing, the previous document comes back.
+  // Without an edit, the previous document comes back.
   close() {
     this.#leave.abort();
     const { program } = this.#page;
@@ -203,7 +201,7 @@ class Editor {
     if (!problem) this.#page.program.call("page_go_to_stop", at);
   }
 
-  // Keeps the draft for this tab, where changes in other tabs do not affect it, and for the next visit.
+  // Keeps the draft for this tab, out of reach of other tabs, and for the next visit.
   #keep() {
     for (const storage of [ofThisTab, lasting]) write(storage, draftKey, this.field.value);
   }
@@ -226,7 +224,7 @@ class Editor {
     }, pause);
   }
 
-  // Shows the lesson, or reports its mistake. The last valid one stays on the canvas.
+  // The last valid lesson stays on the canvas.
   #look() {
     const text = this.field.value;
     this.#keep();
@@ -252,7 +250,6 @@ class Editor {
         : say("{steps}; the drawing shows step {step}.", { steps: counted, step: stop + 1 });
   }
 
-  // Shows a problem of the text; with "" it removes the message.
   #say(problem) {
     this.#wrong = problem;
     this.problem.say(problem);
@@ -267,7 +264,6 @@ class Editor {
     }
   }
 
-  // Selects the line with the problem.
   #goToLine() {
     const lines = this.field.value.split("\n"),
       before = lines.slice(0, this.line - 1).join("\n").length + (this.line > 1 ? 1 : 0);
@@ -275,7 +271,6 @@ class Editor {
     this.field.setSelectionRange(before, before + (lines[this.line - 1] ?? "").length);
   }
 
-  // Returns why the lesson cannot be opened, or undefined.
   #open(text) {
     const { program } = this.#page;
     const why = unreadable(text);
@@ -290,15 +285,14 @@ class Editor {
     return problem;
   }
 
-  // The index of the step at this position in the text; -1 among the settings. The question at the end belongs to the
-  // last step.
+  // The index of the step at a position; -1 among the settings. The question belongs to the last step.
   #stopAt(position) {
     const end = this.field.value.indexOf("\n", position);
     const before = this.field.value.slice(0, end < 0 ? undefined : end);
     return before.split("\n").filter((line) => /^\s*\[(?!\s*(question|answer)\s*\])/.test(line)).length - 1;
   }
 
-  // Writes the sample over the polygon of the lesson, or else below its title.
+  // Writes the sample over the lesson's polygon, or else below its title.
   #insertSample() {
     const name = this.aboutSample.value;
     this.aboutSample.value = "";
@@ -312,7 +306,7 @@ class Editor {
     this.#replace(below, below, title ? `\n${line}` : `${line}\n`);
   }
 
-  // Replaces a part of the text as if it had been typed, so that the field's own undo reverts it.
+  // As if typed, so that the field's own undo reverts it.
   #replace(from, to, text) {
     this.field.focus();
     this.field.setSelectionRange(from, to);
@@ -323,7 +317,7 @@ class Editor {
   }
 
   async #copyLink() {
-    this.#look(); // at what was typed last
+    this.#look(); // at the text typed last
     if (this.#wrong)
       return this.problem.say(say("Correct the lesson before you link to it: {why}", { why: lowered(this.#wrong) }));
     const { text, problem } = this.#page.program.json("page_lesson_link", this.field.value);

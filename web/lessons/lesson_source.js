@@ -1,5 +1,5 @@
-// Opens lessons: the page's own, texts, and files beside the page that an address names. A function that opens a lesson
-// returns why it was refused, or undefined.
+// Lessons of the page, texts, and files beside the page that an address names. Functions that open a lesson return why
+// it was refused, or undefined.
 import { ask, fetchJson } from "../kit/fetched.js";
 import { lowered, say, translated } from "../words/words.js";
 import { isLessonLink } from "../page/address.js";
@@ -10,17 +10,15 @@ import { fetchLessons } from "./ready_made.js";
 const mostBytes = 65536; // core/include/evenlift/lesson.h
 const patience = 15000; // ms
 
-// The title in the text of a lesson; "" if it has none.
 export function titleOf(text) {
   return /^title[ \t]*:(.*)$/m.exec(text)?.[1].trim() ?? "";
 }
 
-// Opens the text of a lesson, with the sample that it names. `name` is the lesson's name in an address, if it has one;
-// `how` is as for openLesson().
+// `name` is the lesson's name in an address, if any; `how` is as for openLesson().
 export async function openLessonText(page, text, name = "", how = {}) {
   const problem = unreadable(text);
   if (problem) return problem;
-  // A lesson that has no name is named by a link that holds its text, so that every address of it opens it again.
+  // The name of a nameless lesson is a link that holds its text, so that every address of it opens it again.
   if (!name) name = page.program.json("page_lesson_link", text).text ?? "";
   const sample = page.program.text("page_lesson_polygon", text);
   if (!sample) return openLesson(page, { name, text }, how);
@@ -36,7 +34,6 @@ export async function openLessonText(page, text, name = "", how = {}) {
 
 const quoted = (name) => translated("“{name}”").replace("{name}", name);
 
-// The message about an unknown sample, with the nearest names.
 export function noSample(sample, names) {
   const near = names
     .map((name) => [distance(sample.toLowerCase(), name), name])
@@ -50,7 +47,7 @@ export function noSample(sample, names) {
   });
 }
 
-// The number of letters to change, add or remove; less if one name contains the other.
+// Letters to change, add or remove; less if one name contains the other.
 function distance(a, b) {
   let row = Array.from({ length: b.length + 1 }, (_, i) => i);
   for (let i = 1; i <= a.length; ++i) {
@@ -62,7 +59,7 @@ function distance(a, b) {
   return row[b.length] - (a && (b.includes(a) || a.includes(b)) ? Math.min(a.length, b.length) : 0);
 }
 
-// The names of lessons in addresses: a link, which is a name by itself, a ready-made lesson, or a text file in the page's folder or below. Other addresses are
+// A lesson's name in an address: a link, a ready-made lesson, or a text file in the page's folder or below. Others are
 // refused: the author of a link must not choose what the reader's browser requests elsewhere.
 const readyMade = /^[a-z0-9-]+$/;
 const besideThePage = /^(?:[\w-][\w.-]*\/)*[\w-][\w.-]*\.txt$/;
@@ -84,13 +81,13 @@ export async function openNamedLesson(page, name, how) {
   return text === undefined ? "A lesson has at most 65,536 bytes" : openLessonText(page, text, name, how);
 }
 
-// Opens what linkedLesson() found (web/page/address.js): the lesson, with the document that stands before it.
+// For linkedLesson() (web/page/address.js): opens the document, then the lesson.
 export async function openLinkedLesson(page, { lesson, link, number }) {
   const problem = link && page.program.text("page_open_link", link);
   return problem || openNamedLesson(page, lesson, { join: link !== "", number });
 }
 
-// Reads the text of a response; undefined if it is longer than a lesson may be, and then the rest is not read.
+// Undefined for a text longer than a lesson may be, whose rest is not read.
 async function read(answer) {
   const reader = answer.body.getReader();
   const decoder = new TextDecoder();
@@ -107,15 +104,15 @@ async function read(answer) {
   }
 }
 
-// Opens the lesson and the challenge of the address, once its link is open. A challenge begins at the first step,
-// whatever was open. Returns whether the lesson, if there is one, is open.
+// Call this once the address's link is open. A challenge begins at the first step, whatever was open. Returns false if
+// a lesson could not be opened.
 export async function beginFromAddress(page, { lesson, number, challenge, join }) {
   let opens = true;
   if (lesson) {
     const problem = await openNamedLesson(page, lesson, { join, number }).catch((error) => error.message);
     opens = !problem;
     if (problem) {
-      if (!isLessonLink(lesson)) page.nameLesson(""); // a link is the only copy of its lesson, and stays in the address
+      if (!isLessonLink(lesson)) page.nameLesson(""); // a link is the only copy of its lesson, so it stays
       const why = lowered(problem.replace(/^Link, /, ""));
       page.notice(
         isLessonLink(lesson)

@@ -1,5 +1,4 @@
-// Tracks the open lesson, and shows the card at its end: the result of the guesses, a question with its answer, and the
-// next lesson.
+// Tracks the open lesson, and shows the card at its end: the result of the guesses, a question, and the next lesson.
 import { closingButton, openCard } from "../kit/card.js";
 import { button, el, paragraphs } from "../kit/elements.js";
 import { say, translated } from "../words/words.js";
@@ -11,8 +10,7 @@ import { fetchLessons } from "./ready_made.js";
 
 const seenKey = "evenlift.lessons";
 
-// The names of the ready-made lessons that were played to their end, in that order; a repeated lesson counts at its
-// last time.
+// Ready-made lessons played to their end, in that order; a repeated one counts at its last time.
 export function seenLessons() {
   return new Set(read(lasting, seenKey).split(" ").filter(Boolean));
 }
@@ -26,15 +24,15 @@ function markSeen(name) {
 
 let playing; // { page, lesson, atEnd, answered }; lesson: { name, title, text } as far as they are known
 
-// The open lesson; undefined if none is open, or if it is the walkthrough of a polygon.
+// Undefined if no lesson is open, or only the walkthrough of a polygon.
 export function openLessonOf(program) {
   return playing?.lesson.text && program.number("page_script") === 2 ? playing.lesson : undefined;
 }
 
-// The state of a walkthrough (wasm/page/lesson_api.cpp); null if none is open.
+// The state of a walkthrough (wasm/page/lesson_api.cpp), or null.
 export const standing = (program) => program.json("page_lesson");
 
-// Opens a lesson for the learner with this number, with the text of the polygon if it names one; with `join` for the open
+// Opens a lesson for the learner with this number, with the text of the polygon that it names; with `join` for the open
 // document. Returns why it was refused, or undefined.
 export function openLesson(page, { name, text, polygon = "" }, { join = false, number = 1 } = {}) {
   const problem = page.program.text("page_open_lesson", text, polygon, join ? 1 : 0, number);
@@ -46,7 +44,7 @@ export function openLesson(page, { name, text, polygon = "" }, { join = false, n
   return undefined;
 }
 
-// Call this whenever a lesson or a challenge was opened in another way.
+// Call this after opening a lesson or a challenge in another way.
 export function watch(page, lesson = {}) {
   playing?.card?.close();
   // After the change, not in the middle of it.
@@ -56,7 +54,7 @@ export function watch(page, lesson = {}) {
   playing = { page, lesson, atEnd: Boolean(now && now.at + 1 === now.count) };
 }
 
-// The card of the open task. After a lesson's steps it takes the place of the card at the end.
+// After a lesson's steps, this card replaces the one at the end.
 async function showTaskOf(page, of) {
   const { name, again } = of.lesson;
   of.card = await showTask(page, { again, done: () => markSeen(name) });
@@ -80,8 +78,7 @@ function look() {
   underWay(showEnd(page, lesson, now, playing));
 }
 
-// The question at the lesson's end, and the button that shows its answer. Once shown, the answer is there whenever the
-// end is reached again.
+// Once shown, the answer appears at every return to the end.
 function questionOf(program, of) {
   const answer = el("div", { role: "status" });
   const told = (attributes) => paragraphs(program.text("page_lesson_answer"), { class: "second", ...attributes });
@@ -98,7 +95,7 @@ function questionOf(program, of) {
     show();
     return { words };
   }
-  // The space for the answer beside the buttons is reserved, so that the drawing does not move when the answer appears.
+  // Space is reserved, so that the drawing does not move when the answer appears.
   answer.replaceChildren(el("div", { class: "waits", "aria-hidden": "true" }, ...told()));
   const shown = button("Answer", {
     class: "button unfolded",
@@ -116,8 +113,7 @@ function questionOf(program, of) {
   return { words, button: shown };
 }
 
-// On a small screen the card begins as a row of buttons, so that the shape in the question keeps its room; this button
-// unfolds the card.
+// A small screen begins with a row of buttons, so that the shape in the question keeps its room.
 function foldButton(of) {
   const fold = button("Question", {
     "aria-expanded": "false",
@@ -131,7 +127,6 @@ function foldButton(of) {
   return fold;
 }
 
-// The next lesson by its name, or where the name does not fit, as "Next lesson".
 function toNext({ title }, act) {
   const go = closingButton("", { class: "button primary", title }, act);
   go.append(
@@ -141,7 +136,6 @@ function toNext({ title }, act) {
   return go;
 }
 
-// How the guesses went, in sentences: the number of right ones first.
 function scoreOf({ guesses, right, told, passed }) {
   if (!guesses) return { score: "", further: [] };
   return {

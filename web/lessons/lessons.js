@@ -1,4 +1,4 @@
-// The window of lessons: a walkthrough of the open polygon, the ready-made lessons, and one from a file.
+// A walkthrough of the open polygon, the ready-made lessons, and one from a file.
 import { buttonTo, fadeFoot, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, icon } from "../kit/elements.js";
 import { lowered, say, translated } from "../words/words.js";
@@ -104,7 +104,7 @@ function ofThisPolygon(page, close) {
   );
 }
 
-// The approximate duration of a lesson: reading its words, looking at each step and its caption, and trying its task.
+// Approximate: reading the words, looking at each step and its caption, and trying the task.
 function minutes({ text, stops, task }) {
   const words = text
     .split("\n")
@@ -127,7 +127,7 @@ async function load(page, list, choose) {
   }
   const seen = seenLessons();
   const open = openLessonOf(page.program)?.name;
-  // The first unseen lesson after the last one seen, or else the first unseen one.
+  // The first unseen lesson after the last one seen, or else of all.
   const last = lessons.findIndex(({ name }) => name === [...seen].at(-1));
   const unseen = ({ name }, i) => !seen.has(name) && i > last;
   const later = lessons.findIndex(unseen);

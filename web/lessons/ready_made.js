@@ -1,4 +1,4 @@
-// The ready-made lessons, in the language of the page (assets/lessons).
+// The ready-made lessons in the page's language (assets/lessons).
 import { fetchJson } from "../kit/fetched.js";
 
 export function fetchLessons() {

@@ -1,10 +1,10 @@
-// The task of a lesson: what is to be reached, with ticks that follow every change. Its card stays over the canvas.
+// A lesson's task: its goals, with ticks that follow every change.
 import { openCard } from "../kit/card.js";
 import { button, el, icon, paragraphs } from "../kit/elements.js";
 import { say, translated } from "../words/words.js";
 import { learnersNumber } from "../page/address.js";
 
-// `again(number)` opens the task of another learner; `done` is called when the task is done for the first time.
+// `again(number)` opens another learner's task; `done` is called when the task is done for the first time.
 export async function show(page, { again, done }) {
   const { program } = page;
   const begun = program.json("page_task");
@@ -38,7 +38,7 @@ export async function show(page, { again, done }) {
     ],
     closed: (byPerson) => {
       leave.abort();
-      // After a lesson's steps the lesson stays open, and its last step opens the card again.
+      // A lesson stays open after its steps, and its last step opens the card again.
       if (byPerson && !program.number("page_walkthrough_is_open")) program.call("page_close_task");
     },
   });

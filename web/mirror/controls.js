@@ -1,6 +1,6 @@
-// The list of controls that the program lays out (wasm/ui/controls.h).
+// The controls that the program lays out (wasm/ui/controls.h).
 
-// Whether all of the control is in the visible part of its card.
+// Whether all of the control is visible in its card.
 export function isSeen({ place, window }) {
   return (
     place.left >= window.left &&
@@ -10,12 +10,12 @@ export function isSeen({ place, window }) {
   );
 }
 
-// The plus and minus buttons of a stepper whose value can be typed: the field has keys for them.
+// A stepper's plus and minus buttons: a field for its value has keys for them.
 function isEndOf(fields, { card, name }) {
   return / [-+]$/.test(name) && fields.has(`${card}/${name.slice(0, -2)}`);
 }
 
-// Gives each control a `key` of its own, though a card may have two controls of one name.
+// Gives each control its own `key`, as a card may have two controls of one name.
 export function withKeys(all) {
   const fields = new Set(all.filter(({ kind }) => kind === "number").map(({ card, name }) => `${card}/${name}`));
   const seen = new Map();

@@ -1,4 +1,4 @@
-// An element for each kind of control. Its entry, { element, control }, links it to that control.
+// An entry is { element, control }.
 import { plainValue } from "./typed.js";
 
 function button(entry, actions) {
@@ -21,7 +21,7 @@ function slider(entry, actions) {
   return element;
 }
 
-// A field for a typed value. It receives the pointer, so that a click or a tap begins to type.
+// Receives the pointer, so that a click or a tap begins to type.
 function field(entry, actions) {
   const element = document.createElement("input");
   element.type = "text";
@@ -41,14 +41,14 @@ function field(entry, actions) {
     if (element.value === before && !(confirmed && !entry.control.setting)) return true;
     const done = actions.type(entry.control, element.value, confirmed);
     if (done) before = element.value;
-    else if (previewed) actions.withdraw(entry.control); // a refused value is not shown, either
+    else if (previewed) actions.withdraw(entry.control); // a refused value is not shown
     element.setAttribute("aria-invalid", String(!done));
     return done;
   };
   entry.begin = begin;
   entry.isTyped = () => element.value !== before;
-  // Enter. Keyboard users continue from this field; others return to the drawing. If the number is not a setting, the
-  // next number follows. If nothing was typed, Enter confirms all of them.
+  // Keyboard users continue from this field, others return to the drawing. After a number that is not a setting, the
+  // next one follows; if nothing was typed, Enter confirms all.
   const confirm = () => {
     const { setting } = entry.control,
       untouched = !previewed && element.value === before;
@@ -85,7 +85,7 @@ function field(entry, actions) {
       entry.renew = begin;
     }
   });
-  // Over the field the wheel still scrolls the panel. The canvas believes that the pointer has left it.
+  // Over the field the wheel still scrolls the panel. The canvas believes that the pointer has left.
   element.addEventListener(
     "wheel",
     (event) => {
@@ -98,7 +98,7 @@ function field(entry, actions) {
   return element;
 }
 
-// A number of the result: it can be read, and does nothing.
+// A number of the result, only to be read.
 const text = () => document.createElement("p");
 
 const makers = { button, toggle: button, choice, slider, number: field, text };
@@ -106,7 +106,7 @@ const makers = { button, toggle: button, choice, slider, number: field, text };
 const isOfHistory = (event) =>
   (event.ctrlKey || event.metaKey) && !event.altKey && ["z", "y"].includes(event.key.toLowerCase());
 
-// A focused element stays enabled: a browser takes the focus from disabled elements.
+// A browser takes the focus from disabled elements, so a focused one stays enabled.
 function showEnabled({ element, control }) {
   const disabled = !control.enabled;
   element.disabled = disabled && element !== document.activeElement;
@@ -130,7 +130,7 @@ export function createElement(control, actions) {
     }
     if (event.key !== "Escape") return;
     event.stopPropagation();
-    if (control.kind !== "number") actions.escape(); // a field reverts only the text that was typed in it
+    if (control.kind !== "number") actions.escape(); // a field reverts only its own text
   });
   return entry;
 }

@@ -1,11 +1,11 @@
-// The controls of the panels as HTML over the canvas. Each covers the drawn control, and is invisible until it has the
-// focus. So keyboards and screen readers reach every control, and a number is typed in a native browser field.
+// The controls as HTML over the canvas, each covering its drawn control, and invisible until it has the focus. So
+// keyboards and screen readers reach every control, and numbers are typed in a native field.
 import { createElement, showControl } from "./elements.js";
 import { withKeys } from "./controls.js";
 import { say, translated } from "../words/words.js";
 import { settingValue, typedProblem, unitOf } from "./typed.js";
 
-// Each card of the panels (begin_card() in wasm/panels), in reading order, with its name for screen readers.
+// The panels' cards (begin_card() in wasm/panels) in reading order, with names for screen readers.
 const cards = new Map([
   ["toolbar", "Toolbar"],
   ["bar", "Toolbar"],
@@ -20,7 +20,6 @@ const cards = new Map([
   ["notice", "Notice"],
 ]);
 
-// Hidden while it is empty.
 function createGroup(name) {
   const group = document.createElement("div");
   group.setAttribute("role", "group");
@@ -29,7 +28,7 @@ function createGroup(name) {
   return group;
 }
 
-// The actions on a control that the program can be called with (wasm/page/main.cpp).
+// The program's actions on a control (wasm/page/main.cpp).
 const press = 0,
   choose = 1,
   move = 2,
@@ -37,7 +36,7 @@ const press = 0,
   enter = 4,
   withdraw = 5;
 
-// `field.awaited` names a field that a key asked for, or is empty. The field may not be laid out yet. `field.begun` is
+// `field.awaited` names a field that a key asked for and that may not be laid out yet, or is empty. `field.begun` is
 // the text already typed for it.
 export function createMirror(program, field, notice) {
   const canvas = document.getElementById("canvas");
@@ -49,10 +48,9 @@ export function createMirror(program, field, notice) {
   const shown = new Map(); // by key; see withKeys()
   let last = "";
 
-  // Returns the focus to the drawing.
   const leave = () => canvas.focus({ preventScroll: true });
 
-  // The unit of a field's number; "" if it has none.
+  // "" for a number without a unit.
   function unitOfField({ is_length, value }) {
     const unit = unitOf(value) || (is_length ? program.text("page_length_unit") : "");
     return unit === "none" ? "" : unit;
@@ -65,8 +63,8 @@ export function createMirror(program, field, notice) {
     move: ({ card, name }, value) => program.call("page_ask_control", move, card, name, value),
     reveal: ({ card, name }) => program.call("page_ask_control", reveal, card, name, 0),
     withdraw: ({ card, name }) => program.call("page_ask_control", withdraw, card, name, 0),
-    // Sets the text typed into a field. Returns whether it is in force now; if not, a notice gives the reason. A number
-    // that is not a setting goes to the control itself; `confirmed` is whether Enter was pressed.
+    // Returns whether the value is in force now; if not, a notice gives the reason. A number that is not a setting goes
+    // to the control itself; `confirmed` is whether Enter was pressed.
     type(control, typed, confirmed) {
       const { setting, card, name, is_length } = control,
         unit = unitOfField(control);
@@ -89,7 +87,7 @@ export function createMirror(program, field, notice) {
       if (problem) notice(`${problem}.`, true);
       return !problem;
     },
-    // Previews a number that is not a setting while it is being typed, as soon as the text can be one.
+    // For a number that is not a setting, once the text can be a number.
     preview(control, typed) {
       const { card, name, is_length } = control,
         unit = unitOfField(control),
@@ -97,7 +95,7 @@ export function createMirror(program, field, notice) {
       if (value === "" || typedProblem(typed, "", unit, is_length) || !Number.isFinite(Number(value))) return;
       if (!is_length || Number(value) > 0) program.call("page_ask_control", move, card, name, Number(value));
     },
-    // After the confirmation of a number that is not a setting, the first such number of the card is typed next.
+    // After a confirmation, the card's first number that is not a setting is typed.
     next({ card }) {
       const first = [...shown.values()]
         .map(({ control }) => control)
@@ -105,19 +103,19 @@ export function createMirror(program, field, notice) {
       if (first) field.awaited = first.name;
       field.show();
     },
-    // Restarts the field with the value that is now in force.
+    // Begins again with the value in force.
     again(entry) {
       field.show();
       entry.begin();
     },
     key: ({ key, shiftKey }) => program.number("page_key", key, 1, shiftKey ? 1 : 0),
-    // Passes Escape to the page; if the page does not use it, the focus returns to the drawing.
+    // If the page does not use Escape, the focus returns to the drawing.
     escape() {
       if (!program.number("page_key", "Escape", 0, 0)) leave();
     },
   };
 
-  // Puts the elements in order without moving those in the right place, so that the focus stays.
+  // Does not move elements that are in the right place, so that the focus stays.
   function arrange(controls) {
     const at = new Map();
     for (const { key, card } of controls) {

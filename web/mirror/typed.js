@@ -1,7 +1,7 @@
 // Numbers as users type them, and as the program reads them (core/include/evenlift/settings.h).
 import { say, translated } from "../words/words.js";
 
-// The value of a control, ready to be typed over: "437 kg" becomes "437", and "(12.4, −3)" "12.4, -3".
+// The value to type over: "437 kg" becomes "437", and "(12.4, −3)" "12.4, -3".
 export function plainValue(shown) {
   const text = shown.replaceAll("−", "-").replaceAll("\u00A0", " ").trim();
   if (text === "–") return ""; // nothing yet
@@ -27,13 +27,12 @@ const kindOf = (unit) => kinds.find(({ units }) => Object.hasOwn(units, unit));
 
 const point = (text) => text.replace(",", ".");
 
-// The unit at the end of a field's number, such as "mm" of "20 mm"; "" if it has none.
+// The "mm" of "20 mm"; "" without a unit.
 export function unitOf(shown) {
   return new RegExp(`\\d\\s(${unit})$`).exec(shown)?.[1] ?? "";
 }
 
-// Converts a number typed with a unit to the unit of its field; undefined if the field has no unit or one of another
-// kind.
+// Undefined if the field has no unit or one of another kind.
 function converted(typed, from, to) {
   if (from === to) return point(typed);
   const { units } = kindOf(from);
@@ -53,9 +52,8 @@ const tidied = (typed) => typed.replaceAll("−", "-").replaceAll("\u00A0", " ")
 const grouped = /^[-+]?[1-9]\d{0,2}(?:,\d{3})+(?:\s*[a-z]+)?$/i;
 const strange = new RegExp(`^${number}\\s*([A-Za-zµ"'′″]+)$`);
 
-// Why a number cannot be set because of how it was typed: the unit after it, or a comma that may separate thousands. A
-// sentence without its full stop; "" if that is not the reason. `setting` and `own` are as below; `isLength` marks a
-// length, even if it has no unit.
+// Why a number cannot be set: the unit after it, or a comma that may separate thousands. A sentence without its full
+// stop; "" for neither. `setting` and `own` are as below; `isLength` marks a length, even without a unit.
 export function typedProblem(typed, setting, own, isLength) {
   const text = tidied(typed);
   if (setting === "no_go") return "";
@@ -91,14 +89,13 @@ export function typedProblem(typed, setting, own, isLength) {
   return say(pattern, { text, from, own });
 }
 
-// The words that a field may show, as the program knows them.
 const known = ["all", "centroid", "no limit", "none"];
 const inEnglish = (text) =>
   known.find((word) => translated(word) !== word && translated(word).toLowerCase() === text.toLowerCase()) ?? text;
 
 // A number may have a unit and a decimal comma; a comma, a semicolon or a space separates two numbers. `own` is the
-// unit of the field, "" if it has none. The program refuses anything else with a message. That includes a unit that the
-// field cannot have: without it the number would mean another quantity.
+// field's unit or "". The program refuses everything else with a message, also a unit that the field cannot have:
+// without it the number would mean another quantity.
 export function settingValue(typed, setting = "", own = "") {
   const text = inEnglish(tidied(typed));
   if (setting === "no_go") {
@@ -106,7 +103,7 @@ export function settingValue(typed, setting = "", own = "") {
     const apart = text.includes(";") ? text.replaceAll(",", ".").replaceAll(";", ",") : text; // "3:0,25-0,5; 27"
     const edges = apart.replaceAll(" ", "");
     if (/^(none)?$/i.test(edges)) return "none";
-    return /[a-z]/i.test(edges) ? text.trim() : edges; // a refused value is quoted as it was typed
+    return /[a-z]/i.test(edges) ? text.trim() : edges; // a refused value is quoted as typed
   }
   if (setting === "teams" && text.toLowerCase() === "all") return "max"; // as on the button
   if (setting === "capacity" && text.toLowerCase() === "no limit") return "none";

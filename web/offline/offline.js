@@ -1,6 +1,6 @@
-// Lets the browser keep the page, so that it opens without a network, and reports a new version. Loaded after the first
-// frame, which it must not delay.
-const betweenChecks = 3600000; // milliseconds; the browser also checks whenever the page is opened
+// Lets the browser keep the page for use without a network, and reports a new version. Loaded after the first frame, so
+// as not to delay it.
+const betweenChecks = 3600000; // milliseconds; the browser also checks at each opening
 
 // Calls `tell` once, when a new version is available or another tab has adopted it.
 export async function keepForOffline(tell) {

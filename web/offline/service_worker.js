@@ -1,9 +1,9 @@
-// Keeps the whole page in the browser, so that it opens without a network after one visit. The build writes `build`
-// before this text (assets/offline_files.py): { id, files: { NAME: SHA-256 } }, with all files in the page's folder.
+// Keeps the page, so that it opens without a network after one visit. The build writes `build` before this text
+// (assets/offline_files.py): { id, files: { NAME: SHA-256 } }, with all files of the page's folder.
 //
-// - A kept file is found by its hash: two versions share their common files, and nothing is fetched twice.
-// - An open page keeps the version with which it was opened, even when another tab has adopted a newer one: windows and
-//   workers that it loads later fit its program.
+// - A kept file is found by its hash: versions share equal files, and nothing is fetched twice.
+// - An open page keeps its version, even when another tab has adopted a newer one, so that windows and workers that it
+//   loads later fit its program.
 // - A new version is fetched whole, and checked, before any of it is used.
 const scope = new URL(self.registration.scope);
 const address = (text) => new URL(text, scope).href;
@@ -21,8 +21,7 @@ async function hashOf(bytes) {
   return [...digest].map((byte) => byte.toString(16).padStart(2, "0")).join("");
 }
 
-// The server's answer as it is kept: with its headers, which include the content security policy, but without its
-// content encoding and length.
+// With the server's headers, which include the content security policy, but without content encoding and length.
 async function fetchChecked(name, hash) {
   const answer = await fetch(address(name), { cache: "no-cache" });
   if (!answer.ok) throw new Error(`${name}: ${answer.status}`);
@@ -46,8 +45,7 @@ async function keepAll() {
 
 // --- Who began with which version ----------------------------------------------------------------
 
-// The recorded versions: { current, began: { CLIENT: BUILD } }. The browser ends an idle worker, so they are kept, and
-// read once.
+// { current, began: { CLIENT: BUILD } }. Kept, since the browser ends an idle worker, and read once.
 let known;
 async function readNotes() {
   const kept = await (await open()).match(notes);
@@ -59,8 +57,7 @@ async function write(next) {
   await (await open()).put(notes, asJson(next));
 }
 
-// Makes this version the one that new pages open. Open pages keep theirs; files that no page needs any more are
-// deleted.
+// New pages open this version, open pages keep theirs; files that no page needs are deleted.
 async function takeOver() {
   const { current, began } = await readNotes();
   const ids = (await self.clients.matchAll({ type: "all" })).map(({ id }) => id);
@@ -71,7 +68,7 @@ async function takeOver() {
   await self.clients.claim();
 }
 
-// Pages with an older version are closed eventually; each opening of a page checks for that.
+// At each opening of a page, since pages with an older version close eventually.
 async function tidy() {
   const all = await known;
   if (Object.keys(all.began).length === 0) return;
@@ -95,8 +92,7 @@ async function removeOld(builds) {
   await Promise.all((await cache.keys()).filter(({ url }) => !needed.has(url)).map((key) => cache.delete(key)));
 }
 
-// A host that no longer has this page, or has another one at this address, reports so when asked; otherwise the kept
-// page would hide that for ever.
+// A host without this page, or with another one here, reports so; otherwise the kept page would hide that for ever.
 async function leaveIfGone() {
   const { status } = await fetch(address("service_worker.js"), { method: "HEAD", cache: "no-store" });
   if (status !== 404 && status !== 410) return;
@@ -106,7 +102,7 @@ async function leaveIfGone() {
 
 // --- Answers -------------------------------------------------------------------------------------
 
-// The name in the page's folder, if it could be one of the page's files.
+// Undefined for a name that is not in the page's folder.
 function nameOf({ method, url }) {
   const { origin, pathname } = new URL(url);
   if (method !== "GET" || origin !== scope.origin || !pathname.startsWith(scope.pathname)) return undefined;

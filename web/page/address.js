@@ -1,6 +1,6 @@
-// The page's address. Its fragment is the link of a document, the link of a lesson (`L1.…`), or both with an `&` between
-// them; programs that know only documents ignore what follows an `&`. Its query is `?lesson=NAME` with a learner's
-// `number=`, `challenge=1`, `place=4` with `beat=…`, and `embed=1`.
+// The fragment is the link of a document, the link of a lesson (`L1.…`), or both with an `&` between them; programs
+// that know only documents ignore what follows. The query is `?lesson=NAME` with a learner's `number=`, `challenge=1`,
+// `place=4` with `beat=…`, and `embed=1`.
 export function readAddress() {
   const asked = new URLSearchParams(location.search);
   return {
@@ -13,7 +13,6 @@ export function readAddress() {
   };
 }
 
-// The link of the document in an address's fragment, and that of a lesson; "" for none.
 export function linkIn(fragment) {
   const [first] = fragment.replace(/^#/, "").split("&");
   return isLessonLink(first) ? "" : first;
@@ -22,8 +21,8 @@ export function lessonLinkIn(text) {
   return /(?:^|[#&])(L\d+\.[^\s&]*)/.exec(text.trim())?.[1] ?? "";
 }
 
-// What a text holds that is nothing but an address or a link with a lesson: { lesson, link, number }; else undefined.
-// Drawings and comments may contain the same characters.
+// Only for a text that is nothing but an address or a link with a lesson: drawings and comments may contain the same
+// characters.
 export function linkedLesson(text) {
   const [alone] = /^[^\s<]\S*$/.exec(text.trim().replace(/^<|>\.?$/g, "")) ?? [""];
   const lesson = lessonLinkIn(alone);
@@ -34,19 +33,18 @@ export function linkedLesson(text) {
 
 export const isLessonLink = (text) => /^L\d+\./.test(text);
 
-// The number of a learner, who gets a task of their own by it (core/include/evenlift/task.h); undefined for any other
-// text.
+// Each number gives a learner another task (core/include/evenlift/task.h). Undefined for any other text.
 export function learnersNumber(text) {
   return /^\d{1,9}$/.test(text ?? "") ? Number(text) : undefined;
 }
 
-// The number of robots that a challenge asks for, from 3 to 9, or 0.
+// From 3 to 9; 0 for any other text.
 function robotsToPlace(text) {
   return /^[3-9]$/.test(text ?? "") ? Number(text) : 0;
 }
 
-// The score of the sender of a challenge: [greatest load, spread, share covered, held]. Loads of 0 mean that the object
-// falls. Nothing for anything else: the numbers come from outside.
+// [greatest load, spread, share covered, held] of the sender of a challenge; loads of 0 if the object falls. They come
+// from outside, so other numbers are refused.
 function scoreToBeat(text) {
   const numbers = (text ?? "").split(",").map(Number);
   const [most, spread, covered, held] = numbers;
@@ -59,12 +57,12 @@ function scoreToBeat(text) {
   return sound ? numbers : undefined;
 }
 
-// Puts the lesson, the learner's number and the challenge into an address, or removes them. The rest of its query, and
-// its document, stay. A lesson that is a link goes into the fragment, which browsers do not send to the server.
+// Replaces or removes these parts of an address; the rest stays. A lesson that is a link goes into the fragment, which
+// browsers do not send to the server.
 export function withLesson(url, { lesson = "", number = 1, challenge = false }) {
   const rest = partsOf(url, /^(lesson|number|challenge)(=|$)/);
   const linked = isLessonLink(lesson) ? lesson : "";
-  if (lesson && !linked) rest.push(`lesson=${lesson}`); // its characters need no escape (lesson_source.js)
+  if (lesson && !linked) rest.push(`lesson=${lesson}`); // needs no escape (lesson_source.js)
   if (number !== 1) rest.push(`number=${number}`);
   if (challenge) rest.push("challenge=1");
   url.search = rest.join("&");
@@ -72,7 +70,7 @@ export function withLesson(url, { lesson = "", number = 1, challenge = false }) 
   return url;
 }
 
-// Puts a challenge to place robots into an address, with a score to beat, or removes it.
+// Replaces or removes a challenge to place robots.
 export function withPlaces(url, { place = 0, beat } = {}) {
   const rest = partsOf(url, /^(place|beat)(=|$)/);
   if (place) rest.push(`place=${place}`);

@@ -2,12 +2,12 @@ import { linkedLesson } from "./address.js";
 import { isLesson, unreadable } from "./lesson_text.js";
 import { idle } from "./work.js";
 
-// window.evenlift, the page's scripting interface (docs/page.md).
+// window.evenlift, the scripting interface (docs/page.md).
 
-// Writes the changes for set() as text for the program, which checks them (settings.h). A value that is neither a
-// number nor a word is written as JSON, which every setting refuses.
+// set() writes its changes as text for the program, which checks them (settings.h). A value that is neither a number
+// nor a word becomes JSON, which every setting refuses.
 const lists = ["com", "overlays"];
-// As the program itself reads them: "r=30,reach=5", "3,5:0.25-0.75", "0,0 160,0@30", "30,none", "8%".
+// As the program reads them: "r=30,reach=5", "3,5:0.25-0.75", "0,0 160,0@30", "30,none", "8%".
 const texts = ["robot", "no_go", "supports", "support_capacities", "cargo", "slope"];
 
 function word(value) {
@@ -26,7 +26,7 @@ function written(name, value) {
   if (Array.isArray(value) && name === "cargo") return value.map(load).join(" ") || "none";
   if (Array.isArray(value) && lists.includes(name)) return value.map(word).join(",") || "none";
   if (typeof value === "string" && texts.includes(name) && /^[\w=.,:+@% -]+$/.test(value)) return value;
-  // JavaScript may have rounded a whole number this large.
+  // JavaScript may have rounded a number this large.
   if (name === "seed" && typeof value === "number" && !Number.isSafeInteger(value)) return "rounded";
   return word(value);
 }
@@ -49,7 +49,7 @@ function throwIf(problem) {
   if (problem) throw new Error(problem);
 }
 
-// Opens a lesson that contains its polygon; a sample would have to be fetched.
+// Only a lesson that contains its polygon: a sample would have to be fetched.
 function loadLesson(program, text, nameLesson) {
   throwIf(unreadable(text));
   const sample = program.text("page_lesson_polygon", text);
@@ -58,19 +58,18 @@ function loadLesson(program, text, nameLesson) {
   nameLesson(program.json("page_lesson_link", text).text);
 }
 
-// The text of the lesson that a link holds.
 function textOfLink(program, link) {
   const { text, problem } = program.json("page_linked_lesson", link);
   throwIf(problem);
   return text;
 }
 
-// A point as an array [x, y], as everywhere in state(), with the members x and y added.
+// As everywhere in state(), with the members x and y added.
 function point(x, y) {
   return Object.assign([x, y], { x, y });
 }
 
-// The rectangle of a control; null if no control of that name is shown.
+// Null if no control of that name is shown.
 const place = (control) => control && { x: control.left, y: control.top, width: control.width, height: control.height };
 
 export function createApi() {
@@ -82,7 +81,7 @@ export function createApi() {
     resolve = yes;
     reject = no;
   });
-  ready.catch(() => {}); // without a handler the browser would report the error twice
+  ready.catch(() => {}); // else the browser would report the error twice
   const running = () => program ?? fail("evenlift", "is not ready yet: await evenlift.ready");
 
   const evenlift = {

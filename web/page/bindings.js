@@ -1,4 +1,4 @@
-// The browser functions that the program calls (wasm/page/browser.cpp), and the page functions that its windows call.
+// Functions that the program calls (wasm/page/browser.cpp), and functions of the page for its windows.
 import { say, translated } from "../words/words.js";
 import { isLessonLink, linkIn, readAddress, withLesson, withPlaces } from "./address.js";
 import { createChoosing } from "./choosing.js";
@@ -8,7 +8,7 @@ import { createSearch } from "./search.js";
 import { underWay } from "./under_way.js";
 import { begin, end } from "./work.js";
 
-// The everyday names of writings whose letters are not in the fonts.
+// Writings that the fonts lack.
 const writings = {
   Han: "Chinese characters",
   Hiragana: "Japanese letters",
@@ -21,7 +21,6 @@ const writings = {
 };
 const writingOf = Object.entries(writings).map(([script, name]) => [new RegExp(`\\p{Script=${script}}`, "u"), name]);
 
-// Describes a character that cannot be shown.
 function nameOf(character) {
   const writing = writingOf.find(([pattern]) => pattern.test(character));
   if (writing) return writing[1];
@@ -47,12 +46,12 @@ export class Bindings {
   #choose;
   #program;
   #screen;
-  #page; // the page as its windows get it
+  #page; // as its windows get it
   #pictures = new EventTarget();
   #alarm = 0;
   #noticeEnd = 0;
 
-  // A key that asks for a field puts its name into `field.awaited`. Calls `onFrame` after each frame.
+  // A key that asks for a field puts its name into `field.awaited`. `onFrame` is called after each frame.
   constructor(publisher, field, onFrame) {
     this.#publisher = publisher;
     this.#field = field;
@@ -82,8 +81,8 @@ export class Bindings {
       aboutLink: (url) => this.#aboutLink(url),
       windows: () => this.#windows(),
       notice: (text, problem) => this.#publisher.notice(text, problem),
-      announce: (text) => this.announce(text), // for screen readers: nothing is shown
-      pictures: this.#pictures, // gets an event "drawn" after each frame of the program
+      announce: (text) => this.announce(text), // for screen readers, without showing it
+      pictures: this.#pictures, // gets "drawn" after each frame of the program
       nameLesson: (name, number) => this.#publisher.nameLesson(name, number),
     };
     if (!embed) connectDropAndPaste(this.#page);
@@ -130,7 +129,7 @@ export class Bindings {
     });
   }
 
-  // Presentation mode enlarges the page's windows as it does the canvas (dialogs.css).
+  // Presentation mode enlarges the windows as it does the canvas (dialogs.css).
   #enlarge() {
     const zoom = String(this.#program.number("page_zoom"));
     const { style } = document.documentElement;
@@ -149,8 +148,7 @@ export class Bindings {
     );
   }
 
-  // Nothing waits for this timer, so it does not count as work under way. If `seconds` is less than 0, the notice
-  // stays.
+  // Nothing waits for this timer, so it is not work under way. Below 0 seconds, the notice stays.
   endNoticeAfter(seconds) {
     clearTimeout(this.#noticeEnd);
     if (seconds >= 0) this.#noticeEnd = setTimeout(() => this.#program.call("page_end_notice"), seconds * 1000);
@@ -167,13 +165,13 @@ export class Bindings {
     this.#canvas.dataset.cursor = name;
   }
 
-  // A browser that refuses full screen shows the same in its window.
+  // A browser that refuses shows the same in its window.
   showFullScreen(on) {
     if (on) document.documentElement.requestFullscreen?.().catch(() => {});
     else if (document.fullscreenElement) document.exitFullscreen().catch(() => {});
   }
 
-  // The fonts with the letters of other languages and of mathematics. Without them, each such letter appears as "?".
+  // For other languages and mathematics; without these fonts, such letters appear as "?".
   fetchLetters() {
     underWay(
       Promise.all(["letters-regular.otf", "letters-semibold.otf"].map(fetchBytes))
@@ -206,7 +204,7 @@ export class Bindings {
   announce(text) {
     const region = document.getElementById("alert");
     const said = translated(text);
-    // A screen reader does not repeat a text that does not change.
+    // A screen reader does not repeat an unchanged text.
     region.textContent = said && region.textContent === said ? `${said}\u00a0` : said;
   }
 
@@ -267,7 +265,6 @@ export class Bindings {
     return withLesson(url, { lesson }).href;
   }
 
-  // Of a challenge to place robots.
   #placesAddress(link, challenge) {
     const url = new URL(location.href);
     url.search = "";
@@ -275,7 +272,7 @@ export class Bindings {
     return withPlaces(url, challenge).href;
   }
 
-  // First the contents and the omissions of the link, then its length.
+  // The link's contents and omissions, then its length.
   #aboutLink(url) {
     const { lesson } = this.#publisher.lesson();
     const ownWords = this.#program.number("page_script") && !lesson;

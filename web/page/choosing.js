@@ -1,12 +1,12 @@
-// Chooses the teams of a large object in a worker while it is dragged, so that each frame stays short. The program asks
-// for one document after another, each once the one before is answered (wasm/derive/elsewhere.h).
+// Chooses the teams of a large object in a worker during a drag, so that frames stay short. The program asks for one
+// document after another, each once the one before is answered (wasm/derive/elsewhere.h).
 import { begin, end } from "./work.js";
 
 // `call` calls the program. Returns the function that asks for a choice.
 export function createChoosing(call) {
   let worker;
-  let asked = 0; // the number of the document whose choice is awaited; 0 if none is
-  let busy = false; // the worker places a document, perhaps one that is not awaited any more
+  let asked = 0; // the document whose choice is awaited, or 0
+  let busy = false; // the worker places a document, perhaps one that is no longer awaited
   let next; // the document that the worker gets then
 
   function answer(name, number, ...choice) {
@@ -47,7 +47,7 @@ export function createChoosing(call) {
 
   return (number, rings, settings) => {
     if (!asked) begin();
-    asked = number; // an earlier document is not awaited any more
+    asked = number;
     next = { number, rings, settings };
     try {
       worker ??= startWorker();

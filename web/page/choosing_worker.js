@@ -1,4 +1,4 @@
-// A worker that chooses the teams of a large object that is dragged (choosing.js).
+// The worker of choosing.js.
 import createModule from "./background_core.js";
 import { Program } from "./program.js";
 

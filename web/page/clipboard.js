@@ -1,4 +1,4 @@
-// Writes a text to the clipboard, if the browser permits it. Returns whether it was written.
+// Returns whether the browser permitted it.
 export async function copy(text) {
   try {
     await navigator.clipboard.writeText(text);
@@ -8,7 +8,7 @@ export async function copy(text) {
   }
 }
 
-// For pages where the clipboard's own interface is refused: pages not served securely, and frames without permission.
+// For pages not served securely, and frames without permission, where the clipboard's own interface is refused.
 function copyTheOldWay(text) {
   const onCopy = (event) => {
     event.clipboardData.setData("text/plain", text);

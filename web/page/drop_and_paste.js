@@ -6,7 +6,7 @@ const typesIn = "input, textarea";
 
 export function connectDropAndPaste(page) {
   const take = async (data, textName) => {
-    const given = { files: [...data.files], text: data.getData("text/plain") }; // gone once this event is over
+    const given = { files: [...data.files], text: data.getData("text/plain") }; // gone after this event
     const { take: open } = await page.windows();
     await open(page, given, textName);
   };
@@ -16,7 +16,7 @@ export function connectDropAndPaste(page) {
     underWay(take(event.clipboardData, "The pasted text"));
   });
 
-  let own = false; // a text of this page is being dragged: it is not a polygon
+  let own = false; // a text of this page is being dragged, not a polygon
   addEventListener("dragstart", () => {
     own = true;
   });

@@ -1,9 +1,8 @@
-// Keys, and browser behaviour that the program's own event handling does not cover.
+// Keys, and browser behaviour that the program's event handling does not cover.
 const root = document.documentElement;
 
-// A figure in an article is a guest until the reader takes hold of it: by a click, a tap or Tab, which give it the
-// focus. It becomes a guest again when the reader presses Esc or moves elsewhere. While it is a guest, the wheel,
-// fingers and keys belong to the article. page.css uses this class.
+// A figure in an article is a guest, which leaves the wheel, fingers and keys to the article, until the reader gives it
+// the focus by a click, a tap or Tab, and again after Esc or when the reader moves elsewhere. page.css uses this class.
 const isGuest = () => root.classList.contains("guest");
 
 function takeHold(canvas) {
@@ -16,11 +15,11 @@ function letGo() {
   root.classList.add("guest");
 }
 
-// `field` is the mirror's field (web/mirror/mirror.js).
+// `field` is the mirror's (web/mirror/mirror.js).
 export function connectInput(program, field, { embed }) {
   const canvas = document.getElementById("canvas");
   if (embed) connectGuest(canvas);
-  // This comes before connectKeys(), which hides keys from later listeners.
+  // Before connectKeys(), which hides keys from later listeners.
   addEventListener("keydown", (event) => event.key === "Tab" && root.classList.add("by-key"), { capture: true });
   connectKeys(program, canvas, field, { embed });
   connectPresses(program);
@@ -29,8 +28,8 @@ export function connectInput(program, field, { embed }) {
   canvas.addEventListener("pointerdown", (event) => {
     if (isGuest() && event.pointerType !== "mouse") return; // it may become a swipe
     root.classList.remove("by-key");
-    getSelection().removeAllRanges(); // as a press elsewhere would do; else Ctrl+C would copy that text
-    // SDL prevents the default of mousedown, and so also the focus. Without capture, a drag ends at the window's edge.
+    getSelection().removeAllRanges(); // as elsewhere; else Ctrl+C would copy that text
+    // SDL prevents the default of mousedown, and so the focus. Without capture, a drag ends at the window's edge.
     takeHold(canvas);
     if (event.pointerType === "mouse") canvas.setPointerCapture(event.pointerId);
   });
@@ -63,13 +62,13 @@ function connectGuest(canvas) {
   connectTaps(canvas);
 }
 
-// SDL would hide every touch from the browser. So a guest's touches do not reach SDL. The exception is a tap: it takes
-// hold of the figure and is then passed on to it.
-const mostOfTap = 10; // CSS pixels that a finger may move
+// SDL would hide every touch from the browser, so it gets none of a guest's, except a tap, which takes hold of the
+// figure.
+const mostOfTap = 10; // CSS pixels
 
 function connectTaps(canvas) {
-  let withheld = false; // the fingers now down arrived while the figure was a guest
-  let press; // from a finger that may become a tap
+  let withheld = false; // the fingers arrived while the figure was a guest
+  let press; // may become a tap
   const pass = (type, touch) => {
     const touches = type === "touchstart" ? [touch] : [];
     canvas.dispatchEvent(
@@ -117,15 +116,14 @@ function connectTaps(canvas) {
   }
 }
 
-// Passes on the time of a press and the number of clicks in a row; SDL knows only the time at which it received the
-// event.
+// SDL knows only when it received a press, and not the number of clicks in a row.
 function connectPresses(program) {
   for (const type of ["mousedown", "touchstart"]) {
     addEventListener(type, (event) => program.press(event.timeStamp, event.detail), { capture: true, passive: true });
   }
 }
 
-// A finger that rests in one place asks what it rests on: the program then shows the tip that a mouse would show.
+// A finger that rests shows the tip that a mouse would show.
 function connectAsking(program) {
   const rest = 500; // milliseconds
   const options = { capture: true, passive: true };
@@ -151,13 +149,12 @@ function connectAsking(program) {
 }
 
 function connectKeys(program, canvas, field, { embed }) {
-  // The field that the program named gets the focus at once, so that it also receives the next key. A digit becomes the
-  // first of its number.
+  // At once, so that the field also receives the next key. A digit begins its number.
   const beginField = (key) => {
     if (/^[\d.,]$/.test(key)) field.begun = key;
     field.show();
   };
-  // A button of the mirror leaves all keys to the page, except the keys of buttons.
+  // A button of the mirror uses only the keys of buttons.
   const ofButton = (event) =>
     event.target.matches?.("#mirror button") && !["Enter", " ", "Escape", "Tab"].includes(event.key);
   const ours = (event) =>
@@ -168,7 +165,7 @@ function connectKeys(program, canvas, field, { embed }) {
     "keydown",
     (event) => {
       if (!ours(event)) return;
-      // SDL would hide every key from the browser, so no key reaches SDL.
+      // SDL would hide every key from the browser, so none reaches SDL.
       event.stopImmediatePropagation();
       if (event.altKey || event.isComposing) return;
       const command = event.ctrlKey || event.metaKey;
@@ -183,7 +180,7 @@ function connectKeys(program, canvas, field, { embed }) {
         event.preventDefault();
         if (field.awaited) beginField(event.key);
       } else if (event.key === "Escape") {
-        const beside = document.querySelector("dialog[open]"); // the window beside the canvas
+        const beside = document.querySelector("dialog[open]"); // beside the canvas
         if (beside) beside.close();
         else if (embed) letGo();
       }

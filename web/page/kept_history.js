@@ -1,14 +1,14 @@
-// Undo survives a reload: the browser keeps the newest steps. Each step is a line `EDIT METHOD LINK`
-// (wasm/page/page_api.cpp), preceded by `<` if undo leads to it and by `>` if redo does; the nearest steps come first.
-// A line `=` before them has the compared method and the document's link. The steps are kept beside the work to which
-// they belong (publisher.js). This module is loaded after the first frame.
+// The browser keeps the newest steps, so that undo survives a reload. Each is a line `EDIT METHOD LINK`
+// (wasm/page/page_api.cpp) after `<` if undo leads to it and `>` if redo does, the nearest first. A line `=` before
+// them has the compared method and the document's link. They are kept beside their work (publisher.js). Loaded after
+// the first frame.
 import { historyKey, lasting, ofThisTab, read, workKey, write } from "./storage.js";
 
 const mostSteps = 500;
 const mostBytes = 400000; // of some 5 MB that browsers give; the work itself needs up to 4
 const leastBytes = 1000;
 
-// The steps as lines, as long as they fit.
+// As many as fit.
 function lines(program, most) {
   const all = [];
   let left = most;
@@ -18,7 +18,7 @@ function lines(program, most) {
       if (!step) break;
       const line = `${"<>"[redo]} ${step.edit} ${step.method} ${step.link}`;
       left -= line.length + 1;
-      // A polygon too large for a link ends the kept steps.
+      // A polygon too large for a link ends the steps.
       if (left < 0 || (!step.link && most < Infinity)) break;
       all.push(line);
     }
@@ -37,7 +37,7 @@ function restore(program, text) {
     .map(parts)
     .filter((line) => line.length === 4);
   const [past, future] = ["<", ">"].map((mark) => kept.filter(([first]) => first === mark));
-  // A refused polygon is opened as an edit of the last good one, which may already be kept as a step.
+  // A refused polygon is opened as an edit of the last good one, which may already be a step.
   if (own.length && own.at(-1)[3] === past[0]?.[3]) past.shift();
   program.call("page_forget_steps");
   for (const [mark, edit, method, link] of [
@@ -49,14 +49,13 @@ function restore(program, text) {
   }
 }
 
-// The line of the compared method, if there is a comparison and the line fits.
 function comparison(program, most) {
   const method = program.number("page_compared");
   const line = method ? `= ${method} ${program.text("page_link")}` : "";
   return line && line.length < most ? [line] : [];
 }
 
-// The comparison continues if the same document is open.
+// If the same document is open.
 function restoreComparison(program, text) {
   const [mark, method, link] = parts(text.split("\n", 1)[0]);
   if (mark === "=" && link && link === program.text("page_link")) program.call("page_compare", Number(method));
@@ -67,7 +66,6 @@ function asText(program, most) {
   return [...compared, ...lines(program, most - compared.join().length)].join("\n");
 }
 
-// Keeps the newest steps that fit.
 function keep(storage, program, whole) {
   for (let most = mostBytes; most > leastBytes; most /= 4) {
     const text = most === mostBytes ? whole : asText(program, most);
@@ -76,7 +74,7 @@ function keep(storage, program, whole) {
   write(storage, historyKey, "");
 }
 
-// Puts the kept steps of this tab before the steps of this visit, and keeps all of them from now on.
+// The kept steps come before those of this visit, and all are kept from now on.
 export function keepHistory(program) {
   const before = read(ofThisTab, historyKey);
   // If these steps stop the page, the next start must not find them.

@@ -1,4 +1,4 @@
-// The reader's language: the one that the address asks for (`?lang=de`), that the reader chose here, or the browser's.
+// The reader's language: that of the address (`?lang=de`), the one chosen here, or the browser's.
 import { addTranslations, translated } from "../words/words.js";
 import { lasting, read, write } from "./storage.js";
 
@@ -11,8 +11,7 @@ function language() {
   return others.includes(name) ? name : "en";
 }
 
-// Loads the words of the reader's language, and puts them into the page's own texts. Without the file the page speaks
-// English.
+// Puts the reader's language into the page's own texts. Without its file the page speaks English.
 export async function speak() {
   const name = language();
   if (name === "en") return;
@@ -34,7 +33,7 @@ function translateElements() {
   for (const element of document.querySelectorAll("[aria-label]")) element.ariaLabel = translated(element.ariaLabel);
 }
 
-// Reads the page again in the other language. An address that asks for a language no longer does.
+// Loads the page in the other language, and removes `lang` from the address.
 export function changeLanguage() {
   write(lasting, kept, language() === "en" ? "de" : "en");
   const url = new URL(location.href);

@@ -1,5 +1,5 @@
-// Recognizes lessons (docs/lessons.md): their first line that is not a comment is a setting. `com:` does not count, as
-// polygons may have it.
+// A text is a lesson (docs/lessons.md) if its first line that is not a comment is a setting, except `com:`, which
+// polygons may have.
 import { say } from "../words/words.js";
 
 const setting =
@@ -15,7 +15,7 @@ export function isLesson(text) {
   return setting.test(lines.find((line) => line && !line.startsWith("#")) ?? "");
 }
 
-// The program receives texts as UTF-8 up to a NUL, so it would not see the rest.
+// The program receives UTF-8 up to a NUL, so it would not see the rest.
 export function unreadable(text) {
   if (text.length > mostBytes) return "A lesson has at most 65,536 bytes";
   const at = text.search(/[\0\uFFFD]/);

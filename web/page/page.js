@@ -1,4 +1,3 @@
-// Starts the page: checks whether it can run, loads the program, and connects it to the browser.
 import { lessonLinkIn, linkIn, readAddress } from "./address.js";
 import { lowered, say, translated, translations } from "../words/words.js";
 import { createApi } from "./api.js";
@@ -40,15 +39,15 @@ function showProblem(reason, [heading, advice] = cannotRun) {
   cover.classList.remove("done", "see-through");
 }
 
-// The text that the page opens. A challenge starts at its first step: the step of a link would show the answer and list
-// it among the answers that were looked at. Where somebody is to place robots, the link opens with robots to place.
+// A challenge starts at its first step: the link's step would show the answer and list it among the answers looked at.
+// A challenge to place robots opens with robots to place.
 function toOpen(program, text) {
   const asked = readAddress();
   if (asked.place) return program.text("page_as_challenge", text, asked.place);
   return asked.challenge && text ? program.text("page_without_step", text) : text;
 }
 
-// Calls `tell` with a message about a refused link, and `opened` after any other link.
+// `tell` gets the message about a refused link; `opened` is called after any other.
 function followAddress(program, tell, opened) {
   addEventListener("hashchange", () => {
     const link = linkIn(location.hash);
@@ -59,7 +58,7 @@ function followAddress(program, tell, opened) {
   });
 }
 
-// A message about the link of the address, when the page shows something else in its place.
+// When the page shows something else in its place.
 function refusedAtStart(problem, { work } = {}) {
   const instead = work ? "The page shows the last document instead." : "The page shows a sample instead.";
   return `${refused(problem)} ${translated(instead)}`;
@@ -70,7 +69,6 @@ function refused(problem) {
   return say("This link cannot be opened: {problem}.", { problem: lowered(problem.replace(/^Link, /, "")) });
 }
 
-// Loads the module.
 async function load(bindings) {
   const { default: createModule } = await import("./evenlift.js");
   const program = new Program(await createModule({ canvas: document.getElementById("canvas"), bindings }));
@@ -79,8 +77,8 @@ async function load(bindings) {
   return program;
 }
 
-// The controls in HTML are loaded after the first frame, which does not need them. Returns the function to call after
-// each frame.
+// Loaded after the first frame, which does not need the controls in HTML. Returns the function to call after each
+// frame.
 async function loadMirror(program, field, publisher) {
   const style = Object.assign(document.createElement("link"), { rel: "stylesheet", href: "mirror.css" });
   const styled = new Promise((done, fail) => Object.assign(style, { onload: done, onerror: fail }));
@@ -89,7 +87,7 @@ async function loadMirror(program, field, publisher) {
   return createMirror(program, field, (text, problem) => publisher.notice(text, problem));
 }
 
-// The visitor may see evenlift for the first time: one line says what it shows, until the first touch.
+// For visitors who may be new to evenlift: one line, until the first touch.
 function introduce(program) {
   program.call(
     "page_notice",
@@ -101,13 +99,13 @@ function introduce(program) {
     addEventListener(type, ends, { once: true, capture: true, passive: true });
 }
 
-let started; // the result of beginStart()
+let started; // by beginStart()
 
-// The first frame is drawn, and the user can begin: load and connect the parts that need a running page.
+// After the first frame, when the user can begin.
 function loadTheRest(program, bindings, { begins, introduces }) {
   for (const type of ["pointerdown", "keydown"]) addEventListener(type, workGoesOn, { capture: true, passive: true });
   if (embed) return;
-  // If this module cannot be loaded, undo starts empty.
+  // Without this module, undo starts empty.
   underWay(import("./kept_history.js").then(({ keepHistory }) => keepHistory(program)).catch(() => {}));
   underWay(import("./offline.js"))
     .then(({ keepForOffline }) => keepForOffline(() => bindings.openDialog("newVersion")))
@@ -116,10 +114,10 @@ function loadTheRest(program, bindings, { begins, introduces }) {
   if (begins && !location.search && !read(lasting, "evenlift.welcomed")) bindings.openDialog("firstVisit");
 }
 
-// Without WebGL 2 the page shows the polygon of the link as a still picture. The kept work of other visits stays
-// unchanged. Returns the function to call after each change.
+// Without WebGL 2 the link's polygon is a still picture. The kept work of other visits stays unchanged. Returns the
+// function to call after each change.
 async function startStill(program, publisher, bindings) {
-  // The picture would give away the answer of a challenge.
+  // The picture would give away a challenge's answer.
   const still = !challenge && !place && (await import("./still.js").catch(() => undefined));
   if (!still) throw new Error(noWebGl);
   program.onStop = (error) => {
@@ -127,7 +125,7 @@ async function startStill(program, publisher, bindings) {
     showProblem("Something went wrong while drawing.", hasStopped);
   };
   publisher.keepNothing();
-  publisher.holdLesson(true); // lessons need the canvas, and the address still names its own
+  publisher.holdLesson(true); // lessons need the canvas; the address still names its own
   const problem = program.text("page_start", linkIn(location.hash), "", "", embed ? 1 : 0);
   api.connect(program);
   publisher.connect(program);
@@ -151,8 +149,8 @@ async function start() {
   const firstPicture = new Promise((done) => {
     pictureIsThere = done;
   });
-  // `awaited` is the name of the field that a key asked for, until the mirror has that field; `begun` is the digit of
-  // that key. `show` updates the mirror.
+  // `awaited` names the field that a key asked for, until the mirror has it; `begun` is that key if it is a digit.
+  // `show` updates the mirror.
   const field = { awaited: "", begun: "", show: () => {} };
   const bindings = new Bindings(publisher, field, () => {
     pictureIsThere();
@@ -178,7 +176,7 @@ async function start() {
   stopped.catch(() => {});
   if (!embed && kept.work !== started.work) publisher.forget(kept.work);
   api.connect(program, (name) => publisher.nameLesson(name));
-  // If the link is the document that was last open here, no step leads from one to the other.
+  // If the link is the document that was last open here, no step leads to it.
   const before = started.work === started.fragment ? "" : started.work;
   const problem = program.text(
     "page_start",
@@ -198,7 +196,7 @@ async function start() {
     (text) => program.call("page_notice", text, 1),
     (join) => bindings.beginLesson(join),
   );
-  // If the document of the address is open, the lesson that the address names continues at the link's step.
+  // If the address's document is open, its lesson continues at the link's step.
   if (started.lesson === lesson) await bindings.beginLesson(fragment !== "" && !problem && !started.problem);
   else publisher.nameInAddress();
   const message = started.problem || (problem && refusedAtStart(problem, started)) || (embed ? "" : whyStartedAnew());
@@ -231,8 +229,7 @@ async function start() {
   });
 }
 
-// The program stopped while it ran. Its memory cannot be trusted any more, so the page is loaded again with the last
-// document that was drawn.
+// The page is loaded again with the last drawn document, since the program's memory cannot be trusted.
 function startAnew(error, { opening, work }) {
   console.error(error);
   if (!embed && prepareRestart({ opening, work })) location.reload();

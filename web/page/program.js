@@ -1,6 +1,6 @@
-// Calls into the program: texts, bytes and numbers in; texts, JSON and numbers out.
+// Calls the program: texts, bytes and numbers in; texts, JSON and numbers out.
 
-// The functions that open a text.
+// These open a text.
 const opening = ["page_load", "page_open_link", "page_open_sample", "page_open_lesson"];
 
 export class Program {
@@ -15,9 +15,8 @@ export class Program {
     this.#module = module;
   }
 
-  // Calls a function with texts, numbers and bytes (passed as an address and a length) and returns its result. Before
-  // the call the program handles all earlier clicks and keys, so that everything takes effect in the order in which it
-  // was done.
+  // Passes texts, numbers and bytes (as address and length). Before, the program handles all earlier clicks and keys,
+  // so that everything takes effect in order.
   call(name, ...args) {
     if (this.#stopped) throw new Error("The page stopped and is starting again");
     if (opening.includes(name)) this.onOpening(args[0]);
@@ -54,19 +53,18 @@ export class Program {
     return this.#module.UTF8ToString(this.call(name, ...args));
   }
 
-  // The bytes at the address that a function returns, as a copy.
+  // A copy of the bytes at the returned address.
   bytes(name, size) {
     const at = this.call(name);
     return this.#module.HEAPU8.slice(at, at + size);
   }
 
-  // Returns null for an empty text.
   json(name, ...args) {
     const text = this.text(name, ...args);
     return text ? JSON.parse(text) : null;
   }
 
-  // From now on the module says these words, [English, translated], in the reader's language.
+  // From now on the module says these words, [English, translated].
   speak(words) {
     if (this.#module._words_translate)
       for (const [english, translated] of words) this.call("words_translate", english, translated);
@@ -76,12 +74,12 @@ export class Program {
     return this.#stopped;
   }
 
-  // Passes a press to the program before the event itself reaches it.
+  // A press must reach the program before the event itself does.
   press(time, clicks) {
     if (!this.#stopped) this.#guarded((module) => module._page_press(time, clicks));
   }
 
-  // After an exception that the program did not catch, its memory cannot be trusted.
+  // After an uncaught exception, the program's memory cannot be trusted.
   #guarded(act) {
     try {
       return act(this.#module);

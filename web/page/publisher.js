@@ -3,23 +3,22 @@ import { lessonLinkIn, linkIn, readAddress, withLesson } from "./address.js";
 import { historyKey, lasting, ofThisTab, read, workKey, write } from "./storage.js";
 import { begin, end, isAwaited, whenAwaited } from "./work.js";
 
-// Keeps the browser up to date with the document. The address bar and the storage are written at most a few times a
-// second (browsers refuse more), the summary for screen readers when there is a pause.
+// The address bar and the storage are written at most a few times a second (browsers refuse more), the summary for
+// screen readers at pauses.
 const betweenWrites = 400;
 const beforeSpeaking = 600;
 const draftKey = "evenlift.draft";
 const drawingKey = "evenlift.drawing";
 const preferencesKey = "evenlift.preferences";
 const addressKey = "evenlift.address";
-// The parts of a document that are kept. Each is kept twice: for this tab, which continues with its own after a reload
-// or a crash, and for the next visit in another tab, which continues with the latest change.
+// Each is kept twice: for this tab, which continues with its own after a reload or a crash, and for the next visit in
+// another tab, which continues with the latest change.
 const documentKeys = [workKey, draftKey, drawingKey, historyKey];
 
 const mostKept = 400000; // vertices; no browser keeps a longer text
 
-// Each sentence is an element of its own, which stays as long as the sentence does, so that only new sentences are read
-// out. The list of teams or robots ("Robot 3 at (…") is long: it can be read but is not announced. The sentences of the
-// start are not announced either.
+// Each sentence is an element that stays as long as the sentence, so that only new ones are read out; without `aloud`
+// none is. The long list of teams or robots ("Robot 3 at (…") can be read but is not announced.
 function showSentences(root, sentences, aloud) {
   const stays = new Set(sentences);
   const before = [...root.children].filter((element) => stays.has(element.textContent) || element.remove());
@@ -38,10 +37,10 @@ function showSentences(root, sentences, aloud) {
   while (root.children.length > sentences.length) root.lastChild.remove();
 }
 
-// A browser that reloads while an address is being written may still open the previous address.
+// A browser that reloads while an address is being written may open the previous one.
 const isReload = () => performance.getEntriesByType("navigation")[0]?.type === "reload";
 
-// Keeps the work, which matters more than the steps that led to it. Returns whether there was room for it.
+// The work matters more than the steps that led to it. Returns whether there was room.
 function keepWork(storage, work) {
   return write(storage, workKey, work) || (write(storage, historyKey, "") && write(storage, workKey, work));
 }
@@ -55,18 +54,18 @@ export class Publisher {
   #lesson = "";
   #number = 1; // the learner's
   #held = false;
-  #failed = false; // the lesson of the address could not be opened
-  #changed = false; // since the start; until then the next visit continues with the latest change of another tab
+  #failed = false; // to open the address's lesson
+  #changed = false; // since the start; until then the next visit continues with another tab's latest change
   #told = []; // the lines of the last news
-  #switched = new Set(); // the overlays that were shown or hidden since the start
+  #switched = new Set(); // since the start
   #drawn = true; // whether the document to be written was drawn
-  #late = false; // a write is due, and waits for its frame
+  #late = false; // a write waits for its frame
 
   constructor({ embed }) {
     this.#embed = embed;
     addEventListener("pagehide", () => this.#leave());
     document.addEventListener("visibilitychange", () => document.hidden && this.#leave());
-    // The browser had put this page aside, and meanwhile the tab may have shown another one.
+    // The browser had put this page aside, and the tab may have shown another one.
     addEventListener("pageshow", ({ persisted }) => persisted && this.adopt(linkIn(location.hash)));
     whenAwaited(() => {
       if (this.#writeTimer) this.#writeSoon();
@@ -74,15 +73,15 @@ export class Publisher {
     });
   }
 
-  // From now on changes are published. Opening a document at the start is not a change.
+  // Opening a document at the start is not a change.
   connect(program) {
     this.#program = program;
     this.#speak({ aloud: false });
   }
 
-  // The work of this tab. A tab without work begins with a copy of the last document of any tab; a duplicated tab
-  // already has a copy of the other's work. `own` is whether this tab itself wrote this fragment into the address bar;
-  // then its work is at least as new. `last` is the last document, from whichever tab.
+  // A tab without work begins with a copy of the last document of any tab; a duplicated tab already has a copy. `own`
+  // is whether this tab wrote this fragment into the address bar; then its work is at least as new. `last` is the last
+  // document of any tab.
   kept(fragment) {
     if (this.#embed) return { work: "", draft: "", drawing: "", own: false, last: "" };
     if (!read(ofThisTab, workKey)) for (const key of documentKeys) write(ofThisTab, key, read(lasting, key));
@@ -98,24 +97,24 @@ export class Publisher {
     };
   }
 
-  // Makes the open document the work of this tab, whatever other tabs do. This fragment of the address stands for it.
+  // Makes the open document, for which the fragment stands, this tab's work, whatever other tabs do.
   adopt(fragment) {
     if (this.#embed || !this.#program) return;
     this.#keepAs(this.#program.text("page_link"), `${fragment}\n${fragment}`);
   }
 
-  // From now on nothing is kept, and everything already kept stays unchanged.
+  // Everything already kept stays unchanged.
   keepNothing() {
     this.#embed = true;
   }
 
-  // Removes this work, so that it is not opened again.
+  // Prevents opening this work again.
   forget(work) {
     for (const storage of [ofThisTab, lasting])
       if (read(storage, workKey) === work) for (const key of documentKeys) write(storage, key, "");
   }
 
-  // The program stopped: from now on nothing from it is kept. Returns the kept work.
+  // Nothing more of the stopped program is kept. Returns the kept work.
   stop() {
     this.#program = null;
     clearTimeout(this.#writeTimer);
@@ -136,7 +135,7 @@ export class Publisher {
     this.nameInAddress();
   }
 
-  // Puts the open document into the address, once it is drawn.
+  // Once the document is drawn.
   nameInAddress() {
     if (!this.#program) return;
     this.#drawn = false;
@@ -147,7 +146,7 @@ export class Publisher {
     this.speakSoon();
   }
 
-  // The text for screen readers changed, and perhaps nothing else.
+  // Perhaps only the text for screen readers changed.
   speakSoon() {
     if (!this.#program) return;
     if (!this.#speakTimer) begin();
@@ -172,12 +171,11 @@ export class Publisher {
     );
   }
 
-  // Keeps the preferences: the program's own `name=value` lines.
+  // The program's own `name=value` lines.
   keepPreferences() {
     if (this.#program && !this.#embed) write(lasting, preferencesKey, this.#program.text("page_kept"));
   }
 
-  // Continues a polygon that was being drawn.
   resumeDrawing(drawing) {
     if (drawing) this.#program.call("page_resume_drawing", drawing);
   }
@@ -187,22 +185,21 @@ export class Publisher {
     this.#program.call("page_keep", read(lasting, preferencesKey));
   }
 
-  // Sets the name of the lesson in an address, "" if it has none, and the learner's number.
+  // "" for a lesson that no address names. The number is the learner's.
   nameLesson(name, number = 1) {
     this.#lesson = name;
     this.#number = number;
     this.nameInAddress();
   }
 
-  // While the lesson of the address is being fetched, the address keeps its name; after a failure, until the document
-  // changes.
+  // During fetching, the address keeps the lesson's name; after a failure, until the document changes.
   holdLesson(held, { failed = false } = {}) {
     this.#held = held;
     this.#failed = failed;
   }
 
-  // The lesson's name and the learner's number, as long as an address with them would open what is on the screen. Editing
-  // its polygon ends that, but not where the lesson's task is open.
+  // As long as an address with them would open what is on the screen. Editing the polygon ends that, unless the
+  // lesson's task is open.
   lesson() {
     const open = this.#program.number("page_script");
     const task = this.#program.number("page_task_is_open") === 1;
@@ -211,12 +208,12 @@ export class Publisher {
     return open === 2 || task ? { lesson: this.#lesson, number: this.#number } : {};
   }
 
-  // Writes anything still to be written; with `drawn`, only if it was drawn.
+  // With `drawn`, only if it was drawn.
   flush({ drawn = false } = {}) {
     if (this.#writeTimer && (this.#drawn || !drawn)) this.#write(true);
   }
 
-  // The page is being closed. The address bar cannot be changed any more; a reload would use the old address.
+  // The address bar of a page being closed cannot be changed, and a reload would use the old address.
   #leave() {
     if (this.#program && this.#writeTimer) this.#keepAs(this.#program.text("page_link"));
   }
@@ -244,14 +241,14 @@ export class Publisher {
     end();
   }
 
-  // Keeps the document, and the addresses that stand for it. If there is no room for it, they are links like any other.
+  // `addresses` stand for the document; without room for it, they are links like any other.
   #keepAs(link, addresses) {
     if (this.#embed) return;
     const kept = this.#keep(link);
     if (!kept || addresses !== undefined) write(ofThisTab, addressKey, kept ? addresses : "");
   }
 
-  // Keeps the document. Returns whether there was room for it in this tab.
+  // Returns whether this tab had room.
   #keep(link) {
     const large = !link && this.#program.number("page_vertex_count") > mostKept;
     const work = large ? "" : link || this.#program.text("page_text");
@@ -274,7 +271,7 @@ export class Publisher {
       true,
     );
     document.title = sentences[0] ? `${sentences[0].replace(/[.:]$/, "")} – evenlift` : "evenlift";
-    // Assistive technology can read the state of each overlay's switch. The message reports only that a switch changed.
+    // Assistive technology reads each overlay's switch, so the message reports only a change.
     const news = this.#program.text("page_news").split("\n").filter(Boolean);
     const switched = ["Shown: {overlay}.", "Hidden: {overlay}."].map((pattern) =>
       translated(pattern).split("{overlay}"),

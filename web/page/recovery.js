@@ -1,6 +1,5 @@
-// The page never gets stuck. A start marks its document until the first frame is drawn. If the next start finds the
-// mark, the page did not get that far; then it does not open that document again, but sets it aside. When the program
-// stops later, the page starts again with the last document that was drawn.
+// The page never gets stuck. A start marks its document until the first frame. If the next start finds the mark, it
+// sets that document aside. When the program stops later, the page starts again with the last drawn document.
 import { translated } from "../words/words.js";
 import { lasting, ofThisTab, read, write } from "./storage.js";
 
@@ -8,9 +7,9 @@ const markKey = "evenlift.opening";
 const asideKey = "evenlift.aside";
 const stoppedKey = "evenlift.stopped";
 const mostAside = 5;
-const mostRestarts = 3; // in a row, without any input in between
+const mostRestarts = 3; // in a row, without any input
 
-// All marks have the same length, so that a mark can be replaced even when the storage is full.
+// Of equal length, so that one can be replaced even in a full storage.
 const noMark = "-".repeat(20);
 function markOf(text) {
   let hash = 0x811c9dc5;
@@ -29,7 +28,7 @@ export function textsAside() {
   }
 }
 
-// Keeps a text, and removes older ones if it needs their room. Returns whether the text was kept.
+// Removes older texts if necessary. Returns whether the text was kept.
 function setAside(text) {
   const texts = [text, ...textsAside().filter((other) => other !== text)].slice(0, mostAside);
   while (texts.length && !write(lasting, asideKey, JSON.stringify(texts))) texts.pop();
@@ -45,8 +44,8 @@ export function forgetAside() {
 const keptAside = "It is kept: use Save to get it as a file.";
 const withKept = (sentence) => `${translated(sentence)} ${translated(keptAside)}`;
 
-// Checks by a lock whether another tab is starting at this moment: then a mark is that tab's, and not a failure. In a
-// browser without locks, two tabs that open at the same moment look like one that failed.
+// A lock shows whether another tab is starting: then the mark is that tab's, not a failure. Without locks, two tabs
+// that open at the same moment look like one that failed.
 async function holdStart() {
   if (!navigator.locks) return { alone: true, release() {} };
   return new Promise((ready) => {
@@ -63,9 +62,9 @@ async function holdStart() {
   });
 }
 
-// Leaves out the documents that stopped the last start. `kept` has the links of the fragment and the kept texts. Returns the
-// texts to open, and a message about the others. If this tab's own work is left out, the last document of any tab
-// replaces it, unless it is the same.
+// Leaves out what stopped the last start. `kept` has the links of the fragment and the kept texts. Returns the texts to
+// open, and a message about the others. If this tab's own work is left out, the last document of any tab replaces it,
+// unless it is the same.
 export async function beginStart(kept) {
   const start = await holdStart();
   const failed = start.alone ? read(lasting, markKey) : noMark;
@@ -91,7 +90,7 @@ export async function beginStart(kept) {
     setAside(kept[part]);
     opens = { ...opens, [part]: "", problem: withKept(sentence) };
   }
-  // A lesson that an address holds is the likeliest to stop the page: everything else was drawn before.
+  // A lesson in an address is the likeliest to stop the page: everything else was drawn before.
   const opened = opens.lesson || opens.fragment || opens.work;
   const marked = opened !== "" && start.alone && write(lasting, markKey, markOf(opened));
   const unmark = () => {
@@ -99,12 +98,12 @@ export async function beginStart(kept) {
     start.release();
     removeEventListener("pagehide", unmark);
   };
-  // A tab that is closed before its first frame has not failed: a stuck tab would not receive this event.
+  // A tab closed before its first frame has not failed: a stuck tab would not receive this event.
   addEventListener("pagehide", unmark);
   return {
     ...opens,
     succeeded: unmark,
-    // Returns whether to start again, without the document that was opened.
+    // Returns whether to start again, without the document.
     failed() {
       removeEventListener("pagehide", unmark);
       start.release();
@@ -115,7 +114,7 @@ export async function beginStart(kept) {
 
 // --- The program stops -----------------------------------------------------------------------------------------------
 
-// The page's message after it started again; "" if it did not.
+// "" if the page did not start again.
 export function whyStartedAnew() {
   try {
     return JSON.parse(read(ofThisTab, stoppedKey) || "{}").sentence ?? "";
@@ -124,13 +123,12 @@ export function whyStartedAnew() {
   }
 }
 
-// Resets the count of restarts, after some input or when another document is opened.
+// After input, or when another document is opened.
 export function workGoesOn() {
   if (read(ofThisTab, stoppedKey)) write(ofThisTab, stoppedKey, "");
 }
 
-// Call this when the program stopped. `opening` is the text that was being opened, if any; `work` is the kept work.
-// Returns whether to load the page again.
+// `opening` is the text that was being opened, if any; `work` is the kept work. Returns whether to load the page again.
 export function prepareRestart({ opening, work }) {
   let restarts = 0;
   try {

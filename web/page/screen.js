@@ -1,7 +1,7 @@
 import { translated } from "../words/words.js";
 import { begin, end } from "./work.js";
 
-// Reports to the program the canvas size in CSS and device pixels, the user's preferences, and a lost WebGL context.
+// Reports the canvas size in CSS and device pixels, the user's preferences, and a lost WebGL context.
 export function connectScreen(program) {
   const canvas = document.getElementById("canvas");
   const measure = followSize(program, canvas);
@@ -11,8 +11,8 @@ export function connectScreen(program) {
 }
 
 function followSize(program, canvas) {
-  // The exact number of device pixels; at fractional ratios rounding is only a guess. Emulated screens report CSS
-  // pixels here, so a number that differs by more than rounding is ignored.
+  // The exact device pixels; at fractional ratios rounding only guesses. Emulated screens report CSS pixels, so a
+  // number that differs by more than rounding is ignored.
   const measure = (exact) => {
     const { width, height } = canvas.getBoundingClientRect();
     if (!(width > 0 && height > 0)) return;
@@ -41,7 +41,7 @@ function followSize(program, canvas) {
   return measure;
 }
 
-// A media query for the present ratio changes when the window moves to another screen.
+// The present ratio's media query changes when the window moves to another screen.
 function followRatio(changed) {
   matchMedia(`(resolution: ${devicePixelRatio}dppx)`).addEventListener(
     "change",
@@ -53,7 +53,7 @@ function followRatio(changed) {
   );
 }
 
-// Whether the page's background is nearer to black than to white. In forced colours it is the system's.
+// Whether the background is nearer to black than to white. In forced colours it is the system's.
 function groundIsDark() {
   const [red, green, blue] = getComputedStyle(document.body)
     .backgroundColor.match(/[\d.]+/g)

@@ -1,19 +1,19 @@
-// The search for balanced robots, which continues in a worker, or without workers in slices between frames. If the
-// start is quick, the page has already shown it; better results replace it. If a capacity is set, the worker computes
-// instead the number of robots needed when any one may fail. That computation cannot be sliced, so it needs a worker.
+// Searches for balanced robots in a worker, or without workers in slices between frames. If the start is quick, the
+// page has already shown it; better results replace it. If a capacity is set, the worker computes instead the number of
+// robots needed when any one may fail, which cannot be sliced.
 import { Program } from "./program.js";
 import { search } from "./search_loop.js";
 import { begin, end } from "./work.js";
 
 const slice = 8; // milliseconds, without a worker
 
-// `call` calls the program. Returns the search. begin() ends any search under way.
+// `call` calls the program. begin() ends any search under way.
 export function createSearch(call) {
   let worker;
   let withoutWorker = typeof Worker !== "function";
-  let wanted = 0; // the number of the search under way; 0 if there is none
+  let wanted = 0; // the number of the search under way, or 0
   let problem;
-  let starting = false; // the worker is computing the start, and meanwhile receives no messages
+  let starting = false; // the worker computes the start, and receives no messages
 
   function over() {
     if (!wanted) return;

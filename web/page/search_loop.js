@@ -1,6 +1,6 @@
-// Continues a search for balanced robots (wasm/modules/searching_api.cpp), slice by slice. Other tasks run between
-// slices. Calls `found(robots, ended)` when there are better robots, at most once in `betweenNews` milliseconds, and at
-// the end. `goesOn()` returns whether the result is still needed. Throws if the problem cannot be read.
+// Continues a search for balanced robots (wasm/modules/searching_api.cpp) in slices, between which other tasks run.
+// Calls `found(robots, ended)` for better robots, at most once in `betweenNews` milliseconds, and at the end.
+// `goesOn()` returns whether the result is still needed. Throws if the problem cannot be read.
 const betweenNews = 100;
 
 const turn = () => new Promise((done) => setTimeout(done));

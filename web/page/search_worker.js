@@ -1,11 +1,11 @@
-// A worker that continues the search for balanced robots, so that the page stays responsive (search.js).
+// The worker of search.js.
 import createModule from "./background_core.js";
 import { Program } from "./program.js";
 import { search } from "./search_loop.js";
 
 const slice = 50; // milliseconds, after which the worker listens
 const started = createModule().then((module) => new Program(module));
-let wanted = 0; // the number of the current search; 0 if there is none
+let wanted = 0; // the number of the current search, or 0
 
 addEventListener("message", async ({ data: { number, problem } }) => {
   wanted = number;

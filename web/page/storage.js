@@ -1,6 +1,6 @@
-// Access to the browser's storage. It may be full or forbidden; the page works without it.
+// The browser's storage may be full or forbidden; the page works without it.
 
-// Keys that two files of the page read and write.
+// Keys that two files use.
 export const workKey = "evenlift.work";
 export const historyKey = "evenlift.history";
 
@@ -16,7 +16,7 @@ export function read(storage, key) {
   }
 }
 
-// Keeps a text, or removes it if it is empty. Returns whether that worked.
+// Removes an empty text. Returns whether it worked.
 export function write(storage, key, text) {
   try {
     if (text) storage().setItem(key, text);

@@ -1,4 +1,4 @@
-// Reports work to the page until the promise is settled (work.js). Returns the promise.
+// Counts as work until the promise is settled (work.js). Returns the promise.
 export function underWay(promise) {
   document.dispatchEvent(new CustomEvent("evenlift-work", { detail: promise }));
   return promise;

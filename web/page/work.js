@@ -1,5 +1,5 @@
-// Counts the work under way, so that evenlift.idle() can wait for it: frames that are due, answers that are awaited,
-// and texts still to be written. Match every begin() with an end().
+// Counts what evenlift.idle() waits for: frames that are due, answers that are awaited, and texts still to be written.
+// Match every begin() with an end().
 let open = 0;
 let waiting = [];
 
@@ -9,7 +9,7 @@ const hurries = [];
 
 export const isAwaited = () => awaiting > 0;
 
-// `hurry` is called when a wait for idle() begins.
+// Called when a wait for idle() begins.
 export function whenAwaited(hurry) {
   hurries.push(hurry);
 }
@@ -25,8 +25,7 @@ export function end() {
   for (const resolve of told) resolve();
 }
 
-// The windows are a separate file with its own copy of this module, so they report their work by an event
-// (under_way.js).
+// The windows have their own copy of this module, so they report their work by an event (under_way.js).
 document.addEventListener("evenlift-work", ({ detail: promise }) => {
   begin();
   promise.then(end, end);
@@ -34,12 +33,11 @@ document.addEventListener("evenlift-work", ({ detail: promise }) => {
 
 const nextTask = () => new Promise((done) => setTimeout(done));
 
-// The browser reports changed sizes and preferences with its next frame. A hidden page gets no frames: there a task
-// replaces it.
+// The browser reports changed sizes and preferences with its next frame. A hidden page gets no frames, but a task.
 const nextPicture = () =>
   document.hidden ? nextTask() : new Promise((done) => requestAnimationFrame(done)).then(nextTask);
 
-// Animations that end. A sign that something is loading runs for ever.
+// Animations that end; a sign that something is loading runs for ever.
 function motions() {
   const ending = document
     .getAnimations()

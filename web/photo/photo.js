@@ -1,5 +1,5 @@
-// A photo or scan behind the drawing, for tracing. It is an image under the canvas, whose background then becomes
-// transparent, and it moves with the view. It is never uploaded, is in no link or file, and is gone with the page.
+// A photo or scan behind the drawing, for tracing: an image under the transparent canvas that moves with the view. It
+// is never uploaded, is in no link or file, and is gone with the page.
 import { closingButton, openCard } from "../kit/card.js";
 import { closeWindows, ensureStyles } from "../kit/dialogs.js";
 import { button, el, number, typedNumber } from "../kit/elements.js";
@@ -8,7 +8,7 @@ import { twoPoints } from "./two_points.js";
 
 const mostPixels = 50e6;
 
-let photo; // { name, url, image, opacity }; the program holds its position
+let photo; // { name, url, image, opacity }; the program has its position
 
 export function isPhoto(head, bytes) {
   const webp = head === "RIFF" && String.fromCharCode(...bytes.subarray(8, 12)) === "WEBP";
@@ -39,7 +39,7 @@ export async function layBehind(page, file) {
   }
   await ensureStyles();
   remove(page);
-  // At first as large as it would be in the middle of the screen; the scale is set afterwards.
+  // As large as it would be in the middle of the screen, until its scale is set.
   const [left, bottom] = worldAt(page.program, innerWidth * 0.2, innerHeight * 0.8);
   const [right] = worldAt(page.program, innerWidth * 0.7, innerHeight * 0.8);
   const unit = tidy((right - left) / image.naturalWidth);
@@ -59,13 +59,12 @@ const worldAt = (program, x, y) => [program.number("page_world_x", x, y), progra
 
 const tidy = (value) => Number(value.toPrecision(6));
 
-// The picture's place in the polygon's coordinates: its lower left corner, and the size of a pixel.
+// The lower left corner in the polygon's coordinates, and the size of a pixel.
 function lie({ program }) {
   const { left, bottom, width } = program.json("page_backdrop_place");
   return { left, bottom, unit: width / photo.image.naturalWidth };
 }
 
-// Puts the image where the view shows its place.
 function place(page) {
   const { image } = photo,
     { program } = page,
@@ -87,8 +86,8 @@ function remove(page) {
   photo = undefined;
 }
 
-// Scales the picture so that this number of its pixels has this length. It becomes larger or smaller together with
-// everything traced on it, and is then shown as a whole. Returns whether that is possible.
+// Gives this number of the picture's pixels this length. The picture is scaled with everything traced on it, and then
+// shown as a whole. Returns whether that is possible.
 function scaleTo(page, label, pixels, length) {
   const width = tidy(length / pixels) * photo.image.naturalWidth;
   const problem = page.program.text("page_scale_backdrop", width);
@@ -100,8 +99,7 @@ function scaleTo(page, label, pixels, length) {
   return !problem;
 }
 
-// Converts between the screen and the pixels of the picture, counted from its lower left corner; also the middle of the
-// picture on the screen.
+// Pixels are counted from the picture's lower left corner; middle() is on the screen.
 const pixelsOf = (page) => ({
   middle() {
     return this.toScreen([photo.image.naturalWidth / 2, photo.image.naturalHeight / 2]);
@@ -122,7 +120,7 @@ const pixelsOf = (page) => ({
 
 const inMetres = { m: 1, cm: 0.01, mm: 0.001, in: 0.0254 };
 
-// A typed length, in the unit of the polygon: another unit after it is converted. Returns { length } or { problem }.
+// Converts another unit to the polygon's. Returns { length } or { problem }.
 function typedLength(text, unit) {
   const typed = text.trim(),
     [, amount, of] = typed.match(/^(.*?)\s*(m|cm|mm|in)$/) ?? [];
@@ -137,7 +135,7 @@ function typedLength(text, unit) {
   return converted > 0 ? { length: converted } : { problem: say("{typed} is not above 0.", { typed }) };
 }
 
-// A field for a length and its button, with a CSS class; `set` applies the length.
+// `set` applies the length; `of` is a CSS class.
 function lengthField(page, label, value, set, of = "") {
   const { unit } = JSON.parse(page.program.text("page_state"));
   const field = el("input", {
@@ -174,7 +172,7 @@ async function openControls(page) {
     photo.opacity = Number(opacity.value);
     image.style.opacity = photo.opacity;
   });
-  // The following cards are as high as this one, so that the picture stays in place.
+  // The next cards are as high as this one, so that the picture stays in place.
   const alike = ({ root, seat }) => {
     root.style.minHeight = `${height}px`;
     seat();
@@ -222,7 +220,7 @@ async function openControls(page) {
       .querySelector("input")
       .focus({ preventScroll: true });
   };
-  // Where there is little room, the card starts small, with a button that shows the rest.
+  // With little room, the card starts small.
   const more = button("More …", {
     class: "button more",
     "aria-expanded": "false",
@@ -275,7 +273,7 @@ async function openControls(page) {
 
 export const hasPhoto = () => photo !== undefined;
 
-// In the Open window: the present picture, and a button to its controls.
+// For the Open window.
 export function photoLine(page) {
   if (!photo) return [];
   return [

@@ -1,11 +1,10 @@
-// Measures on the picture behind the drawing by two presses. Both points stay marked, with the line between them,
-// however the view moves.
+// The two points and the line between them stay marked, however the view moves.
 import { el, svgEl } from "../kit/elements.js";
 
 const keys = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
-const nearest = 8; // on the screen: a press nearer than this to the first point counts as that point
+const nearest = 8; // on the screen: a nearer press than this counts as the first point
 
-// Marks over the picture: show() takes one point or two, in pixels of the picture.
+// show() takes one point or two, in pixels of the picture.
 function marksOver(page, { toScreen }) {
   const svg = svgEl("svg", { id: "measured", "aria-hidden": "true" });
   let points = [];
@@ -32,10 +31,9 @@ function marksOver(page, { toScreen }) {
 
 const distance = ([x1, y1], [x2, y2]) => Math.hypot(x1 - x2, y1 - y2);
 
-// Waits for presses on two points of the picture, or for Enter after arrow keys moved a ring. `frame` converts from the
-// screen to the pixels of the picture and back: { fromScreen, toScreen, middle }. Returns { pixels, unmark }: the
-// distance in pixels and a function that removes the marks. Returns undefined if Esc or an abort of `givenUp` ends the
-// measurement.
+// Waits for presses on two points, or for Enter after arrow keys moved a ring. `frame` converts from the screen to the
+// picture's pixels and back: { fromScreen, toScreen, middle }. Returns { pixels, unmark }: the distance, and a function
+// that removes the marks; undefined if Esc or an abort of `givenUp` ends the measurement.
 export function twoPoints(page, frame, givenUp) {
   return new Promise((done) => {
     const marks = marksOver(page, frame);

@@ -1,15 +1,14 @@
-// The page without WebGL 2: the SVG that Save writes replaces the canvas. This module is loaded only then.
+// Without WebGL 2, the SVG that Save writes replaces the canvas. Loaded only then.
 import { ensureStyles } from "../kit/dialogs.js";
 import { button, el } from "../kit/elements.js";
 import { underWay } from "../page/under_way.js";
 
-// The verdict, which the program writes into the picture as its description.
+// The verdict, which is the picture's description.
 function described(svg) {
   return new DOMParser().parseFromString(svg, "image/svg+xml").querySelector("desc").textContent;
 }
 
-// Returns `draw`, which shows the program's present picture, and `tell`, which shows a message above it. With `save`, a
-// button calls it.
+// `draw` shows the program's present picture, and `tell` a message above it. With `save`, a button calls it.
 export async function showStill(program, { missing, save }) {
   await Promise.all([ensureStyles(), ensureStyles("still.css")]);
   const picture = el("img", {});
@@ -18,7 +17,7 @@ export async function showStill(program, { missing, save }) {
   told.className = "problem";
   const canvas = document.getElementById("canvas");
   canvas.hidden = true;
-  // The focus on it lets keys scroll it.
+  // The focus lets keys scroll it.
   canvas.after(
     el(
       "article",

@@ -1,4 +1,3 @@
-// About evenlift: version, documentation, source, licences.
 import { buttonTo, openWindow } from "../kit/dialogs.js";
 import { el } from "../kit/elements.js";
 import { ask, fetchJson } from "../kit/fetched.js";
@@ -11,7 +10,7 @@ import { show as showWelcome } from "./welcome.js";
 const link = (file, text) =>
   el("a", { href: new URL(file, import.meta.url).href, target: "_blank", rel: "noopener" }, text);
 
-// Documentation in the page's folder (assets/docs_html.py).
+// In the page's folder (assets/docs_html.py).
 const docs = [
   ["docs-lessons.html", "How to write a lesson"],
   ["docs-teaching.html", "Teaching with evenlift: three sessions"],

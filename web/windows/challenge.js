@@ -1,5 +1,5 @@
-// A challenge: somebody places robots on an object, and only then sees where evenlift would put them. Its card stays
-// over the canvas, where the robots are dragged; the loads and the score follow.
+// Somebody places robots on an object, and only then sees evenlift's. The card stays over the canvas, where the robots
+// are dragged; the loads and the score follow.
 import { openCard } from "../kit/card.js";
 import { button, el, number } from "../kit/elements.js";
 import { say, translated } from "../words/words.js";
@@ -7,13 +7,13 @@ import { say, translated } from "../words/words.js";
 const asks = { 3: "three", 4: "four", 5: "five", 6: "six", 7: "seven", 8: "eight", 9: "nine" };
 const heads = ["", "Robots", "At most", "Spread", "Covered", "Held"];
 
-// `beat` is the score of the sender, if there is one (page/address.js).
+// `beat` is the sender's score, if any (page/address.js).
 export async function show(page, { place, beat }) {
   const { program } = page;
   const asked = say("Where would you put {number} robots?", { number: asks[place] });
   const question = el("h2", {});
   const advice = el("p", { class: "second", role: "status" });
-  const copied = el("p", { class: "second", role: "status" }); // until the score that was copied changes
+  const copied = el("p", { class: "second", role: "status" }); // until the copied score changes
   const body = el("tbody");
   const table = el(
     "table",
@@ -98,7 +98,7 @@ function row(who, score, best) {
   );
 }
 
-// For each score, which of its four numbers betters another score's and is bettered by none: a smaller load and spread,
+// Whether each of a score's four numbers betters another score's and is bettered by none: a smaller load and spread,
 // more covered, held.
 function bests(scores) {
   const fallen = ([most]) => most === 0;
@@ -113,7 +113,7 @@ function bests(scores) {
   );
 }
 
-// The score of the sender in words. It comes from an address, so it is only claimed.
+// The sender's score comes from an address, so it is only claimed.
 function toBeat(program, place, [most, spread, covered, held]) {
   const unit = program.text("page_weight_unit");
   const weight = (value) => `${number(Number(value.toPrecision(3)))} ${unit}`;

@@ -1,5 +1,4 @@
-// The name of the open polygon in file names: from the file from which it came, from its sample, or from the number of
-// robots that lift it.
+// The polygon's name in file names: from its file, its sample, or the number of robots that lift it.
 import { fetchJson } from "../kit/fetched.js";
 import { ofThisTab, read, write } from "../page/storage.js";
 
@@ -7,8 +6,7 @@ const namesKey = "evenlift.names";
 const mostNames = 8;
 const longestKept = 20000; // letters of an outline whose name survives a reload
 
-// Two texts of the same polygon give the same outline, however they are written. `own` is the outline of one of them
-// (ownOutline()).
+// Texts of one polygon have the same outline, however they are written. `own` is the outline of one (ownOutline()).
 export function isSame(program, text, own) {
   const vertices = (each) =>
     each
@@ -25,8 +23,8 @@ export const ownOutline = (program) => ({
 
 // --- Opened files ----------------------------------------------------------------------------------------------------
 
-// The documents opened last, the newest first, as { origin, name }. `origin` is the outline that the document had then;
-// the program still has it for the open polygon, however it was edited since.
+// { origin, name } of the documents opened last, the newest first. `origin` is the outline at that time, which the
+// program still has for the open polygon, however it was edited.
 let named;
 
 function names() {
@@ -40,7 +38,7 @@ function names() {
   return named;
 }
 
-// A file's name without its ending, and without the part that was added when it was saved here.
+// Without the ending, and without the part that was added when the file was saved here.
 export function stemOf(file) {
   return file
     .replace(/\.[^.]*$/, "")
@@ -51,13 +49,13 @@ export function stemOf(file) {
     .slice(0, 60);
 }
 
-// The name of the file from which the open polygon came, as stemOf() returns it; "" if it did not come from a file.
+// As stemOf() returns it; "" if the polygon did not come from a file.
 export function openedName(program) {
   const origin = program.text("page_origin");
   return names().find((each) => each.origin === origin)?.name ?? "";
 }
 
-// Call this when a polygon was just opened from a file with this name (stemOf()), or with "" if there was no file.
+// Call this when a polygon was opened from a file of this name (stemOf()), or with "" without a file.
 export function nameOpened(program, name) {
   const origin = program.text("page_origin");
   if (!origin) return;

@@ -1,4 +1,3 @@
-// The gallery of samples.
 import { buttonTo, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, svgEl } from "../kit/elements.js";
 import { show as showExperiment } from "../experiment/experiment.js";
@@ -10,7 +9,7 @@ import { isSame, ownOutline } from "./document_name.js";
 const width = 96;
 const height = 64;
 
-// The polygon of a text with its holes and its centre of mass, as the program reads them.
+// The polygon with its holes and its centre of mass, as the program reads them.
 function thumbnail(program, text) {
   const { centre, vertices, holes = [] } = program.json("page_outline", text);
   const place = fitted([centre, ...vertices], width, height, 4);
@@ -117,7 +116,7 @@ function fill(program, list, samples, choose) {
 
 function connect(root, filter, list, count) {
   const shown = () => [...list.querySelectorAll("li:not([hidden]) > button")];
-  // Tab reaches only one of the samples; arrow keys move to the others.
+  // Tab reaches only one sample; arrow keys move to the others.
   const reach = (sample) => {
     for (const other of list.querySelectorAll(".sample[tabindex='0']")) other.tabIndex = -1;
     if (sample) sample.tabIndex = 0;
@@ -168,7 +167,7 @@ function connect(root, filter, list, count) {
   narrow();
 }
 
-// The nearest sample in the row above or below.
+// In the row above or below.
 function nextRow(all, at, direction) {
   const here = all[at].getBoundingClientRect();
   const others = all

@@ -1,4 +1,4 @@
-// The card that announces a new version of the page. Nothing is loaded before its button is pressed.
+// Announces a new version of the page. Nothing is loaded before the button is pressed.
 import { closingButton, openCard, whenNoCard } from "../kit/card.js";
 import { el } from "../kit/elements.js";
 import { translated } from "../words/words.js";
@@ -23,8 +23,7 @@ async function show(page) {
   );
 }
 
-// The service worker of the new version waits for a message; if another tab has sent it, the page need only be loaded
-// again.
+// The new version's service worker waits for a message; if another tab has sent it, the page need only be loaded again.
 async function load() {
   const registration = await navigator.serviceWorker.getRegistration();
   if (!registration?.waiting) return location.reload();

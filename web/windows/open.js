@@ -1,4 +1,4 @@
-// Opens texts, files and links from outside. A function that opens something returns why it was refused, or undefined.
+// Opens texts, files and links from outside. Functions that open something return why it was refused, or undefined.
 import { closeWindows, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, number } from "../kit/elements.js";
 import { readShapes } from "../kit/import.js";
@@ -16,11 +16,11 @@ const tooLong = (bytes) =>
   bytes > mostBytes &&
   say("It has {number} MiB, more than the 64 that evenlift reads", { number: number(Math.ceil(bytes / 1048576)) });
 
-// The last text whose curves were flattened, so that another tolerance can flatten them again while its polygon is open.
+// The last text whose curves were flattened, so that another tolerance can be chosen while its polygon is open.
 let curved;
 
-// Opens a text that `what` names. `how` is the program's function for it, and `name` the file's name (stemOf()), if it
-// came from a file. A notice reports the result; if there are several shapes, a window lets the user choose one.
+// `what` names the text in messages, `how` is the program's function, and `name` the file's (stemOf()), if any. A
+// notice reports the result; of several shapes, a window lets the user choose.
 async function openText(page, text, what, { how = "page_load", name = "" } = {}) {
   if (tooLong(text.length)) return tooLong(text.length);
   if (!text.trim()) return "It is empty";
@@ -60,7 +60,7 @@ function chooseShape(page, source, found, tolerance) {
   return showShapes({ ...source, found, tolerance, choose: (shape, now) => openShape(page, source, shape, now) });
 }
 
-// `said` is added to the notice about the text; the window of shapes shows it itself.
+// `said` is added to the notice; the window of shapes shows it itself.
 function openShape(page, source, shape, found, said = []) {
   const { what, how, name } = source;
   const problem = page.program.text(how, shape.text(how === "page_load"));
@@ -95,8 +95,8 @@ async function openFile(page, file) {
   return openText(page, new TextDecoder(encoding).decode(bytes), quoted(file), { name: stemOf(file.name) });
 }
 
-// Opens files or texts that were dropped or pasted anywhere on the page; `textName` is what a text is called. If that
-// fails, the window shows the reason, or else a notice does.
+// Opens what was dropped or pasted anywhere on the page; `textName` is what a text is called. The window, if open, or
+// else a notice shows a refusal.
 export async function take(page, { files, text }, textName) {
   if (files.length > 1) return refuse(page, "Please open one file at a time");
   const [file] = files;
@@ -119,7 +119,7 @@ const formats =
 const endings =
   ".png,.jpg,.jpeg,.webp,.txt,.csv,.tsv,.svg,.dxf,.json,.geojson,.wkt,text/plain,text/csv,text/tab-separated-values,image/svg+xml,image/vnd.dxf,application/json,application/geo+json";
 
-// The window. With `edited` it shows the present polygon as text, and applying it keeps the settings.
+// With `edited`, the window shows the present polygon as text, and applying it keeps the settings.
 export async function show(page, { edited } = {}) {
   const problem = problemLine({ id: "open-problem" });
   const text = el("textarea", {
@@ -205,7 +205,7 @@ export async function show(page, { edited } = {}) {
   });
 }
 
-// If the last opened text had curves: how they were flattened, and a button that changes it.
+// How the last text's curves were flattened, and a button that changes it.
 function againCurved(page) {
   if (!curved?.origin || curved.origin !== page.program.text("page_origin")) return [];
   const { what, tolerance, within } = curved;

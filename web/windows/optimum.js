@@ -1,11 +1,11 @@
-// Compares the greedy choice of teams with the optimum, side by side. A worker computes it
-// (wasm/modules/optimum_api.cpp), nearly always in less than a second.
+// Compares the greedy choice of teams with the optimum. A worker computes it (wasm/modules/optimum_api.cpp), nearly
+// always in less than a second.
 import { askWorker } from "../experiment/worker_pool.js";
 import { openWindow, problemLine } from "../kit/dialogs.js";
 import { el } from "../kit/elements.js";
 import { say } from "../words/words.js";
 
-// Far more than is needed if the optimum can be found at all, so that a busy machine gives the same answer. Closing the
+// Far more than needed if the optimum can be found at all, so that a busy machine gives the same answer. Closing the
 // window ends the wait.
 const seconds = 20;
 

@@ -1,10 +1,10 @@
-// The link as a QR code, large enough for an audience.
+// Large enough for an audience.
 import { openWindow } from "../kit/dialogs.js";
 import { button, download, el, rasterise } from "../kit/elements.js";
 import { qrCode } from "../kit/qr_code.js";
 import { say } from "../words/words.js";
 
-// Returns why it cannot be shown, if the address is too long; otherwise undefined.
+// Returns undefined, or why it cannot be shown if the address is too long.
 export async function showQr(address) {
   let svg;
   try {

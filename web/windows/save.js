@@ -6,8 +6,7 @@ import { documentName } from "./document_name.js";
 import { showQr } from "./qr.js";
 import { forgetAside, textsAside } from "../page/recovery.js";
 
-// A row for each robot; numbers read back to the same double. Values that are 0 except for rounding errors are written
-// as 0.
+// A row for each robot; numbers read back to the same double. 0 replaces values that differ from it only by rounding.
 function csv({ teams }) {
   const least = 1e-13 * Math.max(0, ...teams.flatMap(({ ends }) => ends.flat().map(Math.abs)));
   const exact = (value) => String(Math.abs(value) < least ? 0 : value);
@@ -24,7 +23,6 @@ function csv({ teams }) {
     .join("");
 }
 
-// The files that can be saved: their names, their purpose, and the functions that make them.
 const files = [
   [
     "Polygon",
@@ -171,7 +169,7 @@ function share(page, address, problem) {
   return [el("h3", {}, "Link"), el("div", { class: "row" }, field, copy, qr), el("div", { class: "row" }, said, embed)];
 }
 
-// An <iframe> that shows the address as a figure.
+// For showing the address as a figure.
 function embedCode(address) {
   const url = new URL(address);
   url.searchParams.set("embed", "1");

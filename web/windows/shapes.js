@@ -1,4 +1,4 @@
-// The shapes of a drawing, from which one is opened; and the permitted distance between its curves and the edges.
+// Shows the shapes of a drawing, of which one is opened, and the permitted distance between its curves and edges.
 import { openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el, number, svgEl, typedNumber } from "../kit/elements.js";
 import { fitted, lineOf, pathOf } from "../kit/fit.js";
@@ -8,7 +8,7 @@ import { underWay } from "../page/under_way.js";
 
 const width = 96;
 const height = 64;
-const atOnce = 100; // shapes in the list before "Show more"
+const atOnce = 100; // shapes before "Show more"
 
 function picture(shape) {
   const outline = shape.outline();
@@ -21,7 +21,7 @@ function picture(shape) {
   );
 }
 
-// The whole drawing, if some of its lines close no shape: these are pale and dashed, beside the shapes that are offered.
+// Only if some lines close no shape: they are pale and dashed, beside the offered shapes.
 function wholeDrawing({ leftOpen, shapes }) {
   const lines = leftOpen();
   if (lines.length === 0) return [];
@@ -40,7 +40,7 @@ function wholeDrawing({ leftOpen, shapes }) {
   ];
 }
 
-// The shape with the largest box: holes and letters are smaller than the object.
+// By its box: holes and letters are smaller than the object.
 function largest(shapes) {
   const size = (points) =>
     [0, 1]
@@ -50,8 +50,8 @@ function largest(shapes) {
   return areas.indexOf(areas.reduce((a, b) => Math.max(a, b)));
 }
 
-// Puts the name, the kind, and vertices, holes and size on a line each; the description is "NAME", KIND, VERTICES, SIZE
-// or, with holes, "NAME", KIND, VERTICES, HOLES, SIZE. Vertices and holes are a number and a noun.
+// A line each for the name, the kind, and vertices, holes and size. The description is "NAME", KIND, VERTICES, SIZE or,
+// with holes, "NAME", KIND, VERTICES, HOLES, SIZE. Vertices and holes are a number and a noun.
 function inWords({ name, description }) {
   const parts = description.slice(name ? name.length + 4 : 0).split(", ");
   const size = parts
@@ -67,7 +67,7 @@ function inWords({ name, description }) {
 
 export const sentences = (texts) => texts.map((text) => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`).join(" ");
 
-// The unit of the lengths in a text; many drawings have none.
+// Many drawings have no unit.
 export const lengthUnit = ({ unit }) => unit || "units of the drawing";
 
 const ones = { inches: "inch", feet: "foot", "units of the drawing": "unit of the drawing" };
@@ -78,7 +78,6 @@ export function lengthInWords(length, found) {
 
 export const unitInWords = ({ unit }) => (unit ? [say("lengths are in {unit}", { unit })] : []);
 
-// What the window is about.
 function whatThereIs(what, { shapes, doubtful }) {
   const values = { what, number: number(shapes.length) };
   if (shapes.length > 1)
@@ -93,8 +92,7 @@ function whatThereIs(what, { shapes, doubtful }) {
     : say("{what} has curves, but a polygon has straight edges.", values);
 }
 
-// Shows the shapes and notes of a text; `found` comes from readShapes. `choose` opens a shape, and returns why it was
-// refused, or undefined.
+// `found` comes from readShapes. `choose` opens a shape, and returns why it was refused, or undefined.
 export async function showShapes({ what, text, found, tolerance = 0, choose }) {
   const problem = problemLine();
   const notes = el("p", { class: "second" });
@@ -206,7 +204,7 @@ export async function showShapes({ what, text, found, tolerance = 0, choose }) {
   });
 }
 
-// Tab reaches one of the shapes; arrow keys move to the others.
+// Tab reaches only one shape; arrow keys move to the others.
 function connectKeys(list) {
   list.addEventListener("focusin", ({ target }) => {
     for (const other of list.querySelectorAll("[tabindex='0']")) other.tabIndex = -1;

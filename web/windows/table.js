@@ -1,5 +1,5 @@
-// The coordinates of the vertices, of the robots or of the weights, as a table beside the canvas. Typing in the table changes the
-// drawing, and dragging changes the table.
+// The coordinates of vertices, robots or weights, as a table beside the canvas. Typing changes the drawing; dragging
+// changes the table.
 import { makeRoom, openWindow, problemLine } from "../kit/dialogs.js";
 import { button, el } from "../kit/elements.js";
 import { say, translated } from "../words/words.js";
@@ -10,9 +10,9 @@ import { underWay } from "../page/under_way.js";
 const name = "table";
 const most = 500; // rows on a page
 
-// What the table lists, and the page's functions for it, with the names of their buttons; `one` heads the names, and
-// `typed` are the columns that can be typed. Robots have a load in a column of its own; typing a place makes them robots
-// placed by hand. Vertices of holes have a name of their own.
+// The page's functions, with the names of their buttons; `one` heads the names, and `typed` are the columns that can be
+// typed. Robots also have a load; typing a place makes them robots placed by hand. Vertices of holes have a name of
+// their own.
 const lists = {
   vertices: {
     one: "Vertex",
@@ -88,11 +88,11 @@ export async function show(page) {
 class Table {
   #page;
   #list = lists.vertices;
-  #rows = []; // the rows of the current page
+  #rows = []; // of the current page
   #from = 0; // the first vertex or robot of that page
   #selected = -1;
   #leave = new AbortController();
-  #due; // the timer of the next update
+  #due; // of the next update
 
   constructor(page) {
     this.#page = page;
@@ -162,7 +162,6 @@ class Table {
     return this.#page.program;
   }
 
-  // Lists the vertices, the robots or the weights.
   #take(list) {
     this.#list = list;
     this.#rows = [];
@@ -288,7 +287,6 @@ class Table {
     );
   }
 
-  // Updates everything that differs.
   #refresh() {
     const program = this.#program;
     const list = this.#list;
@@ -337,7 +335,7 @@ class Table {
 
   // --- Keys and edits ----------------------------------------------------------------------------
 
-  // The vertex or robot of the element's row; -1 for the centre of mass, -2 for neither.
+  // The element's vertex or robot; -1 for the centre of mass, -2 for neither.
   #vertexOf(element) {
     if (this.centre.inputs.includes(element)) return -1;
     return this.#rows.find(({ row }) => row.contains(element))?.vertex ?? -2;
@@ -420,13 +418,13 @@ class Table {
   }
 }
 
-// A field shows at most this number of digits until it gets the focus; its value stays exact.
+// At most this number of digits until the field gets the focus; its value stays exact.
 const rounded = (value, digits) =>
   value.length > digits + 2 && Number.isFinite(Number(value))
     ? String(Number(Number(value).toPrecision(digits - 1)))
     : value;
 
-// Writes a point into two fields, but not into one that is being typed in.
+// Skips a field that is being typed in.
 function write(inputs, point, digits) {
   point.map(String).forEach((value, axis) => {
     const input = inputs[axis];

@@ -1,12 +1,11 @@
-// The tour of the page: some stops of a sentence or two, each pointing at something. Its card is at the bottom of the
-// drawing, so that it covers nothing that it describes. It changes nothing.
+// The tour's card is at the bottom of the drawing, so that it covers nothing that it describes. The tour changes
+// nothing.
 import { openCard } from "../kit/card.js";
 import { button, el, svgEl } from "../kit/elements.js";
 import { say, translated } from "../words/words.js";
 import { look, reveal } from "./tour_places.js";
 import { stops } from "./tour_stops.js";
 
-// The ringed thing, above the canvas.
 function drawn({ circle, box, line }) {
   if (circle) return svgEl("circle", { cx: circle[0], cy: circle[1], r: circle[2] });
   if (box) return svgEl("rect", { x: box[0], y: box[1], width: box[2], height: box[3], rx: 10 });
@@ -21,8 +20,7 @@ function ringed(here, { points, controls, menu }) {
   return shown.length ? shown : menu ? here.controls("more") : here.sheet();
 }
 
-// Texts of other stops, hidden behind the current one, so that the card has the same height at each of them, and
-// neither its buttons nor the drawing move.
+// The hidden texts of other stops keep the card's height, so that neither its buttons nor the drawing move.
 const unseen = (all, here) =>
   all.map(({ title, words }) =>
     el("div", { class: "unseen", "aria-hidden": "true" }, el("h2", {}, title), " ", el("p", {}, words(here))),

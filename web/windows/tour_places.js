@@ -1,8 +1,7 @@
-// The places on the screen that the tour points at. They are in CSS pixels.
+// The places on the screen that the tour points at, in CSS pixels.
 import { isSeen } from "../mirror/controls.js";
 
-// Sizes in the drawing, in CSS pixels, as in wasm/marks. A ring about a robot fits between its mark and the number
-// beside it.
+// Sizes in the drawing, as in wasm/marks. A robot's ring fits between its mark and the number beside it.
 const ringOf = (robots) => (robots > 16 ? 14.5 : 17.5);
 // Half of a number's size, and its distance from the robot's middle.
 const label = { wide: 30, high: 12, apart: 17.5 };
@@ -11,14 +10,14 @@ const aboutCentre = 22;
 
 const away = ([x, y], [u, v]) => Math.hypot(x - u, y - v);
 
-// Some of the vertices, if there are very many.
+// Some, if there are very many.
 function corners(program) {
   const all = program.json("page_vertices", 0, program.number("page_vertex_count"));
   const every = Math.ceil(all.length / 200);
   return all.filter((_, i) => i % every === 0);
 }
 
-// The convex hull of points, counter-clockwise with y upwards.
+// Convex, counter-clockwise with y upwards.
 function hull(points) {
   const sorted = [...points].sort(([a, b], [c, d]) => a - c || b - d);
   const turnsLeft = ([ax, ay], [bx, by], [cx, cy]) => (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) > 0;
@@ -32,8 +31,7 @@ function hull(points) {
   return [...half(sorted), ...half(sorted.reverse())];
 }
 
-// The part of a line between two robots that neither their marks nor rings about them touch; undefined if they are too
-// near.
+// The part of a line between two robots that their marks and rings leave free; undefined if they are too near.
 function between([from, to], reach) {
   const length = away(from, to);
   if (length < 3 * reach) return undefined;
@@ -41,8 +39,8 @@ function between([from, to], reach) {
   return { line: [at(reach / length), at(1 - reach / length)] };
 }
 
-// The least distance of a ring about a vertex from the marks of robots, from their numbers (beyond the marks as seen
-// from C), and from the ring about C; less than 0 if it touches one of them.
+// The least distance of a vertex's ring from robots' marks, their numbers (beyond the marks as seen from C), and C's
+// ring; less than 0 if it touches one.
 function clearance(c, robots, ring) {
   const marks = robots.map(([x, y]) => {
     const far = away([x, y], c) || 1;
@@ -65,16 +63,15 @@ function clearance(c, robots, ring) {
     3;
 }
 
-// The turn of the outline at a vertex: 0 if it continues straight, 2 if it reverses.
+// The turn of the outline: 0 if it continues straight, 2 if it reverses.
 function sharpness([ax, ay], [bx, by], [cx, cy]) {
   const lengths = away([ax, ay], [bx, by]) * away([bx, by], [cx, cy]);
   return 1 - ((bx - ax) * (cx - bx) + (by - ay) * (cy - by)) / (lengths || 1);
 }
 
-// The controls of the canvas with these names.
 const controls = (program, names) => program.json("page_controls").filter(({ name }) => names.includes(name));
 
-// Scrolls the panel until the controls of a stop are visible.
+// Scrolls the panel until a stop's controls are visible.
 export function reveal({ program }, { controls: names = [] }) {
   const scrollTo = 3; // ControlRequest::reveal of wasm/ui/controls.h
   for (const control of controls(program, names)) {
@@ -82,11 +79,10 @@ export function reveal({ program }, { controls: names = [] }) {
   }
 }
 
-// The present state of the page, as the stops need it.
 export function look({ program }) {
   const screen = ([x, y]) => [program.number("page_screen_x", x, y), program.number("page_screen_y", x, y)];
   const state = JSON.parse(program.text("page_state"));
-  // A lesson draws only the robots of its step, which may be fewer than the placement's.
+  // A lesson draws only the robots of its step, which may be fewer.
   const teams = program.number("page_walkthrough_is_open") ? [] : state.teams.map(({ ends }) => ends.map(screen));
   const robots = teams.flat();
   const ring = ringOf(robots.length);
@@ -96,7 +92,7 @@ export function look({ program }) {
     free: state.closure.free,
     heldByCurvature: state.closure.second_order,
     baseHasArea: hull(robots).length > 2,
-    // As the verdict writes it; nothing of all or nothing.
+    // As the verdict writes it; undefined for all or nothing.
     coverage:
       state.stands && !state.failures && state.coverage > 1e-9 && state.coverage < 1 - 1e-9
         ? program.text("page_percentage", state.coverage)
@@ -105,7 +101,7 @@ export function look({ program }) {
     team: teams[0],
     hasSheet: controls(program, ["handle"]).length > 0,
     aboutCentre: { circle: [...screen(state.centre_of_mass), aboutCentre] },
-    // The boundary of the lifting base, between the robots; where they are too near to each other, a box around them.
+    // The boundary of the lifting base, between the robots; if they are too near to each other, a box around them.
     base() {
       const around = hull(robots);
       const sides = around.map((at, i) => between([at, around[(i + 1) % around.length]], ring + 4)).filter(Boolean);
@@ -115,7 +111,7 @@ export function look({ program }) {
       );
       return [{ box: [low[0] - ring, low[1] - ring, high[0] - low[0] + 2 * ring, high[1] - low[1] + 2 * ring] }];
     },
-    // The sharpest of the vertices that are clear of robots, their numbers and C; undefined if there is none.
+    // The sharpest vertex that is clear of robots, their numbers and C; empty if there is none.
     vertex() {
       const c = screen(state.centre_of_mass);
       const clear = clearance(c, robots, ring);
@@ -133,11 +129,11 @@ export function look({ program }) {
       const best = known.sort((a, b) => b.sharp - a.sharp)[0];
       return best ? [{ circle: [...best.at, aboutVertex] }] : [];
     },
-    // The handle of a phone's sheet; undefined on a wide screen.
+    // The handle of a phone's sheet; empty on a wide screen.
     sheet() {
       return this.controls("handle");
     },
-    // The visible ones of these controls, as one box.
+    // The visible ones, as one box.
     controls(...names) {
       const boxes = controls(program, names)
         .map(({ place, window }) => [

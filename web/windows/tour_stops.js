@@ -1,7 +1,7 @@
-// The stops of the tour: the text of each, and the place at which it points (tour_places.js).
+// The stops of the tour: texts, and the places at which they point (tour_places.js).
 import { say, translated } from "../words/words.js";
 
-// The movements that remain free in this placement; there may be no hatching.
+// There may be no hatching.
 function mobility({ free, heldByCurvature }) {
   const turns = { clockwise: "clockwise in red", counterclockwise: "counter-clockwise in blue" };
   const hatched = Object.keys(turns)
@@ -19,9 +19,9 @@ function mobility({ free, heldByCurvature }) {
 
 const finger = () => matchMedia("(pointer: coarse)").matches;
 
-// `points` returns the shapes to ring: circles [x, y, radius], boxes [x, y, width, height], lines [from, to]; if it
-// returns none, `controls` are ringed. If a small screen hides them, the handle of their sheet is ringed, or with
-// `menu` the menu button. A stop whose `where` does not hold is left out.
+// `points` returns the shapes to ring: circles [x, y, radius], boxes [x, y, width, height], lines [from, to]. If it is
+// undefined, `controls` are ringed; if a small screen hides them, the handle of their sheet or, with `menu`, the menu
+// button. A stop whose `where` does not hold is left out.
 export const stops = [
   {
     title: "Teams",

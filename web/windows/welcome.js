@@ -1,4 +1,4 @@
-// The card of the first visit: an introduction, and four ways to begin.
+// The card of the first visit.
 import { closingButton, openCard } from "../kit/card.js";
 import { el } from "../kit/elements.js";
 import { lasting, write } from "../page/storage.js";
@@ -7,7 +7,7 @@ import { show as showTour } from "./tour.js";
 
 const welcomedKey = "evenlift.welcomed"; // page.js reads it
 
-// At the first visit it does not take the focus; the key and the About window bring it back with the focus.
+// Takes the focus, except at the first visit.
 export async function show(page, { first = false } = {}) {
   const there = document.getElementById("welcome");
   if (there) return there.querySelector("button").focus({ preventScroll: true });
@@ -50,8 +50,7 @@ export async function show(page, { first = false } = {}) {
       "How to begin: place robots yourself, draw your own shape, choose a sample, or take the tour. " +
         "Shift+W moves the focus there.",
     );
-  // After the first action the card is no longer needed. The program reports a change in the middle of it, so this
-  // waits for its end.
+  // The first action closes the card. The program reports a change in the middle of it, so this waits for its end.
   const done = () => queueMicrotask(() => card.close());
   document.addEventListener("evenlift-change", done, { signal: leave.signal });
   page.pictures.addEventListener("drawn", () => page.program.number("page_is_drawing") && done(), {

@@ -1,5 +1,4 @@
-// The page's own windows, and the functions that open texts from outside. They are one file, which is loaded when it is
-// first needed.
+// The page's windows, and functions that open texts from outside: one file, loaded at the first use.
 export { ensureStyles } from "../kit/dialogs.js";
 export { curves, show as experiment } from "../experiment/experiment.js";
 export { show as challenge } from "./challenge.js";

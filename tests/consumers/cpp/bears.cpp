@@ -1,4 +1,4 @@
-// The loads of robots under a square of 80 kg: the core alone.
+// The loads under a square of 80 kg.
 #include <evenlift/placement.h>
 
 #include <cstdio>

@@ -1,4 +1,4 @@
-// The number of shapes in a drawing, and the loads of robots below the first.
+// The number of a drawing's shapes, and the loads below the first.
 #include <evenlift/import.h>
 #include <evenlift/output/words.h>
 

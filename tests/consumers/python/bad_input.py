@@ -66,7 +66,7 @@ def check_pools():
     expected = refused(evenlift.place, crossing)
     for way in multiprocessing.get_all_start_methods():
         with multiprocessing.get_context(way).Pool(2) as pool:
-            # The timeout only ends a call that hangs.
+            # The timeout only ends a hanging call.
             placements = pool.map_async(evenlift.place, [l_shape, l_shape]).get(timeout=300)
             assert [each.json for each in placements] == [evenlift.place(l_shape).json] * 2
             error = refused(pool.map_async(evenlift.place, [l_shape, crossing, l_shape]).get, 300)

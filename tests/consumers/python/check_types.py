@@ -38,11 +38,11 @@ def output_of(*command, cwd):
     return done.stdout
 
 
-# Each returns the complaints about all files in a folder, as {(file's name, line): message}.
+# Each returns the complaints about a folder's files, as {(file's name, line): message}.
 
 
 def mypy_complaints(folder):
-    # Before mypy 1.7 `Unpack` was not finished, but it does all that is needed here.
+    # Before mypy 1.7, `Unpack` was unfinished but sufficient.
     shown = ["--no-error-summary", "--hide-error-context", "--no-pretty", "--config-file=", f"--cache-dir={folder.parent / 'cache'}"]
     options = ["--strict", "--enable-incomplete-feature=Unpack", f"--python-executable={sys.executable}"]
     printed = output_of(mypy, *options, *shown, ".", cwd=folder)
@@ -51,7 +51,7 @@ def mypy_complaints(folder):
 
 
 def pyright_complaints(folder):
-    # Strict, except for values that wrong_usage.py does not use, and for the consequences of each mistake there.
+    # Strict, except for values that wrong_usage.py does not use and for consequences of its mistakes.
     unknown = {f"reportUnknown{what}Type": False for what in ("Argument", "Member", "Variable")}
     project = {"include": ["."], "typeCheckingMode": "strict", "reportUnusedExpression": False, **unknown}
     (folder / "pyrightconfig.json").write_text(json.dumps(project))

@@ -94,7 +94,7 @@ def check_placements(samples):
         (texts["square"], {"metric": "balanced", "robot_radius": 3, "apart": 10}),
         (texts["square"], {"teams": "max", "overlays": "hull,halo"}),
         (texts["star"], {"metric": "random", "seed": 2**64 - 1}),
-        (l_shape, {"robot": "r=100"}),  # for which no robot finds a place
+        (l_shape, {"robot": "r=100"}),  # no robot finds a place
         # l_shape on robots that already stand, and falling from others:
         (l_shape, {"supports": [(0, 0), (4, 0), (0, 3), (1, 1)], "support_capacities": [30, None, 40, 50], "snap": 0.1, "require": "held"}),
         (l_shape, {"holes": [[(0.5, 0.5), (1, 0.5), (1, 1)]], "cargo": [((3, 0.5), 20, "motor"), {"at": (0.2, 2), "weight": 5}], "teams": 2}),

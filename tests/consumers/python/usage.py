@@ -42,7 +42,7 @@ def check_bytes():
         placement = evenlift.place(text, **settings)
         assert placement.json == printed("place", sample, "--json", *options), sample.name
         assert placement == json.loads(placement.json) and isinstance(placement, dict)
-        # The same polygon as points, with the centre of mass from the text.
+        # The same polygon as points, with the text's centre of mass.
         named = [line for line in text.splitlines() if line.startswith("CoM:")]
         centre = placement["centre_of_mass"] if named else None
         assert evenlift.place(numpy.array(placement["polygon"]), centre_of_mass=centre, **settings).json == placement.json, sample.name
@@ -128,5 +128,5 @@ def main():
     print("the package agrees with the program")
 
 
-if __name__ == "__main__":  # not in the processes of pools, which also read this file
+if __name__ == "__main__":  # not in processes of pools, which also read this file
     main()
