@@ -5,12 +5,14 @@
 
 #include "balanced/completions.h"
 #include "balanced/for_oracle.h"
+#include "balanced/outline.h"
 #include "balanced/triples.h"
 #include "evenlift/angles.h"
 #include "evenlift/balanced.h"
 #include "evenlift/balanced_history.h"
 #include "evenlift/closure.h"
 #include "evenlift/hull.h"
+#include "evenlift/plane.h"
 #include "evenlift/stability.h"
 #include "kit/catch.h"
 #include "kit/corpus.h"
@@ -232,36 +234,64 @@ TEST_CASE("the more robots, the nearer to each other are the three that may be s
   CHECK(number(64) == 64);
 }
 
+TEST_CASE("trial points are on their edges, whichever way the vertices run", "[balanced]") {
+  for (const Points& vertices :
+       {Points{{0, 0}, {4, 0}, {4, 2}, {0, 3}}, Points{{0, 3}, {4, 2}, {4, 0}, {0, 0}}}) {
+    const Polygon polygon = testing::polygon(vertices);
+    for (const LiftingPoint& stand : balanced::Outline(polygon, {2, 1}).stands()) {
+      const Vec2 from = polygon.edge_start(stand.edge), to = polygon.edge_end(stand.edge);
+      CHECK(distance_to_segment(from, to, stand.position) < 1e-12);
+    }
+  }
+}
+
+TEST_CASE("a set counts each two of its robots that are too near each other once", "[balanced]") {
+  const Polygon polygon = testing::polygon({{0, 0}, {4, 0}, {4, 2}, {0, 2}});
+  Settings settings = settings_of(4);
+  settings.apart = 100;
+  const BalancedProblem problem(solid(polygon), {2, 1}, settings);
+  balanced::Best best(problem.rules());
+  best.offer_two_more({{{1, 0}, 0}, {{1, 2}, 2}});
+  REQUIRE(best.set());
+  CHECK(best.set()->near_pairs == 6);
+}
+
 TEST_CASE("no robot with a size comes to where it collides with one that stays",
           "[balanced][stands]") {
-  const Polygon polygon = testing::polygon({{0, 0}, {10, 0}, {10, 6}, {3, 6}, {3, 5}, {0, 5}});
-  Settings settings = settings_of(4);
-  settings.robot.radius = 0.4;
-  const BalancedProblem problem(solid(polygon), {5, 3}, settings);
-  // On either side of the reflex corner (3, 5).
-  const LiftingPoint above{{3, 5.5}, 3}, near{{2.4, 5}, 4}, far{{1.5, 5}, 4};
-  REQUIRE(problem.rules().room()->collide(near, above));
-  REQUIRE_FALSE(problem.rules().room()->collide(far, above));
+  // Mirrored, the other end of the chord is the one that would collide.
+  for (const bool mirrored : {false, true}) {
+    const auto at = [&](double x, double y) { return Vec2(mirrored ? 10 - x : x, y); };
+    const Polygon polygon =
+        testing::polygon({at(0, 0), at(10, 0), at(10, 6), at(3, 6), at(3, 5), at(0, 5)});
+    Settings settings = settings_of(4);
+    settings.robot.radius = 0.4;
+    const BalancedProblem problem(solid(polygon), {5, 3}, settings);
+    // On either side of the reflex corner (3, 5).
+    const LiftingPoint above{at(3, 5.5), 3}, near{at(2.4, 5), 4}, far{at(1.5, 5), 4};
+    REQUIRE(problem.rules().room()->collide(near, above));
+    REQUIRE_FALSE(problem.rules().room()->collide(far, above));
 
-  // With one pair of places C is the centroid: one robot stays, the other moves to this place.
-  const auto comes_beside = [&](const LiftingPoint& stays) {
-    CHECK(completions(problem, {stays, above}).chords.size() == 1);
-    balanced::Best best(problem.rules());
-    best.offer_three_more({stays}, above);
-    return best.set().has_value();
-  };
-  CHECK(comes_beside(far));
-  CHECK_FALSE(comes_beside(near));
+    // With one pair of places C is the centroid: one robot stays, the other moves to this place.
+    const auto comes_beside = [&](const LiftingPoint& stays) {
+      CHECK(completions(problem, {stays, above}).chords.size() == 1);
+      balanced::Best best(problem.rules());
+      best.offer_three_more({stays}, above);
+      return best.set().has_value();
+    };
+    CHECK(comes_beside(far));
+    CHECK_FALSE(comes_beside(near));
 
-  // The first robot moves along the lower side to the place that would force its neighbours to (3,
-  // 5.5) and (10, 1.5).
-  const auto neighbours_follow = [&](const LiftingPoint& stays) {
-    const LiftingPoint to{{7 - stays.position.x(), 0}, 0};
-    CHECK(completions(problem, {to, stays}).chords.size() == 1);
-    return move_robot(problem, {{{6, 0}, 0}, {{10, 2}, 1}, stays, {{4, 6}, 2}}, 0, to).has_value();
-  };
-  CHECK(neighbours_follow(far));
-  CHECK_FALSE(neighbours_follow(near));
+    // The first robot moves along the lower side to the place that would force its neighbours to
+    // (3, 5.5) and (10, 1.5).
+    const auto neighbours_follow = [&](const LiftingPoint& stays) {
+      const LiftingPoint to{Vec2(10 - stays.position.x() + (mirrored ? 3 : -3), 0), 0};
+      CHECK(completions(problem, {to, stays}).chords.size() == 1);
+      return move_robot(problem, {{at(6, 0), 0}, {at(10, 2), 1}, stays, {at(4, 6), 2}}, 0, to)
+          .has_value();
+    };
+    CHECK(neighbours_follow(far));
+    CHECK_FALSE(neighbours_follow(near));
+  }
 }
 
 TEST_CASE("the list of vertices may begin anywhere and run either way", "[balanced][slow]") {

@@ -6,7 +6,9 @@
 #include <set>
 #include <tuple>
 
+#include "chords/opposite_vertices.h"
 #include "chords/ray_caster.h"
+#include "chords/section.h"
 #include "evenlift/generate.h"
 #include "evenlift/predicates.h"
 #include "kit/catch.h"
@@ -55,6 +57,21 @@ bool face_each_other(const Polygon& p, const Vec2& centre, std::size_t a, std::s
 }
 
 }  // namespace
+
+TEST_CASE("opposite vertices are on opposite sides of the centre of mass", "[chords]") {
+  CHECK(are_opposite({1, 2}, {-2, -4}, 1e-9));
+  CHECK_FALSE(are_opposite({1, 2}, {2, 4}, 1e-9));
+  CHECK_FALSE(are_opposite({1, 2}, {-2, 1}, 1e-9));
+}
+
+TEST_CASE("a chord that is vertical but for rounding begins at its lower end", "[chords]") {
+  for (const double x : {0.0, 1e-12, -1e-12}) {
+    CHECK(points_right({x, 1}));
+    CHECK_FALSE(points_right({x, -1}));
+  }
+  CHECK(points_right({1e-6, -1}));
+  CHECK_FALSE(points_right({-1e-6, 1}));
+}
 
 TEST_CASE("a square's centre sees opposite sides as its edge pairs", "[chords]") {
   const auto pairs = edge_pairs(polygon(square), {1, 1});

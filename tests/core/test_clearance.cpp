@@ -67,6 +67,17 @@ TEST_CASE("a contact's distance from the corners is that along its side, over st
   CHECK(distances(polygon(u_shape), {Vec2(3, 2), 4}) == std::vector{infinity});
 }
 
+TEST_CASE("a contact as far from a corner as required counts, within the tolerance",
+          "[closure][clearance]") {
+  const Polygon p = polygon(square);
+  const auto kept = [&](double clear) {
+    return clear_contacts(p, contacts(p, {{Vec2(0.5, 0), 0}}), clear).size();
+  };
+  CHECK(kept(0.5) == 1);
+  CHECK(kept(0.5 + 1e-9) == 1);  // tau L is 2.8e-9
+  CHECK(kept(0.5 + 1e-8) == 0);
+}
+
 TEST_CASE("a flattened curve has no corners: only a turn of more than 15 degrees is one",
           "[polygon][clearance]") {
   for (const int n : {3, 4, 7, 23, 24, 25, 60}) {

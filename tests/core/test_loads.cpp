@@ -51,6 +51,16 @@ TEST_CASE("teams share the weight equally, whatever their chords", "[loads]") {
   CHECK(summary->max_share == Approx(10.0 / 11).epsilon(1e-15));
 }
 
+TEST_CASE("the mean load is the weight divided by the robots, also of a team of five", "[loads]") {
+  Team team;
+  for (const double load : {10.0, 20.0, 30.0, 25.0, 15.0}) team.robots.emplace_back().load = load;
+  const auto summary = summarize_loads({team});
+  REQUIRE(summary);
+  CHECK(summary->mean == 20);
+  CHECK(summary->min == 10);
+  CHECK(summary->max == 30);
+}
+
 TEST_CASE("an even pair shares evenly and its greatest share is a half", "[loads]") {
   const auto summary = summarize_loads(distribute_weight({chord(7, 7)}, 30));
   REQUIRE(summary);

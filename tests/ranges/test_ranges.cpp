@@ -11,6 +11,7 @@
 #include "kit/catch.h"
 #include "kit/corpus.h"
 #include "kit/placed.h"
+#include "kit/polygons.h"
 #include "oracle/exact.h"
 #include "shapes/problem_document.h"
 #include "shapes/small_polygons.h"
@@ -247,6 +248,23 @@ TEST_CASE("a range is one place only if its chords agree on both edges", "[range
   range.a1 = {1, 1e-8};
   range.q0 = range.q1 = 100;
   CHECK_FALSE(is_one_place(range, 1e-9));
+}
+
+TEST_CASE("the clear part of a range keeps off the corners of both its edges", "[ranges]") {
+  for (const double top : {1.0, 1.2}) {
+    const double bottom = 2.2 - top;  // once the corners of one edge are nearer, once the other's
+    const Polygon polygon = testing::polygon({{-bottom, -1}, {bottom, -1}, {top, 1}, {-top, 1}});
+    const Corners corners(polygon);
+    PairRange range;
+    range.a = 2;
+    range.b = 0;
+    range.a0 = {-1, 1};
+    range.a1 = {1, 1};
+    const auto part = clear_part({polygon, corners, 0.5, nullptr}, {0, 0}, range);
+    REQUIRE(part);
+    CHECK(chord_at({0, 0}, *part, part->first).r1.position.x() == Approx(-0.5));
+    CHECK(chord_at({0, 0}, *part, part->last).r2.position.x() == Approx(0.5));
+  }
 }
 
 TEST_CASE("the place towards a direction is where C sees it, or the nearest end of the range",

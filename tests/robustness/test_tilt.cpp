@@ -4,6 +4,7 @@
 
 #include "evenlift/angles.h"
 #include "evenlift/extra_load.h"
+#include "evenlift/failures.h"
 #include "evenlift/output/carrying_words.h"
 #include "evenlift/output/requirements.h"
 #include "evenlift/output/svg.h"
@@ -116,6 +117,10 @@ TEST_CASE("where another load may stand", "[tilt][extra]") {
   CHECK(bounded->region.size() == 4);
   for (const Vec2& corner : bounded->region)
     CHECK(std::fabs(corner.x() - 0.5) + std::fabs(corner.y() - 0.5) == Approx(0.5));
+  document.shown.carrying.uneven = 1;  // changes each load by 6.25
+  document.shown.carrying.give = 4;
+  CHECK(extra_load({placement, document.shown})->anywhere.value() == Approx(25));
+  document.shown.carrying.uneven = 0;
   document.shown.capacity = 20;  // overloaded without it
   CHECK(extra_load({placement, document.shown})->region.empty());
   CHECK(extra_load({placement, document.shown})->anywhere == 0.0);
@@ -194,6 +199,18 @@ TEST_CASE("a height next to nothing tips at no slope, and says so without overfl
   CHECK(tilt->degrees == 90);
   CHECK(std::isfinite(100 * tilt->slope));
   CHECK_FALSE(tilt_in_words(robustness(placement), {placement, document.shown}).empty());
+}
+
+TEST_CASE("after a failure uneven heights change loads by as much weight as before", "[tilt]") {
+  Document document = square();
+  document.settings.supports.push_back({0.5, 0});
+  const Placement placement = placed(document);
+  const auto rests = single_failures(placement.object, placement.centre_of_mass, 100,
+                                     placement.teams, 0, {.uneven = 0.25});
+  REQUIRE(rests.size() == 5);
+  // A quarter of the mean load of five robots, 20, on top of a quarter of the weight.
+  CHECK(rests[4]->greatest_by_springs == Approx(25));
+  CHECK(rests[4]->greatest_end == Approx(25 + 5));
 }
 
 TEST_CASE("a condition that changes nothing alone says what is missing", "[tilt][words]") {

@@ -45,6 +45,7 @@ TEST_CASE("JSON says where robots stand and what they cannot use", "[json][stand
   bool marked = false;
   for (const auto& part : json["unusable"]) {
     CHECK(part[1].get<double>() < part[2].get<double>());
+    CHECK(part[2].get<double>() <= 1 + 1e-12);
     marked = marked || (part[0] == 38 && part[3] == "no_go");
   }
   CHECK(marked);

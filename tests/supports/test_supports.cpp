@@ -113,6 +113,9 @@ TEST_CASE("what an object tips over is an edge of its base, or one robot", "[sup
   CHECK(over({{0, 0}, {1, 0}}) == std::vector<std::uint32_t>{0, 1});
   CHECK(over({{0, 0}, {0.25, 0.25}}) == std::vector<std::uint32_t>{1});  // on their line
   CHECK(over({{0.6, 0.1}, {0.6, 0.9}, {1, 0.9}, {1, 0.1}}) == std::vector<std::uint32_t>{0, 1});
+  // C is as far beyond two edges: the one with the robot of the smallest number counts.
+  CHECK(over({{0.25, 0}, {0, 0}, {0, 0.25}, {0.25, 0.25}}) == std::vector<std::uint32_t>{0, 3});
+  CHECK(over({{0, 0.25}, {0, 0}, {0.25, 0}, {0.25, 0.25}}) == std::vector<std::uint32_t>{0, 3});
   CHECK(over(unit_square).empty());
 }
 
@@ -253,6 +256,12 @@ TEST_CASE("supports are evened out by the least moves", "[supports]") {
   const Document two = standing_on({{0, 0.4}, {1, 0.5}});
   CHECK(placed(*with_even_supports(two)).loads->spread <= 1e-9 * 100);
   CHECK(with_even_supports(standing_on({{0.4, 0.5}})).error().place.option == "even_out");
+  // Three must move; the two that go to the upper side have the least squares if they divide the way
+  // nearly equally.
+  const Document crowded = standing_on({{0, 0.7}, {0, 0.7}, {0, 0.3}, {0, 0.1}, {0.4, 0}});
+  const Points moved = with_even_supports(crowded)->settings.supports;
+  CHECK(moved[0] == Vec2(0.78125, 1));
+  CHECK(moved[1] == Vec2(0.71875, 1));
   const Document already = standing_on(unit_square);
   CHECK(with_even_supports(already)->settings.supports == unit_square);
   Document area = document;

@@ -82,6 +82,10 @@ TEST_CASE("a robot sticks to the outline, to vertices and to even places", "[vie
   const Vec2 opposite = 2 * placement(state).centre_of_mass - robots(state)[1];
   CHECK(even_spot(state, opposite + Vec2(3 * pixel, 0), 0, even_reach) == opposite);
   CHECK_FALSE(even_spot(state, opposite + Vec2(30 * pixel, 0), 0, even_reach));
+  // Opposite to its own place is no even place for a robot.
+  const Vec2 own = 2 * placement(state).centre_of_mass - robots(state)[0];
+  CHECK(even_spot(state, own, 1, even_reach) == own);
+  CHECK_FALSE(even_spot(state, own, 0, even_reach));
 }
 
 TEST_CASE(

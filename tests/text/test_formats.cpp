@@ -233,6 +233,9 @@ TEST_CASE("GeoJSON reads as a Polygon or a Feature of one, members in any order"
                  R"("geometry":{"type":"Polygon","coordinates":[)" +
                      ring + "]}}",
                  triangle));
+  CHECK(reads_as(R"({"geometry":{"coordinates":[)" + ring +
+                     R"(],"type":"Polygon"},"properties":null,"type":"Feature"})",
+                 triangle));
   // From the feature's geometry, not beside it.
   CHECK(reads_as(R"({"type":"Feature","coordinates":[[[7,7]]],"geometry":{"type":"Polygon",)"
                  R"("geometry":{"type":"Point"},"coordinates":[)" +

@@ -141,6 +141,16 @@ TEST_CASE("DXF: blocks within blocks, and their objects on layer 0", "[import][d
     }));
 }
 
+TEST_CASE("DXF: an arc that ends where it begins is a circle", "[import][dxf]") {
+  for (const double end : {0.0, 360.0}) {
+    const Import import =
+        read(drawing(lines({{0, "ARC"}, {10, 1}, {20, 0}, {40, 2}, {50, 0}, {51, end}})), {1e-5});
+    REQUIRE(import.shapes.size() == 1);
+    CHECK(std::abs(signed_area(import.shapes[0].document.vertices)) ==
+          Approx(4 * 3.14159265).epsilon(1e-4));
+  }
+}
+
 TEST_CASE("DXF: circles and arcs of a block follow its scale", "[import][dxf]") {
   const std::string round = lines({{0, "CIRCLE"}, {10, 1}, {20, 0}, {40, 2}}) +
                             lines({{0, "ARC"}, {10, 9}, {20, 0}, {40, 2}, {50, 0}, {51, 180}}) +

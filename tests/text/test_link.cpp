@@ -478,6 +478,17 @@ TEST_CASE("records that no writer makes are refused, and later ones named", "[li
   }
 }
 
+TEST_CASE("the counts of a binary decision are halved above 255, rounded up", "[link]") {
+  BitModel model{{1, 1}};
+  for (int i = 0; i < 127; ++i) model.update(false);  // 2 each time
+  CHECK(model.count[0] == 128);                       // 255 + 1 is too much
+  CHECK(model.count[1] == 1);
+  BitModel odd{{126, 128}};
+  odd.update(true);
+  CHECK(odd.count[0] == 63);
+  CHECK(odd.count[1] == 65);
+}
+
 TEST_CASE("a link may leave out five digits, but not a sixth", "[link][errors]") {
   // A decoder begins with five digits; a value of 64 takes one more.
   const Digits none, one{0};

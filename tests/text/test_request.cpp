@@ -81,6 +81,14 @@ TEST_CASE("a polygon may come as text or as a link, whose settings count", "[req
         placement_json(placed(document), false));
 }
 
+TEST_CASE("cargo in the settings replaces that of the text", "[request]") {
+  const json answered = answer_json(
+      R"j({"text": "(0,0)\n(4,0)\n(4,4)\n(0,4)\nCargo:(1,1) 5 motor\n",
+           "settings": {"cargo": [{"at": [2, 2], "weight": 3}]}})j");
+  REQUIRE(answered["cargo"].size() == 1);
+  CHECK(answered["cargo"][0]["weight"] == 3);
+}
+
 TEST_CASE("robots that a link moved go back when the request says where C is", "[request]") {
   Document document;
   document.vertices = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};

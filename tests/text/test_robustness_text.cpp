@@ -288,6 +288,9 @@ TEST_CASE("failures are told in sentences", "[words][robustness]") {
         "The object falls if any of robots 1 and 4 fails. If another fails, the others carry "
         "it, at most 30.0 kg each if equally stiff. It can tip if robot 3 fails." +
             sudden);
+  RestOfRobots leaves = rest(true, 20);  // under the given conditions the object tips
+  leaves.stays = false;
+  CHECK(words({rest(true, 20), leaves}).find("It can tip if robot 2 fails.") != std::string::npos);
   CHECK(plainly(failure_in_words(2, 6, rest(true, 21.34))) ==
         "Robot 3 fails: the other five carry the object, at most 21.3 kg each.");
   CHECK(plainly(failure_in_words(0, 14, rest(false, 21.34))) ==

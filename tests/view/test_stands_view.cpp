@@ -191,6 +191,9 @@ TEST_CASE("parts of marks are joined, cut and looked up", "[stands]") {
   CHECK(without_part({{0, 0, 1}}, {0, 0.25, 0.5}) ==
         std::vector<EdgePart>{{0, 0, 0.25}, {0, 0.5, 1}});
   CHECK(without_part({{0, 0, 1}}, {0, 0, 1}).empty());
+  // Marks beside the part stay as they are.
+  CHECK(without_part({{0, 0, 0.2}, {0, 0.8, 1}}, {0, 0.4, 0.6}) ==
+        std::vector<EdgePart>{{0, 0, 0.2}, {0, 0.8, 1}});
   CHECK(is_marked({{1, 0.2, 0.4}}, 1, 0.4));
   CHECK_FALSE(is_marked({{1, 0.2, 0.4}}, 1, 0.5));
   CHECK_FALSE(is_marked({{1, 0.2, 0.4}}, 0, 0.3));
