@@ -75,7 +75,7 @@ TEST_CASE("every sample polygon is placed by the rules: random", "[placement][sl
 
 TEST_CASE("thousands of small polygons are placed by the rules", "[placement][thorough]") {
   int with_area = 0, closed = 0, second_order = 0;
-  for (std::uint64_t number = 0; number < 4000; ++number) {
+  for (std::uint64_t number = 0; number < 2000; ++number) {
     const small_polygons::Case c = small_polygons::make_case(number);
     Document d = evenlift::testing::document_of(c.problem);
     d.settings.method = pair_methods[number % std::size(pair_methods)];
@@ -90,9 +90,9 @@ TEST_CASE("thousands of small polygons are placed by the rules", "[placement][th
     closed += placement->closure.form_closure;
     second_order += placement->closure.second_order;
   }
-  CHECK(with_area > 1500);
-  CHECK(closed > 100);
-  CHECK(second_order > 10);
+  CHECK(with_area > 750);
+  CHECK(closed > 50);
+  CHECK(second_order > 5);
 }
 
 TEST_CASE("the thesis's sample has 3 candidates, covers 8.2 % and is not closed", "[placement]") {

@@ -281,7 +281,7 @@ TEST_CASE("coverage leaves the holes out, whatever lifting base", "[holes][oracl
 
 TEST_CASE("objects with holes are placed as the oracle places them", "[holes][oracle][thorough]") {
   int knife_edges = 0;
-  for (std::uint64_t number = 0; number < 900; ++number) {
+  for (std::uint64_t number = 0; number < 450; ++number) {
     small_polygons::Case c = holed_polygons::make_case(number);
     if (number % 2 == 0) c.problem.metric = oracle::Metric::area;
     const auto finding = against_oracle::compare_placement(c);

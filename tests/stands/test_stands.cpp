@@ -298,7 +298,7 @@ TEST_CASE("a hand on a curve keeps off what is marked beside its own edge", "[st
 TEST_CASE("every place is as the four conditions say", "[stands][thorough]") {
   Rng rng(5);
   int sure = 0;
-  for (std::uint64_t number = 0; number < 150; ++number) {
+  for (std::uint64_t number = 0; number < 80; ++number) {
     const std::size_t n = 4 + rng.below(40);
     const auto vertices = generate(family_of(number), n, number);
     if (!vertices) continue;
@@ -330,7 +330,8 @@ TEST_CASE("every place of the samples is as the four conditions say", "[stands][
   int sure = 0;
   for (const std::string& name : corpus::polygon_names()) {
     const Document document = corpus::polygon(name);
-    if (document.vertices.size() > 60) continue;
+    // C does not matter for places, so a sample with another C shows nothing new.
+    if (document.vertices.size() > 60 || name.ends_with("-moved")) continue;
     const Polygon polygon = made(document.vertices);
     const double size = polygon.diagonal();
     INFO(name);
@@ -343,7 +344,7 @@ TEST_CASE("every place of the samples is as the four conditions say", "[stands][
 TEST_CASE("every place of flattened curves is as the four conditions say", "[stands][thorough]") {
   Rng rng(23);
   int sure = 0;
-  for (int number = 0; number < 60; ++number) {
+  for (int number = 0; number < 30; ++number) {
     const int sides = 3 + static_cast<int>(rng.below(30));
     const Polygon polygon = number % 2 ? bean(sides) : regular(2 * sides + 1, 3);
     // From hands narrower than the sides to those that no curve has room for.
@@ -354,7 +355,7 @@ TEST_CASE("every place of flattened curves is as the four conditions say", "[sta
     INFO("shape " << number << " of " << polygon.size() << ", " << robot_text(robot));
     sure += compare(polygon, robot, {}, 1000 / sides);
   }
-  CHECK(sure > 50000);
+  CHECK(sure > 25000);
 }
 
 TEST_CASE("the same stretches whichever way round the vertices are listed", "[stands]") {
