@@ -162,6 +162,10 @@ TEST_CASE("a bulge makes the arc whose quarter angle has it as its tangent", "[i
       lowest = std::min(lowest, beside);
       highest = std::max(highest, beside);
     }
+    // It goes round the circle once at most.
+    double way = 0;
+    for (std::size_t i = 1; i < edges->size(); ++i) way += length((*edges)[i] - (*edges)[i - 1]);
+    CHECK(way == Approx(radius * 4 * std::atan(std::abs(bulge))).epsilon(1e-3));
     // It sticks out by half the chord times the bulge, to the right if that is positive.
     CHECK(std::abs((bulge > 0 ? -lowest : highest) - std::abs(bulge) * 2.5) <
           1e-3 * std::max(1.0, std::abs(bulge)));
