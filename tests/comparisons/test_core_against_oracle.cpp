@@ -20,7 +20,7 @@ bool check(const Case& c, const Finding& finding) {
   return false;
 }
 
-constexpr std::uint64_t cases_per_family = 250;
+constexpr std::uint64_t cases_per_family = 125;
 
 void compare_family(std::uint64_t family) {
   int knife_edges = 0, disagreements = 0;
