@@ -19,9 +19,8 @@ bool points_up(const Touch& touch) {
          (touch.to.y() == touch.from.y() && touch.to.x() > touch.from.x());
 }
 
-// The two touches of one edge do without the exact predicate, which takes longest for a zero.
 double turn_of(const Touch& a, const Touch& b) {
-  return a.edge == b.edge ? 0 : cross_of_differences(a.from, a.to, b.from, b.to);
+  return cross_of_differences(a.from, a.to, b.from, b.to);
 }
 
 bool same_direction(const Touch& a, const Touch& b) {
