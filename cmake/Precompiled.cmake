@@ -1,8 +1,8 @@
-# Reading headers takes most of the time of compiling a small file. So each library reads Eigen, and the headers that it
-# names, only once. Every file still includes all that it uses: `./dev tidy` and one job of continuous integration use
-# no precompiled headers (CMAKE_DISABLE_PRECOMPILE_HEADERS).
+# Reading headers takes most of the time of compiling a small file. Every file still includes all that it uses: `./dev tidy`
+# compiles each alone, without precompiled headers (CMAKE_DISABLE_PRECOMPILE_HEADERS).
 include_guard()
 
+# The target reads Eigen, and the headers that it names, only once.
 function(evenlift_precompile target)
   target_precompile_headers(
     ${target}
@@ -13,4 +13,11 @@ function(evenlift_precompile target)
     <string>
     <vector>
     ${ARGN})
+endfunction()
+
+# A large library is also compiled eight files at a time, so the names in their unnamed namespaces must differ.
+function(evenlift_compile_together)
+  if(EVENLIFT_UNITY)
+    set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
 endfunction()

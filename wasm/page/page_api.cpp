@@ -238,7 +238,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_scores() {
     const bool answer = placement == &state.derived().second;
     if (!*placement || (answer && (*placement)->settings.method != Method::balanced)) continue;
     const evenlift::Placement& of = **placement;
-    const Score score = score_of(of, shown(state).units);
+    const ScoreInWords score = score_of(of, shown(state).units);
     const auto& loads = of.loads;
     scores.push_back(
         json::object({{"robots", json::text(score.robots)},

@@ -81,7 +81,7 @@ void draw_show(const Ui& ui, bool Overlays::*overlay, ActionId toggle, const cha
     action(toggle).run(ui.state, ui.commands);
 }
 
-void draw_rows(const Ui& ui) {
+void draw_carrying_rows(const Ui& ui) {
   const Carrying& now = shown(ui.state).carrying;
   draw_length(ui, height);
   for (const RatioRow& row : ratios) draw_ratio(ui, row);
@@ -108,7 +108,7 @@ void draw_carrying_button(const Ui& ui, float width) {
 
 void draw_carrying(const Ui& ui, float head) {
   const bool open = ui.state.view.carrying_open;
-  if (open) draw_rows(ui);
+  if (open) draw_carrying_rows(ui);
   show_opened(ui, "carrying is open", open, head);
 }
 

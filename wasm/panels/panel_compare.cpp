@@ -21,8 +21,8 @@ struct Row {
 };
 
 // `failed` is the number of robots in `a` that carry nothing.
-std::vector<Row> rows(const Placement& a, const Placement& b, std::size_t failed,
-                      const std::string& weight_unit) {
+std::vector<Row> compared_rows(const Placement& a, const Placement& b, std::size_t failed,
+                               const std::string& weight_unit) {
   const auto both = [&](auto value) { return std::array<std::string, 2>{value(a), value(b)}; };
   const auto load = [](auto member) {
     return [member](const Placement& p) {
@@ -90,8 +90,8 @@ void draw_comparison(const Ui& ui) {
   const std::array<std::string, 2> both = {fails ? say("{method}, one fails", {first}) : first,
                                            words_of(*ui.state.work.second_method).label};
   draw_row(ui, {"", both}, Face::label, ui.theme.second_text, both);
-  for (const Row& row : rows(shown_placement(ui.state), *ui.state.derived().second, fails ? 1 : 0,
-                             weight_unit(ui.state)))
+  for (const Row& row : compared_rows(shown_placement(ui.state), *ui.state.derived().second,
+                                      fails ? 1 : 0, weight_unit(ui.state)))
     draw_row(ui, row, Face::strong_label, ui.theme.text, both);
   ImGui::PopStyleVar();
 }

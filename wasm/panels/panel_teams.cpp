@@ -73,7 +73,7 @@ void draw_heading(const Ui& ui, const Columns& c) {
 }
 
 // A robot's load as a number and a bar, which is fainter beyond the least load of a range.
-void draw_bar(const Ui& ui, const Columns& c, float y, std::size_t number, int side) {
+void draw_load_bar(const Ui& ui, const Columns& c, float y, std::size_t number, int side) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Outlook& outlook = shown_outlook(ui.state);
   const LoadRange& load = outlook.loads[number];
@@ -97,7 +97,7 @@ void draw_bar(const Ui& ui, const Columns& c, float y, std::size_t number, int s
 }
 
 // As wide as the numbers need.
-void draw_numbers(const Ui& ui, float left, float y, float width, const std::string& numbers) {
+void draw_team_numbers(const Ui& ui, float left, float y, float width, const std::string& numbers) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 low(left + 1, y - 10), high(left + 1 + width, y + 10);
   list.AddRectFilled(low, high, ui.theme.robot.packed(), 10);
@@ -137,9 +137,9 @@ bool draw_row(const Ui& ui, const Columns& c, std::size_t index) {
                        7);
   }
   const float y = (low.y + high.y) / 2;
-  draw_numbers(ui, c.left, y, c.numbers, numbers_of_team(index + 1));
+  draw_team_numbers(ui, c.left, y, c.numbers, numbers_of_team(index + 1));
   for (int end = 0; end < 2; ++end)
-    draw_bar(ui, c, y, 2 * index + static_cast<std::size_t>(end), end == 0 ? -1 : 1);
+    draw_load_bar(ui, c, y, 2 * index + static_cast<std::size_t>(end), end == 0 ? -1 : 1);
   const double span = team.robots[0].arm + team.robots[1].arm;
   right_aligned(list, Face::label, c.span, y, ui.theme.text, amount(span, span));
   right_aligned(list, Face::strong_label, c.ratio, y, ui.theme.text, ratio_in_words(team.ratio));
@@ -182,7 +182,7 @@ void draw_robot_row(const Ui& ui, const Columns& c, std::size_t index, const Tea
     list.AddRectFilled(ImVec2(low.x - 6, low.y), ImVec2(high.x + 6, high.y), ui.theme.well.packed(),
                        7);
   const float y = (low.y + high.y) / 2;
-  draw_numbers(ui, c.left, y, 20, number);
+  draw_team_numbers(ui, c.left, y, 20, number);
   const ImVec2 size = text_size(Face::label, words.at[index]);
   draw_text(list, Face::label, ImVec2(c.left + 32, y - size.y / 2), ui.theme.text, words.at[index]);
   right_aligned(list, Face::strong_label, c.ratio, y,

@@ -213,7 +213,7 @@ void draw_walkthrough_briefly(const Ui& ui, float height) {
 namespace {
 
 // Its length is `share` (0 .. 1) of the way between the two points, its left and right end.
-void draw_bar(const Ui& ui, ImVec2 from, ImVec2 to, double share, Colour colour) {
+void draw_score_bar(const Ui& ui, ImVec2 from, ImVec2 to, double share, Colour colour) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float width = (to.x - from.x) * static_cast<float>(std::clamp(share, 0.0, 1.0));
   list.AddRectFilled(ImVec2(from.x, from.y - 3), ImVec2(to.x, to.y + 3), ui.theme.well.packed(), 3);
@@ -239,8 +239,8 @@ void draw_ranked(const Ui& ui, const TeamScores& scores, std::size_t place, doub
   const std::string value = (score.exact ? "" : "≤ ") + amount(score.value, best);
   const float middle = (at.y + high.y) / 2, top = middle - text_size(Face::label, name).y / 2;
   const float from = at.x + width * 0.46f;
-  draw_bar(ui, ImVec2(from, middle), ImVec2(from + width * 0.26f, middle), score.value / best,
-           first ? ui.theme.hull_outline : ui.theme.quiet);
+  draw_score_bar(ui, ImVec2(from, middle), ImVec2(from + width * 0.26f, middle), score.value / best,
+                 first ? ui.theme.hull_outline : ui.theme.quiet);
   draw_text(list, first ? Face::strong_label : Face::label, ImVec2(at.x + 6, top), ui.theme.text,
             name);
   draw_text(list, Face::label, ImVec2(high.x - 6 - text_size(Face::label, value).x, top),

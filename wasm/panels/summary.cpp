@@ -173,7 +173,7 @@ std::string news_of_drawing(const AppState& state) {
 
 }  // namespace
 
-Score score_of(const Placement& placement, const Units& units) {
+ScoreInWords score_of(const Placement& placement, const Units& units) {
   const auto load = [&](double value) { return load_in_words(value, placement.loads->max, units); };
   return {std::to_string(count_robots(placement.teams)),
           placement.loads ? load(placement.loads->max) : std::string(),
@@ -183,7 +183,7 @@ Score score_of(const Placement& placement, const Units& units) {
 
 std::string score(const AppState& state) {
   const Placement& placement = *state.derived().placement;
-  const Score of = score_of(placement, shown(state).units);
+  const ScoreInWords of = score_of(placement, shown(state).units);
   const std::string robots = count_of(count_robots(placement.teams), "robot", "robots");
   if (of.most.empty())
     return say("{robots} · it falls · {coverage} covered · {held}", {robots, of.covered, of.held});

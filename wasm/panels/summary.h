@@ -29,10 +29,10 @@ Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest);
 std::string failure_words(const AppState& state, std::size_t robot);
 
 // "4", "29.1 kg", "8.2 kg", "61 %", "held". The loads are empty if the object falls.
-struct Score {
+struct ScoreInWords {
   std::string robots, most, spread, covered, held;
 };
-Score score_of(const Placement& placement, const Units& units);
+ScoreInWords score_of(const Placement& placement, const Units& units);
 
 // Whether a robot, or this one, carries more than its capacity, by the shown loads.
 bool is_overloaded(const AppState& state);
@@ -42,10 +42,10 @@ bool is_overloaded(const AppState& state, std::size_t robot);
 std::string overload_in_brief(const AppState& state);
 
 // For robots placed by hand: "4 robots, at most 29.0 kg, spread 8.0 kg, 64 % covered, not held".
-// For a robot's capacity: whether each stays within it, and the number of robots needed; empty
-// without one.
 std::string score(const AppState& state);
 
+// For a robot's capacity: whether each stays within it, and the number of robots needed; empty
+// without one.
 std::string need_in_words(const AppState& state);
 
 // The assumptions of the shown loads, and the effect of the C uncertainty, each in a sentence or

@@ -19,7 +19,7 @@ inline constexpr std::size_t most_dashed = 300;
 
 class Painter {
  public:
-  // `strength` below 1 fades everything that is out of date.
+  // `strength` below 1 fades everything, since the result is out of date.
   Painter(ImDrawList& list, const Camera& camera, const Rect& window, float strength = 1)
       : list_(list), camera_(camera), window_(window), strength_(strength) {}
 

@@ -25,7 +25,7 @@ struct Screen {
   bool touch = false;   // the last pointer was a finger, which cannot hover
   bool asking = false;  // a finger rests, and asks what is under it: tips are shown
   double foot = 0;      // what a card of the page covers at the drawing's foot, in pixels
-  double card = 0;      // of that card
+  double card = 0;      // that card's height, in pixels
   // Of a window of the page: at the left, at the right, or from below over the whole width.
   double window_left = 0, window_right = 0, window_foot = 0;
   Rect area() const { return {0, 0, width, height}; }

@@ -106,8 +106,8 @@ struct BalancedSwap {
 // One step: for a triple i < j < k of robots, the best of the current set and of all sets that
 // complete the other robots by three becomes the current set (of several, the first). With more
 // than 12 robots a triple must contain two neighbours along the outline, with more than 24 three in
-// a row. A swap renumbers the robots. The search ends after a round in which no swap made the set
-// better. A triple costs one completion for each trial point.
+// a row. A swap renumbers the robots. After a round without a swap the search ends, and no swap
+// makes the set better. A triple costs one completion for each trial point.
 //
 // A search restarts at most once, if that leads to a better set (algorithm.md, Second start and
 // Robots with a size).

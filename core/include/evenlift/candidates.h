@@ -38,7 +38,7 @@ bool is_even(const Chord& chord);
 
 // The candidate of an edge pair, and what decided it.
 struct PairVerdict {
-  double g0 = 0, g1 = 0;  // |C r_b| / |C r_a| at the two ends of the range
+  double g0 = 0, g1 = 0;  // |C r_b| / |C r_a| at its beginning and end
   bool parallel = false;  // g0 and g1 agree within tolerance
   bool bisected = false;  // not parallel, and C bisects a chord of the pair
   std::optional<Candidate> candidate;

@@ -77,7 +77,8 @@ struct Clearance {
   std::optional<std::uint32_t> point;
   // The supremum of min(k, R s(k)); 0 without form closure. Form closure persists if all robots are
   // off by less than that along their sides, in any combination, provided that robots in reflex
-  // vertices stay there.
+  // vertices stay there: no contact that counts then leaves its side, and the margin shrinks by at
+  // most the largest displacement divided by R, since no wrench changes by more.
   double tolerance = 0;
 };
 

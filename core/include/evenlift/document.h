@@ -155,7 +155,7 @@ struct EdgePart {
   bool operator==(const EdgePart&) const = default;
 };
 
-// The default of Settings::clear, in units of R (closure.h).
+// The default of Settings::clear, in units of R (polygon.h).
 inline constexpr double usual_clear = 0.02;
 
 // A rigid load that is fixed to the object. It acts at its own centre of mass and may overhang.

@@ -46,7 +46,7 @@ struct RestOfRobots {
   double greatest_by_springs = 0, least_greatest = 0;  // springs and best of load_models.h
   std::vector<double> springs;                         // by springs; 0 for the failed robot
   std::vector<double> ends;  // the greatest loads by springs within the disturbance
-                             // (uncertainty.h)
+                             // (uncertainty.h); without a disturbance, `springs`
   double greatest_end = 0;   // of these
   bool stays =
       true;  // the reach of the disturbance is at most the tipping distance, within tolerance
@@ -55,9 +55,9 @@ struct RestOfRobots {
 // The effect of each robot's failure, in the order of the robots; nothing where the rest does not
 // carry the object. The teams must be those of a placement on the polygon. `inside` is as for
 // failures_steady(), and the disturbance as for load_changes() (uncertainty.h). For m robots O(n
-// log n + m n + m^2 log m), plus O(h n + m h n') for the coverage, O(m^3) for the margin and, for
-// the least greatest load, O(m^4) up to 65 robots, beyond that O(m^2) for each of about a hundred
-// steps.
+// log n + m n + m^2 log m), plus O(h n + m h n') for the coverage (stability.h), O(m^3) for the
+// margin and, for the least greatest load, O(m^4) up to 65 robots, beyond that O(m^2) for each of
+// about a hundred steps.
 std::vector<std::optional<RestOfRobots>> single_failures(const PolygonWithHoles& object,
                                                          const Vec2& centre, double weight,
                                                          const std::vector<Team>& teams,

@@ -25,7 +25,7 @@ struct ImportOptions {
   // larger side.
   std::optional<double> join;
   // Converts longitudes and latitudes to metres east and north of the middle of the box around
-  // them, in every text whose coordinates can be degrees.
+  // them, in every text whose coordinates can be degrees, whatever the text says.
   bool project = false;
   // If false, a note says how many are left out.
   bool holes = true;
@@ -81,8 +81,8 @@ struct Import {
 //              together. A block's objects on layer 0 are on the layer of the INSERT. Objects that
 //              are invisible, on Defpoints or on a layer that is off or frozen are left out.
 //              $INSUNITS gives the unit, which is also the label of lengths if evenlift has it
-//   columns    x and y in lines, separated by the first of tab, semicolon, bar, comma and space in
-//              the first line with two numbers. Numbers may have a decimal comma unless commas or
+//   columns    x and y in lines, separated by the first of these, in this order, that the first
+//              line with two numbers contains: tab, semicolon, bar, comma, space. Numbers may have a decimal comma unless commas or
 //              spaces separate the columns; with commas, numbers in quotes still may, if one of the
 //              first lines has such a number whose comma cannot separate thousands. A heading may
 //              name the columns, in upper or lower case and perhaps with a unit: x (mm),

@@ -42,8 +42,8 @@ struct Placement {
   Closure closure;
   bool goal_reached = false;  // there are robots and, with the goal `hold`, hold_clearly() is true
   Moved moved = {};           // by the user, from where the method places them
-  // False if a search or swaps may still find better robots, or were cut short (balanced.h,
-  // most_work).
+  // False if a search or swaps may still find better robots, or if most_work (balanced.h) cut a
+  // search short.
   bool search_ended = true;
 };
 

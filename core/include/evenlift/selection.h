@@ -33,8 +33,8 @@ enum class Rule : std::uint8_t {
 // them, or all if there are fewer. Geometry decides every tie, so the same shape gets the same
 // teams. With `stands`, candidates that collide with an earlier team are skipped. The evaluation is
 // lazy (M. Minoux, Accelerated greedy algorithms for maximizing submodular set functions, 1978):
-// O(K) for each team that widens H, and O(n) for each end whose upper bound could win. Once no
-// candidate widens H, all further teams cost O(K log K).
+// O(K) for each team that widens H, and O(n) for each end whose edge of H has changed and whose
+// upper bound could win. Once no candidate widens H, all further teams cost O(K log K).
 std::vector<std::uint32_t> select_teams(const PolygonWithHoles& object, const Vec2& centre,
                                         const std::vector<Candidate>& candidates, Metric metric,
                                         std::size_t teams, FirstTeam first = FirstTeam::even,

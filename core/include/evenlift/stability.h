@@ -12,7 +12,7 @@
 
 namespace evenlift {
 
-// The lifting base H: the convex hull of the lifting points, without corners that only rounding
+// The lifting base H (robotics: support polygon): the convex hull of the lifting points, without corners that only rounding
 // makes (hull.h). O(m log m).
 Points lifting_base(const Polygon& polygon, const std::vector<LiftingPoint>& points);
 

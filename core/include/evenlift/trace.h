@@ -172,8 +172,8 @@ struct Trace {
   // Only for balanced robots.
   std::optional<BalancedProblem> problem;
   BalancedHistory history;
-  // The robots' numbers, from 0, in the last set of the start (in order along the outline) and
-  // after each swap, in which each robot keeps its number.
+  // The robots' numbers, from 0, in the last set of the start and after each swap. A robot keeps
+  // its number from swap to swap; those of the search's last set are in order along the outline.
   std::vector<std::vector<std::uint32_t>> robot_numbers;
   std::optional<Placement> in_pairs;  // the same number of robots by area, if they find places
 
@@ -450,7 +450,7 @@ enum class FigureKind : std::uint8_t {
   chord,        // vertex-chord; item: index of rays.chords; value: ratio
   edge,         // a whole edge of the pair; item: edge
   section,      // the part of an edge in the pair; item: edge
-  reflected,    // edge b, through C
+  reflected,    // edge b mirrored through C
   section_end,  // chord there; item: 0 or 1; value: ratio
   bisecting,    // the chord that C bisects, on the lines of the edges, perhaps outside the sections
   chosen,       // the pair's candidate, or the refused chord; value: ratio

@@ -15,7 +15,7 @@ namespace {
 
 // The difference of two pseudo-angles of directions rounded once has an error below 2^-48, so a
 // difference above the threshold is certain.
-constexpr double filter_threshold = 0x1p-46;
+constexpr double surely_apart = 0x1p-46;
 
 // Sorts by direction modulo 180 degrees, exactly.
 class DirectionSort {
@@ -52,7 +52,7 @@ class DirectionSort {
     if (k == 0) return true;
     // Pseudo-angles may decrease within a run that was sorted exactly.
     const bool surely =
-        directions_[k].pseudo_angle - directions_[k - 1].pseudo_angle > filter_threshold;
+        directions_[k].pseudo_angle - directions_[k - 1].pseudo_angle > surely_apart;
     return surely || turn(vertex(k - 1), vertex(k)) != 0;
   }
 
@@ -69,7 +69,7 @@ class DirectionSort {
   }
 
   bool may_be_out_of_order(std::size_t k) const {
-    return directions_[k].pseudo_angle - directions_[k - 1].pseudo_angle <= filter_threshold;
+    return directions_[k].pseudo_angle - directions_[k - 1].pseudo_angle <= surely_apart;
   }
 
   // Positive if the forward direction of a comes before that of b, 0 if they are equal; exact.

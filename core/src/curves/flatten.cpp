@@ -15,7 +15,7 @@ namespace evenlift {
 namespace {
 
 // 2^20 parts: the maximum number of vertices of a polygon.
-constexpr int max_depth = 20;
+constexpr int most_halvings = 20;
 
 double square(const Vec2& a) { return dot(a, a); }
 
@@ -77,7 +77,7 @@ class Flattener {
 
   void conic(const Vec2& a, const Vec2& c, double w, const Vec2& b, int depth) {
     if (full_) return;
-    if (depth == max_depth || conic_is_near(a, c, w, b)) return take(b);
+    if (depth == most_halvings || conic_is_near(a, c, w, b)) return take(b);
     const Vec2 left = (a + w * c) / (1 + w), right = (w * c + b) / (1 + w);
     const Vec2 split = left + (right - left) / 2;
     const double half = std::sqrt((1 + w) / 2);
@@ -87,7 +87,7 @@ class Flattener {
 
   void cubic(const Vec2& a, const Vec2& c, const Vec2& d, const Vec2& b, int depth) {
     if (full_) return;
-    if (depth == max_depth || cubic_is_near(a, c, d, b)) return take(b);
+    if (depth == most_halvings || cubic_is_near(a, c, d, b)) return take(b);
     const Vec2 ac = (a + c) / 2, cd = (c + d) / 2, db = (d + b) / 2;
     const Vec2 left = (ac + cd) / 2, right = (cd + db) / 2, split = (left + right) / 2;
     cubic(a, ac, left, split, depth + 1);

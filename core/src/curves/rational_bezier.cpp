@@ -11,7 +11,7 @@
 namespace evenlift {
 namespace {
 
-constexpr int max_depth = 10;
+constexpr int most_bezier_halvings = 10;
 
 Vec2 plain(const WeightedPoint& p) { return p.head<2>() / p.z(); }
 
@@ -92,7 +92,7 @@ class Converter {
     if (deviation(curve, cubic, binomials_) <= tolerance_) {
       outline_.cubic_to(origin_ + cubic.points[1], origin_ + cubic.points[2],
                         origin_ + cubic.points[3]);
-    } else if (depth < max_depth) {
+    } else if (depth < most_bezier_halvings) {
       const auto [left, right] = halves(curve);
       add_cubics(left, depth + 1);
       add_cubics(right, depth + 1);

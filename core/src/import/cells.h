@@ -34,7 +34,7 @@ class Lines {
   std::size_t at_ = 0, number_ = 0;
 };
 
-// The first of tab, semicolon, bar and comma that is outside quotes; else a space.
+// The first in this order that the line has outside quotes: tab, semicolon, bar, comma; else a space.
 char separator_of(std::string_view line);
 
 // Without quotes and spaces around cells, and without empty ones at the end. At most 1000. A quoted

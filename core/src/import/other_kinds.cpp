@@ -76,7 +76,7 @@ constexpr char gerber[] =
     "SVG";
 
 // A file shows its kind within these.
-constexpr std::size_t first_lines = 500, first_bytes = 65536;
+constexpr std::size_t first_lines_of_text = 500, first_bytes = 65536;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -125,7 +125,7 @@ bool is_obj(std::string_view text) {
   static constexpr std::string_view words[] = {"mtllib", "usemtl", "o",  "g", "s",
                                                "vn",     "vt",     "vp", "l", "f"};
   Lines lines(text);
-  for (std::size_t i = 0; i < first_lines; ++i) {
+  for (std::size_t i = 0; i < first_lines_of_text; ++i) {
     const std::optional<Line> line = lines.next();
     if (!line) return false;
     const Fields cells = split_cells(line->text, ' ');
@@ -180,7 +180,7 @@ bool is_g_code_comment(std::string_view line) {
 // program's percent sign and number.
 bool is_g_code(std::string_view text) {
   Lines lines(text);
-  for (std::size_t i = 0; i < first_lines; ++i) {
+  for (std::size_t i = 0; i < first_lines_of_text; ++i) {
     const std::optional<Line> next = lines.next();
     if (!next) return false;
     const std::string_view line = trimmed(next->text);

@@ -45,7 +45,8 @@ struct NamedColumns {
   std::vector<std::size_t> heights;    // left out
 };
 
-// x and y, else easting and northing, else longitude and latitude. The plainest names win, then the
+// The first of these pairs of which the headings name both: x and y, easting and northing, longitude
+// and latitude. The plainest names win, then the
 // first. O(headings).
 std::optional<NamedColumns> named_columns(const Fields& headings);
 

@@ -13,7 +13,7 @@ namespace evenlift {
 namespace {
 
 constexpr int deepest_collection = 32;
-constexpr std::size_t first_lines = 100;  // of a table; one has a geometry
+constexpr std::size_t first_lines_of_table = 100;  // of a table; one has a geometry
 
 constexpr std::string_view read_names[] = {"polygon", "multipolygon", "geometrycollection"};
 
@@ -284,7 +284,7 @@ bool has_wkt_cells(std::string_view text) {
   Lines lines(text);
   bool names_coordinates = false;
   auto line = lines.next();
-  for (std::size_t i = 0; line && i < first_lines; line = lines.next(), ++i) {
+  for (std::size_t i = 0; line && i < first_lines_of_table; line = lines.next(), ++i) {
     const auto cell = find_geometry(line->text);
     if (!cell) {
       const Fields cells = split_cells(line->text, separator_of(line->text));

@@ -10,7 +10,7 @@ namespace evenlift {
 // Numbers doubles.
 class Scale {
  public:
-  static constexpr int most_decimals = 22;           // 10^22 is the largest such double
+  static constexpr int most_decimals = 22;           // 10^22 is the largest power that is a double
   static constexpr int doubles = most_decimals + 1;  // every double has a number
 
   // `kind` is the number of decimals, 0 .. most_decimals, or `doubles`. With `doubles`, a double

@@ -24,7 +24,7 @@ std::optional<Ring> best_ring(const Triangles& triangles, std::uint32_t most, co
 std::optional<Ring> best_ring_of_chords(const Triangles& triangles, std::uint32_t teams,
                                         const Stop& stop);
 
-// A ring whose share is at least as great: each side of a chord has up to teams - 1 separate ends.
+// A ring whose share is at least that of best_ring_of_chords(): each side of a chord has up to teams - 1 separate ends.
 // O(K^3 teams).
 std::optional<Ring> best_ring_by_sides(const Triangles& triangles, std::uint32_t teams,
                                        const Stop& stop);

@@ -14,8 +14,6 @@ namespace {
 
 constexpr double most = std::numeric_limits<double>::max();
 
-double finite(double value) { return std::min(value, most); }
-
 // The sums over j of |P_ij| for robots with these loads; 0 without load.
 std::vector<double> sums_of_projection(const Points& robots, const Vec2& centre, double unit,
                                        const std::vector<double>& loads) {
@@ -63,13 +61,13 @@ LoadChanges load_changes(const Points& robots, const Vec2& centre, double diamet
   const bool out_of_reach = disturbance.reach <= springs.same_within && !(disturbance.uneven > 0);
   changes.others_may_carry = some_idle && !out_of_reach;
   for (const double per_length : springs.per_length)
-    changes.by.push_back(finite(disturbance.reach * per_length));
+    changes.by.push_back(std::min(disturbance.reach * per_length, most));
   if (disturbance.uneven > 0) {
     const double mean = weight / static_cast<double>(robots.size());
     const std::vector<double> sums =
         sums_of_projection(robots, centre, known_size(robots, centre, diameter), springs.loads);
     for (std::size_t i = 0; i < robots.size(); ++i)
-      changes.by[i] = finite(changes.by[i] + mean * (disturbance.uneven * sums[i]));
+      changes.by[i] = std::min(changes.by[i] + mean * (disturbance.uneven * sums[i]), most);
   }
   // If only rounding puts C outside H, the only known bound is the whole weight.
   changes.at_worst = worst_loads(robots, centre, diameter, weight, disturbance.reach)
@@ -92,7 +90,7 @@ std::vector<LoadRange> load_ranges(const std::vector<double>& loads, const LoadC
   ranges.reserve(loads.size());
   for (std::size_t i = 0; i < loads.size(); ++i)
     ranges.push_back({std::max(changes.kept * loads[i] - changes.by[i], 0.0),
-                      lets_go ? changes.at_worst[i] : finite(loads[i] + changes.by[i])});
+                      lets_go ? changes.at_worst[i] : std::min(loads[i] + changes.by[i], most)});
   return ranges;
 }
 

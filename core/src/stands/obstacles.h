@@ -1,5 +1,5 @@
-// The open ranges where the robot's body, arm or hand would meet another edge (stands.h, conditions
-// 1 to 3).
+// The open ranges where the robot's body, arm or hand would meet another edge (docs/stands.md, Where
+// an edge can be used, conditions 1 to 3).
 #pragma once
 
 #include <array>

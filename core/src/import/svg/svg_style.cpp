@@ -72,7 +72,7 @@ std::size_t find_outside(std::string_view text, std::string_view marks, std::siz
   return text.size();
 }
 
-struct Value {
+struct StyleValue {
   const NamedProperty* property;
   std::string_view value;
   bool important;
@@ -98,7 +98,7 @@ void each_declaration(std::string_view text, Take take) {
     if (colon == std::string_view::npos) continue;
     const NamedProperty* property = property_named(without_space(declaration.substr(0, colon)));
     if (property == nullptr) continue;
-    Value value{property, without_space(declaration.substr(colon + 1)), false};
+    StyleValue value{property, without_space(declaration.substr(colon + 1)), false};
     value.important = cut_important(value.value);
     if (!value.value.empty()) take(value);
   }
@@ -268,9 +268,9 @@ std::optional<SvgStyles::Selector> SvgStyles::simple_selector(std::string_view t
 bool SvgStyles::read_rule(std::string_view selectors, std::string_view body) {
   if (!body.empty() && body.back() == '}') body.remove_suffix(1);
   // At most one value for each property, before the selectors of the list repeat them.
-  std::array<Value, svg_property_count> values{};
-  each_declaration(body, [&](const Value& value) {
-    Value& kept = values[static_cast<std::size_t>(value.property->property)];
+  std::array<StyleValue, svg_property_count> values{};
+  each_declaration(body, [&](const StyleValue& value) {
+    StyleValue& kept = values[static_cast<std::size_t>(value.property->property)];
     if (!kept.important || value.important) kept = value;
   });
   for (std::size_t at = 0; at <= selectors.size();) {
@@ -278,7 +278,7 @@ bool SvgStyles::read_rule(std::string_view selectors, std::string_view body) {
     const std::optional<Selector> selector =
         simple_selector(without_space(selectors.substr(at, comma - at)));
     at = comma + 1;
-    for (const Value& value : values) {
+    for (const StyleValue& value : values) {
       if (value.property == nullptr) continue;
       const SvgProperty property = value.property->property;
       if (!selector) {
@@ -333,7 +333,7 @@ SvgDeclared SvgStyles::of(const pugi::xml_node& node) const {
       apply({tag, id, {}}, cascade);
     }
   }
-  each_declaration(style, [&](const Value& value) {
+  each_declaration(style, [&](const StyleValue& value) {
     cascade.take(value.property->property, value.value, value.important, of_style_attribute, 0);
   });
   return cascade.declared();

@@ -9,7 +9,7 @@ namespace evenlift {
 namespace {
 
 // Of nested elements; the reader recurses to this depth.
-constexpr int max_depth = 256;
+constexpr int max_nesting = 256;
 
 template <std::size_t size>
 bool is_one_of(std::string_view name, const std::string_view (&names)[size]) {
@@ -178,7 +178,7 @@ std::optional<InputError> SvgReader::inside_of(const pugi::xml_node& node, std::
 
 std::optional<InputError> SvgReader::chosen_child(const pugi::xml_node& node,
                                                   const Context& context, int depth) {
-  if (depth > max_depth) return too_deep(node);
+  if (depth > max_nesting) return too_deep(node);
   for (const pugi::xml_node child : node.children()) {
     if (context.in_copy && !has_room_to_copy(child)) return std::nullopt;
     if (child.type() != pugi::node_element || !may_be_chosen(child)) continue;
@@ -192,7 +192,7 @@ std::optional<InputError> SvgReader::chosen_child(const pugi::xml_node& node,
 
 std::optional<InputError> SvgReader::children(const pugi::xml_node& parent, const Context& context,
                                               int depth) {
-  if (depth > max_depth) return too_deep(parent);
+  if (depth > max_nesting) return too_deep(parent);
   open_.push_back(parent);
   std::optional<InputError> error;
   for (const pugi::xml_node node : parent.children()) {
@@ -248,7 +248,7 @@ void SvgReader::index_ids() {
 }
 
 std::optional<InputError> SvgReader::copy(const pugi::xml_node& node, Context& inside, int depth) {
-  if (depth > max_depth) return too_deep(node);
+  if (depth > max_nesting) return too_deep(node);
   const pugi::xml_node original = original_of(node);
   if (!original) return std::nullopt;
   if (original == node || std::find(open_.begin(), open_.end(), original) != open_.end()) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_objects = 100, most_ranks = 10;
 
-std::string whole(std::size_t number) { return std::to_string(number); }
+std::string digits(std::size_t number) { return std::to_string(number); }
 
 std::string numbers_json(const Trace& trace, const StepDetail& detail) {
   std::vector<json::Member> members;
@@ -24,7 +24,7 @@ std::string figure_json(const Figure& figure) {
   for (const Vec2& point : figure.points) points.push_back(json::pair(point));
   std::vector<json::Member> members{{"mark", json::text(name(figure.kind))},
                                     {"points", json::array(points)}};
-  if (figure.item) members.emplace_back("item", whole(*figure.item));
+  if (figure.item) members.emplace_back("item", digits(*figure.item));
   if (figure.value != 0) members.emplace_back("value", json::number(figure.value));
   return json::object(members);
 }
@@ -48,7 +48,7 @@ std::string ranking_json(const TeamScores& scores) {
   for (const std::uint32_t candidate : scores.ranking) {
     if (items.size() == most_ranks) break;
     const Score& score = scores.of_candidate[candidate];
-    items.push_back(json::object({{"candidate", whole(candidate)},
+    items.push_back(json::object({{"candidate", digits(candidate)},
                                   {"value", json::number(score.value)},
                                   {"exact", json::boolean(score.exact)}}));
   }
@@ -62,7 +62,7 @@ std::string step_json(const Trace& trace, std::uint32_t k,
   while (line.front() == ' ') line.remove_prefix(1);
   std::vector<json::Member> members{{"kind", json::text(name(detail.step.kind))},
                                     {"chapter", json::text(name(detail.step.chapter))},
-                                    {"item", whole(detail.step.item)},
+                                    {"item", digits(detail.step.item)},
                                     {"caption", json::text(caption(trace, detail))},
                                     {"formula", json::text(formula(trace, detail))},
                                     {"code", json::text(line)},
@@ -71,11 +71,11 @@ std::string step_json(const Trace& trace, std::uint32_t k,
     members.emplace_back("ranking", ranking_json(*detail.scores));
   if (const auto asked = question(trace, detail)) {
     members.emplace_back("question", json::text(question_text(trace, detail, *asked)));
-    members.emplace_back("answer", whole(asked->answer));
+    members.emplace_back("answer", digits(asked->answer));
   }
   std::size_t left_out = 0;
   members.emplace_back("objects", objects_json(trace, detail, left_out));
-  if (left_out > 0) members.emplace_back("objects_left_out", whole(left_out));
+  if (left_out > 0) members.emplace_back("objects_left_out", digits(left_out));
   return json::object(members);
 }
 
@@ -84,15 +84,15 @@ std::string step_json(const Trace& trace, std::uint32_t k,
 std::optional<InputError> check_printed_size(const Trace& trace) {
   if (trace.size() > most_printed_steps)
     return InputError{ErrorCode::unsupported,
-                      "the trace has " + whole(trace.size()) + " steps, more than the " +
-                          whole(most_printed_steps) + " that are printed",
+                      "the trace has " + digits(trace.size()) + " steps, more than the " +
+                          digits(most_printed_steps) + " that are printed",
                       {}};
   const std::uint64_t comparisons =
       std::uint64_t{trace.count(StepKind::scores)} * trace.placement.candidates.size();
   if (comparisons > most_printed_comparisons)
     return InputError{ErrorCode::unsupported,
-                      "the trace compares " + whole(trace.placement.candidates.size()) +
-                          " candidates for " + whole(trace.count(StepKind::scores)) +
+                      "the trace compares " + digits(trace.placement.candidates.size()) +
+                          " candidates for " + digits(trace.count(StepKind::scores)) +
                           " teams, more than are printed; ask for fewer teams",
                       {}};
   return std::nullopt;
@@ -107,7 +107,7 @@ std::string trace_json(const Trace& trace) {
 
 std::string trace_list(const Trace& trace) {
   std::string text;
-  const std::size_t width = whole(trace.size()).size();
+  const std::size_t width = digits(trace.size()).size();
   for (std::uint32_t k = 0; k < trace.size(); ++k) {
     const StepDetail detail = look_at(trace, k);
     if (trace.chapter_begin(detail.step.chapter) == k) {
@@ -115,7 +115,7 @@ std::string trace_list(const Trace& trace) {
       text += title(detail.step.chapter);
       text += "\n\n";
     }
-    const std::string number = whole(k + std::size_t{1});
+    const std::string number = digits(k + std::size_t{1});
     text.append(width - number.size() + 2, ' ');
     text += number + "  " + caption(trace, detail) + '\n';
     if (const std::string filled = formula(trace, detail); !filled.empty())

@@ -15,7 +15,7 @@ std::string acceleration_in_words(double acceleration) {
   return significant(acceleration, 3) + "\u00A0g";
 }
 
-std::string length_in_words(double length, const Units& units) {
+std::string given_length(double length, const Units& units) {
   return with_length_unit(plain(length), units);
 }
 
@@ -30,7 +30,7 @@ std::string tips_under_these(const Shown& shown) {
        "With C off by up to {radius}, on a slope of {slope} and braked at {acceleration}, it tips."}};
   const Carrying& carrying = shown.carrying;
   std::vector<std::string> values;
-  if (shown.com_radius > 0) values.push_back(length_in_words(shown.com_radius, shown.units));
+  if (shown.com_radius > 0) values.push_back(given_length(shown.com_radius, shown.units));
   if (carrying.slope > 0) values.push_back(slope_in_words(carrying.slope));
   if (carrying.acceleration > 0) values.push_back(acceleration_in_words(carrying.acceleration));
   const std::size_t when = !(carrying.slope > 0) ? 1 : carrying.acceleration > 0 ? 2 : 0;
@@ -38,20 +38,20 @@ std::string tips_under_these(const Shown& shown) {
 }
 
 // As an addition to a sentence, and as a clause.
-struct Condition {
+struct Circumstance {
   std::string as_addition, as_clause;
 };
 
 // Only those that change loads.
-std::vector<Condition> conditions_of(const Shown& shown) {
+std::vector<Circumstance> conditions_of(const Shown& shown) {
   const Carrying& carrying = shown.carrying;
-  std::vector<Condition> conditions;
+  std::vector<Circumstance> conditions;
   const auto add = [&](const char* addition, const char* clause, const std::string& size) {
     conditions.push_back({say(addition, {size}), say(clause, {size})});
   };
   if (shown.com_radius > 0)
     add("with a C uncertainty of {amount}", "C is off by up to {amount}",
-        length_in_words(shown.com_radius, shown.units));
+        given_length(shown.com_radius, shown.units));
   if (carrying.slope > 0)
     add("on slopes up to {amount}", "the ground slopes by up to {amount}",
         slope_in_words(carrying.slope));
@@ -60,7 +60,7 @@ std::vector<Condition> conditions_of(const Shown& shown) {
         acceleration_in_words(carrying.acceleration));
   if (carrying.uneven > 0 && carrying.give)
     add("with heights off by up to {amount}", "heights are off by up to {amount}",
-        length_in_words(carrying.uneven, shown.units));
+        given_length(carrying.uneven, shown.units));
   return conditions;
 }
 
@@ -81,13 +81,13 @@ std::string degrees_in_words(double degrees) { return significant(degrees, 3) + 
 
 std::string disturbance_in_words(const Shown& shown) {
   std::string text;
-  for (const Condition& condition : conditions_of(shown))
+  for (const Circumstance& condition : conditions_of(shown))
     text += (text.empty() ? "" : ", ") + condition.as_addition;
   return text;
 }
 
 std::string disturbance_as_clause(const Shown& shown) {
-  const std::vector<Condition> conditions = conditions_of(shown);
+  const std::vector<Circumstance> conditions = conditions_of(shown);
   std::string text;
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const std::string& clause = conditions[i].as_clause;
@@ -120,7 +120,7 @@ std::string tipping_in_words(const Robustness& robustness, const ShownPlacement&
   return say(
       "It can tip: the centre of mass may be off by {reach}, and {distance} in one direction is "
       "enough.",
-      {length_in_words(reach, shown.units),
+      {given_length(reach, shown.units),
        with_length_unit(amount(distance, distance), shown.units)});
 }
 
@@ -135,7 +135,7 @@ std::string tilt_in_words(const Robustness& robustness, const ShownPlacement& of
     return say(
         "In the worst direction it tips at a slope of {degrees} ({slope}) or when it is braked at "
         "{acceleration}, with C off by up to {radius}.",
-        {degrees, slope, acceleration, length_in_words(of.shown.com_radius, of.shown.units)});
+        {degrees, slope, acceleration, given_length(of.shown.com_radius, of.shown.units)});
   return say(
       "In the worst direction it tips at a slope of {degrees} ({slope}) or when it is braked at "
       "{acceleration}.",

@@ -16,7 +16,7 @@ namespace {
 
 using Robots = std::vector<std::size_t>;
 
-std::string length_in_words(double length, const Units& units) {
+std::string computed_length(double length, const Units& units) {
   return with_length_unit(amount(length, length), units);
 }
 
@@ -104,7 +104,7 @@ std::string uncertainty_in_words(const ModelLoads& loads, const Robustness& robu
     if (shown.com_radius >= robustness.tipping_distance)
       return text + " " +
              say("From {distance} on, the object can tip.",
-                 {length_in_words(robustness.tipping_distance, units)});
+                 {computed_length(robustness.tipping_distance, units)});
   }
   if (!slack) return text;
   return text + " " +
@@ -134,7 +134,7 @@ std::string uncertainty_for_capacity_in_words(const ModelLoads& loads, const Sho
                           "{distance}; beyond that, loads are not known in advance."
                         : "Equally stiff robots stay within {limit} as long as C is off by at most "
                           "{distance}.",
-             {limit, length_in_words(*radius, units)});
+             {limit, computed_length(*radius, units)});
 }
 
 std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& failures,
@@ -228,7 +228,7 @@ std::vector<Fact> robustness_facts(const ShownPlacement& of, const Robustness& r
       {"Robots that may fail", may_fail,
        "If this number of robots fails at once, whichever they are, the others carry the object, if "
        "none is overloaded"},
-      {"Tipping distance", length_in_words(robustness.tipping_distance, of.shown.units),
+      {"Tipping distance", computed_length(robustness.tipping_distance, of.shown.units),
        "If C is farther off than this, the object can tip; nearer it does not, if robots push back "
        "and none is overloaded"}};
   const auto tilt =
