@@ -21,7 +21,7 @@ struct PlaceOptions {
 
   void declare(CommandLine& line);
 
-  // Of --require. Throws Failure.
+  // Returns the conditions of --require. Throws Failure if they are invalid.
   std::vector<Condition> conditions() const;
 };
 

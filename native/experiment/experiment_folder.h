@@ -1,5 +1,5 @@
-// DIR/parts has one file for each finished polygon, and one for each finished shard, which lists
-// its polygons.
+// The folder of an experiment. Its subfolder parts/ has a file for each finished polygon, and one
+// for each finished shard, which lists the shard's polygons.
 #pragma once
 
 #include <optional>
@@ -21,15 +21,18 @@ class ExperimentFolder {
   const std::string& path() const { return path_; }
   std::string file(const std::string& name) const { return path_ + "/" + name; }
 
-  // The part of a polygon if it is complete, and has this fingerprint and these settings.
+  // The part of this polygon if it is complete, with this fingerprint and these settings; otherwise
+  // nullopt.
   std::optional<experiment::Part> find(const experiment::ShardList::Entry& entry,
                                        const experiment::ExperimentSettings& settings) const;
-  // Completely or not at all; safe for several threads and programs at once.
+  // Writes a part completely or not at all. Several threads and programs may call it at the same
+  // time.
   void keep(const experiment::Part& part) const;
 
-  // Records of another division of the work no longer count.
+  // Writes the list of a finished shard. Removes the lists of another division of the work into
+  // shards.
   void finish(const experiment::ShardList& list) const;
-  // Throws Failure if a list cannot be read.
+  // The lists of all finished shards. Throws Failure if a list cannot be read.
   std::vector<experiment::ShardList> finished() const;
 
  private:
@@ -37,7 +40,7 @@ class ExperimentFolder {
   std::string path_;
 };
 
-// All parts of a finished run, by set and polygon, from the folder or folders of its shards. Throws
+// All parts of a finished run, by set and polygon, from one or more folders with its shards. Throws
 // Failure if a shard is missing or unfinished, or if shards do not belong together.
 std::vector<experiment::Part> collect(const std::vector<ExperimentFolder>& folders);
 

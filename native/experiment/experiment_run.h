@@ -9,14 +9,15 @@
 namespace evenlift::native {
 
 struct RunOutcome {
-  std::size_t polygons = 0;      // of this shard
-  std::size_t resumed = 0;       // of these, in an earlier run
-  std::vector<Failure> refused;  // polygons that could not be read
+  std::size_t polygons = 0;      // the number in this shard
+  std::size_t resumed = 0;       // how many of them an earlier run measured
+  std::vector<Failure> refused;  // why polygons were refused
 };
 
-// Measures this shard's files, every n-th of all, the largest shapes first, in `jobs` threads (one
-// after another in WebAssembly). Skips polygons that the folder contains with the same settings.
-// Finally writes the shard's list. Throws Failure if the folder cannot be written.
+// Measures this shard's files, which are every n-th of all, in `jobs` threads (one shape after
+// another in WebAssembly). The largest shapes come first. Skips unchanged polygons that the folder
+// contains with the same settings. Finally writes the shard's list. Throws Failure if the folder
+// cannot be written.
 RunOutcome run_experiment(const std::vector<PolygonFile>& all, const experiment::Shard& shard,
                           const experiment::ExperimentSettings& settings, unsigned jobs,
                           const ExperimentFolder& folder);

@@ -9,8 +9,8 @@
 
 namespace evenlift::native {
 
-// The same data gives the same bytes. If the program was built without charts, tables and a notice
-// replace them.
+// Returns the report. The same data gives the same bytes. If the program was built without charts,
+// tables and a notice replace them.
 std::string report_html(const std::vector<experiment::ResultSet>& sets,
                         const experiment::Outputs& outputs,
                         const experiment::ExperimentSettings& settings);

@@ -1,4 +1,5 @@
-// A command's arguments: CLI11 behind an interface with one way to fail, described in cli.md.
+// A command's arguments. They are parsed by CLI11, behind an interface with one way to fail, which
+// cli.md describes.
 #pragma once
 
 #include <map>
@@ -13,20 +14,20 @@ class App;
 
 namespace evenlift::native {
 
-// Values stay text, so that refused values get our own messages (options.h).
+// Values stay text, so that evenlift's own messages refuse invalid values (options.h).
 class CommandLine {
  public:
-  // `command` is as typed ("evenlift place"), `purpose` a sentence.
+  // `command` is the command as typed ("evenlift place"); `purpose` is a sentence.
   CommandLine(const std::string& command, const std::string& purpose, const std::string& examples);
   ~CommandLine();
 
   void positional(std::string& into, const std::string& name, const std::string& help);
-  // May be none.
+  // Declares a list of positional arguments, which may be empty.
   void positionals(std::vector<std::string>& into, const std::string& name,
                    const std::string& help);
   void value(std::optional<std::string>& into, const std::string& option, const std::string& name,
              const std::string& help);
-  // A second name of an option declared with value(); not in the help.
+  // Declares `other` as a second name of an option declared with value(). The help omits it.
   void alias(const std::string& other, const std::string& option);
   void flag(bool& into, const std::string& option, const std::string& help);
 
@@ -43,7 +44,7 @@ class CommandLine {
   std::vector<std::string> positionals_;
   std::vector<std::string> value_options_;
   std::vector<std::string> flags_;
-  std::map<std::string, std::string> aliases_;  // the option of each
+  std::map<std::string, std::string> aliases_;  // second name to option
 };
 
 }  // namespace evenlift::native

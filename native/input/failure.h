@@ -12,24 +12,25 @@ inline constexpr int bad_input_status = 2;  // wrong usage or input
 inline constexpr int not_kept_status = 3;   // a requirement that is not kept
 inline constexpr int other_status = 1;      // anything else, such as a file that cannot be written
 
-// A command throws it; main prints `evenlift: WHERE: WHAT` on standard error.
+// The error that a command throws. main prints `evenlift: WHERE: WHAT` on standard error.
 struct Failure {
   int status = bad_input_status;
   std::string where;                   // a file and the place in it, or an option as typed
   std::string what;                    // one sentence without a full stop
-  std::vector<std::string> list = {};  // lines below it, such as the possible choices
-  bool silent = false;                 // prints nothing, since the reader is gone
+  std::vector<std::string> list = {};  // further lines, such as the possible choices
+  bool silent = false;                 // nothing is printed: the reader is gone or knows it
 };
 
-// Prints one line whatever the file's name, even an empty one.
+// Prints the message on one line, even if the file's name is empty or has control characters, and
+// the list below it.
 void print_failure(const Failure& failure);
 
-// As part of a sentence: "no such file or directory".
+// The error's message as a part of a sentence: "no such file or directory".
 std::string system_message(const std::error_code& error);
 
 Failure bad_value(const std::string& option, const std::string& expected, const std::string& typed);
 
-// An error in `source`: a file's name, "standard input" or "link".
+// A failure for an error in `source`: a file's name, "standard input" or "link".
 Failure bad_input(const std::string& source, const InputError& error);
 
 }  // namespace evenlift::native

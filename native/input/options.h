@@ -15,7 +15,7 @@
 
 namespace evenlift::native {
 
-// A whole number up to `most`. Throws Failure.
+// Reads a whole number up to `most`. Throws Failure if the text is not one.
 std::uint64_t whole_option(const std::string& option, const std::string& text,
                            std::uint64_t most = ~std::uint64_t{0});
 
@@ -24,20 +24,20 @@ std::uint64_t whole_option(const std::string& option, const std::string& text,
 void setting_option(Setting setting, const std::string& text, Document& document);
 LoadModel loads_option(const std::string& text);
 
-// Options of the table of settings (settings.h). A setting without its option keeps the file's
+// The options for the table of settings (settings.h). A setting without its option keeps the file's
 // value or the default.
 class SettingOptions {
  public:
   void declare(CommandLine& line, OptionGroup group);
 
-  // Throws Failure with the option's name if the text is invalid for its setting, or if the method
-  // does not use the setting. Combinations are checked with the rest of the document.
+  // Applies the typed settings. Throws Failure with the option's name if the text is invalid, or if
+  // the method does not use the setting. Combinations are checked with the rest of the document.
   void apply(Document& document) const;
 
-  // The path, if --supports names a file.
+  // The path of the file that --supports names; nullopt if it names no file.
   std::optional<std::string> supports_file() const;
 
-  // An error of the document as one about these options.
+  // The failure for an error of the document; it names the option at fault, if any.
   Failure failure(const std::string& source, const InputError& error) const;
 
  private:
@@ -47,7 +47,7 @@ class SettingOptions {
   std::array<Typed, static_cast<std::size_t>(Setting::end_of_settings)> typed_;
 };
 
-// For all commands that place robots; some declare more groups of settings.
+// The options of all commands that place robots. Some commands declare more groups of settings.
 struct InputOptions {
   std::string file;
   SettingOptions settings;
@@ -55,7 +55,7 @@ struct InputOptions {
 
   void declare(CommandLine& line, const std::string& help = "the polygon");
 
-  // Both apply the typed settings, and throw Failure.
+  // Both read the file and apply the typed settings. They throw Failure if either is invalid.
   Input read() const;
   InputShapes read_all() const;
 

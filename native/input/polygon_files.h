@@ -6,8 +6,8 @@
 namespace evenlift::native {
 
 struct PolygonFile {
-  std::string set;   // the given folder's name; single_files for a file given by itself
-  std::string name;  // its path in that folder, or its file name; without the extension
+  std::string set;   // the name of the given folder; single_files for a file given directly
+  std::string name;  // its path in that folder, or its file name, without the extension
   std::string path;
 };
 
@@ -15,9 +15,9 @@ inline constexpr const char* single_files = "files";
 
 // Finds the given files, and in the given folders and their sub-folders all files that end in .txt,
 // .wkt, .json, .geojson, .svg or .dxf, except hidden ones and index.txt, a list of contents. Each
-// given folder is a set, and the given files are another. Sorted by set and name. Throws Failure
-// for a missing path, a folder without polygons, and two folders, or two files of a set, with the
-// same name.
+// given folder is a set, and the given files are another. The result is sorted by set and name.
+// Throws Failure for a missing path, a folder without polygons, and two folders, or two files of a
+// set, with the same name.
 std::vector<PolygonFile> find_polygon_files(const std::vector<std::string>& paths);
 
 }  // namespace evenlift::native

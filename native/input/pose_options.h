@@ -19,7 +19,8 @@ struct PoseFileOptions {
 
   void declare(CommandLine& line);
 
-  // Empty if no file is requested. Throws Failure with the option's name.
+  // The typed values; nullopt if no file is requested. Throws Failure with the name of an invalid
+  // option.
   std::optional<PosesAsked> asked() const;
 };
 

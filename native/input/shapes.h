@@ -13,22 +13,23 @@ namespace evenlift::native {
 struct ShapeOptions {
   std::optional<std::string> shape, flatten, join, holes;
   bool project = false;
-  bool offered = false;  // the command has these options
+  bool offered = false;  // whether the command has these options
 
   void declare(CommandLine& line);
-  // Throws Failure if neither yes nor no was typed.
+  // Whether holes count. Throws Failure if --holes is neither yes nor no.
   bool keeps_holes() const;
-  // Only `evenlift place` takes all shapes; elsewhere the word is a shape's name.
+  // Whether --shape is "all". Only `evenlift place` then takes all shapes; for other commands, the
+  // word is a shape's name.
   bool selects_all() const { return shape == "all"; }
 };
 
-// The selected shape, or the only one. Reports omissions and decisions on standard error, one per
-// line. Throws Failure, which without a selection among several shapes lists them.
+// Returns the selected shape, or the only one. Reports omissions and decisions on standard error,
+// one per line. Throws Failure; if no shape is selected among several, it lists the shapes.
 Document choose_shape(const std::string& text, const std::string& source,
                       const ShapeOptions& options);
 
-// All shapes, whatever was left out. Reports the same, and that all of several are taken, unless an
-// option asked for that. Throws Failure.
+// Returns all shapes, whatever was left out. Reports the same as choose_shape(). If the command has
+// no option for a shape, also reports that all of several are taken. Throws Failure.
 std::vector<ImportedShape> all_shapes(const std::string& text, const std::string& source,
                                       const ShapeOptions& options);
 

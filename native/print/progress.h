@@ -1,4 +1,4 @@
-// The progress of a long computation, on standard error if that is a terminal.
+// Shows the progress of a long computation on standard error, if that is a terminal.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace evenlift::native {
 
-// A bar; safe for several threads.
+// A progress bar. Several threads may use it at the same time.
 class Progress {
  public:
   explicit Progress(std::size_t total);
@@ -27,8 +27,8 @@ class Progress {
   std::mutex mutex_;
 };
 
-// After half a second, shows the running task's name and time so far, but no share, since a search
-// may end before its total. A separate thread draws, so the computation is independent of it.
+// After half a second, shows the running task's name and its time so far. It shows no percentage,
+// since a search may end early. A separate thread draws, so that the computation need not.
 class Waiting {
  public:
   explicit Waiting(std::string what);
@@ -38,7 +38,7 @@ class Waiting {
 
  private:
   std::promise<void> over_;
-  std::future<void> drawing_;  // destroyed first, which waits for the thread
+  std::future<void> drawing_;  // destroyed before over_; this waits for the thread
 };
 
 }  // namespace evenlift::native

@@ -1,4 +1,4 @@
-// Loads, failures and C uncertainty in the output of `place`.
+// The loads, failures and C uncertainty in the output of `place`.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,8 @@ struct RobustnessOptions {
   void declare(CommandLine& line);
 };
 
-// The options' values, and the document's disturbance. Throws Failure with the option's name.
+// The options' values, and the document's disturbance. The constructor throws Failure with the
+// option's name if a value is invalid.
 struct RobustnessAsked {
   RobustnessAsked(const RobustnessOptions& options, const Shown& shown);
 
@@ -28,7 +29,7 @@ struct RobustnessAsked {
   bool failures = false;
 };
 
-// As far as requested.
+// The results for a placement, as far as requested.
 struct RobustnessKnown {
   RobustnessKnown(const Placement& placement, const RobustnessAsked& wanted);
 
@@ -41,7 +42,7 @@ struct RobustnessKnown {
 struct ShownLoads {
   std::string heading;
   std::vector<std::string> text;  // ranges if there is a disturbance, otherwise numbers
-  std::vector<double> greatest;   // of the range, or the number
+  std::vector<double> greatest;   // the upper end of each range, or the number
   std::vector<LoadRange> ranges;
 };
 ShownLoads shown_loads(const Placement& placement, const RobustnessKnown& known);
@@ -50,7 +51,7 @@ ShownLoads shown_loads(const Placement& placement, const RobustnessKnown& known)
 // line.
 std::string robustness_lines(const ShownPlacement& of, const RobustnessKnown& known);
 
-// One row for each robot; empty if not requested.
+// A table with a row for the failure of each robot; empty if not requested.
 std::string failure_table(const ShownPlacement& of, const RobustnessKnown& known);
 
 }  // namespace evenlift::native

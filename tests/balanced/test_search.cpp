@@ -204,6 +204,24 @@ TEST_CASE(
         BalancedKey::places);
 }
 
+TEST_CASE("a set that survives a failure is better than one that holds", "[balanced]") {
+  const Polygon square = testing::polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  Settings settings = settings_of(6);
+  settings.goal = Goal::hold;
+  settings.survive = 1;
+  settings.apart = 0;
+  const BalancedProblem problem(solid(square), {0.5, 0.5}, settings);
+  // Nothing holds it from left to right; but whichever robot fails, C stays inside.
+  const std::vector<LiftingPoint> survives = {{{0.1, 0}, 0}, {{0.5, 0}, 0}, {{0.9, 0}, 0},
+                                              {{0.9, 1}, 2}, {{0.5, 1}, 2}, {{0.1, 1}, 2}};
+  // Held from all sides; but without the robot at the right, C is on the edge of the others' hull.
+  const std::vector<LiftingPoint> holds = {{{0.48, 0}, 0}, {{0.5, 0}, 0}, {{1, 0.6}, 1},
+                                           {{0.52, 1}, 2}, {{0.5, 1}, 2}, {{0, 0.4}, 3}};
+  CHECK(balanced_keys(problem, holds).level > balanced_keys(problem, survives).level);
+  CHECK(is_better(problem, survives, holds));
+  CHECK(decided_by(problem, survives, holds) == BalancedKey::steady);
+}
+
 TEST_CASE("a search ends after eight rounds, even if the last one changed something",
           "[balanced]") {
   const Task task = task_of(corpus::polygon("grand-piano"), 5);

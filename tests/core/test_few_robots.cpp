@@ -154,6 +154,29 @@ TEST_CASE("balanced robots change nothing of what is averaged of teams of two",
   CHECK_FALSE(experiment::can_close(with.front(), &experiment::Measurement::form_closure));
 }
 
+TEST_CASE("averages by the thesis's own test are over the polygons that can pass it",
+          "[experiment]") {
+  // On the first, no placement is in form closure, but one of two leaves no area to turn about.
+  std::vector<experiment::PolygonResult> results(2);
+  const auto measure = [](Method method, double form_closure, double no_area) {
+    experiment::Measurement m;
+    m.method = method;
+    m.robots = 4;
+    m.form_closure = form_closure;
+    m.no_area = no_area;
+    return m;
+  };
+  results[0].measurements = {measure(Method::area, 0, 1), measure(Method::circle, 0, 0)};
+  results[1].measurements = {measure(Method::area, 1, 1), measure(Method::circle, 1, 1)};
+  const std::vector<experiment::Aggregate> aggregates = experiment::aggregate(results);
+  const experiment::Aggregate* circle = experiment::find(aggregates, Method::circle, 4);
+  REQUIRE(circle);
+  CHECK(circle->closable == 1);
+  CHECK(circle->form_closure == 1);
+  CHECK(circle->no_area_possible == 2);
+  CHECK(circle->no_area == 0.5);
+}
+
 TEST_CASE("the charts have balanced robots at every number of them",
           "[experiment][balanced][slow]") {
   for (const experiment::Figure& figure :

@@ -304,7 +304,7 @@ class Manual(unittest.TestCase):
 
     def test_the_readme_gives_the_spreads_of_six_robots(self):
         readme = (ROOT / "README.md").read_text(encoding="utf-8")
-        stated = re.search(r"loads differ by\s+([\d.]+ kg)[^.]*\brandom\b[^.]*\bby\s+([\d.]+ kg)\s[^.]*\barea\b", readme)
+        stated = re.search(r"exceeds\s+the\s+least\s+by\s+([\d.]+ kg)[^.]*\brandom\b[^.]*\bby\s+([\d.]+ kg)\s[^.]*\barea\b", readme)
         self.assertIsNotNone(stated, "README.md does not say by how much the loads differ at random, and by how much with area")
         self.assertEqual(stated.groups(), tuple(results.readme_spreads(FOLDER)))
 

@@ -21,9 +21,12 @@ TEST_CASE("cargo is read as it is written", "[settings][cargo]") {
   const std::vector<Cargo> cargo = {{Vec2(8, 8), 24, ""},
                                     {Vec2(-0.5, 1e9), 1e-3, "motor"},
                                     {Vec2(0, 0), 3, "a \"big\" box"},
+                                    {Vec2(4, 4), 1, "5\"pipe"},
                                     {Vec2(1, 2), 1, "Küche:1"}};
   const std::string text = cargo_text(cargo);
-  CHECK(text == "8,8:24 -0.5,1000000000:0.001:motor 0,0:3:\"a \"\"big\"\" box\" 1,2:1:Küche:1");
+  CHECK(text ==
+        "8,8:24 -0.5,1000000000:0.001:motor 0,0:3:\"a \"\"big\"\" box\" 4,4:1:\"5\"\"pipe\" "
+        "1,2:1:Küche:1");
   CHECK(read(text) == cargo);
   CHECK(read("\t8,8:24\n 1,2:3:\"\"") ==
         std::vector<Cargo>{{Vec2(8, 8), 24, ""}, {Vec2(1, 2), 3, ""}});

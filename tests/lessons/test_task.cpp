@@ -248,6 +248,10 @@ TEST_CASE("only what a task allows may be changed", "[task]") {
   CHECK(changed("teams", other_weight) == Names{"the weight"});
   CHECK(changed("robots", stand).empty());
   CHECK(changed("teams", stand).size() == 2);
+  const auto move_robot = [](Document& d) { d.moved.teams = {{0, {0, 0.4}, 2}}; };
+  CHECK(changed("robots\npositions: range", move_robot).empty());
+  CHECK(changed("teams\npositions: range", move_robot).empty());
+  CHECK(changed("centre\npositions: range", move_robot) == Names{"where robots stand"});
   CHECK(changed("teams", balanced) == Names{"the method"});
   CHECK(changed("robots", look).empty());
 }

@@ -257,6 +257,10 @@ TEST_CASE("tables name the overloaded robot, and have all columns in every row",
   const std::size_t second = csv.find('\n') + 1, third = csv.find('\n', second) + 1;
   REQUIRE(third < csv.size());
   CHECK(commas(third) == commas(0));  // as many as the headings
+  // Lines are those of the file, with remarks and empty lines.
+  corpus::write_file(folder.path() / "class.txt", "# 7b\n\n" + link);
+  CHECK(run(folder, "evenlift check class.txt --task task-steady --csv").output.find("\n3,") !=
+        std::string::npos);
 }
 
 TEST_CASE("supports in metres stand on an object in millimetres", "[cli][slow]") {
@@ -297,6 +301,19 @@ TEST_CASE("the option --shape all places every shape, whatever becomes of the ot
     CHECK(falls.status == 0);
     CHECK(falls.output.find(
               "      1  polygon         4       2              -           -         -     -\n") !=
+          std::string::npos);
+  }
+  SECTION("with ranges, whose greatest end it shows") {
+    const Outcome ranges = run(folder, "evenlift place '" EVENLIFT_ASSETS_DIR
+                                       "/polygons/grand-piano.txt' --shape all --weight 480 "
+                                       "--com-radius 20");
+    CHECK(ranges.output.find(" 93.5        65.4 ") != std::string::npos);
+  }
+  SECTION("the coarsest of their tolerances is told") {
+    corpus::write_file(
+        folder.path() / "curves.svg",
+        "<svg><circle r='5'/><circle cx='90' r='50'/><circle cx='300' r='5'/></svg>\n");
+    CHECK(run(folder, "evenlift place curves.svg --shape all").errors.find("within 0.1;") !=
           std::string::npos);
   }
   SECTION("as JSON, with a line for each that is the result of this shape alone") {

@@ -171,6 +171,19 @@ TEST_CASE("the worst load while C may be off is that at the worst place of C",
   CHECK(tips > 1000);
 }
 
+TEST_CASE("the worst loads while C may be off are the same in every unit of length",
+          "[robustness][uncertainty]") {
+  const Points metres = {{0, 0}, {2, 0}, {2, 1}, {0, 1}};
+  Points millimetres = metres;
+  for (Vec2& robot : millimetres) robot *= 1000;
+  const auto in_metres = worst_loads(metres, {1, 0.5}, std::sqrt(5), 100, 0.1);
+  const auto in_millimetres = worst_loads(millimetres, {1000, 500}, 1000 * std::sqrt(5), 100, 100);
+  REQUIRE((in_metres && in_millimetres));
+  for (std::size_t i = 0; i < metres.size(); ++i)
+    CHECK((*in_metres)[i] == Approx((*in_millimetres)[i]));
+  CHECK((*in_metres)[0] < 99);
+}
+
 TEST_CASE("a capacity allows as much uncertainty as its first robot has room for",
           "[robustness][uncertainty]") {
   const SpringLoads springs{{10, 2}, {0.5, 1}, 20};

@@ -256,6 +256,10 @@ TEST_CASE("marked parts of edges are left out, and so is a vertex that one of th
   CHECK(stretches(stands, 1)[0].to < 1);
   CHECK_FALSE(stands.can_lift({{1, 1}, 1}));
   CHECK(stands.can_lift({{1, 0}, 1}));
+  // A part at one end of its edge leaves out that vertex alone.
+  const Stands half(solid(square()), RobotSize{}, {{0, 0.5, 1}});
+  CHECK(half.can_lift({{0, 0}, 0}));
+  CHECK_FALSE(half.can_lift({{1, 0}, 1}));
 }
 
 TEST_CASE("the whole width of a hand keeps off what is marked", "[stands]") {

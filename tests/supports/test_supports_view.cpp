@@ -154,6 +154,13 @@ TEST_CASE("robots are added where they widen the base, and removed", "[view][sup
   give(state, RemoveRobot{});
   CHECK(supports(state).size() == number);
   CHECK(score(state).starts_with(std::to_string(number) + " robots"));
+  // A robot that is added has no capacity of its own.
+  Shown limited = shown(state);
+  limited.support_capacities = std::vector<std::optional<double>>(number, 1000);
+  give(state, SetShown{limited});
+  give(state, AddRobot{});
+  REQUIRE(shown(state).support_capacities.size() == number + 1);
+  CHECK_FALSE(shown(state).support_capacities.back());
 }
 
 TEST_CASE("with the tool Robot a click adds a robot there, and a press on a robot grabs it",

@@ -249,6 +249,8 @@ TEST_CASE("SVG: a size on paper that fits a unit names it, and the coordinates s
   CHECK(unit_of(R"(width="8.5in" height="11in" viewBox="0,0 8.5,11")") == "inches");
   CHECK(unit_of(R"(width="210mm" height="297mm" viewBox="-5 -5 21 29.7")") == "centimetres");
   // Without a size on paper above 0.
+  CHECK(unit_of(R"(height="105mm" viewBox="0 0 210 105")") == "millimetres");
+  CHECK(unit_of(R"(width="210mm" viewBox="0 0 210 105")") == "millimetres");
   CHECK(unit_of(R"(width="793.7" height="1122.52px" viewBox="0 0 210 297")").empty());
   CHECK(unit_of(R"(width="210mm" height="297mm" viewBox="0 0 0 297")").empty());
   CHECK(unit_of(R"(width="-210mm" height="1e999mm" viewBox="0 0 210 none")").empty());

@@ -149,6 +149,11 @@ TEST_CASE("columns: decimal commas between commas are read in quotes if they can
             .find("no separator between its thousands") != std::string::npos);
 }
 
+TEST_CASE("columns: a sign in quotes separates nothing", "[import][columns]") {
+  CHECK(same_vertices(only("\"left; low\",0,0\n\"left; low\",30,0\n\"left; low\",30,20.5\n"),
+                      corner));
+}
+
 // --- What stands before the rows
 
 TEST_CASE("columns: headings with numbers, or of several lines, are skipped with a note",

@@ -72,6 +72,13 @@ TEST_CASE("another load is followed as the capacity changes", "[view][tilt]") {
   CHECK(says(state, "Another 50 kg may stand "));
   give(state, showing(state, &Shown::capacity, 30));
   CHECK(state.derived().outlook.extra->share < free);
+  give(state, showing(state, &Shown::capacity, std::optional<double>()));
+  CHECK(state.derived().outlook.extra->share == free);
+  give(state, SetMethod{Method::given});
+  const double of_supports = state.derived().outlook.extra->share;
+  give(state,
+       showing(state, &Shown::support_capacities, std::vector<std::optional<double>>(6, 30)));
+  CHECK(state.derived().outlook.extra->share < of_supports);
   carry(state, {});
   CHECK_FALSE(state.derived().outlook.extra);
 }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "edits/backdrop.h"
 #include "evenlift/output/words.h"
 #include "evenlift/placement.h"
 #include "evenlift/plane.h"
@@ -19,6 +20,7 @@
 #include "picture/heat.h"
 #include "picture/scene.h"
 #include "picture/triangulate.h"
+#include "state/opened.h"
 #include "tools/handles.h"
 #include "tools/pick.h"
 #include "view/view_page.h"
@@ -474,4 +476,31 @@ TEST_CASE("a typed weight that is none changes nothing, and says what it must be
     CHECK(state.session.notice.kind == Notice::Kind::problem);
     CHECK(state.work.document().settings.cargo == before);
   }
+}
+
+TEST_CASE("a new width of the picture scales all that was traced on it", "[view]") {
+  AppState state;
+  Document traced = document("(0,0)\n(400,0)\n(400,300)\n(0,300)\n");
+  traced.settings.cargo = {{{100, 200}, 5, ""}};
+  traced.centre_of_mass = Vec2(200, 100);
+  begin(state, placed(traced));
+  state.work.backdrop = Backdrop{{0, 0}, {800, 600}, 1, true};
+  CHECK(scale_picture(state, 1600).empty());
+  const Document& now = state.work.document();
+  CHECK(now.vertices[2] == Vec2(800, 600));
+  CHECK(now.settings.cargo[0].at == Vec2(200, 400));
+  CHECK(now.centre_of_mass == Vec2(400, 200));
+  CHECK(state.work.backdrop->high == Vec2(1600, 1200));
+}
+
+TEST_CASE("another polygon keeps the settings, but not those of its edges and lengths", "[view]") {
+  Document before = document("(0,0)\n(400,0)\n(400,300)\n(0,300)\n");
+  before.settings.teams = 2;
+  before.settings.no_go = {{3, 0, 1}};
+  before.shown.com_radius = 5;
+  const Result<Opened> after = opened_after(document("(0,0)\n(40,0)\n(0,30)\n"), before);
+  REQUIRE(after);
+  CHECK(after->document.settings.teams == 2);
+  CHECK(after->document.settings.no_go.empty());
+  CHECK(after->document.shown.com_radius == 0);
 }

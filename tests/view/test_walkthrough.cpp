@@ -302,6 +302,18 @@ TEST_CASE("predicting stops before each choice, and tells whether the guess was 
   CHECK_FALSE(page.app.state.view.walkthrough.guesses.told.empty());  // the others were shown
   CHECK(right > 0);
   CHECK(right < asked);
+  // Each question counts once, although it is asked again.
+  CHECK(page.app.state.view.walkthrough.guesses.right == static_cast<std::uint32_t>(right));
+  page.press({"Home"});
+  for (int again = 0; again < 3 && action_for(page.app.state, {"ArrowRight"});) {
+    page.press({"ArrowRight"});
+    const auto& ask = page.app.state.view.walkthrough.ask;
+    if (!ask) continue;
+    page.app.commands.push_back(Guess{ask->question.answer});
+    settle(page.app);
+    ++again;
+  }
+  CHECK(page.app.state.view.walkthrough.guesses.right == static_cast<std::uint32_t>(right));
 }
 
 TEST_CASE("a question is asked over what is known before it, and about its own pair",
@@ -446,6 +458,23 @@ TEST_CASE("while a question waits, a press near its choice answers it, though a 
   CHECK_FALSE(walk.ask);
   CHECK_FALSE(state.view.selected);
   CHECK(walk.at == ask.step);
+}
+
+TEST_CASE("chapter by chapter leads to each beginning, forward and back", "[view][lesson]") {
+  Page page;
+  page.press({"b"});
+  AppState& state = page.app.state;
+  std::vector<std::uint32_t> beginnings = {timeline(state).at};
+  for (move_chapters(state, 1); timeline(state).at != beginnings.back(); move_chapters(state, 1))
+    beginnings.push_back(timeline(state).at);
+  REQUIRE(beginnings.size() > 4);
+  // The last of them is the end.
+  for (std::size_t i = beginnings.size() - 1; i-- > 0;) {
+    move_chapters(state, -1);
+    CHECK(timeline(state).at == beginnings[i]);
+  }
+  move_chapters(state, -1);
+  CHECK(timeline(state).at == 0);
 }
 
 TEST_CASE("playing turns over by itself and stops at the end", "[view][lesson]") {

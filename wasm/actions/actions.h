@@ -1,4 +1,4 @@
-// The one table of actions, for the toolbar, the keyboard and the list of keys.
+// The one table of actions, which the toolbar, the keyboard and the list of keys use.
 #pragma once
 
 #include <string>
@@ -39,8 +39,8 @@ struct Action {
   Group group;
   Icon icon;
   const char* label;
-  const char* shown;  // its key in words; "" without one
-  Key keys[12];       // any of these
+  const char* shown;  // its key in words; "" if it has no key
+  Key keys[12];       // each of these runs the action
   bool (*enabled)(const AppState&);
   void (*run)(const AppState&, Commands&);
 };
@@ -48,10 +48,10 @@ struct Action {
 const std::vector<Action>& actions();
 const Action& action(ActionId id);
 
-// The present effect, with its key: "Undo: moved a vertex (Ctrl+Z)".
+// The action's present effect in words, with its key: "Undo: moved a vertex (Ctrl+Z)".
 std::string tip(const Action& action, const AppState& state);
 
-// The enabled action of a key. If it is null, the browser handles the key.
+// Returns the enabled action of a key, or null; then the browser handles the key.
 const Action* action_for(const AppState& state, const Key& key);
 
 }  // namespace evenlift::view

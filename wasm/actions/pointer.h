@@ -1,4 +1,4 @@
-// The pointer and fingers in one frame, and their commands.
+// The state of the pointer and of fingers in one frame, and the commands that follow from it.
 #pragma once
 
 #include "state/command.h"
@@ -14,8 +14,8 @@ struct Pointer {
   bool over_panel = false;  // over a panel or popup
   bool pressed = false, down = false, released = false, double_pressed = false;
   double moved = 0;  // greatest distance from the press, in pixels
-  double wheel = 0;  // steps, > 0 to zoom in
-  // Two fingers, or a trackpad's pinch.
+  double wheel = 0;  // the wheel's steps, > 0 to zoom in
+  // The pinch of two fingers, or of a trackpad.
   bool pinching = false;
   Vec2 pinch_at = Vec2::Zero(), pinch_moved = Vec2::Zero();
   double pinch_factor = 1;

@@ -1,4 +1,4 @@
-// When an action is possible.
+// Conditions under which actions are possible.
 #pragma once
 
 #include "state/state.h"
@@ -8,17 +8,17 @@ namespace evenlift::view::when {
 bool always(const AppState& s);
 bool editing(const AppState& s);  // not in an <iframe>
 
-// The present tool or selection.
+// About the present tool or selection.
 bool drawing(const AppState& s);
 bool transforming(const AppState& s);
 bool in_walkthrough(const AppState& s);
 bool on_parts(const AppState& s);
-bool on_vertex(const AppState& s);     // or on a weight
-bool on_ring(const AppState& s);       // on a vertex of the outline or of a hole
-bool on_robot(const AppState& s);      // a movable robot, with its card open
+bool on_vertex(const AppState& s);     // a vertex or a weight is selected
+bool on_ring(const AppState& s);       // a vertex of the outline or of a hole is selected
+bool on_robot(const AppState& s);      // the card of a movable robot is open
 bool by_own_hand(const AppState& s);   // the robots are placed by hand
-bool can_even_out(const AppState& s);  // not in a challenge
-bool on_own_robot(const AppState& s);  // and the card of one is open
+bool can_even_out(const AppState& s);  // placed by hand, and not in a challenge
+bool on_own_robot(const AppState& s);  // placed by hand, and the card of one is open
 bool can_nudge(const AppState& s);
 
 // While a polygon is drawn, undo removes one vertex.
@@ -30,17 +30,17 @@ bool can_take_back(const AppState& s);
 bool can_undo(const AppState& s);
 bool can_redo(const AppState& s);
 
-// The walkthrough.
+// About the walkthrough.
 bool can_teach(const AppState& s);
 bool can_go_on(const AppState& s);
 bool can_go_back(const AppState& s);
 
-// Settings.
+// About settings.
 bool has_teams_number(const AppState& s);
 bool by_candidates(const AppState& s);
 bool is_random(const AppState& s);
 bool has_own_centre(const AppState& s);
-bool has_height(const AppState& s);  // of C
+bool has_height(const AppState& s);  // C has a height
 bool has_extra(const AppState& s);   // a further load is asked about
 bool can_fail(const AppState& s);
 

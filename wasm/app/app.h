@@ -21,11 +21,11 @@ struct App {
 void advance(App& app, const Pointer& pointer, double now);
 
 // Draws the state, between ImGui::NewFrame() and ImGui::Render(). The panels' requests become
-// commands. Without a `picture`, only lays out the panels, to process input before a frame is due,
-// at the same cost for every polygon.
+// commands. Without `picture`, it only lays out the panels, so that input is processed before a
+// frame is due; this costs the same for every polygon.
 void draw_frame(App& app, bool picture = true);
 
-// Applies the commands. Returns whether there were any: then another frame is due.
+// Applies the commands. Returns whether there were any; if so, another frame is due.
 bool settle(App& app);
 
 }  // namespace evenlift::view

@@ -1,4 +1,4 @@
-// The consequences of commands, or of functions called in their place.
+// Derives the consequences of commands, or of functions called in place of commands.
 #pragma once
 
 #include "state/state.h"
@@ -9,8 +9,8 @@ namespace evenlift::view {
 // and the announcement of a refusal. Call it once after each batch.
 void conclude(AppState& state);
 
-// Places the document here if a worker is choosing its teams. Call it before using the placement as
-// it is after a drag.
+// Places the document at once if a worker is still choosing its teams. Call it before using the
+// placement that a drag leads to.
 void place_now(AppState& state);
 
 }  // namespace evenlift::view

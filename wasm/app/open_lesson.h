@@ -10,13 +10,13 @@
 
 namespace evenlift::view {
 
-// `anew`: as a step of undo, leaving any other lesson. `join`: for the open document, which must
-// have the lesson's polygon and keeps its settings and step. `preview`: while it is written, in
-// place of the last preview.
+// `anew` leaves any other lesson, and opening is a step of undo. `join` begins the lesson for the
+// open document, which must have the lesson's polygon and keeps its settings and step. `preview`
+// shows a lesson while it is written, in place of the last preview.
 enum class LessonStart : std::uint8_t { anew, join, preview };
 
 // `polygon` is the text of the sample that the lesson names; `number` is the learner's
-// (evenlift/task.h). On an error, changes nothing.
+// (evenlift/task.h). If there is an error, changes nothing.
 std::optional<InputError> open_lesson(AppState& state, const std::string& text,
                                       const std::string& polygon,
                                       LessonStart start = LessonStart::anew,

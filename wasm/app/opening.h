@@ -8,16 +8,16 @@
 
 namespace evenlift::view {
 
-// From the address and the browser's storage. Each may be empty or damaged.
+// Texts from the address and the browser's storage. Each may be empty or damaged.
 struct LastVisit {
   std::string_view link;   // the address's fragment
   std::string_view work;   // the last placed document, as a link or a text
-  std::string_view draft;  // a link of a document that was refused while edited
+  std::string_view draft;  // a link to a document that was refused while it was being edited
 };
 
-// Opens a readable link, or else the work, with its draft as a further step of undo, or else the
-// sample. Undo leads from a link back to the work, which is placed only then. Returns why the link
-// could not be read, or an empty text. Costs one placement.
+// Opens the link if it can be read; otherwise the last work, with its draft as one more step of
+// undo; otherwise the sample. Undo leads from a link back to the work, which is placed only when
+// undo opens it. Returns why the link could not be read, or an empty text. Costs one placement.
 std::string open_page(AppState& state, const LastVisit& visit, std::string_view sample);
 
 }  // namespace evenlift::view

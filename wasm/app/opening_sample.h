@@ -1,5 +1,5 @@
-// The first sample, embedded so that it is available at once; the others are in a file. The build
-// makes it from assets/polygons.
+// The first sample, embedded so that it is available at once; the other samples are in a file. The
+// build makes the embedded text from assets/polygons.
 #pragma once
 
 #include <string_view>

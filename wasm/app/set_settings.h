@@ -11,7 +11,7 @@
 
 namespace evenlift::view {
 
-// What set() can change.
+// The values that set() can change.
 struct Changeable {
   Document document;
   LoadModel load_model = LoadModel::plan;  // of the shown loads
@@ -23,8 +23,8 @@ struct Changeable {
 // line. Makes no checks that need place(). O(bytes).
 Result<Changeable> with_settings(Changeable given, std::string_view lines);
 
-// The preferences that the browser keeps apart from the document, as lines `name=value`. An
-// unreadable line keeps its default: another version of the page may have written it. O(bytes).
+// The preferences that the browser keeps apart from the document, as lines `name=value`. If a line
+// is unreadable, the default stays: another version of the page may have written it. O(bytes).
 struct Kept {
   bool motion = true;
 };

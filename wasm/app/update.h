@@ -6,8 +6,8 @@
 
 namespace evenlift::view {
 
-// Applies the commands in order and empties the list. Returns whether there were any: then another
-// frame is due. If a document is refused, the last good placement stays.
+// Applies the commands in order and empties the list. Returns whether there were any; if so,
+// another frame is due. If a document is refused, the last good placement stays.
 bool apply(AppState& state, Commands& commands);
 
 }  // namespace evenlift::view

@@ -1,4 +1,4 @@
-// A step of the walkthrough: everything known after it and, on top, its figures.
+// Draws a step of the walkthrough: everything known after the step and, on top, its figures.
 #pragma once
 
 #include "picture/canvas_view.h"

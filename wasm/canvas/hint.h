@@ -7,10 +7,10 @@
 
 namespace evenlift::view {
 
-// Empty without a hint.
+// The hint; empty if there is none.
 std::string hint(const AppState& state);
 
-// The hint without the last parts that have no room beside the view tools.
+// The hint, shortened by last parts for which there is no space beside the view tools.
 std::string shown_hint(const AppState& state, const Layout& layout);
 
 void draw_hint(ImDrawList& list, const AppState& state, const Layout& layout, const Theme& theme);

@@ -7,7 +7,7 @@
 namespace evenlift::view {
 
 // Writes "edge 4" or "vertex 1" beside each part, outside the polygon, and "C" beside the centre of
-// mass, all clear of occupied places. O(vertices) each.
+// mass. All names keep clear of occupied places. O(vertices) for each name.
 void draw_part_names(const Painter& painter, const CanvasView& view, Occupied& occupied);
 
 }  // namespace evenlift::view

@@ -5,9 +5,9 @@
 
 namespace evenlift::view {
 
-// Brings the facts up to date, once after each batch of commands: derives only what differs from
-// the last basis (state/derived.h), and what follows from it. During a drag, slow work waits for
-// its end. Uses the values that commands passed on (AppState::given), and asks the browser to
+// Brings the facts up to date, once after each batch of commands. Derives only the facts whose
+// basis (state/derived.h) changed, and the facts that follow from them. Slow work waits for the end
+// of a drag. Uses the values that commands passed on (AppState::given), and asks the browser to
 // search or to announce; changes nothing else. Costs at most one placement for the document and one
 // for the second method; O(overlays) if nothing is out of date.
 void derive(AppState& state);

@@ -12,27 +12,27 @@
 
 namespace evenlift::view {
 
-// Whether a worker should choose the teams during a drag: `before`, the placement on the screen,
-// has many vertices and candidates, the method chooses among candidates, and robots are points
-// placed by it. O(holes).
+// Whether a worker should choose the teams during a drag. It should if `before`, the placement on
+// the screen, has many vertices and candidates, the method chooses among candidates, and the robots
+// are points that were not moved by hand. O(holes).
 bool is_for_a_worker(const Document& document, const Placement& before);
 
-// The number of rings, the number of vertices of each, and then all coordinates. The outline comes
-// first.
+// Returns the number of rings, the number of vertices of each ring, and all coordinates, in this
+// order. The outline is the first ring.
 std::vector<double> rings_as_numbers(const Document& document);
 
-// The settings (settings_text.h) without supports, which the document's method does not use. Teams
-// stay as the metric selects them.
+// The settings (settings_text.h) without supports, which the document's method does not use. The
+// goal is such that teams stay as the metric selects them.
 std::string settings_as_selected(const Document& document);
 
-// Nothing if the rings or settings are malformed. O(numbers + bytes).
+// Reads a document; nullopt if the rings or settings are malformed. O(numbers + bytes).
 std::optional<Document> read_task(std::span<const double> rings, std::string_view settings);
 
-// The placement's candidates and teams.
+// The placement's candidates and teams as numbers.
 std::vector<double> choice_as_numbers(const Placement& placement);
 
-// Nothing for numbers that choice_as_numbers() does not write for a polygon with this many edges.
-// O(numbers).
+// Reads candidates and teams. Returns nullopt if choice_as_numbers() cannot have written these
+// numbers for a polygon with this number of edges. O(numbers).
 std::optional<Choice> read_choice(std::span<const double> numbers, std::size_t edges);
 
 }  // namespace evenlift::view

@@ -1,4 +1,4 @@
-// The loads of the robots on the screen, and what may go wrong with them.
+// The loads of the robots on the screen, and the effects of failures.
 #pragma once
 
 #include <cstddef>
@@ -9,18 +9,18 @@
 
 namespace evenlift::view {
 
-// The loads in both pictures, by the shown model and under the given conditions, and the places for
-// a further load. O(m log m + n) for m robots; O(m^3) up to 64 robots if the shown loads are not
-// the plan's.
+// Renews the loads in both pictures, by the shown model and under the given conditions, and the
+// places for a further load. O(m log m + n) for m robots; O(m^3) up to 64 robots if the shown loads
+// are not the plan's.
 void renew_outlooks(Derived& facts, LoadModel model, const Shown& shown);
 
-// The effect of each failure, if due: for at most this number of robots and, if it takes long, not
-// while robots `move`.
+// Renews the effect of each failure, if due. It is known for at most `most_failures_known` robots.
+// If it takes long, it waits while robots `move`.
 inline constexpr std::size_t most_failures_known = 128;
 void renew_failures(Derived& facts, const Shown& shown, bool move);
 
-// Without such a robot, none fails. Places nothing. If the failures are unknown, costs as much as
-// one of them.
+// Lets this robot fail; if there is no such robot, none fails. Places nothing. If the failures are
+// unknown, costs as much as one of them.
 void let_fail(Derived& facts, std::size_t robot, const Shown& shown);
 
 }  // namespace evenlift::view

@@ -5,16 +5,17 @@
 
 namespace evenlift::view {
 
-// Takes over the document's placement, or why it was refused.
+// Takes over the document's placement, or the reason why it was refused.
 void adopt(Derived& facts, const Document& document, Result<Placement> placement);
 
-// The placed document, with the same number of robots.
+// The placed document with this method and the same number of robots; teams need an even number.
 Document by_other_method(const Derived& facts, Method method);
 
-// By the second method, if any. Costs a placement.
+// Places the document by the second method, if any. Costs a placement.
 void renew_second(Derived& facts, const Work& work, Haste haste);
 
-// The best load ratio of any chord, if none meets the minimum. Costs as much as find_candidates().
+// The best load ratio of any candidate, rounded down to hundredths, if no candidate meets the
+// minimum load ratio; otherwise nullopt. Costs as much as find_candidates().
 std::optional<double> best_ratio_if_none(const Placement& placement);
 
 }  // namespace evenlift::view

@@ -1,6 +1,6 @@
-// Robots as text, bit for bit, between the page and the search for balanced robots: an edge and two
-// coordinates each, separated by spaces. Also the text of a plan for failures: the number of robots
-// and the greatest load of one, or only the number tried.
+// Robots as text, bit for bit, between the page and the search for balanced robots. Each robot is
+// an edge and two coordinates, separated by spaces. The text of a plan for failures is the number
+// of robots and the greatest load of one, or only the number tried.
 #pragma once
 
 #include <optional>
@@ -16,14 +16,14 @@ namespace evenlift::view {
 
 std::string robots_text(const std::vector<LiftingPoint>& robots);
 
-// Nothing unless the text has this form and exactly `number` robots, each on an edge of the
-// polygon. O(bytes).
+// Reads robots. Returns nullopt unless the text has this form and exactly `number` robots, each on
+// an edge of the polygon. O(bytes).
 std::optional<std::vector<LiftingPoint>> read_robots(std::string_view text, std::size_t number,
                                                      const Polygon& polygon);
 
 std::string plan_text(const FailurePlan& plan);
 
-// Nothing if the text has another form. O(bytes).
+// Reads a plan. Returns nullopt if the text has another form. O(bytes).
 std::optional<FailurePlan> read_plan(std::string_view text);
 
 }  // namespace evenlift::view

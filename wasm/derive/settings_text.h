@@ -9,7 +9,7 @@
 
 namespace evenlift::view {
 
-// A setting's line `name=value`, as read_lines() reads it; empty for one without a text.
+// A setting's line `name=value`, as read_lines() reads it; empty if the setting has no text.
 std::string setting_line(Setting setting, const Document& document);
 
 // The lines of all these settings, including the centre of mass.

@@ -1,4 +1,4 @@
-// Robots that the user moves by hand.
+// Moves of robots by hand.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +8,15 @@
 namespace evenlift::view {
 
 // Moves a robot of the first picture. A balanced robot moves to the point of the outline nearest to
-// `to`, and its two neighbours so that all loads stay equal; a team's robot moves along its range
-// towards `to`. If the others cannot follow, the state notes where a held robot should go; for
-// keys, a notice appears. O(n log n).
+// `to`, and its two neighbours move so that all loads stay equal. A team's robot moves along its
+// range towards `to`. If the other robots cannot follow, none moves: the state notes where a held
+// robot should go, or a notice appears if keys moved it. O(n log n).
 void move_robot(AppState& state, std::size_t robot, const Vec2& to);
 
 // Moves all robots back to their original places: one step of undo, unless none was moved.
 void put_robots_back(AppState& state);
 
-// For teams only: a lesson's steps show teams at their original places.
+// Moves teams back, but not balanced robots: a lesson's steps show teams at their original places.
 void put_teams_back(AppState& state);
 
 }  // namespace evenlift::view

@@ -10,7 +10,7 @@
 
 namespace evenlift::view {
 
-// Also forgets the drawn points.
+// Changes the tool, and forgets the drawn points.
 void take_tool(AppState& state, Tool tool);
 
 // After the placed vertices change: forgets the typed values of the next edge, and whether the
@@ -23,13 +23,13 @@ void take_point_back(AppState& state);
 void put_point_back(AppState& state);
 void set_draw_cursor(AppState& state, const SetDrawCursor& cursor);
 
-// Takes over the typed values of the next edge, and moves the cursor there.
+// Takes over the typed values of the next edge, and moves the cursor to its end.
 void type_edge(AppState& state, const TypeEdge& typed);
 
-// Forgets the typed values: the edge ends at the pointer again, or has not begun.
+// Forgets the typed values. The next edge ends at the pointer again or, without one, has not begun.
 void withdraw_edge(AppState& state);
 
-// With the present settings.
+// Closes the drawn shape: opens the polygon with the present settings, or adds the hole.
 void finish_drawing(AppState& state);
 
 }  // namespace evenlift::view

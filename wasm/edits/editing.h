@@ -1,4 +1,4 @@
-// How an edit begins. Its consequences are derived after all commands.
+// Begins edits. Their consequences are derived after all commands.
 #pragma once
 
 #include "state/history.h"
@@ -13,7 +13,7 @@ void begin_edit(AppState& state, bool live, Edit edit);
 // moved by hand go back.
 Document& edit(AppState& state, bool live, Edit edit);
 
-// Applies the difference between two values of Shown, except the step: an edit, unless only
+// Applies the difference between two values of Shown, except the step. This is an edit, unless only
 // overlays differ.
 void change_shown(AppState& state, const Shown& before, const Shown& after, bool live = false);
 

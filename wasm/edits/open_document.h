@@ -9,14 +9,14 @@
 
 namespace evenlift::view {
 
-// As one step of undo.
+// Opens a document as one step of undo.
 void open(AppState& state, Opened opened, Edit edit = Edit::opened);
 
-// Without a step of undo, such as for a lesson that is being written.
+// Opens a document without a step of undo, such as for a lesson that is being written.
 void show_opened(AppState& state, Opened opened);
 
-// The page's first document. There is nothing to undo, unless `work` is given: an older document,
-// which undo opens and only then places.
+// Opens the page's first document. There is nothing to undo, unless `work` is given. This is an
+// older document, which undo opens and only then places.
 void start_with(AppState& state, Opened opened, const std::optional<Document>& work);
 
 // Continues with a document that was refused while edited, as one step of undo.

@@ -5,14 +5,14 @@
 
 namespace evenlift::view {
 
-// Fits the window again, until the user pans or zooms.
+// From now on, the view fits the window, until the user pans or zooms.
 void fit_view(AppState& state);
 
-// Fits the view to the polygon if due: for a new document and, until the user pans or zooms, after
-// the window or its panels changed. Never during a drag.
+// Fits the view to the polygon if due, but never during a drag. It is due for a new document and,
+// until the user pans or zooms, after the window or its panels changed.
 void frame_view(AppState& state);
 
-// Within the smallest and the largest zoom.
+// Takes this camera, with a zoom from the smallest to the largest one.
 void look_through(AppState& state, const Camera& camera);
 void zoom_view(AppState& state, const Vec2& about, double factor);
 

@@ -8,21 +8,21 @@
 
 namespace evenlift::view {
 
-// `settings` with the method `given`, and with the placement's robots, by whatever method, at their
-// present places.
+// Returns `settings` with the method `given`, and with the placement's robots as supports at their
+// present places, whichever method placed them.
 Settings taken_over(Settings settings, const Placement& placement);
 
-// Whether neither a range nor the balance of all robots can follow a dragged robot. Then it is
-// dragged as a support.
+// Whether a dragged robot becomes a support, because it can neither move along a range nor keep all
+// robots balanced.
 bool stands_freely(const Placement& placement);
 
 // Moves a robot to the place from support_spot() (tools/support_spots.h). Robots of another method
-// are taken over first, and a notice offers the way back. Outside the object the robot is taken
-// away, until it returns; the last robot stays. O(m + n), plus a placement.
+// are taken over first, and a notice offers the way back. A robot dragged out of the object is
+// taken away until it returns, except the last one. O(m + n), plus a placement.
 void move_support(AppState& state, std::size_t robot, const Vec2& to);
 
-// Puts robots beneath the object for the user to move (supports_to_place() of supports.h). One step
-// of undo.
+// Puts robots beneath the object for the user to move (supports_to_place() of supports.h). This is
+// one step of undo.
 inline constexpr std::size_t usual_robots_to_place = 4;
 void place_yourself(AppState& state, std::size_t robots = usual_robots_to_place);
 
@@ -30,11 +30,12 @@ void place_yourself(AppState& state, std::size_t robots = usual_robots_to_place)
 // placement. O(robots).
 Points supports_now(const AppState& state);
 
-// Puts a robot exactly at a place; outside the object, does nothing. One step of undo.
+// Puts a robot exactly at a place, as one step of undo. Does nothing if no robot can stand there.
 void put_support(AppState& state, std::size_t robot, const Vec2& at);
 
-// Adds a robot at a place, or where it adds most to the lifting base; removes one, or the last;
-// moves two or three so that all carry the same load. Each is one step of undo.
+// The first function adds a robot at a place, or where it adds most to the lifting base. The second
+// removes a robot, or the last one. The third moves two or three robots so that all carry the same
+// load. Each is one step of undo.
 void add_support(AppState& state, std::optional<Vec2> at);
 void remove_support(AppState& state, std::optional<std::size_t> robot);
 void even_out_supports(AppState& state);

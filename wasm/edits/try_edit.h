@@ -1,4 +1,4 @@
-// Edits that may be refused as a whole: by scripts, and in the table of vertices.
+// Edits by scripts and in the table of vertices, which may be refused as a whole.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 namespace evenlift::view {
 
 // Takes over an edited document as one step of undo, or returns why it is refused and changes
-// nothing. It is no edit if only the walkthrough's step or overlays differ, and nothing is placed
-// if only shown values differ. Also refused if the placement has no robot with the number `failed`,
-// from 1.
+// nothing. There is no step of undo if only the walkthrough's step or overlays differ, and nothing
+// is placed if only shown values differ. The document is also refused if its placement has no robot
+// with the number `failed`, from 1; 0 stands for no robot.
 std::optional<InputError> try_edit(AppState& state, const Document& edited,
                                    std::uint64_t failed = 0);
 

@@ -1,4 +1,4 @@
-// Undo and redo, and leaving a lesson, which leads back in the same way.
+// Undo and redo. Leaving a lesson leads back in the same way.
 #pragma once
 
 #include "state/state.h"
@@ -8,15 +8,16 @@ namespace evenlift::view {
 void undo(AppState& state);
 void redo(AppState& state);
 
-// After a lesson, restores what was open before it, with settings and undo. After an edit in the
-// lesson, leaving it is a step of undo, and a notice explains that. In an <iframe> the lesson's
-// object stays, since nothing was open before.
+// Leaves the walkthrough. If it belongs to a lesson, restores the document that was open before the
+// lesson, with its settings and undo. After an edit in the lesson, leaving the lesson is a step of
+// undo, and a notice explains that. In an <iframe> the lesson's object stays, since nothing was
+// open before.
 void leave_walkthrough(AppState& state);
 
-// The same for the task of a lesson, if one is open.
+// Leaves the task of a lesson in the same way, if a task is open.
 void leave_task(AppState& state);
 
-// Another lesson opens at once, so nothing is placed or shown.
+// Leaves a lesson because another one opens at once, so nothing is placed or shown.
 void leave_lesson_for_another(AppState& state);
 
 // Forgets a selected or held vertex that no longer exists. O(1).

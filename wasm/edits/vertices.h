@@ -11,22 +11,23 @@ namespace evenlift::view {
 
 void move_handle(AppState& state, std::size_t number, const Vec2& to);
 
-// Also selects it.
+// Inserts a vertex on an edge, and selects it.
 void insert_vertex(AppState& state, std::size_t edge, const Vec2& at);
 
-// A hole of three vertices goes with any of them.
+// Removes a vertex or a weight. A hole of three vertices is removed as a whole.
 void remove_handle(AppState& state, std::size_t number);
 
-// A tenth of the object's own weight; also selects it.
+// Adds a weight of about a tenth of the object's own weight, and selects it.
 void add_weight(AppState& state, const Vec2& at);
 
 // Remembers everything that moves with the polygon. O(n).
 void grip_polygon(AppState& state);
 
-// Why a weight is refused, as a sentence without a full stop, or empty. O(bytes).
+// The reason why a weight is refused, as a sentence without a full stop; empty if it is accepted.
+// O(bytes).
 std::string problem_of(const Cargo& item);
 
-// Replaces one weight, or says why not.
+// Replaces one weight, or shows a notice that says why it is refused.
 void set_weight(AppState& state, std::size_t item, const Cargo& cargo);
 
 }  // namespace evenlift::view

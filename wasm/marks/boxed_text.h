@@ -10,7 +10,7 @@
 
 namespace evenlift::view {
 
-// Beside a spot, moved so that it is inside the window.
+// Draws the text beside a spot, moved so that it is inside the window.
 void draw_word(ImDrawList& list, const Vec2& spot, const Rect& window, const Theme& theme,
                Colour colour, const std::string& text);
 
@@ -18,16 +18,16 @@ void draw_word(ImDrawList& list, const Vec2& spot, const Rect& window, const The
 using SharesOfLine = std::array<double, 6>;
 inline constexpr SharesOfLine from_middle = {0.5, 0.32, 0.68, 0.18, 0.82, 0.9};
 
-// A text's box on a line, at the first fraction where it covers none of `before`, to which it is
-// added; nothing if no fraction works. All in pixels.
+// The box of a text on a line, at the first fraction where the box covers none of `before`; nullopt
+// if no fraction works. Adds the box to `before`. All values are in pixels.
 std::optional<Rect> clear_box_on_line(const Vec2& from, const Vec2& to, const Vec2& size,
                                       const SharesOfLine& shares, std::vector<Rect>& before);
 
-// For a text that must appear: if no fraction works, uses the first.
+// The same for a text that must appear: if no fraction works, uses the first.
 Rect box_on_line(const Vec2& from, const Vec2& to, const Vec2& size, const SharesOfLine& shares,
                  std::vector<Rect>& before);
 
-// With a capital at its beginning, if that is a letter from a to z.
+// The text with a capital at its beginning, if it begins with a letter from a to z.
 std::string capitalised(std::string text);
 
 }  // namespace evenlift::view

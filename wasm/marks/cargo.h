@@ -9,8 +9,8 @@
 
 namespace evenlift::view {
 
-// In pixels. The area tells the share of the total weight, as far as the least and greatest size
-// allow.
+// The disc of a weight, in pixels. Its area shows the weight's share of the total weight, as far as
+// the least and greatest size allow.
 struct CargoDisc {
   Vec2 middle;
   double radius;
@@ -23,16 +23,16 @@ struct CargoLabel {
   std::string text;
 };
 
-// The labels that have room beside their discs, clear of all that is `occupied`, to which they are
-// added. O(items).
+// The labels that have room beside their discs, clear of everything in `occupied`. They are added
+// to `occupied`. O(items).
 std::vector<CargoLabel> cargo_labels(const CanvasView& view, Occupied& occupied);
 
-// The discs, the object's own centre of mass, and the line from it to C.
+// Adds to `occupied` the discs, the object's own centre of mass, and the line from it to C.
 void occupy_by_cargo(const CanvasView& view, Occupied& occupied);
 
 void draw_cargo(const Painter& painter, const CanvasView& view);
 
-// The object's own centre of mass and the line from it to C, the lever along which cargo moves C.
+// Draws the object's own centre of mass, and the line from it to C, along which cargo moves C.
 void draw_own_centre(const Painter& painter, const CanvasView& view);
 
 }  // namespace evenlift::view

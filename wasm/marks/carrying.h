@@ -5,16 +5,16 @@
 
 namespace evenlift::view {
 
-// Where a further load may stand, in green; the rest is striped. Nothing if the overlay is hidden,
-// or if no load is asked about.
+// Draws the places where a further load may stand, in green; the rest is striped. Draws nothing if
+// the overlay is hidden, or if no load is asked about.
 void draw_load_region(const Painter& painter, const CanvasView& view);
 
-// Circles about C for slopes: where one reaches the edge of the lifting base, the object tips on
-// that slope, if that direction is downhill.
+// Draws circles about C for slopes. Where a circle reaches the edge of the lifting base, the object
+// tips on that slope, if that direction is downhill.
 void draw_tilt(const Painter& painter, const CanvasView& view);
 
-// The load's effect at the pointer, or the slope at which the object tips that way. Returns whether
-// it says anything.
+// Writes the load's effect at the pointer, or the slope at which the object tips in the pointer's
+// direction. Returns whether it wrote anything.
 bool draw_carrying_here(const Painter& painter, const CanvasView& view);
 
 }  // namespace evenlift::view

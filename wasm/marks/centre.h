@@ -7,7 +7,7 @@ namespace evenlift::view {
 
 void draw_centre(const Painter& painter, const CanvasView& view);
 
-// The tipping distance; and the C uncertainty as a ring with a grip.
+// Draws the tipping distance, and the C uncertainty as a ring with a grip.
 void draw_halo(const Painter& painter, const CanvasView& view);
 
 }  // namespace evenlift::view

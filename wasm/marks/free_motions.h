@@ -6,12 +6,12 @@
 
 namespace evenlift::view {
 
-// From the centre of mass in a direction in which the object can slide, with its name if there is
-// room.
+// Draws an arrow from the centre of mass in a direction in which the object can slide, with its
+// name if there is room.
 void draw_slide(const Painter& painter, const CanvasView& view, Occupied* occupied);
 
-// An arrow at the window's edge to each region of free rotation that should be shown but is
-// outside, with its meaning if there is room. O(corners of the regions).
+// Draws an arrow at the window's edge to each region of free rotation that should be shown but is
+// outside the window, with its meaning if there is room. O(corners of the regions).
 void draw_far_regions(const Painter& painter, const CanvasView& view, Occupied* occupied);
 
 }  // namespace evenlift::view

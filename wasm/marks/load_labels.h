@@ -13,11 +13,12 @@ namespace evenlift::view {
 
 void draw_coverage(const Painter& painter, const CanvasView& view);
 
-// What labels avoid: robots, the centre of mass, cargo with its labels, vertices that can be
-// dragged, the coverage, and lines.
+// The places that labels avoid: robots, the centre of mass, cargo with its labels, vertices that
+// can be dragged, the coverage, and lines.
 Occupied occupied_by_marks(const CanvasView& view, double reach);
 
-// The labels of cargo avoid all this. They do not depend on other labels, which avoid them.
+// The labels of cargo, which avoid all these places. They do not depend on other labels, which
+// avoid them.
 std::vector<CargoLabel> labels_of_cargo(const CanvasView& view);
 
 // The text beside a robot.
@@ -27,18 +28,18 @@ struct LoadLabel {
   bool over;  // the load exceeds the capacity
 };
 
-// The loads beside the robots, except a failed robot's; none if no robot carries anything. The
+// The loads beside the robots, except a failed robot's; empty if no robot carries anything. The
 // boxes are added to `occupied`. O(robots).
 std::vector<LoadLabel> load_labels(const CanvasView& view, const RobotSize& size,
                                    const Outlook& outlook, Occupied& occupied);
 
-// The planned loads, without uncertainty, for the walkthrough.
+// The labels of the planned loads, without uncertainty, for the walkthrough.
 std::vector<LoadLabel> planned_load_labels(const CanvasView& view, const RobotSize& size);
 
 void draw_loads(const Painter& painter, const CanvasView& view,
                 const std::vector<LoadLabel>& labels);
 
-// The hovered chord's load ratio, on it, if there is room.
+// Writes the load ratio of the hovered chord on the chord, if there is room.
 void draw_ratio(const Painter& painter, const CanvasView& view);
 
 }  // namespace evenlift::view

@@ -1,4 +1,4 @@
-// Everything of a fixed size on a picture: grips, robots, the centre of mass, numbers.
+// Draws everything of a fixed size on a picture: grips, robots, the centre of mass, numbers.
 #pragma once
 
 #include "picture/canvas_view.h"

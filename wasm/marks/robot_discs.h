@@ -1,4 +1,4 @@
-// A robot as a disc with its number, or as a dot among very many.
+// Draws a robot as a disc with its number, or as a dot among very many robots.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace evenlift::view {
 
-// Smaller for many robots.
+// The radii of a robot's disc and ring, in pixels: smaller for many robots.
 struct RobotSize {
   float disc, ring;
   bool numbered;
@@ -16,24 +16,25 @@ struct RobotSize {
 inline constexpr std::size_t most_labelled = 50;
 RobotSize robot_size(std::size_t teams);
 
-// In pixels.
+// The radius of a robot's mark, in pixels.
 float mark_radius(const std::vector<Team>& teams);
 
-// From a robot to the end of all that is drawn around it: its body and its team's mark.
+// The distance from a robot, in pixels, to the end of its small body and its team's mark.
 double mark_reach(const RobotSize& size);
 
-// The pale body of a robot without a size: not to scale, and beneath the discs of all robots.
+// Draws the pale body of a robot without a size: not to scale, and beneath the discs of all robots.
 void draw_small_body(const Painter& painter, const Theme& theme, const RobotSize& size,
                      const Vec2& world);
 
-// The number of teams of two, or of those that the balanced robots would make.
+// The number of teams of two, or of the teams that balanced robots would make.
 std::size_t pairs_of(const std::vector<Team>& teams);
 
-// In the first `teams` of the teams.
+// The number of robots in the first `teams` of all teams.
 std::size_t robots_of(const std::vector<Team>& all, std::size_t teams);
 
-// Near another robot, one is smaller, and has no number if that would touch the other. O(m^2) for m
-// robots, of which at most most_labelled pairs are examined.
+// The sizes of the robots in the first `teams` of all teams. A robot near another is smaller, and
+// has no number if that would touch the other robot. O(m^2) for m robots; with more than
+// most_labelled pairs, no distances are examined.
 std::vector<RobotSize> robot_sizes(const CanvasView& view, const std::vector<Team>& all,
                                    std::size_t teams);
 
@@ -41,9 +42,9 @@ std::vector<RobotSize> robot_sizes(const CanvasView& view, const std::vector<Tea
 // side away from C.
 struct RobotLook {
   std::size_t number = 1;
-  std::size_t team = 0;         // from 1; 0 without a mark
+  std::size_t team = 0;         // from 1; 0 if it has no mark
   Vec2 outward = Vec2::Zero();  // away from C, in polygon coordinates
-  double share = 1;             // of the greatest load
+  double share = 1;             // its load as a share of the greatest load
   bool over = false, failed = false;
   bool marked = false;   // its card is open, or it is pointed at
   bool beneath = false;  // stands beneath the object, and touches nothing sideways
@@ -51,8 +52,8 @@ struct RobotLook {
 void draw_robot(const Painter& painter, const Theme& theme, const RobotSize& size,
                 const Vec2& world, const RobotLook& look);
 
-// Thousands of robots as dots, with one for all in the same spot: the window bounds the cost of a
-// frame.
+// Draws thousands of robots as dots. Robots in the same spot share a dot, so that the window bounds
+// the cost of a frame.
 void draw_swarm(const Painter& painter, const CanvasView& view, std::size_t teams);
 
 }  // namespace evenlift::view

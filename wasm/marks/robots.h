@@ -1,4 +1,4 @@
-// A placement's robots and their loads.
+// Draws a placement's robots and their loads.
 #pragma once
 
 #include "picture/canvas_view.h"

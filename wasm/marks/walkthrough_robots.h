@@ -7,10 +7,11 @@
 
 namespace evenlift::view {
 
-// The loads, once all are known. Names keep clear of them (canvas_walkthrough.cpp).
+// The labels of the loads, once all loads are known. Names keep clear of these labels
+// (canvas_walkthrough.cpp).
 std::vector<LoadLabel> loads_of_walkthrough(const CanvasView& view);
 
-// Those placed up to the current step.
+// Draws the robots placed up to the current step.
 void draw_robots_of_walkthrough(const Painter& painter, const CanvasView& view);
 
 }  // namespace evenlift::view

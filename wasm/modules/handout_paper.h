@@ -1,4 +1,4 @@
-// The pictures of a handout: the mapping to the paper, and the places of words on it.
+// The pictures of a handout: how points are mapped to the paper, and the places of words on it.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace evenlift {
 
-// A picture's area, in the units of its SVG, with y down. The polygon and its cargo are in its
-// middle.
+// The area of a picture, in the units of its SVG, with y downwards. The polygon and its cargo are
+// in the middle of the area.
 class Paper {
  public:
   static constexpr double width = 320, height = 220, margin = 34;
@@ -19,7 +19,7 @@ class Paper {
   static constexpr double text = 10;  // height of the letters
 
   explicit Paper(const Points& points);
-  // Rounded to tenths: invisible, and shorter.
+  // The point on the paper, rounded to tenths. This is invisible, and makes the file shorter.
   Vec2 operator()(const Vec2& p) const;
   Points operator()(const Points& points) const;
   double length(double in_polygon_units) const { return in_polygon_units * scale_; }
@@ -29,7 +29,7 @@ class Paper {
   Vec2 middle_;
 };
 
-// A weight's disc, whose area tells its share of the total weight, and its name or, without one,
+// A weight's disc, whose area shows its share of the total weight, and its name or, if it has none,
 // its weight.
 struct PaperCargo {
   Vec2 middle;  // on the paper
@@ -41,12 +41,12 @@ std::vector<PaperCargo> cargo_on_paper(const Paper& paper, const Trace& trace);
 struct PaperRobot {
   Vec2 middle;                 // on the paper
   std::uint32_t number;        // on its disc, from 1
-  std::optional<double> load;  // once known at the step
+  std::optional<double> load;  // if known at the step
 };
 std::vector<PaperRobot> robots_on_paper(const Paper& paper, const Trace& trace,
                                         const StepDetail& detail);
 
-// Words, and their middle on the paper.
+// Words and the middle of their place on the paper.
 struct PaperWords {
   Vec2 middle;
   std::string text;

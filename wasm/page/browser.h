@@ -8,10 +8,10 @@
 
 namespace evenlift::view::browser {
 
-// In order.
+// Carries out the requests in order.
 void carry_out(const Effects& effects);
 
-// Over the canvas.
+// Shows this cursor over the canvas.
 void show_cursor(Cursor cursor);
 
 // Reports characters that cannot be shown.

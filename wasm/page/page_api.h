@@ -12,11 +12,11 @@ App& app();
 // any.
 bool settle();
 
-// At once, as if from a button.
+// Carries out these commands at once, as if they came from a button.
 void carry_out(Commands commands);
 
 // Does everything that follows a command. Call it after a function that changed the state in place
-// of one because it may refuse.
+// of a command because the function may refuse.
 void carried_out();
 
 }  // namespace evenlift::view

@@ -17,17 +17,18 @@ class SdlInput {
   void take(const Screen& screen);
 
   // Passes the pointer's next events to Dear ImGui in order, up to the next press, release or wheel
-  // turn: Dear ImGui would lose a second one in the same pass. A press waits until the panels are
-  // `laid_out`. Dear ImGui's pixels are `zoom` CSS pixels large. Call before ImGui::NewFrame().
+  // turn: in one pass, Dear ImGui would lose a second such event. A press waits until the panels
+  // are `laid_out`. Dear ImGui's pixels are `zoom` CSS pixels large. Call before ImGui::NewFrame().
   void feed(bool laid_out, double zoom);
 
-  // A trackpad's two fingers, which browsers report as a wheel.
+  // Takes the pinch of a trackpad, which browsers report as a wheel.
   void pinch(const Vec2& at, double factor);
 
-  // The finger that is down asks what it rests on, until it is lifted or another comes down.
+  // The finger that is down begins to ask about the part beneath it, until it is lifted or another
+  // comes down.
   void ask() { asks_ = touch_ && down_ && !two_fingers_; }
 
-  // In this pass, in the same pixels. Call after ImGui::NewFrame().
+  // The pointer in this pass, in the same pixels as in feed(). Call after ImGui::NewFrame().
   Pointer pointer(double zoom);
 
   bool waiting() const { return !queue_.empty(); }
@@ -40,10 +41,10 @@ class SdlInput {
     What what;
     Vec2 at;
     bool touch = false;
-    Uint32 time = 0;            // of a finger's press, in milliseconds
-    int clicks = 0;             // of a mouse: its presses in one place
+    Uint32 time = 0;            // time of a finger's press, in milliseconds
+    int clicks = 0;             // a mouse's presses in one place
     float wheel = 0;            // steps
-    Vec2 moved = Vec2::Zero();  // of a pinch's middle
+    Vec2 moved = Vec2::Zero();  // motion of a pinch's middle
     double factor = 1;
   };
   struct Finger {
@@ -64,12 +65,12 @@ class SdlInput {
   Vec2 at_ = Vec2(-1e6, -1e6);
   bool down_ = false, touch_ = false, asks_ = false;
   Vec2 pressed_at_ = Vec2::Zero();
-  std::optional<Uint32> pressed_time_;  // nothing: a finger's next press is a first one
+  std::optional<Uint32> pressed_time_;  // nullopt if a finger's next press is a first one
   bool two_fingers_ = false;  // until all are lifted: the last finger of a pinch drags nothing
   Vec2 pinch_middle_ = Vec2::Zero();
   double pinch_spread_ = 1;
 
-  // What this pass has processed.
+  // The events of this pass.
   bool dragged_ = false, ended_ = false, second_press_ = false;
   std::optional<Event> wheel_, pinch_;  // several in a row count as one
 };

@@ -1,7 +1,7 @@
 // Draws a frame of Dear ImGui with WebGL 2.
 //
 // Nothing else draws on the canvas. So constant state is set once, nothing is restored after a
-// frame, and no WebGL state is queried: that would wait for the graphics processor.
+// frame, and no WebGL state is queried: queries would wait for the graphics processor.
 #pragma once
 
 #include <GLES3/gl3.h>
@@ -24,7 +24,7 @@ class WebglRenderer {
   // ImGui::NewFrame(). From 1.92 on Dear ImGui requests its textures itself.
   void upload_fonts();
 
-  // O(vertices + indices).
+  // Draws a frame on this background. O(vertices + indices).
   void draw(ImDrawData& frame, const Colour& ground);
 
  private:

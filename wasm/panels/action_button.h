@@ -1,5 +1,5 @@
-// The button of an enabled action (actions.h), with its icon, and its name and key on hovering; or
-// a row of an open list.
+// Shows an action (actions.h) as a button with its icon, and with its name and key on hovering, or
+// as a row of an open list.
 #pragma once
 
 #include "actions/actions.h"
@@ -9,10 +9,10 @@ namespace evenlift::view {
 
 void action_button(const Ui& ui, ActionId id, float size);
 
-// With the name beside the icon.
+// A button with the name beside the icon, for an enabled action.
 void named_action_button(const Ui& ui, ActionId id, float size);
 
-// With the key if there may be a keyboard.
+// A row with the name, and with the key if there may be a keyboard.
 void action_row(const Ui& ui, ActionId id);
 
 }  // namespace evenlift::view

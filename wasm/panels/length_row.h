@@ -12,24 +12,26 @@ namespace evenlift::view {
 struct LengthRow {
   Setting setting;
   const char *label, *about, *spoken;
-  // For a setting with a default: its member, and the default's name.
+  // For a setting with a default: its member, and the label of the button that restores the
+  // default.
   std::optional<double> Settings::*member = nullptr;
   const char* usual = nullptr;
 };
 void draw_length(const Ui& ui, const LengthRow& row);
 
-// A length or a weight that may be missing.
+// The row of a length or a weight that may be missing.
 struct OptionalRow {
   Setting setting;
   const char *label, *about;
   std::string spoken;
-  const char* without;           // what is there instead
-  const char *unset_id, *unset;  // the button that removes it
+  const char* without;           // the text shown without a value
+  const char *unset_id, *unset;  // the button that removes the value
 };
 // Returns whether the value is given.
 bool draw_optional(const Ui& ui, const OptionalRow& row);
 
-// Of the object; and a length's first step from 0: a round number near a hundredth of the size.
+// The size of the object; and a length's first step from 0: a power of ten, from 1/500 to 1/50 of
+// the size.
 double size_of_object(const AppState& state);
 double first_length(double size_of_object);
 

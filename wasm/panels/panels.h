@@ -5,12 +5,12 @@
 
 namespace evenlift::view {
 
-// Of the side panel or sheet.
+// A part of the side panel or sheet.
 struct Panel {
   const char* name;
   void (*draw)(const Ui&);
-  bool of_result;                            // shows the last good placement
-  bool (*shown)(const AppState&) = nullptr;  // null: always
+  bool of_result;                            // whether it shows the last good placement
+  bool (*shown)(const AppState&) = nullptr;  // whether it is shown; null: always
 };
 
 void draw_panels(const AppState& state, Commands& commands);
@@ -26,7 +26,7 @@ void draw_failures(const Ui& ui);  // below the verdict, of constant height
 void draw_settings(const Ui& ui);
 void draw_teams_stepper(const Ui& ui);
 void draw_capacity(const Ui& ui);
-void draw_goal(const Ui& ui);  // if the method has one
+void draw_goal(const Ui& ui);  // shown if the method has a goal
 void draw_robot_size(const Ui& ui);
 // Slopes, uneven ground and a further load, below the button, which begins at `head`.
 void draw_carrying_button(const Ui& ui, float width);
@@ -35,13 +35,13 @@ void draw_more_button(const Ui& ui, float width);
 void draw_more(const Ui& ui, float head);  // seldom-used settings
 void draw_compare(const Ui& ui);
 void draw_comparison(const Ui& ui);  // with a second method
-// The heat map's colours, and their forces.
+// Draws the heat map's colours, and their forces.
 void draw_heat_key(const Ui& ui);
 void draw_overlays(const Ui& ui);
 void draw_teams(const Ui& ui);
 void draw_numbers(const Ui& ui);
 
-// One step up or down that suits the value's size: 100 changes by tens, 12 by ones.
+// The value after a step up or down that suits its size: 100 changes by tens, 12 by ones.
 double stepped(double value, int by);
 
 // The sections of the walkthrough.
@@ -56,13 +56,14 @@ void draw_player_row(const Ui& ui);
 // The floating cards.
 void draw_toolbar(const Ui& ui);
 void draw_tool_bar(const Ui& ui);
-// Whether the toolbar's menu has the snap choices that do not fit in the tool's bar; and its rows.
+// Whether the toolbar's menu has the snap choices, because they do not fit in the tool's bar; and
+// their rows in the menu.
 bool snaps_in_menu(const Ui& ui);
 void draw_snap_choices(const Ui& ui);
-// For the next edge, while at least one vertex is drawn.
+// The fields for the next edge, while at least one vertex is drawn.
 void draw_edge_fields(const Ui& ui, float length_width, float angle_width);
-// For the selected vertex; and whether they are on a narrow screen's closed sheet, not in a bar
-// over the drawing.
+// The buttons for the selected vertex; and whether they are on a narrow screen's closed sheet, not
+// in a bar over the drawing.
 void draw_vertex_buttons(const Ui& ui);
 bool vertex_is_on_sheet(const AppState& state);
 void draw_view_tools(const Ui& ui);

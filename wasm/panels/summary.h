@@ -19,16 +19,17 @@ struct Verdict {
 
 Verdict verdict(const AppState& state);
 
-// The verdict's assumptions about the robots; empty if it does not mention them.
+// The verdict's assumptions about the robots; empty if the verdict is not about placed robots.
 std::string presumed_in_words(const AppState& state);
 
-// `falls`, or `not_quite` because the object can tip or a robot is overloaded, if a robot fails.
+// The mood after a robot's failure: `falls`, `not_quite` because the object can tip or a robot is
+// overloaded, or `good`.
 Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest);
 
-// If the robot with this number, from 0, fails; empty if unknown.
+// The effect in words if the robot with this number, from 0, fails; empty if unknown.
 std::string failure_words(const AppState& state, std::size_t robot);
 
-// "4", "29.1 kg", "8.2 kg", "61 %", "held". The loads are empty if the object falls.
+// Texts like "4", "29.1 kg", "8.2 kg", "61 %", "held". The loads are empty if the object falls.
 struct ScoreInWords {
   std::string robots, most, spread, covered, held;
 };
@@ -38,14 +39,15 @@ ScoreInWords score_of(const Placement& placement, const Units& units);
 bool is_overloaded(const AppState& state);
 bool is_overloaded(const AppState& state, std::size_t robot);
 
-// Empty if no robot is overloaded.
+// A sentence about an overloaded robot; empty if no robot is overloaded.
 std::string overload_in_brief(const AppState& state);
 
-// For robots placed by hand: "4 robots, at most 29.0 kg, spread 8.0 kg, 64 % covered, not held".
+// The score of robots placed by hand, such as
+// "4 robots · at most 29.0 kg · spread 8.0 kg · 64 % covered · not held".
 std::string score(const AppState& state);
 
-// For a robot's capacity: whether each stays within it, and the number of robots needed; empty
-// without one.
+// Whether each robot stays within its capacity, and the number of robots needed; empty if no
+// capacity is given.
 std::string need_in_words(const AppState& state);
 
 // The assumptions of the shown loads, and the effect of the C uncertainty, each in a sentence or
@@ -53,19 +55,22 @@ std::string need_in_words(const AppState& state);
 std::string model_words(const AppState& state);
 std::string uncertainty_words(const AppState& state);
 
-// At which slope the object tips, and where a further load may stand; empty if neither is asked.
+// The slope at which the object tips, and the places where a further load may stand; empty if
+// neither is asked about.
 std::string carrying_words(const AppState& state);
 
-// Such as "kg".
+// The unit of weights, such as "kg".
 std::string weight_unit(const AppState& state);
 
-// What is on the screen but not in the link, in whole sentences; or empty.
+// Whole sentences about everything on the screen that the link lacks; empty if it lacks nothing.
 std::string link_lacks_in_words(const AppState& state);
 
-// Verdict, teams and loads, each in a sentence: the text of the page's live region. O(teams).
+// The verdict, teams and loads, each in a sentence. This is the text of the page's live region.
+// O(teams).
 std::string summary(const AppState& state);
 
-// In addition: the selection, the tool and the shown overlays, each in a sentence on its own line.
+// In addition to the summary: the selection, the tool and the shown overlays, each in a sentence on
+// its own line.
 // O(1).
 std::string news(const AppState& state);
 

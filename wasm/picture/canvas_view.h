@@ -1,4 +1,4 @@
-// A picture on the canvas: the placement, or the second method's beside it.
+// A picture on the canvas: of the placement, or of the second method's placement beside it.
 #pragma once
 
 #include <algorithm>
@@ -15,12 +15,12 @@ struct CanvasView {
   const AppState& state;
   const Theme& theme;
   const Layout& layout;
-  const Placement* placement;  // null before the first
+  const Placement* placement;  // null before the first placement
   const Scene& scene;
   const Camera& camera;
-  Rect window;  // its part of the canvas
-  bool second;  // of the second method
-  // What nothing covers for long, so that text there is legible.
+  Rect window;  // the picture's part of the canvas
+  bool second;  // whether this is the second method's picture
+  // The part of the window that no panel covers for long. Text there is legible.
   Rect uncovered() const {
     const Rect& free = layout.free;
     return {std::max(free.left, window.left), std::max(free.top, window.top),

@@ -1,5 +1,5 @@
-// Fills a large polygon by rows of device pixels. Triangles would be too many for a frame and slow
-// to compute; the window bounds the size of this result.
+// Fills a large polygon by rows of device pixels. There would be too many triangles for a frame,
+// and they would be slow to compute; the window bounds the number of rows and spans.
 #pragma once
 
 #include <vector>
@@ -8,19 +8,19 @@
 
 namespace evenlift::view {
 
-// A row's part inside the polygon, in pixels.
+// One part of a row that is inside the polygon, in pixels.
 struct RowSpan {
   float left, right, top;
 };
 struct RowFill {
   std::vector<RowSpan> spans;
-  float height = 1;  // of a row
+  float height = 1;  // of a row, in pixels
 };
 
-// The visible part of the polygon without its holes, by the even-odd rule at each pixel's middle.
-// An edge passed in both directions has no effect. `pixel` is a device pixel's size. Rows are
-// coarser if there would be more than a few hundred thousand spans. O(n + pixels + rows that the
-// edges cross).
+// Returns the visible part of the polygon without its holes. The even-odd rule decides at each
+// pixel's middle, so an edge that the outline passes in both directions has no effect. `pixel` is a
+// device pixel's size. Rows are higher than a pixel if there would otherwise be more than a few
+// hundred thousand spans. O(n + pixels + rows that the edges cross).
 RowFill fill_rows(const Points& polygon, const std::vector<Points>& holes, const Camera& camera,
                   const Rect& window, double pixel);
 

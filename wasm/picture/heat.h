@@ -1,4 +1,5 @@
-// For each point outside the lifting base, the least press down there that tips the object.
+// The heat map shows, for each point outside the lifting base, the least press down there that tips
+// the object.
 #pragma once
 
 #include <vector>
@@ -9,20 +10,21 @@
 namespace evenlift::view {
 
 // The part of the object, without its holes, where only a press down of at least `share` times the
-// weight tips it, as triangles: three points each. The innermost band has an infinite share: no
-// press there tips it.
+// object's weight tips it. The innermost band has an infinite share: no press there tips the
+// object.
 struct HeatBand {
   double share = 0;
-  std::vector<Vec2> triangles;
-  // For a polygon filled by rows: a convex region, counter-clockwise, whose part inside the polygon
-  // is the band. Empty means the whole polygon.
+  std::vector<Vec2> triangles;  // three points each
+  // A convex region, counter-clockwise, for a polygon that is filled by rows: its part inside the
+  // polygon is the band. Empty means the whole polygon.
   Points region;
 };
 
-// From the outermost band (share 0, the whole object) inwards; each is painted over the preceding
-// one. `triangles` are the object's, from triangulate(), or empty. A band is an intersection of
-// half-planes: the sides of the lifting base, moved outwards (algorithm.md, Stability). O(levels n
-// h) for h sides with a part of the polygon beyond them.
+// Returns the bands from the outermost (share 0, the whole object) inwards; each is painted over
+// the preceding one. There are no bands if the lifting base has no area. `triangles` are the
+// object's, from triangulate(); if they are empty, the bands have regions. A band is an
+// intersection of half-planes: the sides of the lifting base, moved outwards (algorithm.md,
+// Stability). O(levels n h) for n vertices and h sides with a part of the polygon beyond them.
 std::vector<HeatBand> heat_bands(const Placement& placement,
                                  const std::vector<std::uint32_t>& triangles);
 

@@ -1,5 +1,5 @@
-// Places for numbers in the drawing. They are needed in every frame of a drag, so this works with
-// cells of pixels; pictures in files can afford exact measurements
+// Finds places for numbers in the drawing. Every frame of a drag needs them, so this code works
+// with cells of pixels. Pictures in files have time for exact measurements
 // (evenlift/output/label_places.h).
 #pragma once
 
@@ -14,10 +14,10 @@
 namespace evenlift::view {
 
 struct LabelRequest {
-  Vec2 robot;        // pixels
-  Vec2 outward;      // unit vector that probably leads to room
-  Vec2 size;         // of the text with its padding
-  double reach = 0;  // radius to keep clear, if larger than a robot's mark
+  Vec2 robot;        // in pixels
+  Vec2 outward;      // unit vector in a direction that probably has free space
+  Vec2 size;         // of the text with its padding, in pixels
+  double reach = 0;  // radius to keep clear, in pixels, if it is larger than a robot's mark
 };
 
 // The occupied cells of the canvas, a few pixels large: a query for a box costs the same with a
@@ -28,30 +28,32 @@ class Occupied {
   void box(const Rect& taken);
   void disc(const Vec2& middle, double radius);
   void line(const Vec2& a, const Vec2& b);
-  bool is_free(const Rect& wanted) const;  // inside the window, and clear of boxes
+  bool is_free(const Rect& wanted) const;  // whether it is in the window and clear of boxes
   int crossed(const Rect& wanted) const;   // number of cells with a line
 
  private:
   struct Cells {
-    int left, top, right, bottom;  // the ends are exclusive
+    int left, top, right, bottom;  // right and bottom are exclusive
   };
   Cells cells(const Rect& area) const;
-  std::size_t index_of(int x, int y) const;  // of a cell
+  std::size_t index_of(int x, int y) const;  // index of a cell
   Rect window_;
   int across_, down_;
   std::vector<std::uint8_t> boxes_, lines_;
 };
 
-// A box in pixels for each request, beside its robot, clear of boxes, and of lines as far as
-// possible; nothing without room, or if it would cover lines in more than `most_crossed` cells.
-// `reach` is the radius of a robot's mark. The boxes are added to `occupied`. O(n) for n requests,
-// apart from their sizes.
+// Returns a box in pixels for each request. The box is beside the request's robot; it covers no
+// occupied box, and as few lines as possible. It is nothing if no place is free, or if every free
+// place would cover lines in more than `most_crossed` cells. `reach` is the radius of a robot's
+// mark. The boxes are added to `occupied`. O(n) for n requests of bounded size.
 std::vector<std::optional<Rect>> place_labels(const std::vector<LabelRequest>& requests,
                                               Occupied& occupied, double reach, int most_crossed);
 
-// The point inside the object and the lifting base that is farthest from chords, robots, cargo and
-// outlines, and its distance to them, in polygon coordinates. `before` is kept while it is nearly
-// as good, so that the number does not jump. Without such a point the room is 0.
+// The place of the coverage's number, in polygon coordinates. Of a grid of points inside the object
+// and the lifting base, it is the point that is farthest from chords, robots, the centre of mass,
+// cargo and outlines; `room` is its distance to them. The former place `before` is kept while it is
+// nearly as good, so that the number does not jump. If there is no such point, or there are too
+// many vertices, teams or items of cargo to search, `room` is 0.
 struct CoveragePlace {
   Vec2 at = Vec2::Zero();
   double room = 0;

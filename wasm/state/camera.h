@@ -7,7 +7,7 @@
 
 namespace evenlift::view {
 
-// In pixels; the origin is the canvas's top left corner.
+// A rectangle in pixels; the origin is the canvas's top left corner.
 struct Rect {
   double left = 0, top = 0, right = 0, bottom = 0;
   double width() const { return right - left; }
@@ -22,8 +22,8 @@ struct Rect {
   }
 };
 
-// The part of the segment from a to b in a rectangle (boundary included), as fractions of the way
-// from a; nothing if they do not meet. O(1).
+// The part of a segment from a to b, as fractions of the way from a. part_within() returns the part
+// in a rectangle (boundary included), or nothing if they do not meet. O(1).
 struct PartOfSegment {
   double from = 0, to = 1;
 };
@@ -38,25 +38,30 @@ struct Camera {
   Vec2 to_world(const Vec2& screen) const;
 };
 
-// All points are within `room`, as large as possible. O(n).
+// Returns the camera that shows all points within `room`, as large as possible. O(n).
 Camera fit(const Points& points, const Rect& room);
 
-// The point under `about` (pixels) stays in place. `smallest` and `largest` bound the scale.
+// Returns the camera with its scale multiplied by `factor`, within `smallest` and `largest`. The
+// point under `about` (pixels) stays in place.
 Camera zoom(const Camera& camera, const Vec2& about, double factor, double smallest,
             double largest);
 
+// Returns the camera after the drawing moved by this many pixels.
 Camera pan(const Camera& camera, const Vec2& pixels);
 
-// Between the dots: 1, 2 or 5 times a power of ten, at least 22 CSS pixels.
+// Returns the distance between the dots of the grid, in polygon coordinates: 1, 2 or 5 times a
+// power of ten, and at least 22 pixels on the screen.
 double grid_step(const Camera& camera);
 
-// The dot nearest to `world`.
+// Returns the dot of the grid that is nearest to `world`.
 Vec2 nearest_dot(const Camera& camera, const Vec2& world);
 
-// The nearest coordinates with no more decimals than a pixel needs: readable, and short in links.
+// Returns the nearest coordinates with no more decimals than a pixel needs. They are readable, and
+// short in links.
 Vec2 rounded_to_pixels(const Camera& camera, const Vec2& world);
 
-// With two more decimals, so that turned or scaled shapes keep their form.
+// Rounds to two more decimals than rounded_to_pixels(), so that turned or scaled shapes keep their
+// form.
 Vec2 rounded_finely(const Camera& camera, const Vec2& world);
 
 }  // namespace evenlift::view

@@ -15,7 +15,7 @@
 
 namespace evenlift::view {
 
-// Edits of the document: one step of undo each. Consecutive live edits form one step, until
+// Edits of the document. Each is one step of undo, but consecutive live edits form one step, until
 // EndEdit. MoveVertex and MoveCentre are always live.
 struct SetSettings {
   Settings settings;
@@ -25,30 +25,31 @@ struct SetMethod {
   Method method;
 };
 struct MoveVertex {
-  std::size_t vertex;  // or a weight: the number of a handle (handles.h)
+  std::size_t vertex;  // the number of a handle (handles.h): a vertex or a weight
   Vec2 to;
 };
 struct MoveCentre {
   Vec2 to;
 };
-struct ReleaseCentre {};  // back to the centroid
-// Of the outline or of a hole; also selects the vertex.
+struct ReleaseCentre {};  // puts the centre of mass back to the centroid
+// Inserts a vertex in an edge of the outline or of a hole, and selects it.
 struct InsertVertex {
   std::size_t edge;
   Vec2 at;
 };
-struct RemoveVertex {  // the last three of a hole go with the hole
-  std::size_t vertex;  // or a weight, as above
+// Removes a vertex or a weight. A hole of three vertices is removed whole.
+struct RemoveVertex {
+  std::size_t vertex;  // the number of a handle (handles.h)
 };
-struct AddWeight {  // also selects it
+struct AddWeight {  // adds a weight and selects it
   Vec2 at;
 };
-struct SetCargo {  // as typed
+struct SetCargo {  // changes a weight to the typed values
   std::size_t item;
   Cargo cargo;
 };
 struct OpenDocument {
-  Opened opened;  // applying the command moves it out
+  Opened opened;  // moved out when the command is applied
 };
 struct SetPolygon {
   PolygonGrip shape;
@@ -58,47 +59,49 @@ struct EndEdit {};
 struct Undo {};
 struct Redo {};
 
-// Moves a balanced robot along the outline, and its neighbours follow; or a team, with the robot,
-// along its range; or the robot freely, with the method `given`. Always live.
+// Moves a robot; always live. A balanced robot moves along the outline, and its neighbours follow.
+// A robot of a team moves the team along its range. With the method `given`, the robot moves
+// freely.
 struct MoveRobot {
-  std::size_t robot;  // counted team after team
+  std::size_t robot;  // the number from 0, team after team
   Vec2 to;
 };
-struct PlaceYourself {  // beneath the object, to play with
+struct PlaceYourself {  // puts robots beneath the object, for the user to move
   std::size_t robots = 4;
 };
-struct CloseTask {};   // restores what was open before
-struct SetChallenge {  // the page keeps its own answers to itself
-  bool on;
+struct CloseTask {};  // restores the document that was open before the task
+struct SetChallenge {
+  bool on;  // the page does not show its own answers
 };
-struct AddRobot {  // or where it adds most to the lifting base
-  std::optional<Vec2> at;
+struct AddRobot {
+  std::optional<Vec2> at;  // nothing: where the robot adds most to the lifting base
 };
-struct PutRobot {  // exactly at a place, as typed
+struct PutRobot {  // puts a robot exactly at a typed place
   std::size_t robot;
   Vec2 at;
 };
-struct RemoveRobot {  // from 0, or the last
-  std::optional<std::size_t> robot;
+struct RemoveRobot {
+  std::optional<std::size_t> robot;  // the number from 0; nothing: the last robot
 };
 struct EvenOut {};      // moves two or three given robots to equal loads
-struct ResetRobots {};  // back to where the method placed them
+struct ResetRobots {};  // moves the robots back to where the method placed them
 
-// Of the search with this number (Given::Found). Without `robots`, it cannot continue.
+// Reports a result of the search with this number (Given::Found). Without `robots`, the search
+// cannot continue.
 struct TakeRobots {
   std::uint64_t number;
   std::optional<std::string> robots;
   bool ended = true;
 };
 
-// The worker's choice for the document with this number (Given::Chosen).
+// Reports the worker's choice for the document with this number (Given::Chosen).
 struct TakeChoice {
   std::uint64_t number;
   std::optional<std::vector<double>> choice;
 };
 
-// The other commands change neither the polygon nor its placement. SetShown is one step of undo,
-// unless only overlays differ.
+// The commands below change neither the polygon nor its placement, unless they say so. SetShown is
+// one step of undo, unless only overlays differ.
 struct SetShown {
   Shown shown;
   bool live = false;
@@ -113,39 +116,40 @@ SetShown showing(const AppState& state, Value Shown::*member, std::type_identity
 struct SetTool {
   Tool tool;
 };
-struct GripPolygon {};  // for SetPolygon
+struct GripPolygon {};  // notes the polygon as it is, for the SetPolygon commands that follow
 struct AddPoint {
   Vec2 at;
 };
 struct TakePointBack {};
 struct PutPointBack {};
-struct FinishDrawing {};  // or reports its error
-struct MovePoint {        // a placed one
+// Opens the drawn polygon or cuts the drawn hole, or reports why that is impossible.
+struct FinishDrawing {};
+struct MovePoint {  // moves a placed point of the drawing
   std::size_t point;
   Vec2 to;
 };
 struct SetDrawCursor {
   std::optional<Vec2> at;
-  std::optional<Vec2> pointer;  // in pixels, if the pointer moved it
+  std::optional<Vec2> pointer;  // the pointer in pixels, if it moved the cursor
   bool by_keys = false;
 };
-// The next edge's typed length and angle in degrees; a missing value stays. With `place`, also
-// places the edge's end.
+// Sets the next edge's typed length and angle in degrees; a missing value stays. With `place`, this
+// command also places the edge's end.
 struct TypeEdge {
   std::optional<double> length, degrees;
   bool place = false;
 };
-struct WithdrawEdge {};  // forgets both values
+struct WithdrawEdge {};  // forgets the typed length and angle
 struct SetSnap {
   Snap snap;
 };
-struct OpenWalkthrough {};  // where the user left it
+struct OpenWalkthrough {};  // opens the walkthrough where the user left it
 struct CloseWalkthrough {};
 struct GoToStep {
   std::uint32_t step;
 };
 struct MoveSteps {
-  int by;  // stops of the lesson, if one is open
+  int by;  // a number of steps, or of stops if a lesson is open
 };
 struct MoveChapters {
   int by;
@@ -166,7 +170,7 @@ struct PointAtChoice {
   std::size_t choice;  // an index into Ask::choices
 };
 struct AskWhy {
-  std::optional<Vec2> at;  // without a place, withdraws the question
+  std::optional<Vec2> at;  // nothing: withdraws the question
 };
 struct Measure {
   std::uint32_t candidate;
@@ -174,8 +178,8 @@ struct Measure {
 struct HoverFigure {
   std::optional<std::size_t> figure;
 };
-// Opens the card that explains why a robot stands there or why a candidate was not chosen; without
-// a part, closes it.
+// Opens the card that explains why a robot stands where it does, or why a candidate was not chosen.
+// Without a part, this command closes the card.
 struct Explain {
   std::optional<Pick> of;
 };
@@ -183,20 +187,21 @@ struct ShowInLesson {
   std::uint32_t step;
 };
 struct LeaveScript {};  // continues without the lesson's words
-// The drawing and a large caption, in full screen.
+// Begins or ends presentation mode: the drawing and a large caption, in full screen.
 struct SetPresenting {
   bool on;
 };
-// Of the trace, or only the main ones; leaves the lesson.
+// Shows all steps of the trace, and sets an open lesson aside; or shows only the lesson's stops
+// again, or, without a lesson, the main steps.
 struct ShowAllSteps {
   bool all;
 };
 struct Compare {
   std::optional<Method> method;
 };
-// By the number from 0; without one, all robots work again.
+// Lets a robot fail, or all robots work again.
 struct Fail {
-  std::optional<std::size_t> robot;
+  std::optional<std::size_t> robot;  // the number from 0; nothing: all work
 };
 struct SetLoadModel {
   LoadModel model;
@@ -217,7 +222,7 @@ struct SetCamera {
   Camera camera;
 };
 struct FitView {};
-// About a place on the screen, or about the middle of the area for the polygon.
+// Zooms about a place on the screen, or about the middle of the area for the polygon.
 struct ZoomView {
   double factor;
   std::optional<Vec2> about{};
@@ -225,12 +230,13 @@ struct ZoomView {
 struct SetPanelOpen {
   bool open;
 };
-// Of the settings.
+// Opens or closes a section of the settings.
 struct SetSectionOpen {
   bool View::*section;
   bool open;
 };
-// A stroke of the brush that begins on a no-go part erases; any other marks.
+// Sets whether the brush erases. A stroke that begins on a no-go part erases; any other stroke
+// marks.
 struct SetErases {
   bool erases;
 };
@@ -249,19 +255,19 @@ struct MeasureNotice {
   double height;
 };
 struct CopyLink {};
-// In the field of a control.
+// Asks for a typed value in the field of a control.
 struct TypeValue {
   const char* control;
 };
 struct OpenDialog {
   Dialog dialog;
 };
-struct OpenPage {};     // of an <iframe>, in a new tab
-struct LayOutAgain {};  // part of a panel moved, so another frame is needed
+struct OpenPage {};     // opens the page of an <iframe> in a new tab
+struct LayOutAgain {};  // asks for another frame, since part of a panel moved
 struct ShowNotice {
   Notice notice;
 };
-struct EndNotice {};  // unless it reports a problem
+struct EndNotice {};  // ends the notice, unless it reports a problem
 
 // Facts from the page around the view, or from the last visit. They are not steps of undo.
 struct SetCanvas {
@@ -270,18 +276,19 @@ struct SetCanvas {
 struct SetPreferences {
   bool dark, reduced_motion, finger;
 };
-struct SetTouch {  // whether the pointer is a finger, and whether it rests and asks
+// `on`: the pointer is a finger; `asking`: the finger rests, to ask about the part under it.
+struct SetTouch {
   bool on, asking;
 };
-// What a window of the page covers of the canvas, in CSS pixels.
+// Reports how much of the canvas a window of the page covers at each side, in CSS pixels.
 struct CoverScreen {
   double left, right, foot;
 };
-// For a card of the page at the foot of the drawing, in CSS pixels; 0 without one.
+// Makes room for a card of the page at the foot of the drawing.
 struct MakeRoom {
-  double height;
+  double height;  // of the card, in CSS pixels; 0 without a card
 };
-// Behind the drawing, for tracing.
+// Lays a picture behind the drawing, for tracing.
 struct LayPicture {
   Vec2 low, high;
 };
@@ -314,8 +321,8 @@ using AnyCommand = std::variant<
     MeasureSheet, MeasureNotice, CopyLink, TypeValue, OpenDialog, OpenPage, LayOutAgain, TakeRobots,
     TakeChoice, ShowNotice, EndNotice, SetCanvas, SetPreferences, SetTouch, CoverScreen, MakeRoom,
     LayPicture, TakePictureAway, SetMeasuring, KeepMotion, KeepComparison, ForgetSteps, AddStep>;
-// Its special members are compiled once (command.cpp): written out in every file that makes a
-// command, they were half of the time of compiling the panels.
+// One command. The special members of this class are compiled once (command.cpp): in every file
+// that makes a command, they took half of the time of compiling the panels.
 class Command {
  public:
   template <class Kind>

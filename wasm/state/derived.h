@@ -1,5 +1,5 @@
-// Everything that follows from the document and the view. Only derive() (derive/derive.h) writes
-// it.
+// The derived part of the state: everything that follows from the document and the view. Only
+// derive() (derive/derive.h) writes it.
 #pragma once
 
 #include <cstddef>
@@ -21,13 +21,13 @@ namespace evenlift::view {
 
 // A placement's loads as shown, and its robustness. Robots are counted from 0, team after team.
 struct Outlook {
-  std::vector<LoadRange> loads;  // of each robot, by `model`
+  std::vector<LoadRange> loads;  // of each robot, by the load model `model`
   LoadModel model = LoadModel::plan;
   double greatest = 0;    // of these loads
   Robustness robustness;  // see placed_robots.h
   std::optional<ModelLoads>
-      models;  // only if the shown model is not the plan, or there is a disturbance
-  std::optional<ExtraLoad> extra;  // where a further load may stand, if asked
+      models;  // present only if the shown model is not the plan, or there is a disturbance
+  std::optional<ExtraLoad> extra;  // where a further load may stand, if the user asks
 };
 
 // A failed robot, and the placement without it.
@@ -35,29 +35,29 @@ struct Failure {
   std::size_t robot = 0;
   std::optional<RestOfRobots> rest;  // nothing if the others do not carry the object
   Placement placement;               // with_failure() of placed_robots.h
-  Outlook outlook;                   // of the others
+  Outlook outlook;                   // of the other robots
 };
 
-// Improves the balanced robots on the screen, in the background. Afterwards it counts the robots
-// needed if any one may fail.
+// The background search that improves the balanced robots on the screen. Afterwards it counts the
+// robots needed if any one may fail.
 struct Search {
-  std::uint64_t number = 0;  // of the last search; earlier results are dropped
+  std::uint64_t number = 0;  // of the last search; results of earlier searches are dropped
   bool due = false;          // the robots on the screen are the start of a search
   bool under_way = false;
-  bool counting = false;
+  bool counting = false;  // it counts the robots needed
 };
 
-// During a drag of a large object, a worker chooses its teams, one document after another, and
-// skips documents that are overtaken meanwhile (derive/elsewhere.h).
+// During a drag of a large object, a worker chooses the object's teams (derive/elsewhere.h). It
+// takes one document after another, and skips documents that are overtaken meanwhile.
 struct Elsewhere {
   std::uint64_t number = 0;  // of the last document for the worker
   bool under_way = false;
   bool possible = true;     // false once the worker failed during a drag
-  Document document;        // under way
-  std::uint64_t edits = 0;  // Work::edits() of it
+  Document document;        // the one that the worker has now
+  std::uint64_t edits = 0;  // Work::edits() of this document
 };
 
-// Other settings that would mend what is amiss, and the words of their button.
+// Other settings that would correct a placement that is not good, and the label of their button.
 struct Offer {
   Settings settings;
   std::string label;
@@ -71,29 +71,29 @@ struct Basis {
   LoadModel load_model = LoadModel::plan;
   Shown shown;
   bool challenge = false;
-  std::uint64_t fails = 0, card = 0;  // the last ones requested (view_state.h)
+  std::uint64_t fails = 0, card = 0;  // numbers of the last requests (view_state.h)
 };
 
 struct Derived {
   std::optional<InputError> refusal;   // why the document is refused
   std::optional<Placement> placement;  // of the last document not refused
-  Document placed;                     // that document; last_good() adds what is shown
+  Document placed;                     // that document; last_good() adds the present Shown
   std::optional<Placement> second;     // of the same document by the second method
   std::shared_ptr<const Trace> trace;  // of the placement, while a step is shown
-  std::uint64_t traces = 0;            // made so far
+  std::uint64_t traces = 0;            // the number of traces made so far
   std::string untraced;                // why the requested trace is missing
 
   // Summaries of the above.
-  std::optional<double> best_ratio;  // of any chord, if none has the minimum
-  std::optional<Offer> offer;        // if the placement is not good; none during a drag
-  bool offer_due = true;             // it may have changed
-  std::optional<CapacityPlan> plan;  // for the capacity; not updated during a drag
-  std::optional<FailurePlan> spare;  // if any robot may fail; for balanced robots it comes later:
-                                     // each number needs a search (search.h)
-  bool plan_due = false;             // it may have changed
-  Outlook outlook, second_outlook;   // of the placement and of the second one
+  std::optional<double> best_ratio;  // the best ratio of any chord, if no chord has the minimum
+  std::optional<Offer> offer;        // if the placement is not good; nothing during a drag
+  bool offer_due = true;             // the offer may have changed
+  std::optional<CapacityPlan> plan;  // robots needed for the capacity; not updated in a drag
+  std::optional<FailurePlan> spare;  // the robots needed if any one may fail; balanced robots
+                                     // need a search for each number, so it comes later (search.h)
+  bool plan_due = false;             // `plan` or `spare` may have changed
+  Outlook outlook, second_outlook;   // of the first and the second placement
   std::vector<std::optional<RestOfRobots>> failures;  // by the failing robot; empty while unknown
-  bool failures_due = true;                           // they must be computed
+  bool failures_due = true;                           // `failures` must be computed
   std::optional<Failure> failure;                     // the robot that the user let fail
   std::optional<Explanation> explanation;             // the card beside a robot or chord
   Search search;
@@ -103,25 +103,27 @@ struct Derived {
   Basis basis;
 };
 
-// Values that commands pass to derive(), which empties it: results of a check, and results from
-// outside the view.
+// Values that commands pass to derive(): results of a check, and results from outside the view.
+// derive() empties this struct.
 struct Given {
   std::optional<Placement> placement;  // of the document
   std::optional<Trace> trace;          // of that placement
-  // If only robots moved by hand differ: the held robot's number before and after.
+  // The held robot's number before and after, if the placements differ only in robots moved by
+  // hand.
   struct Moved {
     std::size_t robot, now;
   };
   std::optional<Moved> moved;
-  // Robots or a count from the search with this number; nothing if it cannot continue.
+  // The result of the search with this number: robots or a count, or no `robots` if the search
+  // cannot continue.
   struct Found {
     std::uint64_t number;
     std::optional<std::string> robots;
     bool ended;
   };
   std::optional<Found> found;
-  // The worker's choice for the document with this number (derive/elsewhere.h); empty if the
-  // document is refused, nothing if the worker failed.
+  // The worker's choice for the document with this number (derive/elsewhere.h). The choice is empty
+  // if the document is refused, and nothing if the worker failed.
   struct Chosen {
     std::uint64_t number;
     std::optional<std::vector<double>> choice;

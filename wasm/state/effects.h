@@ -1,4 +1,4 @@
-// The view's requests to the browser. Commands and derive() append them, and page/browser.cpp
+// The view's requests to the browser. Commands and derive() append requests, and page/browser.cpp
 // carries them out afterwards, in order.
 #pragma once
 
@@ -29,7 +29,7 @@ enum class Dialog : std::uint8_t {
   end_of_dialogs  // not a dialog; it stays last and counts them: each must have a name
 };
 
-// Of the mouse pointer over the canvas.
+// The shapes of the mouse pointer over the canvas.
 enum class Cursor : std::uint8_t {
   arrow,
   press,
@@ -43,17 +43,18 @@ enum class Cursor : std::uint8_t {
   end_of_cursors  // not a cursor; counts them
 };
 
-// The page updates the address bar, the storage and the live region, at most a few times a second.
+// The document changed. The page updates the address bar, the storage and the live region, at most
+// a few times a second.
 struct DocumentChanged {};
 
-// The selection, the held part or the comparison changed. Only the summary for users who cannot see
-// the canvas follows.
+// The selection, the held part or the comparison changed. The page updates only the summary for
+// users who cannot see the canvas.
 struct SummaryChanged {};
 
-// The browser keeps them apart from the document (page_kept()).
+// The preferences changed. The browser keeps them apart from the document (page_kept()).
 struct PreferencesChanged {};
 
-// For users who cannot see the canvas.
+// Announces a text to users who cannot see the canvas.
 struct Announce {
   std::string text;
 };
@@ -68,18 +69,18 @@ struct ShowDialog {
   Dialog dialog;
 };
 
-// Once the field is laid out.
+// Moves the keyboard focus to a control's field once the field is laid out.
 struct FocusField {
   std::string control;
 };
 
-// In full screen, or back in its window. When the user leaves full screen, the page calls
-// page_end_presenting().
+// Shows the page in full screen or back in its window. When the user leaves full screen, the page
+// calls page_end_presenting().
 struct ShowFullScreen {
   bool on;
 };
 
-// Of an <iframe>, in a new tab.
+// Opens the page of an <iframe> in a new tab.
 struct ShowPage {};
 
 // Continues this search for balanced robots in the background, and ends any earlier one. The
@@ -100,14 +101,16 @@ struct ChooseElsewhere {
   std::string settings;
 };
 
-// Now, or after this time. Only the last request for a later frame counts, and it can be dropped.
+// Requests a frame now, or after this many seconds. Only the last request for a later frame counts;
+// DropFrameAfter cancels it.
 struct NextFrame {};
 struct FrameAfter {
   double seconds;
 };
 struct DropFrameAfter {};
 
-// Without a number, cancels the end. Only the last request counts.
+// Ends the notice after this many seconds or, without a number, cancels the planned end. Only the
+// last request counts.
 struct EndNoticeAfter {
   std::optional<double> seconds;
 };

@@ -11,7 +11,7 @@
 
 namespace evenlift::view {
 
-// Under the pointer, or held.
+// A part of the drawing that is under the pointer or held.
 struct Pick {
   enum class Kind : std::uint8_t {
     none,
@@ -28,20 +28,20 @@ struct Pick {
     cargo         // a weight on the object
   };
   Kind kind = Kind::none;
-  std::size_t index = 0;   // of the vertex, edge, team, candidate or frame's grip
+  std::size_t index = 0;   // of the vertex, edge, team, candidate, weight or frame's grip
   int end = 0;             // of a robot: 0 for r1, 1 for r2
   Vec2 at = Vec2::Zero();  // in polygon coordinates; on an edge or chord, its nearest point
-  bool second = false;     // in the picture of the second method
+  bool second = false;     // the part is in the second method's picture
   bool operator==(const Pick&) const = default;
 };
 
-// About a robot, a team's chord or a candidate.
+// The contents of the card about a robot, a team's chord or a candidate.
 struct Explanation {
   struct Row {
     std::string label, value;
   };
   Pick of;
-  std::optional<std::size_t> robot;  // of the first picture, from 0
+  std::optional<std::size_t> robot;  // the robot's number from 0, in the first picture
   std::string title;
   std::vector<Row> rows;
   std::string reason;

@@ -1,5 +1,5 @@
-// Unlimited undo and redo. Documents are kept whole; those that differ only in settings share their
-// vertices. The page keeps the newest steps in the browser.
+// Unlimited undo and redo. Documents are kept whole; documents that differ only in settings share
+// their vertices. The page keeps the newest steps in the browser.
 #pragma once
 
 #include <cstddef>
@@ -53,23 +53,24 @@ enum class Edit : std::uint32_t {
 };
 inline constexpr std::size_t edit_count = 32, edit_of_records = 100;
 
-// "moved a vertex". O(settings).
+// Returns the edit in words, as "moved a vertex". O(settings).
 std::string in_words(Edit edit);
 
-// O(settings).
+// Returns the kind of a change of this setting. O(settings).
 Edit edit_of(const SettingRow& row);
 
-// `shown` with the overlays and the step of `other`, which undo leaves unchanged. O(1).
+// Returns `shown` with the overlays and the step of `other`: undo leaves these unchanged. O(1).
 Shown seen_as(Shown shown, const Shown& other);
 
-// Whether another object replaced the open one. O(1).
+// Returns whether this edit replaced the open object by another one. O(1).
 bool is_other_object(Edit edit);
 
-// Behind the drawing, for tracing. The page draws it; the view knows its position.
+// A picture behind the drawing, for tracing. The page draws the picture; the view knows its
+// position.
 struct Backdrop {
   Vec2 low, high;             // its corners, in polygon coordinates
-  std::uint32_t picture = 0;  // its number since the start
-  bool traced = false;        // the open polygon was drawn on it
+  std::uint32_t picture = 0;  // the picture's number, counted since the start
+  bool traced = false;        // the open polygon was drawn on the picture
   bool operator==(const Backdrop&) const = default;
   double width() const { return high.x() - low.x(); }
 };
@@ -77,26 +78,27 @@ struct Backdrop {
 // What undo restores in addition to the document.
 struct Beside {
   std::optional<Method> second_method;
-  std::optional<Backdrop> backdrop;  // not kept in the browser, as the picture is not
+  std::optional<Backdrop> backdrop;  // not kept in the browser, since the picture is not
   bool operator==(const Beside&) const = default;
 };
 
 class History {
  public:
-  // Also clears redo.
+  // Records an edit of the document `before`, and clears redo.
   void record(const Document& before, const Beside& beside = {}, Edit edit = Edit::settings);
 
-  // Of edits that can be undone.
+  // Returns the number of edits that can be undone.
   std::size_t depth() const { return past_.size(); }
   bool can_undo() const { return !past_.empty(); }
   bool can_redo() const { return !future_.empty(); }
 
-  // What undo() would undo and redo() would redo. Precondition: can_undo() (can_redo()).
+  // Returns the edit that undo() would undo (redo() would redo). Precondition: can_undo()
+  // (can_redo()).
   Edit undoes() const { return past_.back().edit; }
   Edit redoes() const { return future_.back().edit; }
 
-  // The document before the last edit (after the last undone one). Precondition: can_undo()
-  // (can_redo()).
+  // undo() returns the document before the last edit, and redo() the document after the edit undone
+  // last. Precondition: can_undo() (can_redo()).
   struct Recalled {
     Document document;
     Beside beside;
@@ -105,17 +107,18 @@ class History {
   Recalled undo(const Document& now, const Beside& beside = {});
   Recalled redo(const Document& now, const Beside& beside = {});
 
-  // Leaves the open lesson and returns what was open before it; nothing without one. Without edits
-  // since, the history forgets the lesson. Otherwise leaving it is another step, which can be
-  // undone.
+  // Leaves the open lesson and returns the document that was open before it; nothing if no lesson
+  // is open. If the lesson was not edited, the history forgets it. Otherwise leaving it is another
+  // step, which can be undone.
   std::optional<Recalled> leave_lesson(const Document& now, const Beside& beside = {});
 
-  // The index, as for kept(), of the step that opened a lesson, if the object before the newest
-  // `later` steps belongs to it; otherwise nothing. O(steps).
+  // Returns the index, as for kept(), of the step that opened a lesson, if the object before the
+  // newest `later` steps belongs to that lesson; otherwise nothing. O(steps).
   std::optional<std::size_t> lesson_opened(std::size_t later = 0) const;
 
-  // For storage outside: index i is the step that i + 1 undos (redos) lead to, if it exists. The
-  // link is empty if the document is too large for one. The first time O(n), then O(bytes).
+  // A step, for storage outside. kept() returns the step to which i + 1 undos (redos) lead for
+  // index i, or nothing if there are fewer steps. The link is empty if the document is too large
+  // for a link. The first call for a step costs O(n), and later ones O(bytes).
   struct Kept {
     Edit edit = Edit::settings;
     Beside beside;
@@ -123,7 +126,7 @@ class History {
   };
   std::optional<Kept> kept(bool redo, std::size_t index);
 
-  // As the newest step to undo (redo). Ignores an unreadable link. O(n).
+  // Adds a step as the newest one to undo (redo). Ignores a step whose link is unreadable. O(n).
   void add(bool redo, const Kept& kept);
   void clear();
 
@@ -141,7 +144,7 @@ class History {
                 const Beside& beside);
 
   std::vector<Entry> past_, future_;
-  std::vector<Entry> future_before_lesson_;  // when the last lesson was opened
+  std::vector<Entry> future_before_lesson_;  // from when the last lesson was opened
 };
 
 }  // namespace evenlift::view

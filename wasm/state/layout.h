@@ -1,4 +1,5 @@
-// The places of everything on the screen: side by side on a wide one, stacked on a narrow one.
+// The places of everything on the screen: side by side on a wide screen, stacked on a narrow one.
+// All sizes are pixels.
 #pragma once
 
 #include "state/camera.h"
@@ -6,41 +7,48 @@
 
 namespace evenlift::view {
 
-inline constexpr double zoom_width = 52;  // of the zoom percentage among the view tools
+inline constexpr double zoom_width = 52;  // width of the zoom percentage in the view tools
 
 struct Layout {
   bool wide = true;        // panel at the side; otherwise a sheet at the bottom
-  double control = 32;     // of one control; larger for a finger
+  double control = 32;     // height of a control; larger for a finger
   double margin = 16;      // between panels and the canvas's edge
   double bar_padding = 8;  // between a bar's controls and its edge
-  bool low = false;        // little height: seldom-used controls are in the toolbar's menu
-  bool brief = false;      // the closed sheet shows only its first lines, to leave room for a card
-  Rect panel;              // panel or sheet
-  // While the walkthrough is open; in an <iframe>, always. On a narrow screen it is in the sheet.
+  bool low = false;        // the height is small: seldom-used controls are in the toolbar's menu
+  bool brief = false;  // the closed sheet shows only its first lines, to leave room for the drawing
+  Rect panel;          // the panel at the side, or the sheet
+  // The player, with the walkthrough's words and buttons. It is empty if no walkthrough is open,
+  // except in an <iframe>. On a narrow screen the player is in the sheet.
   Rect player;
-  // Only left and top matter: the width follows from the content. Empty in an <iframe> and in
-  // presentation mode.
+  // Only left and top matter: the width follows from the content. The toolbar is empty in an
+  // <iframe> and while steps are presented.
   Rect toolbar;
-  Rect tools;          // zoom and fit; empty if the toolbar's menu has them
-  Rect free;           // what nothing covers for long
-  Rect first, second;  // the two pictures of a comparison; otherwise the whole, and empty
-  // Of a strip at the top of each picture; the caption is at its foot.
+  Rect tools;  // the view tools, zoom and fit; empty if the toolbar's menu has them
+  Rect free;   // the part of the canvas that is covered only briefly, if at all
+  // The two pictures of a comparison. Without a comparison, `first` is the whole drawing and
+  // `second` is empty.
+  Rect first, second;
+  // The height of a strip at the top of each compared picture, with the caption at the strip's
+  // foot.
   double caption = 0;
-  Rect notice;  // it appears at the foot; independent of whether there is one
-  Rect room;    // where a fitting view puts the polygon
+  Rect notice;  // a notice appears at the foot of this place
+  Rect room;    // where the fitting view puts the polygon
 };
 
+// Returns the places on the screen for this state.
 Layout layout(const AppState& state);
 
-// Whether a narrow screen's sheet can be half open. On a low screen the closed sheet is that high.
+// Returns whether a narrow screen's sheet can be half open. On a low screen it cannot: the closed
+// sheet is about as high as a half-open one.
 bool has_half_sheet(const AppState& state);
 
-// Shows the polygon and its centre of mass, even outside; or, while the user draws over a photo,
-// the whole photo. O(vertices).
+// Returns the camera that shows the polygon and its centre of mass, even if this centre is outside
+// the polygon. While the user draws over a picture, the camera shows the whole picture.
+// O(vertices).
 Camera fitting_camera(const AppState& state);
 
-// A card of the page goes at the foot of this rectangle and within it, and covers no control.
-// Independent of whether there is one.
+// Returns the rectangle for a card of the page, whether or not there is a card. The card goes at
+// the foot of the rectangle and within it, and covers no control.
 Rect card_seat(const AppState& state);
 
 }  // namespace evenlift::view

@@ -1,4 +1,4 @@
-// The settings that change with the method.
+// Changes the settings when the method changes.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,8 @@
 
 namespace evenlift::view {
 
-// Two balanced robots count as one team; 3 if nothing is placed.
+// Returns the number of placed teams, at least 1; 3 if nothing is placed. Two balanced robots count
+// as one team.
 inline std::uint32_t placed_teams(const std::optional<Placement>& placement) {
   if (!placement) return 3;
   return std::max<std::uint32_t>(1, static_cast<std::uint32_t>(count_robots(placement->teams) / 2));
@@ -18,12 +19,12 @@ inline std::uint32_t placed_teams(const AppState& state) {
   return placed_teams(state.derived().placement);
 }
 
-// For the other methods, robots are points.
+// Returns whether the method considers the robots' size. For the other methods, robots are points.
 inline bool takes_sizes(Method method) { return is_one_team(method) || selects_candidates(method); }
 
-// The settings with another method, and without what it does not support: "max" becomes `teams`,
-// and the goal, the robots' size and the no-go edges are reset. For teams, a goal of balanced
-// robots is also reset.
+// Returns the settings with another method, and without the settings that the method does not
+// support. "max" teams becomes `teams`, and supports, the goal, the robots' size and the no-go
+// edges are reset. For teams, a goal of balanced robots is also reset.
 inline Settings with_method(Settings settings, Method method, std::uint32_t teams) {
   const bool balanced = method == Method::balanced;
   if (method != Method::given) settings.supports.clear();
@@ -38,8 +39,8 @@ inline Settings with_method(Settings settings, Method method, std::uint32_t team
   return settings;
 }
 
-// Settings that a method does not support are set aside until one that supports them. Balanced
-// robots have their own goal.
+// Changes the method. Settings that the new method does not support are set aside in `aside`, until
+// a method is chosen that supports them. Balanced robots have their own goal.
 struct WithMethod {
   Settings settings;
   SetAside aside;
@@ -62,7 +63,7 @@ inline WithMethod with_method(const Settings& now, Method method, std::uint32_t 
   return {std::move(settings), std::move(aside)};
 }
 
-// That the settings allow.
+// Returns the smallest number of robots that the settings allow.
 inline std::uint32_t fewest_robots(const Settings& settings) {
   return settings.survive == 0 ? least_robots : 2 * settings.survive + 3;
 }

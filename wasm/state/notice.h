@@ -1,4 +1,5 @@
-// Messages: to the browser, to users who cannot see the canvas, and in a notice over the drawing.
+// Sends messages: to the browser, to users who cannot see the canvas, and in a notice over the
+// drawing.
 #pragma once
 
 #include <string>
@@ -7,13 +8,16 @@
 
 namespace evenlift::view {
 
-// The page carries it out after the present commands.
+// Appends an effect, which the page carries out after the present commands.
 void emit(AppState& state, Effect effect);
+// Announces a text to users who cannot see the canvas.
 void announce(AppState& state, std::string text);
 
-// Screen readers also read the notice. Without text, removes the last one. A problem stays until
-// closed or replaced; other notices end, since they cover part of the drawing.
+// Shows a notice, which screen readers also read. A notice without text removes the last one. A
+// problem stays until it is closed or replaced; other notices end, since they cover part of the
+// drawing.
 void show(AppState& state, Notice notice);
+// Ends the notice, unless it reports a problem.
 void end_notice(AppState& state);
 
 }  // namespace evenlift::view

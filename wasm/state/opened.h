@@ -1,5 +1,5 @@
-// Placing a document validates it, so both happen at once; the placement is passed on to where it
-// is shown, so that nothing is computed twice.
+// Opens documents. Placing a document validates it, so both happen at once. The placement is passed
+// on to where it is shown, so that nothing is computed twice.
 #pragma once
 
 #include <cstdint>
@@ -15,57 +15,62 @@ namespace evenlift::view {
 struct Opened {
   Document document;
   Placement placement;
-  std::optional<Trace> trace;  // if a check needed it
+  std::optional<Trace> trace;  // the placement's trace, if a check needed it
 };
 
 // Places the document, or returns why it is refused. Costs as much as place().
 Result<Opened> opened(Document document);
 
-// For another polygon. All that does not concern it comes from `before`.
+// Places another polygon. The settings and the Shown come from `before`, except the parts that
+// belong to its polygon: the step, the shown lengths and the no-go edges.
 Result<Opened> opened_after(Document polygon, const Document& before);
 
-// From a link, or from a link or a polygon's text. Returns the first error.
+// read_link() reads and places a document from a link, and read_document() from a link or a
+// polygon's text. Both return the first error.
 Result<Opened> read_link(std::string_view link);
 Result<Opened> read_document(std::string_view text);
 
-// Without placing it.
+// Reads a document from a link or a polygon's text, without placing it.
 Result<Document> parse_document(std::string_view text);
 
 // How urgently a placement is needed. Swaps among all candidates improve teams with the goal
-// *hold*, which can take seconds. Where they would hold up the page, the teams stay as the metric
+// *hold*, but can take seconds. If the swaps would take too long, the teams stay as the metric
 // selects them, and the placement's `search_ended` is false. The limit is about a twentieth of a
 // second during a drag, and some seconds at rest.
 enum class Haste : std::uint8_t { at_rest, drag };
 
 // The view computes placements and traces only here. These functions count, so that a test can
 // check that an action computes one placement, and none if it changes only the picture. A known
-// placement of the same vertices saves checking them. Balanced robots are the start of a search
-// (search.h), unless the whole search is traced.
+// placement `before` of the same object saves checking the object. Balanced robots are the start of
+// a search (search.h), unless the whole search is traced.
 Result<Placement> compute_placement(const Document& document,
                                     const std::optional<Placement>& before = std::nullopt,
                                     Haste haste = Haste::at_rest);
 
-// With a choice made elsewhere (place_as_chosen()), and without swaps.
+// Computes the placement with a choice made elsewhere (place_as_chosen()), and without swaps.
 Result<Placement> compute_as_chosen(const Document& document, const Placement& before,
                                     Choice choice);
 
-// In the haste of a drag, for a placement that is only offered; counted separately.
+// Computes a placement that is only offered, with Haste::drag. It is counted separately.
 Result<Placement> try_placement(const Document& document, const Placement& before);
 
-// Whether the teams are few enough to be swapped in a drag. O(1).
+// Returns whether the teams have the goal *hold* and are few enough to be swapped in a drag. O(1).
 bool swaps_in_a_drag(const Placement& placement);
 
-// Whether the teams should be swapped until they hold, but are as the metric selects them. O(1).
+// Returns whether the teams should be swapped until they hold, but are still as the metric selects
+// them. O(1).
 bool waits_for_swap(const Placement& placement);
+
+// Computes the placement's trace. Costs as much as make_trace().
 Result<Trace> compute_trace(const Placement& placement, const Units& units,
                             HistoryLength length = HistoryLength::whole);
 
-// Also counted. Costs as much as plan_capacity().
+// Computes and counts a plan. Costs as much as plan_capacity().
 CapacityPlan compute_plan(const Placement& placement, double capacity);
 
 struct Computed {
   std::uint64_t placements = 0, tries = 0, traces = 0, plans = 0;
 };
-Computed computed();  // since the start
+Computed computed();  // the numbers since the start
 
 }  // namespace evenlift::view

@@ -1,23 +1,25 @@
-// The size of the screen, and the scale of everything on it.
+// Sets the size of the screen, and the scale of everything on it.
 #pragma once
 
 #include "state/state.h"
 
 namespace evenlift::view {
 
-// In CSS pixels, and device pixels per CSS pixel.
+// Sets the canvas's size in CSS pixels, and the number of device pixels per CSS pixel.
 void set_canvas(AppState& state, double css_width, double css_height, double css_ratio);
 
-// In presentation mode, what is open fills the screen. Call it when that may have changed. O(1).
+// Scales everything for presentation mode, which enlarges presented steps more than the tool. Call
+// this when the mode may have changed, or a walkthrough may have been opened or closed. O(1).
 void scale_screen(AppState& state);
 
-// By a window of the page, in CSS pixels.
+// Notes how much of the canvas a window of the page covers at each side, in CSS pixels.
 void cover_screen(AppState& state, double left, double right, double foot);
 
-// For a card of this height, in CSS pixels, at the foot of the drawing; 0 undoes that.
+// Makes room for a card of this height, in CSS pixels, at the foot of the drawing; 0 undoes that.
 void make_room(AppState& state, double height);
 
-// Presentation mode enlarges everything in full screen, with an open walkthrough without settings.
+// Begins or ends presentation mode, which enlarges everything in full screen. An open walkthrough
+// is shown without the settings.
 void set_presenting(AppState& state, bool on);
 
 }  // namespace evenlift::view

@@ -1,4 +1,4 @@
-// The part of the polygon that the camera shows.
+// Tells which part of the polygon the camera shows.
 #pragma once
 
 #include <string>
@@ -7,19 +7,22 @@
 
 namespace evenlift::view {
 
-// Whether no panel covers the centre of mass.
+// Returns whether a centre of mass that the user set is on the screen and no panel covers it; true
+// if the user did not set it.
 bool centre_is_shown(const AppState& state);
 
-// Whether all vertices are on the screen, and nothing covers one. O(vertices).
+// Returns whether all vertices of the outline are on the screen, and no panel covers one.
+// O(vertices).
 bool vertices_are_shown(const AppState& state);
 
-// Whether the camera shows all vertices, not much smaller than possible. O(n).
+// Returns whether all vertices of the outline are on the screen, perhaps under a panel, and are not
+// much smaller than they could be. O(vertices).
 bool well_shown(const AppState& state);
 
-// "125 %" of the fitting view. O(vertices).
+// Returns the scale as a percentage of the fitting view's, as "125 %". O(vertices).
 std::string zoom_in_words(const AppState& state);
 
-// Whether the outline crosses the uncovered canvas. O(vertices).
+// Returns whether the outline crosses the uncovered part of the canvas. O(vertices).
 bool outline_is_seen(const AppState& state);
 
 }  // namespace evenlift::view

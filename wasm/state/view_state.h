@@ -1,4 +1,4 @@
-// The present view and tool: neither saved with the document nor undone.
+// The present view and tool. They are neither saved with the document nor undone.
 #pragma once
 
 #include <cstddef>
@@ -16,33 +16,34 @@
 
 namespace evenlift::view {
 
-// On a narrow screen.
+// How far the sheet of a narrow screen is open.
 enum class Sheet : std::uint8_t { closed, half, full };
 
-// A press grabs a vertex or the centre of mass, places a vertex, grabs the whole polygon, marks a
-// no-go part, adds a robot, places a hole's vertex, or puts a weight on the object.
+// The tool says what a press does. In order: it grabs a vertex or the centre of mass, places a
+// vertex, grabs the whole polygon, marks a no-go part, adds a robot, places a hole's vertex, or
+// puts a weight on the object.
 enum class Tool : std::uint8_t { parts, draw, transform, mark, robot, hole, weight };
 
-// A shape or a hole, vertex by vertex.
+// Returns whether the tool draws a shape or a hole, vertex by vertex.
 constexpr bool draws(Tool tool) { return tool == Tool::draw || tool == Tool::hole; }
 
-// Whether a click adds a robot or a weight.
+// Returns whether a click adds a robot or a weight.
 constexpr bool adds_by_click(Tool tool) { return tool == Tool::robot || tool == Tool::weight; }
 
 // The polygon or the hole being drawn.
 struct Drawing {
   Points points;
-  Points undone;                    // redo brings back the last point first
-  std::optional<Vec2> cursor;       // where the next vertex would go
-  std::optional<Vec2> last_cursor;  // its last place, while the pointer is elsewhere
-  std::optional<Vec2> pointer;      // the pointer's place then, in pixels
-  bool by_keys = false;             // keys moved the cursor, which stays until the pointer moves
+  Points undone;                          // taken back; redo brings the last of them back first
+  std::optional<Vec2> cursor;             // where the next vertex would go
+  std::optional<Vec2> last_cursor;        // the cursor's last place, while the pointer is elsewhere
+  std::optional<Vec2> pointer;            // the pointer's place when it moved the cursor, in pixels
+  bool by_keys = false;                   // keys moved the cursor; it stays until the pointer moves
   std::optional<double> length, degrees;  // of the next edge, as typed
   bool checked = false;                   // whether `refusal` is known
   std::optional<InputError> refusal;      // why the shape cannot be closed
 };
 
-// When the user grabbed it to move, turn or scale it.
+// The polygon when the user grabbed it to move, turn or scale it.
 struct PolygonGrip {
   Points vertices;
   std::optional<Vec2> centre_of_mass;
@@ -50,15 +51,15 @@ struct PolygonGrip {
   std::vector<Cargo> cargo;
 };
 
-// For points that are dragged or drawn.
+// The lines and dots to which dragged and drawn points snap.
 struct Snap {
   bool grid = false;  // the dots of the grid
   bool axis = false;  // the horizontal and the vertical through a neighbouring point
   bool operator==(const Snap&) const = default;
 };
 
-// The number distinguishes a repeated request from an old one. A request ends when the robots
-// change.
+// A request to show something about a robot or a part. The number distinguishes a repeated request
+// from an old one. A request ends when the robots change.
 template <class What>
 struct Wanted {
   std::optional<What> of;
@@ -70,12 +71,13 @@ struct Wanted {
   }
 };
 
+// A task of a lesson that the learner does.
 struct OpenTask {
   Lesson lesson;
   Exercise exercise;
-  std::uint64_t number = 1;  // the learner's
-  bool preview = false;      // its lesson is being written
-  std::size_t depth = 0;     // edits in the history at its opening; undoing more leaves it
+  std::uint64_t number = 1;  // the task's number, as the learner sees it
+  bool preview = false;      // the lesson is being written
+  std::size_t depth = 0;     // edits in the history at the opening; undoing more leaves the task
 };
 
 struct View {
@@ -83,40 +85,39 @@ struct View {
   Drawing drawing;
   PolygonGrip grip;
   Snap snap;
-  std::optional<std::size_t> selected;  // handle (handles.h)
+  std::optional<std::size_t> selected;  // number of a handle (handles.h)
   Pick hover, held;
   std::optional<LiftingPoint>
       closed_to;  // where the dragged robot should go, if the others cannot follow
-  // A support that is held outside the object, and meanwhile not among the supports.
+  // A support that is held outside the object; meanwhile it is not among the supports.
   struct Away {
     Vec2 at;
     std::optional<double> capacity;
   };
   std::optional<Away> away;
-  bool erases = false;     // what the held brush does
-  bool measuring = false;  // two points of the backdrop are chosen, to set its scale
+  bool erases = false;     // the held brush erases, instead of marking
+  bool measuring = false;  // the user chooses two points of the backdrop, to set its scale
 
-  bool challenge =
-      false;  // a challenge or a task is open: the page keeps its own answers to itself
+  bool challenge = false;  // a challenge or a task is open: the page does not show its own answers
   std::optional<OpenTask> task;
 
-  LoadModel load_model = LoadModel::plan;  // of the shown loads
-  Wanted<std::size_t> fails;               // by the robot's number from 0
-  Wanted<Pick> card;                       // that the card explains
+  LoadModel load_model = LoadModel::plan;  // the load model of the shown loads
+  Wanted<std::size_t> fails;               // the failed robot's number from 0
+  Wanted<Pick> card;                       // the part that the card explains
   Walkthrough walkthrough;
-  bool presenting = false;  // enlarged, in full screen
+  bool presenting = false;  // presentation mode: enlarged, in full screen
 
   Camera camera;
-  bool camera_follows = true;  // fits its window until the user pans or zooms
-  bool fit_due = true;         // once no drag is under way
+  bool camera_follows = true;  // the camera fits the drawing until the user pans or zooms
+  bool fit_due = true;         // the camera is to be fitted once no drag is under way
   Rect fitted;                 // the area of the last fit
   bool motion = true;          // changes are animated, except with reduced motion
 
   bool panel_open = true;
-  bool carrying_open = false;  // slopes, uneven ground and a further load
-  bool formal_open = false;    // a step's formula, and the algorithm
-  bool more_open = false;      // seldom-used settings
-  bool robot_open = false;     // the robots' size
+  bool carrying_open = false;  // the section about slopes, uneven ground and a further load
+  bool formal_open = false;    // the section with a step's formula, and the algorithm
+  bool more_open = false;      // the section of seldom-used settings
+  bool robot_open = false;     // the section about the robots' size
   Sheet sheet = Sheet::closed;
 };
 

@@ -1,7 +1,7 @@
-// A lesson is a teacher's text (evenlift/lesson.h). The walkthrough shows the algorithm step by
-// step. A script is a lesson whose stops were found in the walkthrough's trace.
+// The state of the walkthrough, which shows the algorithm step by step. A lesson is a teacher's
+// text (evenlift/lesson.h). A script is a lesson whose stops were found in the walkthrough's trace.
 //
-// This is data, which walkthrough/walkthrough.h changes.
+// These structs are data; walkthrough/walkthrough.h changes them.
 #pragma once
 
 #include <array>
@@ -19,23 +19,24 @@
 
 namespace evenlift::view {
 
-// A lesson's step, and the teacher's words for it.
+// A step at which a lesson stops, and the teacher's words for it.
 struct Stop {
   std::uint32_t step;
   std::string words;
 };
 struct Script {
   Lesson lesson;
-  std::vector<Stop> stops;   // with an address in the trace; at least one
+  std::vector<Stop> stops;   // the lesson's steps found in the trace; at least one
   std::size_t position = 0;  // the present or last stop
   Document of;               // the lesson's own document
-  std::size_t depth = 0;     // edits in the history at its opening; undoing more leaves it
-  bool preview = false;      // being written
+  std::size_t depth = 0;     // edits in the history when the lesson was opened; undoing more
+                             // leaves the lesson
+  bool preview = false;      // the lesson is being written
 };
 
-// About a choice that the next step shows.
+// A question about the choice that the next step shows.
 struct Ask {
-  std::uint32_t step;  // with the answer
+  std::uint32_t step;  // the step that shows the answer
   StepDetail detail;
   Question question;
   std::string text;
@@ -48,20 +49,22 @@ struct Answered {
   std::uint32_t guess;  // one of the choices
 };
 
+// A step that was shown, and its caption.
 struct Visited {
   std::uint32_t step;
   std::string caption;
 };
 
-// Since the walkthrough began. Only the first guess at each step counts.
+// The user's guesses since predictions were turned on or another document was opened. Only the
+// first guess at each step counts.
 struct Guesses {
   std::vector<std::uint32_t> steps;
   std::uint32_t right = 0;
-  // The steps of the questions, by QuestionKind.
+  // The steps about which a question was asked, by QuestionKind.
   std::array<std::vector<std::uint32_t>, question_kind_count> asked;
-  std::vector<std::uint32_t> told;  // choices shown without a question
+  std::vector<std::uint32_t> told;  // the steps that showed a choice without a question
 
-  // Questions without a guess.
+  // Returns the number of questions without a guess.
   std::size_t passed_over() const {
     std::size_t all = 0;
     for (const std::vector<std::uint32_t>& of_kind : asked) all += of_kind.size();
@@ -70,20 +73,20 @@ struct Guesses {
 };
 
 struct Walkthrough {
-  std::shared_ptr<const Trace> trace;  // of the placement, while open
-  std::uint64_t traced = 0;            // its number (Derived::traces)
-  std::uint32_t at = 0;                // kept when the walkthrough is closed
-  std::vector<std::uint32_t> main;     // evenlift/main_steps.h
-  bool all_steps = false;              // otherwise only the main ones
-  bool resumes = false;                // reopens where it was left
+  std::shared_ptr<const Trace> trace;  // of the placement; null while the walkthrough is closed
+  std::uint64_t traced = 0;            // the trace's number (Derived::traces)
+  std::uint32_t at = 0;                // the present step; kept when the walkthrough is closed
+  std::vector<std::uint32_t> main;     // the main steps (evenlift/main_steps.h)
+  bool all_steps = false;              // all steps are shown, otherwise only the main steps
+  bool resumes = false;                // the walkthrough is reopened where it was left
   StepDetail detail;
-  Progress known;
-  std::vector<Figure> figures;            // of the step
-  std::optional<std::uint32_t> measured;  // whose gain is drawn, in `scores`
-  std::vector<Figure> gained;             // what the metric measures for it
+  Progress known;                         // the results known at this step
+  std::vector<Figure> figures;            // of the present step
+  std::optional<std::uint32_t> measured;  // the candidate in detail.scores whose gain is drawn
+  std::vector<Figure> gained;             // the figures that show this gain
   Points base;                            // the lifting base known at this step
   std::string caption, formula;
-  std::vector<Visited> visited;  // preceding steps, the newest last
+  std::vector<Visited> visited;  // the last steps shown, the newest last
 
   bool playing = false;
   double speed = 1;
@@ -91,20 +94,20 @@ struct Walkthrough {
 
   bool predict = false;
   std::optional<Ask> ask;
-  std::optional<Answered> answered;  // at the step with the answer
+  std::optional<Answered> answered;  // the question whose answer this step shows
   std::string verdict;               // whether the last guess was right
   bool was_right = false;
   Guesses guesses;
 
-  std::optional<Chord> asked;  // "why not this one?"
-  Points asked_places;         // "why no robot here?": where the robots would go, this place first
-  std::string why;
-  bool why_taken = false;  // the chord belongs to a team
+  std::optional<Chord> asked;  // the chord of the question "why not this one?"
+  Points asked_places;  // of "why no robot here?": where the robots would go, the asked place first
+  std::string why;      // the answer to either question
+  bool why_taken = false;  // the chord belongs to a team, or a robot stands at the place
 
   std::optional<std::size_t> hovered;  // index of the figure under the pointer
   std::optional<Script> script;
-  std::optional<Script> aside;  // to return to, while all steps are shown
-  bool of_lesson = false;       // opened as a lesson; valid only while open: in_lesson()
+  std::optional<Script> aside;  // the script to return to, while all steps are shown
+  bool of_lesson = false;       // opened as a lesson; valid only while open: see in_lesson()
 };
 
 }  // namespace evenlift::view

@@ -1,4 +1,4 @@
-// The document with its undo, and what undo restores with it.
+// The work: the document with its undo, and the values that undo restores with it.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace evenlift::view {
 
-// What the present method does not support, from a former one.
+// Settings of a former method that the present one does not support (method.h).
 struct SetAside {
   std::optional<RobotSize> robot;
   std::optional<std::vector<EdgePart>> no_go;
@@ -18,29 +18,31 @@ struct SetAside {
 };
 
 struct Work {
-  // It may be refused.
+  // Returns the present document, which may be refused.
   const Document& document() const { return document_; }
-  // For a change that may affect the robots' places: the document is placed again.
+  // Returns the document for a change that may affect the robots' places: it is placed again.
   Document& edit() {
     ++edits_;
     return document_;
   }
-  // For a change that places nothing.
+  // Returns the part of the document that can change without placing anything.
   Shown& show() { return document_.shown; }
+  // Returns the number of calls of edit().
   std::uint64_t edits() const { return edits_; }
 
   History history;
   bool edit_open = false;               // a drag is under way, which becomes one step of undo
-  std::optional<Method> second_method;  // beside the document's
+  std::optional<Method> second_method;  // compared with the document's method
   SetAside aside;
   std::optional<Backdrop> backdrop;
-  std::uint32_t pictures = 0;  // put behind the drawing since the start
+  std::uint32_t pictures = 0;  // the number of pictures put behind the drawing since the start
 
  private:
   Document document_;
   std::uint64_t edits_ = 0;
 };
 
+// Returns the values that undo restores in addition to the document. O(1).
 inline Beside beside(const Work& work) { return {work.second_method, work.backdrop}; }
 
 }  // namespace evenlift::view

@@ -1,4 +1,4 @@
-// Shows what a press on the drawing would do.
+// Chooses the pointer's shape, which shows what a press on the drawing would do.
 #pragma once
 
 #include "state/effects.h"

@@ -1,4 +1,4 @@
-// The polygon being drawn: its crossing edges, and the click that closes it.
+// The polygon or the hole being drawn: its points and edges, and the click that closes it.
 #pragma once
 
 #include <cstddef>
@@ -12,48 +12,55 @@
 
 namespace evenlift::view {
 
-// From the first vertex, in pixels.
+// The distance from the first vertex within which a press closes the polygon, in pixels.
 inline constexpr double closing_reach = 14;
 
-// Whether a press would close the polygon. O(1).
+// Returns whether a press would close the polygon. O(1).
 bool closes(const AppState& state, const Vec2& screen);
 
-// The placed vertex that a press grabs. O(n).
+// Returns the nearest placed vertex within reach of a press, which grabs it; nothing if all are
+// farther away. O(n).
 std::optional<std::size_t> placed_at(const AppState& state, const Vec2& screen);
 
-// From a placed vertex to the next.
+// The length and direction of an edge from a placed vertex to the next.
 struct Edge {
   double length = 0;
   double degrees = 0;  // counter-clockwise from the x axis, in (-180, 180]
 };
 Edge edge_between(const Vec2& from, const Vec2& to);
 
-// "120 long · 45.0°", with the view's number of decimals. O(1).
+// Return an edge as "120 long · 45.0°", and a length as "120". The scale of the view decides the
+// number of decimals of a length. O(1).
 std::string edge_in_words(const AppState& state, const Vec2& from, const Vec2& to);
 std::string length_in_words(const AppState& state, double length);
 
-// The next edge's end towards `wanted`, with the typed length and angle, rounded to a millionth of
-// the edge. Precondition: at least one vertex is placed. O(1).
+// Returns the next edge's end towards `wanted`, with the typed length and angle, rounded to about a
+// millionth of the edge's length. Precondition: at least one vertex is placed. O(1).
 Vec2 typed_end(const Drawing& drawing, const Vec2& wanted);
 
-// Of the area that the closed chain encloses; nothing if it encloses none. O(n).
+// Returns the centroid of the area that the closed chain encloses; nothing if this area is 0. O(n).
 std::optional<Vec2> centroid_of(const Points& chain);
 
-// If the pointer is at `world`, after snapping. O(1).
+// Returns the point that a press places if the pointer is at `world`: the typed edge's end, or the
+// pointer's place after snapping. O(1).
 Vec2 next_point(const AppState& state, const Vec2& world);
 
-// On the grid, if points snap to it, or else rounded to the pixels. O(1).
+// Returns the nearest dot of the grid, if points snap to the grid; otherwise `to` rounded to the
+// pixels. O(1).
 Vec2 snapped(const AppState& state, const Vec2& to);
 
-// The axes go through the neighbours `before` and `after`. O(1).
+// Returns `to` snapped as above and, if points snap to the axes, to the horizontals and verticals
+// through the neighbours `before` and `after` that are near. O(1).
 Vec2 snapped(const AppState& state, const Vec2& to, const Vec2& before, const Vec2& after);
 
-// The pairs of edges of the open chain that cross, touch or overlap; neighbours may share their
-// common point. Edge i begins at point i. Exact. O(n²); always empty for more than 1,000 points.
+// Returns the pairs of edges of the open chain that cross, touch or overlap; neighbouring edges may
+// share their common point. Edge i begins at point i. The result is exact, but always empty for
+// more than 1,000 points. O(n²).
 std::vector<std::pair<std::size_t, std::size_t>> crossings(const Points& chain);
 
-// The drawing as text for storage, one vertex per line, and back. A hole begins with a line of its
-// own. Nothing if the text cannot be read.
+// The drawing kept as text for storage: drawing_text() writes it, and read_drawing() reads it, or
+// returns nothing if it cannot be read. The text has one line for each vertex; that of a hole
+// begins with the line "hole".
 struct KeptDrawing {
   Points points;
   bool is_hole = false;

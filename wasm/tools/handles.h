@@ -1,6 +1,6 @@
-// The points of a document that the user selects, drags, nudges and removes, in one numbering: the
-// vertices of the outline, then those of each hole, and the weights. Edges have the numbers of the
-// vertices at which they begin.
+// The handles of a document are the points that the user selects, drags, nudges and removes. They
+// have one numbering: the vertices of the outline, the vertices of each hole, and the weights. An
+// edge has the number of the vertex at which it begins.
 #pragma once
 
 #include <cstddef>
@@ -18,38 +18,40 @@ struct Handle {
   std::size_t index = 0;  // of the vertex in its ring, or of the weight
 };
 
-// O(holes).
+// Return the number of all vertices, and of all handles. O(holes).
 std::size_t count_vertices(const Document& document);
 std::size_t count_handles(const Document& document);
 
-// O(holes).
+// Returns the number of a weight's handle. O(holes).
 std::size_t weight_handle(const Document& document, std::size_t item);
 
-// Nothing if there are fewer. O(holes).
+// Returns the handle with this number; nothing if there are fewer handles. O(holes).
 std::optional<Handle> handle_of(const Document& document, std::size_t number);
 
-// O(1).
+// Return the vertices of a ring. O(1).
 const Points& ring_of(const Document& document, std::size_t ring);
 Points& ring_of(Document& document, std::size_t ring);
 
-// O(holes).
+// Returns the number of the ring's first vertex. O(holes).
 std::size_t first_of_ring(const Document& document, std::size_t ring);
 
-// The place of a handle, which must exist; and moves it there. O(holes).
+// place_of() returns the place of a handle, and put() moves the handle to a place. Precondition:
+// the handle exists. O(holes).
 Vec2 place_of(const Document& document, std::size_t number);
 void put(Document& document, std::size_t number, const Vec2& at);
 
-// In the vertex's ring. O(holes).
+// Return the vertices before and after this one in its ring. O(holes).
 Vec2 before(const Document& document, std::size_t vertex);
 Vec2 after(const Document& document, std::size_t vertex);
 
-// "Vertex 3", "Hole 2, vertex 3", "Weight 1" or "Weight 1, motor". O(holes).
+// Returns the handle's name: "Vertex 3", "Hole 2, vertex 3", "Weight 1" or "Weight 1, motor"; empty
+// if there is no such handle. O(holes).
 std::string name_of(const Document& document, std::size_t number);
 
-// All that moves with the polygon. O(n).
+// Returns all points that move with the polygon. O(n).
 PolygonGrip grip_of(const Document& document);
 
-// visit(ring, number of its first vertex) is called for the outline and each hole.
+// Calls visit(ring, number of its first vertex) for the outline and each hole.
 template <class Visit>
 void for_each_ring(const Document& document, Visit visit) {
   visit(document.vertices, std::size_t{0});

@@ -1,58 +1,69 @@
-// Finds the part under the pointer, which need not hit a grip exactly, and a finger even less so.
+// Finds the part under the pointer. The pointer need not hit a part exactly, and a finger even less
+// so.
 #pragma once
 
 #include "state/state.h"
 
 namespace evenlift::view {
 
-// The part at `screen`, in pixels. The nearest vertex, centre of mass or robot has priority; a
-// movable robot with an open card precedes the vertex under it. Then follow edges, chords and shown
-// candidates, and last the object. In the second method's picture, robots and chords are that
-// method's. O(vertices + teams).
+// Returns the part at `screen`, in pixels. The nearest vertex, weight, centre of mass, uncertainty
+// grip or robot has priority; a movable robot precedes the vertex under it if it was placed by hand
+// or has an open card. Edges, chords and shown candidates follow, and last the object. In the
+// second method's picture, robots, chords and candidates are that method's. O(vertices + teams +
+// candidates).
 Pick pick(const AppState& state, const Vec2& screen, bool second = false);
 
-// The object, whatever else is at `screen`; the kind is none beside it and in a hole. O(vertices).
+// Returns the object, whatever other part is at `screen`; the kind is none outside the object and
+// in a hole. O(vertices).
 Pick object_at(const AppState& state, const Vec2& screen, bool second = false);
 
-// Whether the user can move the robot: any of the first picture, unless a walkthrough is open or a
-// robot fails.
+// Returns whether the part is a robot that the user can move. This is any robot of the first
+// picture, unless the document is refused, a walkthrough is open or a robot fails.
 bool can_take_robot(const AppState& state, const Pick& pick);
 
-// For a press that may begin a drag: a vertex or the centre of mass within reach precedes a robot,
-// unless the robot can be moved. O(vertices + teams).
+// Returns the part for a press that may begin a drag. A vertex, a weight, the centre of mass or the
+// uncertainty grip within reach precedes a robot, unless the robot can be moved. O(vertices + teams
+// + candidates).
 Pick pick_to_hold(const AppState& state, const Vec2& screen, bool second = false);
 
-// The robot, team's chord or shown candidate, regardless of other parts there; otherwise the kind
-// is none. O(teams + candidates).
+// Returns the robot, team's chord or shown candidate at `screen`, whatever other part is there. The
+// kind is none if these are not there. O(teams + candidates).
 Pick pick_explained(const AppState& state, const Vec2& screen, bool second = false);
 
-// The grip that sets the C uncertainty, in pixels. It is away from the ring, so that the user can
-// grab it even if the ring is small. Nothing while no ring is visible. uncertainty_for_grip() is
-// the uncertainty for a grip at `screen`.
+// Returns the place of the grip that sets the C uncertainty, in pixels; nothing while no robots are
+// placed, or the ring of the uncertainty is hidden or cannot be edited. The grip is away from the
+// ring, so that the user can grab it even if the ring is small. uncertainty_for_grip() returns the
+// uncertainty for a grip at `screen`, in polygon coordinates.
 std::optional<Vec2> uncertainty_grip(const AppState& state);
 double uncertainty_for_grip(const AppState& state, const Vec2& screen);
 
-// Whether the pointer holds this part, or else is over it; false while a shape or a hole is drawn.
+// Returns whether the pointer holds this part; or, if it holds no part, whether it is over this
+// part. False while a shape or a hole is drawn.
 bool is_hovered(const AppState& state, Pick::Kind kind, std::size_t index);
 
-// The robot, chord or candidate under the pointer, or else with an open card.
+// Returns the robot, chord or candidate under the pointer, or else the part with an open card. If
+// no card is open, this is any part under the pointer.
 Pick marked_part(const AppState& state);
 
-// Of a robot's team, of a team or of a candidate; nothing for other parts, and for parts that the
-// placement does not have.
+// Returns the chord of a robot's team, of a team or of a candidate; nothing for other parts, and
+// for parts that the placement does not have.
 std::optional<Chord> chord_of_part(const Placement& placement, const Pick& part);
 
-// The document's, or else that of the last good placement; and with its cargo. O(items).
+// own_centre() returns the object's own centre of mass: the document's, or else that of the last
+// good placement, or else the first vertex. centre_of_mass() returns the centre of mass with the
+// cargo. O(items).
 Vec2 own_centre(const AppState& state);
 Vec2 centre_of_mass(const AppState& state);
 
-// Without the holes; nothing while the document is refused. O(1).
+// Returns the centroid of the object without its holes; nothing while the document is refused.
+// O(1).
 std::optional<Vec2> own_centroid(const AppState& state);
 
-// Otherwise the kind is none. O(items).
+// Returns the weight at `screen`; the kind is none if no weight is there. O(items).
 Pick weight_at(const AppState& state, const Vec2& screen);
 
-// Null if the document is refused, or without such a placement.
+// Returns the shown placement of the first or the second method; null if it does not exist or the
+// document is refused.
 const Placement* current_placement(const AppState& state, bool second);
 
 }  // namespace evenlift::view

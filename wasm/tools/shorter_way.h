@@ -1,4 +1,4 @@
-// Paths along a polygon's outline, and why a robot cannot take one.
+// Finds paths along a polygon's outline, and tells why a robot cannot go to a place.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,10 @@
 
 namespace evenlift::view {
 
-// Both places are included. O(n).
+// Returns the shorter path along the outline from one place to another, both included. O(n).
 Points shorter_way(const Points& vertices, const LiftingPoint& from, const LiftingPoint& to);
 
-// For a robot moved by hand: "Robot 3 cannot go there: …". O(1).
+// Returns why a robot moved by hand cannot go to a place: "Robot 3 cannot go there: …". O(1).
 std::string closed_in_words(const Placement& placement, std::size_t robot);
 
 }  // namespace evenlift::view

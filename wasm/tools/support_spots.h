@@ -1,5 +1,5 @@
-// A robot placed by hand sticks to vertices and edges near the pointer, and to the place that is
-// exactly even with another robot.
+// Finds the places to which a robot placed by hand sticks: vertices and edges near the pointer, and
+// the place that is exactly even with another robot.
 #pragma once
 
 #include <cstddef>
@@ -9,20 +9,21 @@
 
 namespace evenlift::view {
 
-// In pixels.
+// The distances within which a robot sticks to vertices and edges, and to an even place, in pixels.
 inline constexpr double edge_reach = 12, even_reach = 8;
 
-// For a robot held at `to`; nothing outside the object. `robot` is its number in the placement, or
-// none for a new robot. O(n + m).
+// Returns the place for a robot held at `to`; nothing if that is outside the object and no edge is
+// near. `robot` is the robot's number in the placement, or nothing for a new robot. O(n + m) for m
+// robots.
 std::optional<Vec2> support_spot(const AppState& state, const Vec2& to,
                                  std::optional<std::size_t> robot);
 
-// The nearest even place: straight across C from another robot, as far away, and not outside the
-// object. Nothing if none is near. O(n + m).
+// Returns the nearest even place: straight across C from another robot, equally far from C, and not
+// outside the object. Nothing if all even places are farther away than `reach` (pixels). O(n + m).
 std::optional<Vec2> even_spot(const AppState& state, const Vec2& to,
                               std::optional<std::size_t> robot, double reach);
 
-// Whether the pointer holds a robot placed by hand.
+// Returns whether the pointer drags a robot placed by hand.
 bool holds_support(const AppState& state);
 
 }  // namespace evenlift::view

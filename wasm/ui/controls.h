@@ -1,5 +1,5 @@
-// The panels' controls as data. The page mirrors them in HTML for keyboards and screen readers;
-// scripts and tests find them by name. Each pass lays them out again.
+// The panels' controls as data. The page mirrors the controls in HTML for keyboards and screen
+// readers; scripts and tests find them by name. Each pass lays them out again.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace evenlift::view {
 
-// `text` is not interactive: a number of the result, for users who cannot see it. The last value
-// counts the kinds, so that each must have a name.
+// `text` is not interactive: it is a number of the result, for users who cannot see the panels. The
+// last value counts the kinds, so that each must have a name.
 enum class ControlKind : std::uint8_t {
   button,
   toggle,
@@ -30,57 +30,58 @@ struct Control {
   std::string label;  // a readable name
   bool enabled = true;
   bool on = false;                   // of a toggle
-  std::string value;                 // of a number, slider or text, as shown
+  std::string value;                 // of a number, slider or text: the value as shown
   std::string exact;                 // of a number: for typing, if `value` is rounded
-  std::string setting;               // of a number, see settings.h
+  std::string setting;               // of a number: the setting's name (settings.h)
   bool is_length = false;            // of a number: in the document's unit of length
   double low = 0, high = 0, at = 0;  // of a slider
   double step = 0;
   std::vector<std::string> choices;    // of a choice
-  std::optional<std::size_t> current;  // the chosen one
-  std::string card;                    // the card that contains it
-  Rect place;                          // in pixels
-  Rect window;                         // visible part of the card; empty below an open list
+  std::optional<std::size_t> current;  // the chosen index of `choices`
+  std::string card;                    // the name of the card that contains the control
+  Rect place;                          // the control's place, in pixels
+  Rect window;  // visible part of the card, in pixels; empty below an open list
 };
 
 // Forgets the controls of the last pass.
 void begin_controls();
 
-// From now on, controls belong to this card.
+// Controls that are listed from now on belong to this card.
 void enter_card(const char* name);
 
-// Whether controls from now on belong to an open list, the window being filled: it covers the
-// controls below it.
+// Begins or ends an open list, which is the window being filled. Controls that are listed meanwhile
+// belong to the list; it covers the controls below it.
 void enter_list(bool on_list);
-// In pixels, if a list is open.
+// Returns the place of the open list, in pixels; nothing if no list is open.
 const std::optional<Rect>& open_list();
 
-// Lists the item that Dear ImGui laid out last. Returns each request once.
+// The requests for a control. list_control() lists the item that Dear ImGui laid out last as this
+// control, and returns each request once.
 struct Asked {
   bool pressed = false;
-  std::optional<std::size_t> chosen;  // of a choice
-  std::optional<double> moved;        // of a slider, or a number without a setting
-  bool withdrawn = false;             // of a number without a setting: the typed text
+  std::optional<std::size_t> chosen;  // the index, of a choice
+  std::optional<double> moved;        // the value, of a slider or a number without a setting
+  bool withdrawn = false;             // of a number without a setting: its typed text is withdrawn
 };
 Asked list_control(Control control);
 
-// The item that Dear ImGui laid out last.
+// Lists the item that Dear ImGui laid out last as a text.
 void list_text(std::string label, std::string value);
 
-// Covers all controls of other cards, laid out so far, that overlap this place: the pointer does
-// not reach them.
+// Marks controls as covered, since the pointer does not reach them: all controls of other cards,
+// listed so far, that overlap this place.
 void cover_controls(const Rect& place);
 
-// Of the last pass, in layout order.
+// Returns the controls of the last pass, in the order in which they were laid out.
 const std::vector<Control>& controls();
 
-// All controls, and a place, as JSON for web/mirror. `zoom` converts places to CSS pixels.
+// Return all controls, or a place, as JSON for web/mirror. `zoom` converts places to CSS pixels.
 std::string controls_json(double zoom);
 std::string place_json(const Rect& place, double zoom);
 
-// For the next pass: press the control; select a choice or move it, by `value`; scroll its card
-// until it is visible; move it and confirm, as Enter confirms a typed number; or withdraw the typed
-// text.
+// Requests for the next pass, in the order of the values: press the control; select the choice with
+// the index `value`; move the control to `value`; scroll its card until the control is visible;
+// move and confirm, as Enter confirms a typed number; or withdraw the typed text.
 enum class ControlRequest : std::uint8_t { press, choose, move, reveal, enter, withdraw };
 void ask_control(ControlRequest what, std::string card, std::string name, double value);
 

@@ -1,4 +1,4 @@
-// What the view writes, so that tests can check its language and its room.
+// Records the texts that the view draws, so that tests can check their language and their room.
 #pragma once
 
 #include <string>
@@ -9,14 +9,16 @@ namespace evenlift::view {
 
 struct DrawnText {
   std::string text;  // as drawn
-  bool has_room;
+  bool has_room;     // the text fits its place
 };
 
-// Adds each drawn text to the record, until it is called with null.
+// From now on, adds drawn texts to the record; null ends this.
 void record_texts(std::vector<DrawnText>* record);
 
+// Records a drawn text.
 void note_drawn(std::string_view text);
-// A text of this width was drawn where there is this room.
+// Records a text whose width is greater than the room for it, both in pixels. Other texts are not
+// recorded.
 void note_room(std::string_view text, float width, float room);
 
 }  // namespace evenlift::view

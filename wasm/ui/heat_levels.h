@@ -1,4 +1,5 @@
-// Forces that tip the object, in units of its weight. A band of the heat map is between two levels.
+// The heat map's levels: forces that tip the object, in units of its weight. A band of the heat map
+// is between two levels.
 #pragma once
 
 namespace evenlift::view {

@@ -1,5 +1,5 @@
-// The icons are lines, so that they are sharp at every size. The strokes come from
-// web/kit/icons.js, which also serves the windows.
+// Draws icons as lines, so that they are sharp at every size. The strokes come from
+// web/kit/icons.js, which the page's windows use as well.
 #pragma once
 
 #include <imgui.h>
@@ -54,10 +54,10 @@ enum class Icon : std::uint8_t {
 };
 inline constexpr std::size_t icon_count = 38;  // without `none`
 
-// Within a square of `size` pixels about `middle`.
+// Draws the icon in a square of `size` pixels about `middle`.
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 middle, float size, Colour colour);
 
-// A disc with opposite quarters filled.
+// Draws the mark of a centre of mass: a disc with two opposite quarters dark and two light.
 void draw_centre_mark(ImDrawList& list, ImVec2 middle, float radius, Colour dark, Colour light);
 
 }  // namespace evenlift::view

@@ -1,11 +1,11 @@
 // Dear ImGui's configuration. imgui.h includes it through IMGUI_USER_CONFIG.
 #pragma once
 
-// Only current names, for future versions.
+// Allows only current names, for future versions of Dear ImGui.
 #define IMGUI_DISABLE_OBSOLETE_FUNCTIONS
 #define IMGUI_DISABLE_OBSOLETE_KEYIO
 
-// The page shows neither, and is smaller without them.
+// The page shows neither demo windows nor debug tools, and is smaller without them.
 #define IMGUI_DISABLE_DEMO_WINDOWS
 #define IMGUI_DISABLE_DEBUG_TOOLS
 
@@ -18,8 +18,8 @@
 // The browser handles files; a page has no file system.
 #define IMGUI_DISABLE_FILE_FUNCTIONS
 
-// wasm/ui/fonts.cpp always provides fonts. From 1.92 on this omits Dear ImGui's default font;
-// earlier versions have no such switch.
+// wasm/ui/fonts.cpp always provides fonts, so Dear ImGui's default font is omitted. Versions before
+// 1.92 have no such switch.
 #define IMGUI_DISABLE_DEFAULT_FONT
 
 // IM_ASSERT stays assert(), which is absent in the released page.

@@ -1,5 +1,6 @@
-// The characters of users' texts: lessons and file names. At first the page has only its own few.
-// For others it fetches larger fonts (web/page/bindings.js), from which they are rasterised.
+// Finds characters for users' texts, such as lessons and file names. At first the page's fonts have
+// only the few characters that the page itself writes. For other characters the page fetches larger
+// fonts (web/page/bindings.js), from which they are rasterised.
 #pragma once
 
 #include <imgui.h>
@@ -12,18 +13,19 @@ namespace evenlift::view {
 // Notes the characters of a text that the font lacks. O(bytes).
 void note_letters(const ImFont& font, std::string_view text);
 
-// Whether noted characters were not yet looked up.
+// Returns whether noted characters were not yet looked up in the fonts.
 bool letters_are_due();
 
-// Call have_letters() when the larger fonts arrive.
+// letters_are_here() returns whether the larger fonts arrived. Call have_letters() when they do.
 bool letters_are_here();
 void have_letters();
 
-// To rasterise, ended by 0: the page's own, and a range around each noted character. Nothing is due
-// afterwards.
+// Returns the ranges of characters to rasterise, ended by 0: the page's own characters and, once
+// the larger fonts are here, a range around each noted character. No letters are due afterwards.
 const ImWchar* letter_ranges();
 
-// Looked up in vain since the last call, as text. Call it after the fonts are built.
+// Returns, as text, the noted characters that the font lacks and that no earlier call returned.
+// Call this after the fonts are built.
 std::string absent_letters(const ImFont& font);
 
 }  // namespace evenlift::view

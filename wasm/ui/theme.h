@@ -1,4 +1,4 @@
-// Colours by role, light and dark, and the typefaces.
+// The colours by role, light and dark, and the typefaces.
 #pragma once
 
 #include <imgui.h>
@@ -9,7 +9,7 @@
 
 namespace evenlift::view {
 
-// 0xRRGGBB, with an opacity in [0, 1].
+// A colour 0xRRGGBB, with an opacity in [0, 1].
 struct Colour {
   unsigned rgb = 0;
   float opacity = 1;
@@ -24,47 +24,50 @@ struct Theme {
   Colour panel, panel_line, well;   // well: a control's background
   Colour text, second_text, quiet;  // quiet: lines, and icons that are off
   Colour hull, hull_outline, hull_text;
-  Colour heat[7];  // from parts that a light press tips to parts that none tips
+  Colour heat[7];  // from parts where a light press tips the object to parts where no press does
   Colour clockwise, clockwise_line, counter, counter_line;
   Colour robot, robot_ring, robot_track, robot_text;
   Colour chord, candidate;
   Colour accent, on_accent;
   Colour amber, amber_ground, red;
-  // For the object, which is light in both themes.
+  // The colours on the object, which is light in both themes.
   Colour accent_on_object, amber_on_object;
   Colour shadow;
 };
 
+// Returns the light or the dark theme, as the page asks.
 const Theme& theme(const AppState& state);
 
-// Of the heat map, where a press down of `share` of the weight tips the object; infinity if none
-// does.
+// Returns the colour of the heat map where a press down of `share` times the weight tips the
+// object; `share` is infinite if no press tips it.
 Colour heat_colour(const Theme& theme, double share);
 
-// Sizes in pixels: tiny 11, label 13, text 15, verdict and large 20; all but label, text and large
-// are semibold. The last value counts the faces.
+// The typefaces. Their sizes in pixels are 11 for tiny, 13 for labels, 15 for texts and strong, and
+// 20 for verdict and large. All but label, text and large are semibold. The last value counts the
+// faces.
 enum class Face { tiny, label, strong_label, text, strong, verdict, large, end_of_faces };
 
-// For a device-pixel ratio. Call it before a frame, and upload the font texture afterwards (Dear
-// ImGui from 1.92 on does both itself).
+// Loads the fonts for a device-pixel ratio. Call this before a frame, and upload the font texture
+// afterwards. From 1.92 on, Dear ImGui itself adapts to the ratio and uploads the texture.
 void load_fonts(double ratio);
 
-// All text of widgets until pop_face() has this face.
+// Gives all text of widgets this face until pop_face().
 void push_face(Face face);
 void pop_face();
 
-// For drawing.
+// The fonts and sizes for drawing text. All sizes are pixels.
 ImFont* font(Face face);
-float size(Face face);         // of a font's line, as Dear ImGui counts
-float line_height(Face face);  // between lines of a text, in whole pixels
+float size(Face face);         // the height of a font's line, as Dear ImGui counts
+float line_height(Face face);  // the distance between lines of a text, in whole pixels
 ImVec2 text_size(Face face, std::string_view english, float wrap_width = 0);
 void draw_text(ImDrawList& list, Face face, ImVec2 at, Colour colour, std::string_view english,
                float wrap_width = 0);
 
-// For Dear ImGui's own widgets.
+// Applies the theme to Dear ImGui's own widgets.
 void apply_style(const AppState& state, double control_height);
 
-// Makes anti-aliasing one device pixel wide, not one pixel: thin lines are as sharp as possible.
+// Makes anti-aliasing one device pixel wide, not one pixel, so that thin lines are as sharp as
+// possible.
 void sharpen(ImDrawList& list, const AppState& state);
 
 }  // namespace evenlift::view

@@ -1,4 +1,4 @@
-// Every panel reads the state and adds commands.
+// The context of the panels: every panel reads the state and adds commands.
 #pragma once
 
 #include "state/command.h"
@@ -13,7 +13,7 @@ struct Ui {
   const Theme& theme;
   const Layout& layout;
   Commands& commands;
-  Pick& row;  // named by the hovered row
+  Pick& row;  // the part that the hovered row of a panel names
 
   void push(Command command) const { commands.push_back(std::move(command)); }
   float control() const { return static_cast<float>(layout.control); }

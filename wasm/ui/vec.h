@@ -1,4 +1,4 @@
-// Dear ImGui's points, stored as floats.
+// Converts to Dear ImGui's points, which are stored as floats.
 #pragma once
 
 #include <imgui.h>

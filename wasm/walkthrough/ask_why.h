@@ -5,12 +5,12 @@
 
 namespace evenlift::view {
 
-// Explains why the candidate near the point, or else the chord through it, was not chosen; for
-// balanced robots, why no robot stands at the nearest place of the boundary. O(n + K) for K
-// candidates. A point away from the object asks nothing.
+// Explains why the candidate near the point, or else the chord through the point, was not chosen.
+// For balanced robots, explains why no robot stands at the nearest place of the boundary. For
+// teams, a point outside the polygon and near no candidate asks nothing. O(n + K) for K candidates.
 void ask_why(AppState& state, const Vec2& at);
 
-// Also forgets the answer.
+// Forgets the question and its answer.
 void forget_why(Walkthrough& walk);
 
 }  // namespace evenlift::view

@@ -1,4 +1,4 @@
-// Why a robot stands where it does, and why a candidate was chosen or not.
+// Explains why a robot stands where it does, and why a candidate was chosen or not.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace evenlift::view {
 
-// For a robot, a chord or a candidate of one of the two pictures. Costs as much as make_trace() and
-// look_at_scores().
+// Returns the explanation of a robot, a chord or a candidate of one of the two pictures. Costs as
+// much as make_trace() and look_at_scores().
 Explanation explain(const AppState& state, const Pick& pick);
 
-// For users who cannot see the card.
+// Returns the explanation as one text, for users who cannot see the card.
 std::string in_words(const Explanation& explanation);
 
 }  // namespace evenlift::view

@@ -1,4 +1,4 @@
-// Questions to the learner about the next choice, and the response to the answer.
+// Asks the learner about the next choice, and responds to the answer.
 #pragma once
 
 #include <cstddef>
@@ -8,19 +8,21 @@
 
 namespace evenlift::view {
 
-// Of each kind.
+// The greatest number of questions of each kind; later choices are shown without a question.
 inline constexpr std::size_t most_questions = 3;
 
+// Turns predictions on or off: whether the learner is asked before a choice is shown.
 void set_predict(AppState& state, bool on);
 
-// Asks for the choice that this step shows, unless it is trivial.
+// Asks for the choice that this step shows, unless the choice is trivial or its kind was asked
+// most_questions times.
 void ask(AppState& state, std::uint32_t step);
 
 // Goes to the question's step, and reports whether the answer was right.
 void guess(AppState& state, std::uint32_t answer);
 
-// Whether a question concerns balanced robots that the present step does not show. Then only these
-// and the chords to choose from are drawn.
+// Returns whether a question concerns balanced robots that the present step does not show. If so,
+// only these robots and the chords to choose from are drawn.
 bool asks_of_other_robots(const AppState& state);
 
 }  // namespace evenlift::view

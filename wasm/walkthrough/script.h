@@ -1,4 +1,4 @@
-// A lesson's stops in the walkthrough, with the teacher's words.
+// Shows a lesson's stops in the walkthrough, with the teacher's words.
 #pragma once
 
 #include <optional>
@@ -8,19 +8,22 @@
 
 namespace evenlift::view {
 
-// From now on, only the script's stops are shown. The walkthrough of its document must be open.
+// Begins a script: from now on, only its stops are shown. Precondition: the walkthrough of the
+// script's document is open.
 void begin_script(AppState& state, Script script);
 
-// Finds the stops in the trace. A script without stops ends.
+// Finds the script's stops in the trace. A script without stops ends.
 void find_stops(Walkthrough& walk);
 
-// Updates the script's position after a jump.
+// Updates the script's position after a jump to another step.
 void settle_position(Walkthrough& walk);
 
-// Whether a script is open, and the polygon and its centre of mass are still its own.
+// Returns whether a script is open and the polygon and the centre of mass are still the script's.
 bool script_is_true(const AppState& state);
 
-// For this step; empty if there are none, or while a question is asked.
+// Returns the teacher's words for this step; if the shape or a setting differs from the script's,
+// the remark that the words no longer apply. Empty at a step without words, and while a question is
+// asked.
 std::string words_of_stop(const AppState& state);
 
 }  // namespace evenlift::view

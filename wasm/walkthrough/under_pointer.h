@@ -1,3 +1,4 @@
+// Finds the parts of the walkthrough's drawing that are under the pointer.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +9,12 @@
 
 namespace evenlift::view {
 
-// Points come before lines, and lines before areas. O(figures).
+// Returns the index of the walkthrough's figure under the pointer, or nothing. Points precede
+// lines, and lines precede areas. O(figures).
 std::optional<std::size_t> figure_at(const AppState& state, const Vec2& screen);
 
-// Of the question.
+// Returns the question's choice that is nearest to the pointer, or nothing if all are too far away
+// or no question is asked. O(choices).
 std::optional<std::uint32_t> choice_at(const AppState& state, const Vec2& screen);
 
 }  // namespace evenlift::view

@@ -1,3 +1,4 @@
+// Returns the texts around the walkthrough's steps.
 #pragma once
 
 #include <string>
@@ -6,12 +7,16 @@
 
 namespace evenlift::view {
 
-std::string place_in_words(const AppState& state);  // "3 of 15"
+std::string place_in_words(const AppState& state);  // the position: "3 of 15"
 
-// By the main steps, after this one: "and 208 more pairs like it"; or empty.
+// Returns how many steps like this one the main steps leave out after it, as "There are 208 more
+// pairs like it: …"; empty if no steps are left out, and while all steps, a script or a question is
+// shown.
 std::string left_out_in_words(const AppState& state);
 
-// Caption, formula and question, for users who cannot see the canvas.
+// Returns the step's position and chapter, the verdict on the last guess, the teacher's words, the
+// caption, the formula and the question, for users who cannot see the canvas; empty if no
+// walkthrough is open.
 std::string walkthrough_in_words(const AppState& state);
 
 }  // namespace evenlift::view

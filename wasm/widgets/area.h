@@ -1,4 +1,4 @@
-// What all controls share: a pressable area, and the entry in the list of controls.
+// The parts that all controls share: a pressable area, and the entry in the list of controls.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace evenlift::view {
 
-// At the cursor.
+// A pressable area at the cursor, in pixels.
 struct Area {
   ImVec2 low, high;
   bool pressed, hovered, active;
@@ -17,9 +17,10 @@ struct Area {
   ImVec2 middle() const { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
 };
 
+// Lays out the area and lists its control.
 Area area(const Ui& ui, ImVec2 size, Control control);
 
-// For the list, by kind.
+// Return an entry for the list of controls, by kind.
 Control button_control(const char* id, const char* label, bool enabled = true);
 Control toggle_control(const char* id, const char* label, bool on);
 Control number_control(const char* id, const char* label, const char* setting,
@@ -27,10 +28,10 @@ Control number_control(const char* id, const char* label, const char* setting,
 Control slider_control(const char* id, const char* label, double at, double low, double high,
                        double step);
 
-// A button stays down while `on`; without a value, never.
+// Whether a button stays down; nothing for a button that never stays down.
 using Pressed = std::optional<bool>;
 
-// A toggle if it can be on, otherwise a button.
+// Returns a toggle if `on` has a value, otherwise a button.
 Control pressed_control(const char* id, const char* label, bool enabled, Pressed on);
 
 }  // namespace evenlift::view

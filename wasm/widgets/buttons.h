@@ -1,5 +1,5 @@
-// True when pressed. `id` is unique within the window. A disabled button is drawn faintly and does
-// nothing.
+// Buttons return true when pressed. `id` is unique within the window. A disabled button is drawn
+// faintly and does nothing.
 #pragma once
 
 #include <string>
@@ -15,22 +15,22 @@ bool icon_button(const Ui& ui, const char* id, Icon icon, bool enabled, const ch
 bool text_button(const Ui& ui, const char* id, Icon icon, const char* label, const char* about,
                  float height, Icon after = Icon::none, Pressed on = {});
 
-float text_button_width(const char* label);  // with an icon before it
+float text_button_width(const char* label);  // with an icon before the label
 
-// With its own background; a strong button stands out as the next thing to do. `spoken` is its name
-// for users who cannot see its surroundings, if different.
+// A button with its own background. A strong button stands out as the next action. `spoken` is the
+// name for users who cannot see the button's surroundings, if it differs from the label.
 bool flat_button(const Ui& ui, const char* id, const char* label, float width, bool enabled = true,
                  bool strong = false, const char* spoken = nullptr);
 
-// Stays down while `on`.
+// A button that stays down while `on`.
 bool toggle_button(const Ui& ui, const char* id, const char* label, const char* about, float width,
                    bool on);
 
-// A switch with a name.
+// A switch with a label.
 bool switch_chip(const Ui& ui, const char* label, bool on);
 float switch_chip_width(const char* label);
 
-// At the cursor; the caller draws the row.
+// A pressable row at the cursor; the caller draws the row.
 struct PressableRow {
   ImVec2 low, high;
   bool pressed, hovered;

@@ -1,4 +1,4 @@
-// Cards float over the drawing. All sizes are pixels.
+// Lays out cards, which float over the drawing. All sizes are pixels.
 #pragma once
 
 #include "state/camera.h"
@@ -6,9 +6,9 @@
 
 namespace evenlift::view {
 
-// A window without decoration, with a soft shadow. End with end_card().
+// A card is a window without decoration, with a soft shadow. end_card() ends a card.
 struct CardOptions {
-  bool at_bottom = false;     // of the rectangle
+  bool at_bottom = false;     // the card is at the foot of its rectangle
   bool fixed_height = false;  // otherwise as high as its content, within the rectangle
   bool fixed_width = true;
   float padding = 20;
@@ -21,29 +21,31 @@ void end_card(const Ui& ui);
 // Lets a finger scroll the window being filled.
 void scroll_by_finger(const Ui& ui);
 
-// Call this after laying out an item that follows the pointer: while it is held, a finger scrolls
-// nothing.
+// Keeps a finger from scrolling while an item that follows the pointer is held. Call this after
+// laying out the item.
 void take_way_of_finger();
 
-// Of constant height; longer content scrolls. End with end_scrolling_box(). The scroll bar is in
-// the card's padding, so that lines break at the same places without it.
+// Begins a box of constant height, in which longer content scrolls; end_scrolling_box() ends it.
+// The scroll bar is in the card's padding, so that lines break at the same places with and without
+// it.
 void begin_scrolling_box(const Ui& ui, const char* id, float height);
 void end_scrolling_box(const Ui& ui);
 
-// The value passed in the last frame, by window and id; `at_first` in the first one.
+// Returns the value `now` of the last frame, by window and id; `at_first` in the first frame.
 int in_last_frame(const char* id, int now, int at_first);
 
-// Call after a section that a button opens, with its head at `head` (ImGui::GetCursorPosY() before
-// it). The card then scrolls until the section is visible, as far as there is room.
+// Scrolls the card until a section that a button just opened is visible, as far as there is room.
+// Call this after the section. `head` is ImGui::GetCursorPosY() before the section.
 void show_opened(const Ui& ui, const char* id, bool open, float head);
 
-// Whether the pointer moved too far since the press for a click.
+// Returns whether the pointer moved too far since the press for a click.
 bool is_dragged();
 
-// Whether a press was a click, and not the end of scrolling.
+// Returns whether a press was a click, and neither the end of scrolling nor a finger that rests to
+// ask.
 bool tapped(const Ui& ui, bool pressed);
 
-// Under a card.
+// Draws the soft shadow under a card or a list.
 void soft_shadow(const Ui& ui, ImVec2 low, ImVec2 high);
 
 }  // namespace evenlift::view

@@ -1,4 +1,4 @@
-// Chips show and hide overlays.
+// Chips are small buttons that show and hide overlays.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace evenlift::view {
 
-// Of an overlay, as in the picture.
+// The sample of an overlay on its chip, drawn as in the picture.
 enum class Swatch : std::uint8_t {
   hull,
   clockwise,
@@ -19,6 +19,7 @@ enum class Swatch : std::uint8_t {
   tilt,
   load
 };
+// Lays out a chip. Returns whether it was pressed.
 bool chip(const Ui& ui, const char* id, Swatch swatch, const char* label, bool on,
           bool enabled = true);
 

@@ -1,3 +1,4 @@
+// Lists from which the user chooses.
 #pragma once
 
 #include <optional>
@@ -9,17 +10,19 @@
 
 namespace evenlift::view {
 
-// For a popup opened with ImGui::OpenPopup(id): below `anchor_low` .. `anchor_high`, or above if
-// there is more room. Returns true while open; then add rows and call end_choices().
+// Begins a popup that was opened with ImGui::OpenPopup(id). The popup is below the rectangle from
+// `anchor_low` to `anchor_high`, or above it if there is more room. Returns true while the popup is
+// open; in this case add rows and call end_choices().
 bool begin_choices(const Ui& ui, const char* id, ImVec2 anchor_low, ImVec2 anchor_high,
                    float least_width);
-// With a short remark; true when chosen. `name` is for scripts, in English in every language; "" if
-// the label is the name.
+// Adds a row with a short remark `about`. Returns true when the user chooses the row. `name` is the
+// name for scripts, in English in every language; "" if the label is the name.
 bool choice(const Ui& ui, const std::string& label, const char* about, bool current,
             Icon icon = Icon::none, bool enabled = true, const std::string& name = {});
 void end_choices(const Ui& ui);
 
-// A setting's button, `width` wide, and the list that a press opens. Returns the chosen index.
+// One choice of a dropdown. dropdown() lays out a setting's button, `width` wide, and the list that
+// a press opens. It returns the index when the user chooses, otherwise nothing.
 struct Choice {
   const char* label;
   const char* about = nullptr;

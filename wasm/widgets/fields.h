@@ -1,4 +1,5 @@
-// For typing, the page lays a field over these values (web/mirror/mirror.js). All sizes are pixels.
+// Fields for values that the user can type: the page lays an HTML field over the value
+// (web/mirror/mirror.js). All sizes are pixels.
 #pragma once
 
 #include <string>
@@ -8,30 +9,31 @@
 
 namespace evenlift::view {
 
-// "− 3 +": returns -1, 0 or +1; repeats while a button is held. If `setting` names a setting, the
-// value between the ends can be typed.
+// A stepper is a value between two buttons, as "− 3 +". stepper() returns -1, 0 or +1, and repeats
+// it while a button is held. If `setting` names a setting, the value between the buttons can be
+// typed.
 struct StepperOptions {
   bool can_lower = true, can_raise = true;
   const char* label = "";
   const char* setting = "";
-  std::string exact = {};  // for typing, if the value is rounded
+  std::string exact = {};  // the value for typing, if `value` is rounded
 };
 int stepper(const Ui& ui, const char* id, const std::string& value, float width,
             const StepperOptions& options);
 
-// For typing, at the cursor. A number is aligned right; a text left, on its own background, and it
-// ends with "…" if it is too long. `exact` is for typing, if the value is rounded.
+// Fields at the cursor. A number is aligned right. A text is aligned left, on its own background,
+// and ends with "…" if it is too long. `exact` is the value for typing, if `value` is rounded.
 void text_field(const Ui& ui, const char* id, const char* label, const char* setting,
                 const std::string& value, float width, const std::string& exact = {});
 void number_field(const Ui& ui, const char* id, const char* label, const char* setting,
                   const std::string& value, float width, Colour colour,
                   const std::string& exact = {});
 
-// A typed number that is not a setting, with its label before it and its own background. Also
-// returns whether Enter confirmed it.
+// A field for a number that is not a setting, with a label before it and its own background.
+// typed_field() returns the typed number and whether Enter confirmed it.
 struct TypedField {
   const char *id, *label;
-  bool is_length = false;  // in the document's unit of length
+  bool is_length = false;  // the number is in the document's unit of length
 };
 Asked typed_field(const Ui& ui, const TypedField& field, const std::string& value, float width);
 

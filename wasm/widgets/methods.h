@@ -1,4 +1,4 @@
-// The selection methods in readable words.
+// Describes the selection methods in readable words.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Texts on cards, and their separators.
+// Draws texts on cards, and the rules that separate them.
 #pragma once
 
 #include <cstddef>
@@ -10,26 +10,27 @@
 
 namespace evenlift::view {
 
-// A label left of its control, with a tip. Moves the cursor to the control, and returns the width
-// left.
+// Draws a label, with a tip, at the left of its control. Moves the cursor to the control's place,
+// and returns the remaining width.
 float labelled(const Ui& ui, const char* label, const char* about);
 
-void rule(const Ui& ui);
+void rule(const Ui& ui);  // a line between two parts of a card
 void tip(const Ui& ui, const char* text);
 void text_line(Face face, Colour colour, const std::string& text);
 void text_block(Face face, Colour colour, const std::string& text,
-                float kept_free = 0);  // width at the right
+                float kept_free = 0);  // width at the right that stays free
 
-// The lines, broken at spaces so that none is wider than `width`. O(bytes).
+// Returns the text's lines, broken at spaces. Only a line of one word may be wider than `width`.
+// O(bytes).
 std::vector<std::string_view> broken_lines(Face face, std::string_view text, float width);
 
-// One below the other.
+// Draws lines one below the other.
 void draw_lines(ImDrawList& list, Face face, ImVec2 at, Colour colour,
                 const std::vector<std::string_view>& lines);
 float height_of(Face face, const std::vector<std::string_view>& lines);
 
-// A text in constant height: at most `lines` lines, the last one cut off with "…" if there are
-// more.
+// Draws a text in a constant height of `lines` lines. If the text has more lines, the last one
+// shown ends with "…".
 void text_block_of(Face face, Colour colour, const std::string& text, float width,
                    std::size_t lines);
 

@@ -1,5 +1,5 @@
-/* evenlift for C, and for every language that can call C: one function from requests to answers, both in JSON
- * (docs/requests.md).
+/* evenlift for C and for every language that can call C. One function turns a request into its
+ * answer; both are JSON (docs/requests.md).
  *
  *   char *answer = evenlift_run("{\"polygon\": [[0, 0], [4, 0], [4, 3], [0, 3]], \"settings\": {\"teams\": 2}}");
  *   puts(answer);
@@ -23,19 +23,22 @@
 extern "C" {
 #endif
 
-/* Returns the answer to a request. Both are JSON texts in UTF-8 that end with a zero byte, the answer after a line
- * feed. The request may have at most 64 MiB.
+/* Returns the answer to a request. Both are JSON texts in UTF-8 that end with a zero byte. The
+ * answer has a line feed before its zero byte. The request may have at most 64 MiB.
  *
- * The answer is JSON for any bytes: for an invalid request, for too little memory and for a null pointer it is
- * {"error": {"code", "message", "place"}}. It is NULL only if there is no memory even for that.
+ * The answer is JSON for any bytes. For an invalid request, a null pointer or too little memory it
+ * is {"error": {"code", "message", "place"}}. The function returns NULL only if there is not even
+ * enough memory for that text.
  *
- * The answer to {"polygon": ..., "settings": ...} has the same bytes as the output of `evenlift place --json`.
+ * The answer to {"polygon": ..., "settings": ...} has the same bytes as the output of
+ * `evenlift place --json`.
  *
- * The function throws no exception, writes nothing and keeps no state, so any number of threads may call it at once. It
- * uses at most about 1 MiB of the stack. The caller frees the answer with evenlift_free(). */
+ * The function throws no exception, writes nothing and keeps no state, so any number of threads may
+ * call it at once. It uses at most about 1 MiB of the stack. The caller frees the answer with
+ * evenlift_free(). */
 EVENLIFT_API char* evenlift_run(const char* json);
 
-/* NULL has no effect. */
+/* Frees an answer of evenlift_run(). NULL has no effect. */
 EVENLIFT_API void evenlift_free(char* answer);
 
 #ifdef __cplusplus

@@ -1,21 +1,24 @@
-// Sine, cosine and arctangent from + - x / and square roots only, so their bits are the same on
-// every platform, unlike the C library's. Errors are below 4 units in the last place of 1. In a
-// placement, only the method of equal angles uses them.
+// Sine, cosine and arctangent, computed with + - x / and square roots only. So their bits are the
+// same on every platform, unlike those of the C library's results. Errors are below 4 units in the
+// last place of 1. Among the ways to choose places, only the method of equal angles uses these
+// functions.
 #pragma once
 
 namespace evenlift {
 
 inline constexpr double pi = 3.14159265358979323846;
 
-// Valid for |angle_rad| up to 1e5. O(1).
+// The sine and the cosine of an angle in radians, for |angle_rad| up to 1e5. O(1).
 double sine(double angle_rad);
 double cosine(double angle_rad);
 
-// The angle of (x, y) in (-pi, pi], or -pi by rounding; 0 for the zero vector. O(1).
+// The angle of the vector (x, y) from the x axis, in radians in (-pi, pi], or -pi by rounding. It
+// is 0 for the zero vector. O(1).
 double arctangent2(double y, double x);
 
-// Degrees in [0, 90] from a slope's ratio >= 0, and the ratio from degrees in [0, 90), exactly 1
-// for 45. O(1).
+// slope_degrees() returns the angle of a slope, in [0, 90] degrees, from its ratio >= 0 (rise
+// divided by run). slope_ratio() returns the ratio from an angle in [0, 90) degrees; it is exactly
+// 1 for 45. O(1).
 double slope_degrees(double ratio);
 double slope_ratio(double degrees);
 

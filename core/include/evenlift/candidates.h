@@ -1,6 +1,7 @@
-// Candidate chords by slope, without duplicates: at most one for each edge pair, and those between
-// opposite vertices (algorithm.md, Candidates; thesis 3.2, 3.3, 4.2). With positions anywhere in
-// the range, an edge pair has two more (algorithm.md, Ranges).
+// Candidate chords in the order of their slopes, without duplicates. There is at most one for each
+// edge pair and one for each pair of opposite vertices (algorithm.md, Candidates; thesis 3.2, 3.3,
+// 4.2). With positions anywhere in the range, an edge pair has up to two more (algorithm.md,
+// Ranges).
 #pragma once
 
 #include <array>
@@ -13,10 +14,11 @@
 
 namespace evenlift {
 
-// `range`: elsewhere in the range of an edge pair.
+// How the place of a candidate was found (algorithm.md, Candidates). The kind `range` means
+// elsewhere in the range of an edge pair.
 enum class CandidateKind : std::uint8_t { bisecting, midpoint, vertex, range };
 
-// "bisecting" and so on. O(1).
+// The name of a kind, such as "bisecting". O(1).
 std::string_view name(CandidateKind kind);
 
 struct Candidate {
@@ -25,30 +27,31 @@ struct Candidate {
   bool between_vertices = false;
   std::uint32_t source = 0;  // see TracedCandidates
   Vec2 direction =
-      Vec2::Zero();   // from r1 to r2, not normalized; exactly equal for chords from one vertex
+      Vec2::Zero();   // the vector from r1 to r2; exactly equal for chords from one vertex
   double length = 0;  // |r1 r2|
 };
 
-// The chords with these indices, in their order. O(indices).
+// The chords of the candidates with these indices, in the order of the indices. O(indices).
 std::vector<Chord> chords_of(const std::vector<Candidate>& candidates,
                              const std::vector<std::uint32_t>& indices);
 
-// Whether the load ratio is at least 1 - tau. O(1).
+// Whether the load ratio of a chord is at least 1 - tau. O(1).
 bool is_even(const Chord& chord);
 
-// The candidate of an edge pair, and what decided it.
+// The candidate of an edge pair, and the values that decided it.
 struct PairVerdict {
-  double g0 = 0, g1 = 0;  // |C r_b| / |C r_a| at its beginning and end
+  double g0 = 0, g1 = 0;  // |C r_b| / |C r_a| at the pair's beginning and end
   bool parallel = false;  // g0 and g1 agree within tolerance
   bool bisected = false;  // not parallel, and C bisects a chord of the pair
   std::optional<Candidate> candidate;
 };
 
-// O(1).
+// Finds the candidate of an edge pair, if it has one. O(1).
 PairVerdict examine_pair(const Polygon& polygon, const Vec2& centre, const EdgePair& pair,
                          double min_ratio);
 
-// The chord is a candidate if its load ratio is at least the minimum. O(1).
+// The chord between two opposite vertices. It is a candidate if its load ratio is at least the
+// minimum. O(1).
 Candidate opposite_chord(const Polygon& polygon, const Vec2& centre,
                          const OppositeVertices& opposite);
 
@@ -57,18 +60,20 @@ Candidate opposite_chord(const Polygon& polygon, const Vec2& centre,
 struct PairRange {
   std::uint32_t a = 0, b = 0;                 // the edges
   Vec2 a0 = Vec2::Zero(), a1 = Vec2::Zero();  // ends of the section of a, relative to C
-  double q0 = 1, q1 = 1;                      // > 0
-  double first = 0, last = 1;                 // of the range, first <= last
+  double q0 = 1, q1 = 1;                      // q(0) and q(1), > 0
+  double first = 0, last = 1;                 // the range's ends, first <= last
 
   double q(double x) const { return (1 - x) * q0 + x * q1; }
 };
 
-// The places where the load ratio is at least `min_ratio`; nothing if there are none. They are the
-// whole section if the edges are parallel and meet the minimum within tolerance. O(1).
+// The range of an edge pair: the places where the load ratio is at least `min_ratio`; nothing if
+// there are no such places. The range is the whole section if the edges are parallel and the ratio
+// of their chords is at least the minimum, within tolerance. O(1).
 std::optional<PairRange> range_of(const Polygon& polygon, const Vec2& centre, const EdgePair& pair,
                                   double min_ratio);
 
-// The range of the edges on which a chord ends. Also nothing if they do not face each other. O(1).
+// The range of the two edges on which a chord ends; nothing if there are no such places, or if the
+// edges do not face each other. O(1).
 std::optional<PairRange> range_of(const Polygon& polygon, const Vec2& centre, const Chord& chord,
                                   double min_ratio);
 
@@ -76,35 +81,39 @@ std::optional<PairRange> range_of(const Polygon& polygon, const Vec2& centre, co
 Chord chord_at(const Vec2& centre, const PairRange& range, double x);
 
 // The place whose chord has the direction (1 - s) d0 + s d1, where d0 and d1 are the chords at
-// `first` and `last` as vectors. It is the same whichever edge is called a. O(1).
+// `first` and `last` as vectors. The chord there is the same whichever edge is called a. O(1).
 double place_at(const PairRange& range, double s);
 
-// The place where C sees the end on edge a in this direction, or the nearest in the range. O(1).
+// The place whose chord has its end on edge a in this direction from C; if the range has no such
+// place, the nearest place in the range. O(1).
 double place_towards(const PairRange& range, const Vec2& direction);
 
-// A pair's range candidates are at place_at(range, s) for these s, or at the nearest place, if any,
-// where both robots are at least `clear` from the corners (Polygon::is_corner) of their edges. At
-// the ends, robots would often stand on corners, where contacts do not count.
+// A pair's range candidates are at place_at(range, s) for these s. Each moves to the nearest place,
+// if there is one, where both robots are at least `clear` from the corners (Polygon::is_corner) of
+// their edges. At the ends of the range, robots would often stand on corners, where contacts do not
+// count.
 inline constexpr double range_places[] = {1.0 / 16, 15.0 / 16};
 
-// All candidates in order; `min_ratio` is in [0, 1]. More than max_edge_pairs edge pairs and
-// opposite vertices, or a third of that with positions anywhere in the range, are an error. For K
-// of them O(n log n + K) if few candidates lie on one line through C, O(n log n + K log K) at
-// worst.
+// Returns all candidates in order; `min_ratio` is in [0, 1]. It is an error if edge pairs and pairs
+// of opposite vertices are together more than max_edge_pairs, or more than a third of it with
+// positions anywhere in the range. For K such pairs this takes O(n log n + K) if few candidates lie
+// on one line through C, O(n log n + K log K) at worst.
 Result<std::vector<Candidate>> find_candidates(const Polygon& polygon, const Vec2& centre,
                                                double min_ratio,
                                                Positions positions = Positions::best,
                                                double clear = 0);
 
-// "None" in arrays of indices; an optional would double the memory.
+// The index that means "none" in arrays; a std::optional would double the memory.
 inline constexpr std::uint32_t no_index = ~std::uint32_t{0};
 
-// The candidates with their sources, which are numbered: first the edge_pairs(), then the
-// opposite_vertices(), in order. Of merged duplicates, `source` is the one whose chord was kept.
+// The candidates with their sources. The sources are numbered: first the edge_pairs(), then the
+// opposite_vertices(), in order. If duplicates were merged, `source` is the source of the chord
+// that was kept.
 struct TracedCandidates {
   std::vector<Candidate> candidates;
   std::vector<std::uint32_t> of_source;  // the candidate of each source, or no_index
-  // The range candidates of each source by slope, or no_index; empty with Positions::best.
+  // The range candidates of each source by slope, or no_index. The list is empty with
+  // Positions::best.
   std::vector<std::array<std::uint32_t, 2>> ranges_of_source;
 };
 Result<TracedCandidates> trace_candidates(const Polygon& polygon, const Vec2& centre,
@@ -114,24 +123,25 @@ Result<TracedCandidates> trace_candidates(const Polygon& polygon, const Vec2& ce
 // The candidates of robots with a size: chords whose ends are usable lifting points of two robots
 // that do not collide (docs/stands.md). Two facing edges, moved inward by the hand's depth, give
 // the chord with the best load ratio and each chord between ends of usable intervals. With
-// positions anywhere in the range, they also give one at each of range_places in the longest of the
-// standing_ranges(). Of a source's candidates, `of_source` is the best; it is no_index if the edges
-// do not face each other on the outline itself. Costs as much as find_candidates(), plus O(usable
-// intervals of a times those of b) for each pair.
+// positions anywhere in the range, the two edges also give one chord at each of range_places in the
+// longest of the standing_ranges(). `of_source` has the best candidate of each source; it is
+// no_index if the edges do not face each other on the outline itself. Costs as much as
+// find_candidates(), plus O(usable intervals of a times those of b) for each pair.
 class Stands;
 Result<TracedCandidates> standing_candidates(const Polygon& polygon, const Vec2& centre,
                                              double min_ratio, const Stands& stands,
                                              Positions positions = Positions::best,
                                              double clear = 0);
 
-// The parts of the range of two edges, moved inward by the hand's depth, where two robots with a
-// size can stand, in order along edge a. Each has the places 0 .. 1, and the ends of its chords are
-// lifting points. The two robots may collide. O(usable intervals of a times those of b).
+// The parts of the range of two edges in which two robots with a size can stand, in order along
+// edge a. The edges are moved inward by the hand's depth, so the ends of a part's chords are
+// lifting points. Each part has the places 0 .. 1. In a part, the two robots may still collide.
+// O(usable intervals of a times those of b).
 std::vector<PairRange> standing_ranges(const Polygon& polygon, const Vec2& centre, std::uint32_t a,
                                        std::uint32_t b, double min_ratio, const Stands& stands);
 
-// The longest of one or more ranges, measured along both edges; the first of those that agree
-// within `near`. O(ranges).
+// The index of the longest of one or more ranges, measured along both edges. If several agree
+// within `near`, it is the first of them. O(ranges).
 std::size_t longest_range(const std::vector<PairRange>& ranges, double near);
 
 }  // namespace evenlift

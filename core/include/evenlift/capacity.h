@@ -12,41 +12,44 @@
 
 namespace evenlift {
 
-// See most_teams_tried().
+// The limit in most_teams_tried() for teams that are not swapped.
 inline constexpr std::uint32_t most_teams_for_capacity = 512;
 
 // The most teams that a plan tries: most_swapped_teams (swaps.h) if teams are swapped until they
 // hold, otherwise most_teams_for_capacity. O(1).
 std::uint32_t most_teams_tried(const Settings& settings);
 
-// The capacity of a robot: a given support's own or else the common one; nothing if neither is
-// given. Robots are numbered as in find_robot() (loads.h). O(1).
+// The capacity of a robot: a given support's own capacity, or else the common one; nothing if
+// neither is given. Robots are numbered as in find_robot() (loads.h). O(1).
 std::optional<double> capacity_of(const ShownPlacement& of, std::size_t robot);
 
-// Whether the load exceeds the capacity by more than tau (tolerance.h) times the capacity, which
-// rounding alone could add. O(1).
+// Whether a load exceeds the capacity by more than tau (tolerance.h) times the capacity. Rounding
+// alone could add that much. O(1).
 bool exceeds(double load, double capacity);
 
-// Whether any robot has a capacity, and whether supports have their own. O(1).
+// has_capacities() returns whether any robot has a capacity, has_own_capacities() whether given
+// supports have their own. O(1).
 bool has_capacities(const ShownPlacement& of);
 bool has_own_capacities(const ShownPlacement& of);
 
-// The robots whose planned or given loads exceed their capacities. O(robots).
+// The numbers of the robots whose planned loads, or these `loads`, exceed their capacities.
+// O(robots).
 std::vector<std::size_t> overloaded_robots(const ShownPlacement& of);
 std::vector<std::size_t> overloaded_robots(const ShownPlacement& of,
                                            const std::vector<double>& loads);
 
-// O(robots).
+// The capacity_of() of each robot. O(robots).
 std::vector<std::optional<double>> capacities_of(const ShownPlacement& of);
 
-// The greatest radius within which C may lie so that, by springs and under the other given
-// conditions, no robot exceeds its limit (radius_within_capacity() of uncertainty.h). Costs as much
-// as model_loads().
+// The greatest radius within which C may lie so that no robot exceeds its limit, by springs and
+// under the other given conditions (radius_within_capacity() of uncertainty.h). Costs as much as
+// model_loads().
 std::optional<double> com_radius_within(const ShownPlacement& of, const ModelLoads& loads,
                                         const std::vector<std::optional<double>>& limits);
 
 // Whether any robot may exceed its capacity after a failure, by springs and within the disturbance
-// that `rest` allows for; false if the others do not carry the object. O(m) for each failure.
+// that `rest` allows for; false if the other robots do not carry the object. overloads_after()
+// answers this for each failure. O(m) for each failure.
 bool overloads(const ShownPlacement& of, const std::optional<RestOfRobots>& rest);
 std::vector<bool> overloads_after(const ShownPlacement& of,
                                   const std::vector<std::optional<RestOfRobots>>& failures);
@@ -64,38 +67,40 @@ struct CapacityPlan {
   bool operator==(const CapacityPlan&) const = default;
 };
 
-// The plan for the object of a placement from place(), whose candidates are reused. Each robot
-// carries up to `capacity` > 0, in the unit of the weight. The plan depends on the polygon, holes,
-// centre of mass, and all settings that affect loads except the number of teams or robots.
+// The plan for the object of a placement from place(). It reuses the candidates of the placement.
+// Each robot carries up to `capacity` > 0, in the unit of the weight. The plan depends on the
+// polygon, the holes, the centre of mass, and all settings that affect loads except the number of
+// teams or robots.
 //
-// Area, circle, distance and random choose teams one after another, so the first k teams of a
+// Area, circle, distance and random choose teams one after another. So the first k teams of a
 // selection are a placement of k teams, and a plan costs as much as selecting the needed teams.
 // Teams at equal angles differ for each number of teams; only their loads are computed, up to the
-// first overloaded robot. Swapped teams also differ, and each number costs its own swaps. The least
-// number of balanced robots follows from weight, capacity and failures to survive; whether such a
-// set exists is not checked. For given supports no plan is possible.
+// first overloaded robot. Swapped teams also differ for each number, and each number costs its own
+// swaps. The least number of balanced robots follows from the weight, the capacity and the failures
+// to survive; whether such a set exists is not checked. For given supports no plan is possible.
 CapacityPlan plan_capacity(const Placement& placement, double capacity);
 
-// The number of robots needed if any one may fail. While all work, no planned load exceeds the
-// capacity. After a failure, the others carry the object, and no load by springs (load_models.h)
-// exceeds it. Sudden changes of load are not considered.
+// The number of robots needed if any one robot may fail. While all work, no planned load exceeds
+// the capacity. After a failure, the others carry the object, and no load by springs
+// (load_models.h) exceeds the capacity. Sudden changes of load are not considered.
 struct FailurePlan {
   bool possible = false;
-  std::uint32_t robots = 0;  // if possible, the least found
-  double greatest_load = 0;  // if possible, whichever robot fails
+  std::uint32_t robots = 0;  // if possible, the least number found
+  double greatest_load = 0;  // of a robot, intact or after any one failure, if possible
   std::uint32_t tried = 0;   // the most robots tried
   bool operator==(const FailurePlan&) const = default;
 };
 
-// The least number of robots with the placement's method, where place() would put them. The search
-// begins with the least number that the weight and, for balanced robots, `survive` permit. It ends
-// where there is no place for more, at most_teams_tried(), or after the loads of most_loads_planned
-// robots. Of balanced robots it tries at most most_sets_planned numbers, each with a whole search.
+// Finds the least number of robots for the placement's method, at the places where place() would
+// put them. The search begins with the least number that the weight and, for balanced robots,
+// `survive` permit. It ends if there is no place for more teams, at most_teams_tried(), or after
+// the loads of most_loads_planned robots. For balanced robots it tries at most most_sets_planned
+// numbers, each with a whole search. For given supports no plan is possible.
 inline constexpr std::uint64_t most_loads_planned = std::uint64_t{1} << 21;
 inline constexpr std::uint32_t most_sets_planned = 8;
 FailurePlan plan_for_failures(const Placement& placement, double capacity);
 
-// Whether everything on which plans depend agrees. O(n).
+// Whether two placements agree in everything on which plans depend. O(n).
 bool same_plan(const Placement& a, const Placement& b);
 
 }  // namespace evenlift

@@ -15,19 +15,20 @@ struct CentreOfMass {
   Vec2 all = Vec2::Zero();  // C, with its cargo
 };
 
-// C, if C0 is `own`. O(items).
+// C for the object whose C0 is `own`. O(items).
 Vec2 with_cargo(const Vec2& own, const Settings& settings);
 
-// C0 is the given point, or else the centroid of the object without its holes. With the object's
-// weight W0 and cargo of weights w at q, C = (W0 C0 + sum w q) / (W0 + sum w). It is an error if C
-// is not strictly inside the convex hull of the outline (an exact test), or if a coordinate of a
-// given C0 is not finite or its absolute value exceeds max_coordinate or is above 0 but below
-// min_coordinate. C0 and cargo may lie anywhere. O(items + h) for h corners of the hull.
+// Finds C0 and C. C0 is the given point, or else the centroid of the object without its holes. With
+// the object's weight W0 and cargo of weights w at q, C = (W0 C0 + sum w q) / (W0 + sum w). It is
+// an error if C is not strictly inside the convex hull of the outline (an exact test). A coordinate
+// of a given C0 is an error if it is not finite, or if its absolute value exceeds max_coordinate or
+// is above 0 but below min_coordinate. C0 and cargo may lie anywhere. O(items + h) for h corners of
+// the hull.
 Result<CentreOfMass> centre_of_mass(const PolygonWithHoles& object,
                                     const std::optional<Vec2>& given, const Settings& settings);
 
-// The weight and C with only the first `items` items of cargo: W0 and `own` for none, the whole
-// weight and C, bit for bit, for all. O(items).
+// The weight and C with only the first `items` items of cargo. Without items they are W0 and `own`;
+// with all items they are the whole weight and C, bit for bit. O(items).
 struct Loaded {
   double weight = 0;
   Vec2 centre = Vec2::Zero();

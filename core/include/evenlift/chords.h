@@ -12,77 +12,80 @@
 
 namespace evenlift {
 
-// A point on the boundary where a robot may stand.
+// A point where a robot may lift: on the boundary, or inside the object.
 struct LiftingPoint {
   Vec2 position = Vec2::Zero();
-  std::uint32_t edge = 0;  // one on which it lies, or `beneath`
+  std::uint32_t edge = 0;  // an edge on which it lies, or `beneath`
 };
 
-// In place of an edge: the point lies inside the object, where a robot lifts and touches nothing
-// sideways (supports.h).
+// This value replaces an edge if the point lies inside the object. There a robot lifts and touches
+// nothing sideways (supports.h).
 inline constexpr std::uint32_t beneath = ~std::uint32_t{0};
 
-// The positions, in the same order. O(points).
+// The positions of the points, in the same order. O(points).
 Points positions(const std::vector<LiftingPoint>& points);
 
 // A segment through C with both ends on the boundary, on opposite sides of C.
 struct Chord {
-  LiftingPoint r1;   // left (lower, if the direction counts as vertical)
-  LiftingPoint r2;   // right (upper)
+  LiftingPoint r1;   // the left end (lower, if the direction counts as vertical)
+  LiftingPoint r2;   // the right end (upper)
   double arm1 = 0;   // |C r1| > 0, more precise than from the rounded positions
   double arm2 = 0;   // |C r2| > 0
   double ratio = 1;  // min(arm1, arm2) / max(arm1, arm2), in (0, 1]
 };
 
-// Replaces a vertex where an edge is met in its interior. A std::optional would make each of up to
-// eight million edge pairs 16 bytes larger.
+// This value replaces a vertex where an edge is met in its interior. A std::optional would make
+// each of up to eight million edge pairs 16 bytes larger.
 inline constexpr std::uint32_t inside_edge = ~std::uint32_t{0};
 
 // Two non-radial edges that face each other across C: for an open range of directions u, the ray
 // from C along u meets a and the ray along -u meets b. Counter-clockwise, the range begins at the
-// vertices `begin_a` of a and `begin_b` of b, and ends at `end_a` and `end_b`. Each is inside_edge
-// where its edge is met in the interior.
+// vertices `begin_a` of a and `begin_b` of b, and ends at `end_a` and `end_b`. Each of these is
+// inside_edge where its edge is met in the interior.
 struct EdgePair {
   std::uint32_t a = 0, b = 0;
   std::uint32_t begin_a = inside_edge, begin_b = inside_edge;
   std::uint32_t end_a = inside_edge, end_b = inside_edge;
 };
 
-// Two vertices on opposite sides of C whose line passes within tau L of it, so that rounding does
-// not decide which vertices of a symmetric shape are opposite.
+// Two vertices on opposite sides of C whose line passes within tau L of C. With this tolerance,
+// rounding does not decide which vertices of a symmetric shape are opposite.
 struct OppositeVertices {
   std::uint32_t v = 0, w = 0;  // v < w
 };
 
-// The most edge pairs and opposite vertices together. More would not fit into a browser's memory.
+// The greatest number of edge pairs and pairs of opposite vertices together. More would not fit
+// into a browser's memory.
 inline constexpr std::uint64_t max_edge_pairs = std::uint64_t{1} << 23;
 
 // For each edge, whether its line passes within tau L of C. O(n log n).
 std::vector<bool> radial_edges(const Polygon& polygon, const Vec2& centre);
 
+// A chord that starts at a vertex.
 struct VertexChord {
-  std::uint32_t vertex = 0;                // where the chord starts
-  std::uint32_t hit_vertex = inside_edge;  // where it ends, if at a vertex
+  std::uint32_t vertex = 0;                // where it starts
+  std::uint32_t hit_vertex = inside_edge;  // where it ends, or inside_edge
   Chord chord;
 };
 
-// All chords from a vertex through C, in the order in which a line that turns about C meets their
-// first vertices, in each direction those on its forward half first. A chord between two vertices
-// is listed once, at the forward one. Radial edges are met at their ends only. More than
-// max_edge_pairs chords are an error. O(n log n + k) for k chords.
+// All chords from a vertex through C. They are in the order in which a line that turns about C
+// meets their first vertices. In each direction, the vertices on the line's forward half come
+// first. A chord between two vertices is listed once, at the forward vertex. Radial edges are met
+// at their ends only. More than max_edge_pairs chords are an error. O(n log n + k) for k chords.
 Result<std::vector<VertexChord>> vertex_chords(const Polygon& polygon, const Vec2& centre);
 
-// O(n log n).
+// The number of edge pairs. O(n log n).
 std::uint64_t count_edge_pairs(const Polygon& polygon, const Vec2& centre);
 
 // All edge pairs, in the order in which their ranges begin. More than max_edge_pairs are an error.
-// O(n log n + K) for K pairs, O(n) of them if the polygon is convex.
+// O(n log n + K) for K pairs. If the polygon is convex, there are O(n) pairs.
 Result<std::vector<EdgePair>> edge_pairs(const Polygon& polygon, const Vec2& centre);
 
-// All pairs of opposite vertices, in the order in which C sees the nearer one. A vertex within
-// tau L of C has none. It is an error if these and the edge pairs together exceed max_edge_pairs.
-// O(n log n), plus, for each vertex v, the number of vertices farther from C and within the angle 2
-// tau L / |C v| of its line.
+// All pairs of opposite vertices, in the order in which C sees the nearer vertex of each pair. A
+// vertex within tau L of C belongs to no pair. It is an error if these pairs and the edge pairs
+// together exceed max_edge_pairs. O(n log n), plus the following number for each vertex v: the
+// vertices farther from C whose lines through C make an angle of at most 2 tau L / |C v| with the
+// line of v.
 Result<std::vector<OppositeVertices>> opposite_vertices(const Polygon& polygon, const Vec2& centre);
 
 }  // namespace evenlift

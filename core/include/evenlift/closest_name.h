@@ -1,4 +1,4 @@
-// The name that a mistyped one may stand for.
+// The name for which a mistyped name may stand.
 #pragma once
 
 #include <string_view>
@@ -6,10 +6,10 @@
 
 namespace evenlift {
 
-// The first of the names with the fewest edits from the typed one: at most two, and fewer than half
-// its bytes. Empty if there is none, and for more than 64 typed bytes. An edit inserts, removes or
-// replaces a byte, or swaps two neighbours (the optimal string alignment distance). O(bytes of
-// `typed` times bytes of `names`).
+// The first of the names with the fewest edits from the typed text. There may be at most two edits,
+// and fewer than half the bytes of the text. The result is empty if there is no such name, or if
+// the text has more than 64 bytes. An edit inserts, removes or replaces a byte, or swaps two
+// neighbours (the optimal string alignment distance). O(bytes of `typed` times bytes of `names`).
 std::string_view closest_name(std::string_view typed, const std::vector<std::string_view>& names);
 
 }  // namespace evenlift

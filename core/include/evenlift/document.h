@@ -13,38 +13,38 @@
 namespace evenlift {
 
 // Limits on all input, inclusive. Input beyond them is refused.
-inline constexpr double max_coordinate = 1e9;             // absolute value
-inline constexpr double min_coordinate = 1e-100;          // absolute value unless 0
-inline constexpr double min_diagonal = 1e-9;              // of a polygon's bounding box
-inline constexpr double max_length = max_coordinate;      // of a given size or distance
-inline constexpr double min_length = 1e-100;              // of a given length above 0
-inline constexpr double max_slope = 1;                    // of the ground, 45 degrees
-inline constexpr double max_acceleration = 10;            // horizontal, in g
-inline constexpr double max_weight = 1e100;               // also of a capacity
-inline constexpr double min_weight = 1e-100;              // also of a capacity
-inline constexpr std::size_t max_vertices = 1u << 20;     // of a polygon with its holes
-inline constexpr std::size_t max_holes = 1000;            // in a polygon
-inline constexpr std::size_t max_cargo = 1000;            // items
-inline constexpr std::size_t max_name_characters = 60;    // of an item of cargo
-inline constexpr std::size_t max_link_vertices = 32768;   // of a polygon in a link
-inline constexpr std::size_t max_text_bytes = 64u << 20;  // of a file
-inline constexpr std::size_t max_link_bytes = 1u << 20;   // of a link
-inline constexpr std::uint32_t max_teams = 1u << 20;      // if given as a number
-inline constexpr std::uint32_t least_robots = 2;          // balanced
-inline constexpr std::uint32_t most_robots = 64;          // balanced
-inline constexpr std::uint32_t most_survived = 30;     // surviving F takes 2 F + 3 robots or more
-inline constexpr std::size_t most_no_go = 1000;        // parts of edges
-inline constexpr std::size_t most_supports = 1000;     // for Method::given
-inline constexpr std::size_t most_moved_teams = 1000;  // by hand
+inline constexpr double max_coordinate = 1e9;             // absolute value of a coordinate
+inline constexpr double min_coordinate = 1e-100;          // absolute value of a coordinate unless 0
+inline constexpr double min_diagonal = 1e-9;              // diagonal of a polygon's bounding box
+inline constexpr double max_length = max_coordinate;      // a given size or distance
+inline constexpr double min_length = 1e-100;              // a given length above 0
+inline constexpr double max_slope = 1;                    // slope of the ground, 45 degrees
+inline constexpr double max_acceleration = 10;            // horizontal acceleration, in g
+inline constexpr double max_weight = 1e100;               // a weight or a capacity
+inline constexpr double min_weight = 1e-100;              // a weight or a capacity
+inline constexpr std::size_t max_vertices = 1u << 20;     // vertices of a polygon with its holes
+inline constexpr std::size_t max_holes = 1000;            // holes in a polygon
+inline constexpr std::size_t max_cargo = 1000;            // items of cargo
+inline constexpr std::size_t max_name_characters = 60;    // characters of a cargo item's name
+inline constexpr std::size_t max_link_vertices = 32768;   // vertices of a polygon in a link
+inline constexpr std::size_t max_text_bytes = 64u << 20;  // bytes of a file
+inline constexpr std::size_t max_link_bytes = 1u << 20;   // bytes of a link
+inline constexpr std::uint32_t max_teams = 1u << 20;      // teams, if given as a number
+inline constexpr std::uint32_t least_robots = 2;          // balanced robots
+inline constexpr std::uint32_t most_robots = 64;          // balanced robots
+inline constexpr std::uint32_t most_survived = 30;        // F failures take 2 F + 3 robots or more
+inline constexpr std::size_t most_no_go = 1000;           // no-go parts of edges
+inline constexpr std::size_t most_supports = 1000;        // supports for Method::given
+inline constexpr std::size_t most_moved_teams = 1000;     // teams moved by hand
 
 // How teams are chosen (algorithm.md, Selection; thesis 3.3, 5.2).
 enum class Method : std::uint8_t { area, circle, distance, distributed, random, balanced, given };
 
-// The methods that find places; those of Method::given are settings.
+// The methods that find places. The places of Method::given are settings.
 inline constexpr Method all_methods[] = {Method::area,        Method::circle, Method::distance,
                                          Method::distributed, Method::random, Method::balanced};
 
-// All methods, also Method::given.
+// All methods, including Method::given.
 inline constexpr Method named_methods[] = {Method::area,        Method::circle, Method::distance,
                                            Method::distributed, Method::random, Method::balanced,
                                            Method::given};
@@ -61,7 +61,7 @@ inline constexpr Method pair_methods[] = {Method::area, Method::circle, Method::
 // The methods that choose teams among the candidates.
 inline constexpr Method candidate_methods[] = {Method::area, Method::circle, Method::distance};
 
-// The measure of what a candidate's two ends add to the lifting base.
+// The measure of how much a candidate's two ends add to the lifting base.
 enum class Metric : std::uint8_t { area, circle, distance };
 
 // The metric of a method; nothing if it does not choose among candidates. O(1).
@@ -99,7 +99,8 @@ inline constexpr Positions all_positions[] = {Positions::best, Positions::range}
 std::string_view name(Positions positions);
 std::optional<Positions> positions_from_name(std::string_view text);
 
-// The name in JSON and options, such as "area", and the method of a name, if it is known. O(1).
+// name() returns a method's name in JSON and options, such as "area"; method_from_name() returns
+// the method of a name, if it is known. O(1).
 std::string_view name(Method method);
 std::optional<Method> method_from_name(std::string_view text);
 
@@ -116,19 +117,20 @@ struct Units {
   WeightUnit weight = WeightUnit::kg;    // of the object and of loads
   bool operator==(const Units&) const = default;
 };
-std::string_view name(LengthUnit unit);  // "mm", or "none"
-std::string_view name(WeightUnit unit);  // "kg"
+std::string_view name(LengthUnit unit);  // such as "mm", or "none"
+std::string_view name(WeightUnit unit);  // such as "kg"
 
-// Rounded once if the unit is a decimal fraction of a metre; the same number without a unit. O(1).
+// A length in metres, rounded once if the unit is a decimal fraction of a metre; without a unit,
+// the same number. O(1).
 double in_metres(double length, LengthUnit unit);
 
-// What is drawn in addition to the polygon and its robots.
+// The drawings in addition to the polygon and its robots.
 struct Overlays {
   bool candidates = false;       // chords that are not selected
-  bool chords = true;            // of the teams
+  bool chords = true;            // chords of the teams
   bool lifting_base = true;      // H and coverage
   bool clockwise = true;         // region of free clockwise rotation centres
-  bool counterclockwise = true;  // region of counter-clockwise ones
+  bool counterclockwise = true;  // region of free counter-clockwise ones
   bool tipping = false;          // heat map of the tipping force
   bool halo = false;             // the tipping distance (uncertainty.h)
   bool tilt = false;             // slopes at which the object tips, by direction (tilt.h)
@@ -136,19 +138,21 @@ struct Overlays {
   bool operator==(const Overlays&) const = default;
 };
 
-// The size of a robot, each 0 .. max_length (stands.h). If all are 0, a robot is its lifting point.
+// The sizes of a robot, each 0 .. max_length (stands.h). If all are 0, a robot is its lifting
+// point.
 struct RobotSize {
-  double radius = 0;  // of the round body
-  double reach = 0;   // of the arm, from the body's rim to the contact
-  double depth = 0;   // of the hand, from the contact to the lifting point
-  double width = 0;   // of the hand
-  double gap = 0;     // free between two bodies
+  double radius = 0;  // radius of the round body
+  double reach = 0;   // length of the arm, from the body's rim to the contact
+  double depth = 0;   // length of the hand, from the contact to the lifting point
+  double width = 0;   // width of the hand
+  double gap = 0;     // free distance between two bodies
   // Whether the robot is more than a point. A gap alone also separates points.
   bool has_body() const { return radius > 0 || reach > 0 || depth > 0 || width > 0; }
   bool operator==(const RobotSize&) const = default;
 };
 
-// `from` and `to` are fractions of the edge's length from its first vertex, 0 <= from < to <= 1.
+// A part of an edge, 0 <= from < to <= 1. `from` and `to` are fractions of the edge's length from
+// its first vertex.
 struct EdgePart {
   std::uint32_t edge = 0;  // from 0
   double from = 0, to = 1;
@@ -168,40 +172,41 @@ struct Cargo {
 
 // The inputs of a placement except the polygon and the centre of mass.
 struct Settings {
-  // 1 .. max_teams; none ("max") means every candidate, for methods that choose among them.
+  // The number of teams, 1 .. max_teams. For methods that choose among candidates, empty ("max")
+  // means every candidate.
   std::optional<std::uint32_t> teams = 3;
   Method method = Method::area;
   double min_ratio = 0.8;       // minimum load ratio, 0 .. 1
-  double weight = 100;          // of the object alone, min_weight .. max_weight
-  std::uint64_t seed = 1;       // of Method::random
-  std::uint32_t robots = 6;     // for Method::balanced, least_robots .. most_robots
-  std::optional<Goal> goal;     // none means the default of goal_of()
-  double min_margin = 0.05;     // of a hold, 0 .. 1
-  std::optional<double> apart;  // preferred distance between robots, >= 0; none means 0.12 R
+  double weight = 100;          // weight of the object alone, min_weight .. max_weight
+  std::uint64_t seed = 1;       // seed of Method::random
+  std::uint32_t robots = 6;     // number for Method::balanced, least_robots .. most_robots
+  std::optional<Goal> goal;     // empty means the default of goal_of()
+  double min_margin = 0.05;     // minimum margin of a hold, 0 .. 1
+  std::optional<double> apart;  // preferred distance between robots, >= 0; empty means 0.12 R
   std::optional<double>
-      clear;  // contacts nearer to a corner do not count, and after a failure C should be at least
-              // this far inside the lifting base; >= 0; none means usual_clear R
-  std::uint32_t survive = 0;  // failures of balanced robots that should leave the object steady,
-                              // which takes at least 2 survive + 3 robots
-  Positions positions = Positions::best;  // of teams of two; balanced robots stand anywhere
+      clear;  // contacts nearer than this to a corner do not count, and after a failure C should be
+              // at least this far inside the lifting base; >= 0; empty means usual_clear R
+  std::uint32_t survive = 0;  // number of failures of balanced robots that should leave the object
+                              // steady, for which at least 2 survive + 3 robots are needed
+  Positions positions = Positions::best;  // for teams of two; balanced robots stand anywhere
   RobotSize robot;
-  std::vector<EdgePart> no_go;  // no robot may touch these; at most most_no_go, in any order
+  std::vector<EdgePart> no_go;  // no robot may touch these parts; at most most_no_go, in any order
   std::vector<Cargo> cargo;     // at most max_cargo items
   Points supports;              // for Method::given, 1 .. most_supports (supports.h)
   std::optional<double> snap;   // supports within this distance of the outline stand at the edge,
-                                // 0 .. max_length; none means 1e-6 L
+                                // 0 .. max_length; empty means 1e-6 L
   bool operator==(const Settings&) const = default;
 };
 
 // Conditions that change loads and whether the object tips, but not where robots stand (tilt.h,
 // extra_load.h).
 struct Carrying {
-  double com_height = 0;  // of C above the lifting points, 0 .. max_length
+  double com_height = 0;  // height of C above the lifting points, 0 .. max_length
   double slope = 0;  // greatest slope of the ground in any direction, as a ratio, 0 .. max_slope
-  double acceleration = 0;     // greatest horizontal one in any direction, in g,
+  double acceleration = 0;     // greatest horizontal acceleration in any direction, in g,
                                // 0 .. max_acceleration
   std::optional<double> give;  // how far a robot gives way under the mean load,
-                               // min_length .. max_length; none means that heights do not matter
+                               // min_length .. max_length; empty means that heights do not matter
   double uneven = 0;  // greatest error of the ground or of a robot's height, 0 .. max_length
   std::optional<double> extra;  // a further weight that may stand on the object, such as a person,
                                 // min_weight .. max_weight
@@ -211,11 +216,12 @@ struct Carrying {
 // Display options and questions about a placement, which never change it and are not stored in it.
 struct Shown {
   Overlays overlays;
-  std::optional<std::uint32_t> step;  // of the walkthrough, if it is open
+  std::optional<std::uint32_t> step;  // step of the walkthrough, if it is open
   double com_radius = 0;  // C uncertainty: the radius within which C is known, 0 .. max_length
-  std::optional<double> capacity;  // greatest load of a robot, min_weight .. max_weight; none means
-                                   // no limit
-  // For Method::given: one for each support, where none means the common capacity; or empty.
+  std::optional<double> capacity;  // greatest load of a robot, min_weight .. max_weight; empty
+                                   // means no limit
+  // For Method::given, the capacity of each support, where an empty entry means the common
+  // capacity. The list may be empty.
   std::vector<std::optional<double>> support_capacities;
   Carrying carrying;
   Units units;
@@ -223,13 +229,13 @@ struct Shown {
 };
 
 // The given goal or the default: hold for four or more balanced robots, otherwise cover (for two or
-// three, holding would cost too much lifting base). O(1).
+// three, holding would cost too much lifting base). With Method::given it is always cover. O(1).
 Goal goal_of(const Settings& settings);
 
 // Whether teams of two are swapped until they hold (swaps.h). O(1).
 bool swaps_teams(const Settings& settings);
 
-// `part` is a fraction of the edge's length from its first vertex, 0 .. 1.
+// A point on an edge. `part` is a fraction of the edge's length from its first vertex, 0 .. 1.
 struct EdgePoint {
   std::uint32_t edge = 0;  // from 0
   double part = 0;
@@ -244,8 +250,8 @@ struct MovedTeam {
   bool operator==(const MovedTeam&) const = default;
 };
 
-// Robots moved by hand (moved.h). All balanced robots are listed, by the points that they touch,
-// but of teams of two only the moved ones, in ascending order. At most one list has entries.
+// Robots moved by hand (moved.h). Balanced robots are all listed, by the points that they touch;
+// teams of two are listed only if moved, in ascending order. At most one list has entries.
 struct Moved {
   std::vector<EdgePoint> robots;  // at most most_robots
   std::vector<MovedTeam> teams;   // at most most_moved_teams
@@ -253,15 +259,16 @@ struct Moved {
   bool operator==(const Moved&) const = default;
 };
 
+// A polygon with all that belongs to it.
 struct Document {
-  Points vertices;  // in the given order, either orientation
+  Points vertices;  // of the outline in the given order, in either orientation
   std::optional<Vec2>
-      centre_of_mass;  // of the object without cargo; none means the centroid of the area that the
-                       // holes leave
+      centre_of_mass;  // of the object without cargo; empty means the centroid of the area that
+                       // the holes leave
   Settings settings = {};
   Shown shown = {};
   Moved moved = {};
-  std::vector<Points> holes = {};  // in either orientation
+  std::vector<Points> holes = {};  // the vertices of each, in either orientation
 };
 
 // The weight of the object with its cargo. O(items).

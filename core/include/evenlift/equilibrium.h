@@ -1,5 +1,5 @@
-// Whether an object stands on its robots, or over which it tips. C can be outside the lifting base
-// H only if the places are given (supports.h).
+// Whether an object stands on its robots, and over which robots it tips if it does not. C can be
+// outside the lifting base H only if the places are given (supports.h).
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,14 @@ struct Equilibrium {
   bool stands = false;  // C is in H, within tau L; false without robots
   // The tipping distance (uncertainty.h) or, if the object falls, minus the distance of C from H.
   double com_margin = 0;
-  // If it falls, the numbers of the two robots, in ascending order, at the ends of the edge of H
-  // that C lies beyond by the greatest distance; only one if H is a point, or a segment on whose
-  // line C lies beyond that robot.
+  // If the object falls, the numbers, in ascending order, of the two robots at the ends of the edge
+  // of H beyond which C lies farthest. There is only one number if H is a point, or if H is a
+  // segment and C lies on its line beyond that robot.
   std::vector<std::uint32_t> tips_over;
 };
 
-// `robots` are positions in the order of the robots' numbers; `diameter` is L. O(m log m).
+// Finds whether the object stands. `robots` are positions in the order of the robots' numbers;
+// `diameter` is L. O(m log m).
 Equilibrium analyse_equilibrium(const Points& robots, const Vec2& centre, double diameter);
 
 }  // namespace evenlift

@@ -2,7 +2,7 @@
 // static, but a sudden loss can for a moment double the change of a load.
 //
 // The robots *carry* the object if C lies in their convex hull within tau L: they can balance its
-// weight. The object is *steady* if C lies inside the hull by more than that: it also withstands a
+// weight. The object is *steady* if C lies inside the hull by more than tau L: it also withstands a
 // light downward press anywhere, as long as the robots keep their height and none is overloaded.
 // Without the tolerance, rounding would decide both, since a team's two robots and C are on one
 // line only up to rounding. Far from the origin, where coordinates are rounded by more than tau L,
@@ -19,53 +19,56 @@
 
 namespace evenlift {
 
-// The number of robots that may fail at once, whichever they are, with the rest carrying the
-// object; -1 if not even all carry it. It is one less than the depth of C: the least number of
-// robots on one side of a line through C, with those within tolerance of the line (half-space
-// depth; J. W. Tukey, Mathematics and the picturing of data, 1975). t teams of two carry the object
-// after any t - 1 failures, since each side of the line has a robot of each team. `robots` are
-// positions, in any order and perhaps equal; `diameter` > 0 is L. O(m log m).
+// The number of robots that may fail at once, whichever they are, while the rest still carries the
+// object; -1 if not even all robots carry it. It is one less than the depth of C. The depth is the
+// least number of robots on one side of a line through C, including those within tolerance of the
+// line (half-space depth; J. W. Tukey, Mathematics and the picturing of data, 1975). t teams of two
+// carry the object after any t - 1 failures, since each side of the line has a robot of each team.
+// `robots` are positions, in any order and perhaps equal; `diameter` > 0 is L. O(m log m).
 int failures_carried(const Points& robots, const Vec2& centre, double diameter);
 
-// The same with the object still steady: robots within tolerance of the line do not count, nor do
-// those nearer to it than `inside`, within tolerance. At most failures_carried(); -1 if not even
-// all robots keep the object steady, as with one team of two. O(m log m).
+// The number of robots that may fail at once, whichever they are, while the object stays steady.
+// Here robots within tolerance of the line do not count, nor do those nearer to it than `inside`,
+// within tolerance. The number is at most failures_carried(), and -1 if not even all robots keep
+// the object steady, as with one team of two. O(m log m).
 int failures_steady(const Points& robots, const Vec2& centre, double diameter, double inside = 0);
 
-// The remaining robots.
+// The state of the object on the remaining robots.
 struct RestOfRobots {
   bool steady = false;
-  bool clear = false;           // steady with C at least `inside` inside their hull
+  bool clear = false;           // steady, with C at least `inside` inside their hull
   double tipping_distance = 0;  // see uncertainty.h
   double coverage = 0;          // see stability.h
   bool form_closure = false;    // see closure.h, also for the margin
   std::optional<double> margin;
   std::optional<double> greatest_by_plan;  // the greatest load if the failed robot's team stops
-                                           // carrying and the others carry equal parts; none if
-                                           // there are no others
-  double greatest_by_springs = 0, least_greatest = 0;  // springs and best of load_models.h
-  std::vector<double> springs;                         // by springs; 0 for the failed robot
-  std::vector<double> ends;  // the greatest loads by springs within the disturbance
-                             // (uncertainty.h); without a disturbance, `springs`
-  double greatest_end = 0;   // of these
+                                           // carrying and the others carry equal parts; empty if
+                                           // there are no other teams
+  // The greatest loads by the models springs and best (load_models.h).
+  double greatest_by_springs = 0, least_greatest = 0;
+  std::vector<double> springs;  // the loads by springs; 0 for the failed robot
+  std::vector<double> ends;     // the greatest loads by springs within the disturbance
+                                // (uncertainty.h); without a disturbance, `springs`
+  double greatest_end = 0;      // the greatest of `ends`
   bool stays =
-      true;  // the reach of the disturbance is at most the tipping distance, within tolerance
+      true;  // whether the reach of the disturbance is at most the tipping distance, within
+             // tolerance
 };
 
-// The effect of each robot's failure, in the order of the robots; nothing where the rest does not
-// carry the object. The teams must be those of a placement on the polygon. `inside` is as for
-// failures_steady(), and the disturbance as for load_changes() (uncertainty.h). For m robots O(n
-// log n + m n + m^2 log m), plus O(h n + m h n') for the coverage (stability.h), O(m^3) for the
-// margin and, for the least greatest load, O(m^4) up to 65 robots, beyond that O(m^2) for each of
-// about a hundred steps.
+// The effect of each robot's failure, in the order of the robots; an entry is empty if the rest
+// does not carry the object. The teams must be those of a placement on the polygon. `inside` is as
+// for failures_steady(), and the disturbance as for load_changes() (uncertainty.h). For m robots
+// this takes O(n log n + m n + m^2 log m), plus O(h n + m h n') for the coverage (stability.h) and
+// O(m^3) for the margin. The least greatest load takes O(m^4) up to 65 robots; beyond that, it
+// takes O(m^2) for each of about a hundred steps.
 std::vector<std::optional<RestOfRobots>> single_failures(const PolygonWithHoles& object,
                                                          const Vec2& centre, double weight,
                                                          const std::vector<Team>& teams,
                                                          double inside = 0,
                                                          const Disturbance& disturbance = {});
 
-// For one robot, numbered as in find_robot() (loads.h). Costs 1/m of single_failures(), plus
-// O(n log n + h n).
+// The effect of one robot's failure. Robots are numbered as in find_robot() (loads.h). Costs 1/m of
+// single_failures(), plus O(n log n + h n).
 std::optional<RestOfRobots> single_failure(const PolygonWithHoles& object, const Vec2& centre,
                                            double weight, const std::vector<Team>& teams,
                                            std::size_t robot, double inside = 0,

@@ -10,7 +10,7 @@
 
 namespace evenlift {
 
-// Reads a text. Its content determines the format:
+// Reads a text as a polygon. The content of the text determines the format:
 //   thesis   optionally `CoM:(x,y)` on the first line; then the vertices of the outline, a line
 //            `(x,y)` for each; for each hole a line `Hole:` and its vertices; for each item of
 //            cargo a line `Cargo:(x,y) weight name`, perhaps without the name. Blank lines and
@@ -21,13 +21,13 @@ namespace evenlift {
 //            y]`; rings as in WKT. Members that are not read are ignored; the others may occur only
 //            once
 // All settings except the cargo have their defaults. Other geometries and third coordinates are
-// unsupported. An error's place is the line and column. Weights and names of cargo are within
-// bounds (document.h), but object_of() (polygon_with_holes.h) checks the geometry. Bounded by
+// unsupported. An error's place is the line and column. Weights and names of cargo are checked
+// here (document.h), but object_of() (polygon_with_holes.h) checks the geometry. The limits are
 // max_text_bytes, max_vertices for all rings together, max_holes and max_cargo. O(bytes).
 Result<Document> read_polygon(std::string_view text);
 
-// The polygon with its holes as text that ends in a newline, with a given centre of mass except in
-// WKT, which cannot hold one. Only the thesis's format holds cargo. O(n).
+// Write the polygon with its holes as text that ends in a newline. A given centre of mass is
+// written, except in WKT, which cannot hold one. Only the thesis's format holds cargo. O(n).
 std::string write_thesis(const Document& document);
 std::string write_wkt(const Document& document);
 std::string write_geojson(const Document& document);

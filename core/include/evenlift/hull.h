@@ -10,10 +10,10 @@ namespace evenlift {
 // 1979) with exact orientations.
 //
 // With `flat` above 0, corners that only rounding creates are omitted: those within `flat` of
-// another, and each run of corners no farther from the straight side that can replace them than tau
-// times its length. Points within `flat` of one line give its two ends, equal points one.
-// O(m log m), plus O(h^2) for h corners within 4 `flat` of one line, and O(r^2) for each run of r
-// omitted corners.
+// another, and each run of corners that a straight side can replace, if they are no farther from
+// that side than tau times its length. If all points are within `flat` of one line, the result is
+// their two ends; if all are equal, it is one point. O(m log m), plus O(h^2) for h corners within 4
+// `flat` of one line, and O(r^2) for each run of r omitted corners.
 Points convex_hull(Points points, double flat = 0);
 
 // The convex hull of p, q and a result of convex_hull. O(m), plus the cost of omitting corners.
@@ -23,8 +23,8 @@ Points widen_hull(const Points& hull, const Vec2& p, const Vec2& q, double flat 
 // geometry, 1978). The hull must come from convex_hull with `flat` 0 and have an area. O(h).
 double diameter(const Points& hull);
 
-// The area by the shoelace formula, relative to the first point; positive if counter-clockwise.
-// O(m).
+// The area of a closed ring by the shoelace formula, relative to the first point; it is positive if
+// the ring is counter-clockwise. O(m).
 double signed_area(const Points& points);
 
 }  // namespace evenlift

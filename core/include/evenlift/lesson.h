@@ -13,17 +13,18 @@
 // The settings come first, one per line. `title` and one of `polygon` (a sample's name), `link` (a
 // share link) and `generate` (a family of generate.h) are required. The options of `evenlift place`
 // (settings.h) and `overlays` override the link; `predict: yes` makes the learner guess, `loads` is
-// the model of the shown loads, and `failed` the robot that fails. The steps follow in the order in
-// which they are shown: an address in brackets, counted from 1 as in captions, and words.
-//   KIND or KIND N   a kind as in `evenlift trace --json`, and its number: "team 2"
+// the model of the shown loads (load_models.h), and `failed` is the robot that fails. The steps
+// follow in the order in which they are shown. Each consists of an address in brackets, whose
+// numbers count from 1 as in captions, and words.
+//   KIND or KIND N   a step of this kind, as in `evenlift trace --json`, by its number: "team 2"
 //   vertex N         the ray from that vertex
 //   pair N           the outcome of that edge pair
-//   edges A B        the outcome of their pair
-//   step N           in the whole trace, which changes with the polygon
+//   edges A B        the outcome of the pair of these edges
+//   step N           a step by its number in the whole trace, which changes with the polygon
 //   end              the last step
-// A task (task.h) may follow the steps or replace them: `[task]` and its words; the settings
-// `require`, `move`, `place` and `find` say what the learner should reach and how. Last, there may
-// be a `[question]` and its `[answer]`, which is shown on request.
+// A task (task.h) may follow the steps or replace them: `[task]` and its words. Its settings
+// `require`, `move`, `place` and `find` say which goal the learner should reach and how. Last,
+// there may be a `[question]` and its `[answer]`, which is shown on request.
 #pragma once
 
 #include <cstddef>
@@ -60,15 +61,15 @@ struct Kind {
   std::uint32_t item = 0;
   bool operator==(const Kind&) const = default;
 };
-struct Vertex {  // its ray
+struct Vertex {  // the ray from this vertex
   std::uint32_t vertex = 0;
   bool operator==(const Vertex&) const = default;
 };
-struct Edges {  // the outcome of their pair
+struct Edges {  // the outcome of the pair of these edges
   std::uint32_t a = 0, b = 0;
   bool operator==(const Edges&) const = default;
 };
-struct Number {  // in the whole trace
+struct Number {  // the step with this number in the whole trace
   std::uint32_t step = 0;
   bool operator==(const Number&) const = default;
 };
@@ -89,19 +90,19 @@ struct GivenSetting {
 struct GeneratedPolygon {
   Family family = Family::convex;
   std::size_t n = 12;
-  std::optional<std::uint64_t> seed;  // none means the learner's number
+  std::optional<std::uint64_t> seed;  // if not set, the learner's number
 };
 
-// What a learner may change to solve a task: places and number of robots; number and choice of
-// teams of two; the centre of mass; the outline and its holes; the cargo.
+// The parts that a learner may change to solve a task: places and number of robots; number and
+// choice of teams of two; the centre of mass; the outline and its holes; the cargo.
 enum class Movable : std::uint8_t { robots, teams, centre, vertices, cargo };
 std::string_view name(Movable part);  // "robots"; O(1)
 
 struct Task {
   std::string words;                  // not empty; "\n" separates paragraphs
-  std::vector<Condition> conditions;  // none only if `find_centre`
+  std::vector<Condition> conditions;  // empty only if `find_centre`
   std::vector<Movable> may;           // at least one, in ascending order
-  std::size_t place = 0;              // robots ready to be placed; 0 leaves the lesson's own
+  std::size_t place = 0;              // robots to be placed by hand; 0 keeps the lesson's robots
   bool find_centre = false;           // the centre of mass is hidden, to be found from the loads
 };
 
@@ -113,10 +114,10 @@ struct LessonStep {
 
 struct Lesson {
   std::string title;
-  std::string polygon;                        // a sample's name, or empty
+  std::string polygon;                        // the name of a sample, or empty
   std::string link;                           // a share link, or empty
   std::optional<GeneratedPolygon> generated;  // exactly one of the three is given
-  std::vector<GivenSetting> settings;         // each at most once; as read_setting() reads them
+  std::vector<GivenSetting> settings;         // each at most once; for read_setting()
   bool predict = false;
   std::optional<LoadModel> loads;     // the model of the shown loads
   std::optional<std::size_t> failed;  // from 0; this robot fails while no step is shown
@@ -125,25 +126,27 @@ struct Lesson {
   std::string question, answer;  // formatted like `words`; both empty or neither
 };
 
-// Reads a lesson in UTF-8 with lines that end in \n or \r\n. Any bytes give a lesson or an error,
-// whose place is a line. Whether link, polygon and steps exist is not checked. O(bytes).
+// Reads a lesson in UTF-8 with lines that end in \n or \r\n. Any bytes give either a lesson or an
+// error whose place is a line. Whether link, polygon and steps exist is not checked. O(bytes).
 Result<Lesson> parse_lesson(std::string_view text);
 
-// The lesson's document with its own settings, for the learner with this number: from its link, the
-// polygon that it generates, or `sample`, which `polygon` names and the caller has read. Errors are
-// those of decode_link() and generate(). A task may change more.
+// Returns the lesson's document with the lesson's own settings, for the learner with this number.
+// The object is that of the lesson's link, or the polygon that the lesson generates, or `sample`,
+// which `polygon` names and the caller has read. Errors are those of decode_link(), generate() and
+// read_setting(). exercise() (task.h) later makes the changes that a task asks for.
 Result<Document> lesson_document(const Lesson& lesson, const Document& sample,
                                  std::uint64_t number = 1);
 
-// Moves an error of lesson_document(), or of placing its result, to the line of the lesson's own
-// setting if it concerns one. O(settings).
+// If an error of lesson_document(), or of placing its result, concerns one of the lesson's own
+// settings, its place becomes the line of that setting. O(settings).
 InputError at_line(InputError error, const Lesson& lesson);
 
-// The step's number, if the trace has it. O(K) for edges and vertices, otherwise O(1).
+// Returns the number of the step with this address, from 0, if the trace has such a step. O(K) for
+// edges and vertices, with K edge pairs; otherwise O(1).
 std::optional<std::uint32_t> find_step(const Trace& trace, const StepAddress& address);
 
-// An error at the line of the first step that the trace lacks, with the steps that exist. Costs
-// find_step() for each step.
+// Returns an error at the line of the first step that the trace lacks, if there is one. The message
+// says which steps of that kind exist. The cost is that of find_step() for each step.
 std::optional<InputError> check_lesson(const Lesson& lesson, const Trace& trace);
 
 }  // namespace evenlift

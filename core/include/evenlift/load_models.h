@@ -1,14 +1,14 @@
 // The loads of robots whose forces are not controlled as planned.
 //
 // Vertical forces on a rigid object must add up to its weight and balance about C. More than three
-// robots can do that in many ways, depending on how they give way. A placement's own loads, the
-// *plan*, presume controlled forces.
+// robots can meet these conditions with many different loads, depending on how they give way. A
+// placement's own loads, the *plan*, presume controlled forces.
 //
 // *Springs* presumes that all robots are equally stiff and level and that the object is rigid (L.
 // Euler, De pressione ponderis in planum cui incumbit, 1773; also used for piles under a rigid
-// cap). These loads have the least sum of squares. A robot that would have to pull goes slack: at
-// p, a robot carries max(0, a + b . p), with the same a and b for all. If the robots' centroid is
-// C, as with even teams, all loads are equal.
+// cap). Of all possible loads, these have the least sum of squares. A robot that would have to pull
+// goes slack: a robot at p carries max(0, a + b . p), with the same a and b for all robots. If the
+// robots' centroid is C, as with even teams, all loads are equal.
 //
 // *Best* is the least possible greatest load, which an ideal controller would reach.
 //
@@ -20,9 +20,9 @@
 // segment or C is on an edge of H, within tau L, the robots on that line share the weight, and all
 // others carry nothing.
 //
-// In all functions, `robots` are positions, in any order and perhaps equal; `diameter` is L; loads
-// are in the unit of the weight, in the order of the robots, and at least 0. The result is nothing
-// if the robots do not carry the object.
+// In all functions, `robots` are positions, in any order and perhaps equal, and `diameter` is L,
+// the size of the polygon. Loads are in the unit of the weight, in the order of the robots, and at
+// least 0. Functions return nothing if the robots do not carry the object.
 #pragma once
 
 #include <cstdint>
@@ -38,7 +38,8 @@ enum class LoadModel : std::uint8_t { plan, springs, best, worst };
 inline constexpr LoadModel all_load_models[] = {LoadModel::plan, LoadModel::springs,
                                                 LoadModel::best, LoadModel::worst};
 
-// The name in JSON and options, such as "springs", and the model of a name, if it is known. O(1).
+// Return the name of a model in JSON and options, such as "springs", and the model of a name, if
+// the name is known. O(1).
 std::string_view name(LoadModel model);
 std::optional<LoadModel> load_model_from_name(std::string_view text);
 
@@ -47,31 +48,34 @@ struct SpringLoads {
   // The greatest change of each load per unit of length that C moves (along the robots' line, if
   // they stand on one), as long as the same robots carry load.
   std::vector<double> per_length;
-  // The distance that C can move in any direction (or along that line) with loads that change
-  // linearly, since the same robots carry load.
+  // The distance that C can move in any direction (or along that line) while the same robots carry
+  // load, so that the loads change linearly.
   double same_within = 0;
 };
 
-// The loads of equally stiff robots, by Newton's method for the dual problem; in its steps robots
-// may go slack and take up load again. Seldom more than ten steps of O(m), plus O(m log m) for H.
+// Returns the loads of equally stiff robots, by Newton's method for the dual problem; in its steps
+// robots may go slack and take up load again. The cost is seldom more than ten steps of O(m), plus
+// O(m log m) for H.
 std::optional<SpringLoads> spring_loads(const Points& robots, const Vec2& centre, double diameter,
                                         double weight);
 
-// The larger of weight / m and the greatest of weight g(C) / (sum over robots of max(0, g)), over
-// the functions g that measure the distance to the left of a line through two robots. O(m^3) for up
-// to 64 robots. For more, the method of cutting planes through the centroid of the remaining region
-// (A. Yu. Levin and D. J. Newman, both 1965) finds it to 13 digits in about a hundred steps of
-// O(m).
+// Returns the least possible greatest load. It is the larger of two numbers: weight / m, and the
+// greatest value of weight g(C) / (sum over robots of max(0, g)), over the functions g that measure
+// the distance to the left of a line through two robots. O(m^3) for up to 64 robots. For more
+// robots, the method of cutting planes through the centroid of the remaining region (A. Yu. Levin
+// and D. J. Newman, both 1965) finds it to 13 digits in about a hundred steps of O(m).
 std::optional<double> best_load(const Points& robots, const Vec2& centre, double diameter,
                                 double weight);
 
-// For a robot at p: weight |C q| / |p q|, where the ray from p through C leaves H at q. O(m log m).
+// Returns each robot's greatest possible load. For a robot at p it is weight |C q| / |p q|, where
+// the ray from p through C leaves H at q. O(m log m).
 std::optional<std::vector<double>> worst_loads(const Points& robots, const Vec2& centre,
                                                double diameter, double weight);
 
-// If C may be anywhere in H within `reach` >= 0 of its place: the weight times the greatest t for
-// which t p + (1 - t) H comes within reach of C. O(m log m + m h) in seldom more than six steps of
-// Newton's method for each robot.
+// Returns the same if C may be anywhere in H within the distance `reach` >= 0 of its place: for a
+// robot at p, the weight times the greatest t for which t p + (1 - t) H comes within `reach` of C.
+// O(m log m + m h) if H has h corners, with seldom more than six steps of Newton's method for each
+// robot.
 std::optional<std::vector<double>> worst_loads(const Points& robots, const Vec2& centre,
                                                double diameter, double weight, double reach);
 

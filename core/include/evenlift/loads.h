@@ -17,15 +17,16 @@ struct Robot {
 };
 
 // Robots that carry a part of the weight together; only a given support may be alone. All teams of
-// a placement have the same number of robots, and those of two stand at the ends of a chord.
+// a placement have the same number of robots, and the two robots of a team of two stand at the ends
+// of a chord.
 struct Team {
   std::vector<Robot> robots;  // r1 before r2 of a chord
-  // The least load divided by the greatest, in (0, 1]; 0 if a robot carries nothing, as given
-  // supports may and failed robots do.
+  // The least load divided by the greatest, in (0, 1]; 0 if a robot carries nothing. Given supports
+  // may carry nothing, and failed robots never carry.
   double ratio = 1;
 };
 
-// The chord of a team of two. O(1).
+// Returns the chord of a team of two. O(1).
 Chord chord_of(const Team& team);
 
 // Robots are numbered from 0, team after team. find_robot() returns the team of a robot and its
@@ -36,26 +37,26 @@ struct RobotOfTeam {
 std::size_t count_robots(const std::vector<Team>& teams);
 RobotOfTeam find_robot(const std::vector<Team>& teams, std::size_t number);
 
-// In the order of the robots' numbers. O(robots).
+// Returns the robots' lifting points in the order of their numbers. O(robots).
 std::vector<LiftingPoint> lifting_points(const std::vector<Team>& teams);
 
-// In the order of the robots' numbers. O(robots).
+// Returns the robots' loads in the order of their numbers. O(robots).
 std::vector<double> planned_loads(const std::vector<Team>& teams);
 
 struct LoadSummary {
   double min = 0, mean = 0, max = 0;  // over all robots
   double spread = 0;                  // max - min (figure 5.3)
-  double max_share = 0;               // a robot's greatest share of its team's load (figure 5.5)
+  double max_share = 0;               // the greatest share of a team's load on one robot (fig. 5.5)
 };
 
-// The teams with their loads. Each team carries an equal part of `weight` > 0. By the law of the
-// lever, r1 carries |C r2| / (|C r1| + |C r2|) of its team's part. O(teams).
+// Returns the teams with their loads. Each team carries an equal part of `weight` > 0. By the law
+// of the lever, r1 carries |C r2| / (|C r1| + |C r2|) of its team's part. O(teams).
 std::vector<Team> distribute_weight(const std::vector<Chord>& chords, double weight);
 
-// One team of robots whose centroid is C, with equal planned loads. O(robots).
+// Returns one team of these robots, whose centroid must be C, with equal planned loads. O(robots).
 Team share_evenly(const std::vector<LiftingPoint>& robots, const Vec2& centre, double weight);
 
-// Nothing if there are no teams. O(robots).
+// Summarizes the loads of all robots; returns nothing if there are no teams. O(robots).
 std::optional<LoadSummary> summarize_loads(const std::vector<Team>& teams);
 
 }  // namespace evenlift

@@ -12,29 +12,30 @@
 
 namespace evenlift {
 
-// The method must choose among candidates, teams may stand anywhere in their ranges, and the search
-// has ended. O(1).
+// Returns whether teams can be moved: whether the method chooses among candidates, the setting for
+// positions allows places anywhere in a range, and the search has ended. O(1).
 bool can_move_teams(const Placement& placement);
 
-// The new positions if this robot moves to a point of the outline and its two neighbours follow
-// (move_robot() of balanced.h). Nothing if they cannot, or with fewer than three balanced robots.
-// O(n log n).
+// Returns the new positions if this robot moves to a point of the outline and its two neighbours
+// follow (move_robot() of balanced.h). It returns nothing if the neighbours cannot follow, or if
+// there are fewer than three balanced robots. O(n log n).
 std::optional<Moved> moved_along_outline(const Placement& placement, std::size_t robot,
                                          const LiftingPoint& to);
 
-// The new positions if this robot moves until C sees it in the direction of a point, or as near to
-// that as it can get, while its partner stays across C. The team moves along the range of its two
-// edges and, at a vertex, along that of the next edge. It stops where its chord would fall below
-// the minimum ratio or jump. Nothing if the team does not move, teams cannot be moved, or more than
-// most_moved_teams would be. O(n + edges passed).
+// Returns the new positions if this robot moves until C sees it in the direction of the point `to`,
+// or as near to that direction as it can get, while its partner stays across C. The team moves
+// along the range of its two edges and, at a vertex, along that of the next edge. It stops where
+// its chord would fall below the minimum ratio or jump. It returns nothing if the team does not
+// move, if teams cannot be moved (can_move_teams()), or if more than most_moved_teams would have
+// moved. O(n + edges passed).
 std::optional<Moved> moved_along_range(const Placement& placement, std::size_t robot,
                                        const Vec2& to);
 
-// The placement with these robots moved; `moved` must list at least one. If teams move,
-// team_candidates becomes empty, since the method did not choose these teams. An error if the
-// number of balanced robots differs, there are fewer teams, teams cannot be moved, an edge does not
-// exist, C is not the centroid of the balanced robots, a team's chord does not end where it should,
-// or robots with a size do not fit or collide. O(n log n).
+// Returns the placement with these robots moved; `moved` must list at least one. If teams move,
+// team_candidates becomes empty, since the method did not choose these teams. It is an error if the
+// number of balanced robots differs, a moved team or an edge does not exist, teams cannot be moved,
+// C is not the centroid of the balanced robots, a team's chord does not end where it should, or
+// robots with a size do not fit or collide. O(n log n).
 Result<Placement> with_moved(Placement placement, const Moved& moved);
 
 }  // namespace evenlift

@@ -1,8 +1,8 @@
-// The best choice of teams among the candidates, to measure how far the greedy choice is from it,
-// by dynamic programming (algorithm.md, The optimum).
+// Finds the best choice of teams among the candidates by dynamic programming, to measure how far
+// the greedy choice is from it (algorithm.md, The optimum).
 //
-// This ignores collisions between robots with a size. For such robots the bound stays valid, and
-// only choices without collisions count.
+// Dynamic programming ignores collisions between robots with a size. For such robots the bound
+// stays valid, and only choices without collisions count.
 #pragma once
 
 #include <cstdint>
@@ -18,24 +18,25 @@ namespace evenlift {
 struct Optimum {
   std::vector<std::uint32_t> taken;  // the candidates of the best choice found, increasing
   double coverage = 0;               // of this choice, 0 .. 1
-  double bound = 1;                  // no choice covers more, up to rounding
-  bool proved = false;               // that no choice covers more
+  double bound = 1;                  // no choice covers more than this, up to rounding
+  bool proved = false;               // whether `coverage` reaches the bound, within 1e-9
 };
 
-// Called from time to time. If it returns true, the computation ends, with the coverage of all
-// candidates as the bound.
+// A function that is called from time to time. If it returns true, the computation ends, with the
+// coverage of all candidates as the bound.
 using Stop = std::function<bool()>;
 
-// The greatest numbers of candidates for which the dynamic programme is exact, and for which it
-// gives a bound. Beyond that, the bound is the coverage of all candidates.
+// The greatest number of candidates for which dynamic programming is exact, and the greatest number
+// for which it gives a bound. For more candidates, the bound is the coverage of all candidates.
 inline constexpr std::size_t most_candidates_proved = 160, most_candidates_bounded = 600;
 
-// The choice of `teams` teams (or of all candidates, if there are fewer) with the greatest
-// coverage. `candidates` are in candidate order. `start`, a choice of as many teams, is returned if
-// nothing better is found. `stands` excludes choices whose robots collide, but not from the bound.
-// For K candidates O(n K^2 + K^4 teams) up to most_candidates_proved. With more,
-// O(n K^2 + K^3 teams) gives a bound, and also the best choice if the ends found belong to at most
-// `teams` chords. Beyond most_candidates_bounded it costs O(n K) at worst.
+// Returns the choice of `teams` teams (or of all candidates, if there are fewer) with the greatest
+// coverage. `candidates` are in candidate order (algorithm.md, Candidates). `start` is a choice of
+// the same number of teams, and is returned if nothing better is found. With `stands`, choices
+// whose robots collide are excluded, but not from the bound. For K candidates O(n K^2 + K^4 teams)
+// up to most_candidates_proved. With more candidates, O(n K^2 + K^3 teams) gives a bound, and also
+// the best choice if the robots found belong to at most `teams` chords. Beyond
+// most_candidates_bounded the cost is O(n K) at worst.
 Optimum widest_choice(const PolygonWithHoles& object, const Vec2& centre,
                       const std::vector<Candidate>& candidates, std::size_t teams,
                       const std::vector<std::uint32_t>& start, const Stop& stop = {},
@@ -52,15 +53,16 @@ struct FirmestChoice {
   std::uint32_t most_level = 3;
   double most_coverage = 1;
   bool compared = false;  // whether all choices were compared
-  // That no choice is better: by all keys if all were compared, otherwise by level and coverage.
+  // Whether it is proved that no choice is better: by all keys if all choices were compared,
+  // otherwise by level and coverage only.
   bool proved = false;
 };
 
-// The best choice by the keys of the goal `hold` (swaps.h). If there are more than `most` choices,
-// it is the best that swaps reach from `start` and from the widest choice. Then two bounds are
-// known: the level of all candidates at once, up to most_candidates_bounded, and the bound of the
-// widest choice. Nothing if `start` has no team or more than most_swapped_teams. Otherwise as for
-// widest_choice().
+// Returns the best choice by the keys of the goal `hold` (swaps.h), or nothing if `start` has no
+// team or more than most_swapped_teams. If there are more than `most` choices, it is the best
+// choice that swaps reach from `start` and from the widest choice. In that case two bounds are
+// known: the level of all candidates at once, for up to most_candidates_bounded candidates, and the
+// bound of the widest choice. The other parameters are those of widest_choice().
 std::optional<FirmestChoice> firmest_choice(
     const PolygonWithHoles& object, const Vec2& centre, const std::vector<Candidate>& candidates,
     std::size_t teams, const std::vector<std::uint32_t>& start, const HoldRequirements& firm,

@@ -1,4 +1,4 @@
-// From a document to its placement, in one call.
+// Computes the placement of a document in one call.
 #pragma once
 
 #include <cstdint>
@@ -20,41 +20,42 @@ namespace evenlift {
 struct Placement {
   explicit Placement(PolygonWithHoles placed) : object(std::move(placed)) {}
   const Polygon& polygon() const { return object.outline(); }
-  const Points& vertices() const { return polygon().vertices(); }  // as given
-  double weight() const { return total_weight(settings); }         // which the robots share
+  const Points& vertices() const { return polygon().vertices(); }  // the outline, as given
+  double weight() const { return total_weight(settings); }  // the weight that the robots share
 
   PolygonWithHoles object;
-  Vec2 own_centre = Vec2::Zero();        // of the object alone: given, or the centroid
-  Vec2 centre_of_mass = Vec2::Zero();    // C, with the cargo
+  Vec2 own_centre = Vec2::Zero();        // of the object without cargo: given, or the centroid
+  Vec2 centre_of_mass = Vec2::Zero();    // C: that of the object with its cargo
   Settings settings;                     // as given
   std::shared_ptr<const Stands> stands;  // null if stands_anywhere()
-  std::vector<Candidate> candidates;     // in candidate order; for every method
-  std::uint32_t requested_teams = 0;     // all candidates for "max"; 1 for balanced robots and
-                                         // supports
+  std::vector<Candidate> candidates;     // in candidate order, whatever the method
+  std::uint32_t requested_teams = 0;     // the number of candidates for "max"; 1 for balanced
+                                         // robots and supports
   std::vector<Team> teams;               // in the order of choice; perhaps fewer than requested.
                                          // Balanced robots and supports act as one team
   std::vector<std::uint32_t> team_candidates;  // each team's candidate; empty if the method does
                                                // not choose among candidates
   Points lifting_base;  // corners of H, counter-clockwise; empty without teams
-  double coverage = 0;  // see stability.h
+  double coverage = 0;  // of the object by H, in [0, 1] (stability.h)
   std::optional<LoadSummary>
-      loads;  // nothing without teams, or if the object falls (equilibrium.h)
+      loads;  // empty if there are no teams, or if the object falls (equilibrium.h)
   Closure closure;
   bool goal_reached = false;  // there are robots and, with the goal `hold`, hold_clearly() is true
-  Moved moved = {};           // by the user, from where the method places them
+  Moved moved = {};           // the robots that the user moved by hand (moved.h)
   // False if a search or swaps may still find better robots, or if most_work (balanced.h) cut a
   // search short.
   bool search_ended = true;
 };
 
 // Whether the search for balanced robots runs to its end, or only makes its start (balanced.h). If
-// that is not quick, there are no teams, and search_ended is false. Other methods run to their end.
+// even the start is not quick, there are no teams, and search_ended is false. Other methods always
+// run to their end.
 enum class Effort : std::uint8_t { whole, start };
 
 // Checks that settings are in their ranges (settings.h) and compatible. `distributed` and `random`
-// do not permit "max" teams, the goal `hold`, a robot's size or no-go edges; failures to survive
-// need enough balanced robots; `given` needs supports, and as many capacities or none. The error's
-// place names the setting. O(parts of no_go and supports).
+// do not permit "max" teams, the goal `hold`, a robot's size or no-go edges. Surviving F > 0
+// failures takes at least 2 F + 3 balanced robots. `given` needs supports, and either one capacity
+// for each or no capacities. The error's place names the setting. O(parts of no_go and supports).
 std::optional<InputError> check_settings(const Settings& settings, const Shown& shown = {});
 
 // The boundary points that the robots touch, in the order of the robots. They are the lifting
@@ -76,40 +77,43 @@ bool hold_clearly(const Placement& placement);
 // balanced robots (balanced.h).
 Result<Placement> place(const Document& document, Effort effort = Effort::whole);
 
-// For an object that is already checked, for example after C or settings change.
+// Computes the placement of an object that is already checked, for example after C or the settings
+// have changed.
 Result<Placement> place(PolygonWithHoles object, const std::optional<Vec2>& own_centre,
                         const Settings& settings, Effort effort = Effort::whole,
                         const Moved& moved = {});
 
-// The candidates of an object and the teams among them, which take most of the time of place().
+// The candidates of an object, and the teams chosen among them. Finding both takes most of the time
+// of place().
 struct Choice {
   std::vector<Candidate> candidates;
   std::vector<std::uint32_t> teams;  // indices of candidates, in the order of choice
 };
 
-// The placement, with the same bits, from a choice that place() made elsewhere for the same object
-// and settings, for example in another thread. The method must choose among candidates, robots must
-// be points that may stand anywhere, and the indices must be valid. The errors are those of
-// check_settings() and centre_of_mass(). O(n log n), plus O(n h) for the coverage.
+// Returns the placement of place(), with the same bits, from a choice that was made elsewhere, for
+// example in another thread, for the same object and settings. The method must choose among
+// candidates, robots must be points that may stand anywhere, and the indices must be valid. The
+// errors are those of check_settings() and centre_of_mass(). O(n log n), plus O(n h) for the
+// coverage.
 Result<Placement> place_as_chosen(PolygonWithHoles object, const std::optional<Vec2>& own_centre,
                                   const Settings& settings, Choice choice);
 
 // The document with its supports moved to the nearest places with equal loads (even_out() of
-// supports.h). It is an error if there are none, if there are more than most_evened supports, if
-// the method is not `given`, or if place() refuses the document.
+// supports.h). It is an error if there are no such places, if there are more than most_evened
+// supports, if the method is not `given`, or if place() refuses the document.
 Result<Document> with_even_supports(const Document& document);
 
 // The candidates for the document's positions, robots and no-go edges, whatever its method.
 // O(n log n + K log K) for K edge pairs.
 Result<std::vector<Candidate>> candidates_of(const Document& document);
 
-// The placement with other balanced robots, whose centroid must be C, from a search or the user.
-// O(n log n) for up to most_robots.
+// The placement with its balanced robots replaced by others, from a search or the user. Their
+// centroid must be C. O(n log n) for up to most_robots.
 Placement with_robots(Placement placement, const std::vector<LiftingPoint>& robots,
                       bool search_ended);
 
-// A placement and how to show it, for functions that write words, pictures or files; without `how`,
-// the defaults. It refers to both: pass it to functions, do not store it.
+// A placement and how to show it, for functions that write words, pictures or files. Without `how`,
+// the defaults apply. It refers to both arguments: pass it to functions, do not store it.
 struct ShownPlacement {
   ShownPlacement(const Placement& of) : placement(of), shown(usual) {}
   ShownPlacement(const Placement& of, const Shown& how) : placement(of), shown(how) {}

@@ -16,10 +16,11 @@ enum class Turn : std::int8_t { reflex = -1, straight = 0, convex = 1 };
 // degree) ones allowed. Edge i runs from vertex i to vertex i + 1 (cyclic). Immutable.
 class Polygon {
  public:
-  // An error for vertices that are too few or too many, have bad coordinates, are repeated or span
-  // no area, for edges that cross, touch or overlap, and for a bounding box whose diagonal is below
-  // min_diagonal. All decisions are exact, up to the rounding of that diagonal. The error names the
-  // one or two vertices, or the two edges, at fault if there are such. O(n log n).
+  // Creates a polygon. It is an error if vertices are too few or too many, have bad coordinates,
+  // are repeated or span no area; if edges cross, touch or overlap; or if the diagonal of the
+  // bounding box is below min_diagonal. All decisions are exact, up to the rounding of that
+  // diagonal. The error names the one or two vertices, or the two edges, at fault, if there are
+  // such. O(n log n).
   static Result<Polygon> create(Points vertices);
 
   std::size_t size() const { return vertices_.size(); }
@@ -30,20 +31,21 @@ class Polygon {
   const Vec2& edge_start(std::size_t edge) const { return vertices_[edge]; }
   const Vec2& edge_end(std::size_t edge) const { return vertices_[next(edge)]; }
 
-  bool counter_clockwise() const { return counter_clockwise_; }  // as given; exact
+  bool counter_clockwise() const { return counter_clockwise_; }  // in the given order; exact
   bool convex() const { return convex_; }  // no interior angle exceeds 180 degrees; exact
   // L, the greatest distance between two points of the polygon. Unlike the diagonal of the bounding
   // box, it does not change when the object turns.
   double diameter() const { return diameter_; }
-  // Of the bounding box; at least min_diagonal, at most sqrt(2) L.
+  // The diagonal of the bounding box: at least min_diagonal, at most sqrt(2) L.
   double diagonal() const { return diagonal_; }
-  // Rounded to the nearest double, but above 0 however thin the polygon is.
+  // The area, rounded to the nearest double, but above 0 however thin the polygon is.
   double area() const { return area_; }
-  // Of the area, rounded to the nearest doubles.
+  // The centroid of the area, rounded to the nearest doubles.
   const Vec2& centroid() const { return centroid_; }
 
-  // Whether the interior angle at vertex i is below, equal to or above 180 degrees: straight if the
-  // sine of the turn is at most tau; otherwise exact. O(1).
+  // Whether the interior angle at vertex i is below 180 degrees (convex), equal (straight) or above
+  // (reflex). It counts as straight if the sine of the turn is at most tau; otherwise the decision
+  // is exact. O(1).
   Turn turn(std::size_t i) const;
 
   // Whether vertex i is convex with a turn of more than 15 degrees, within tau. The vertices of a
@@ -68,7 +70,7 @@ class Polygon {
   bool convex_ = false;
 };
 
-// The vertices must be those of a valid polygon; exact. O(n).
+// Whether the vertices run counter-clockwise; exact. They must be those of a valid polygon. O(n).
 bool is_counter_clockwise(const Points& vertices);
 
 // The centre of mass of a polygon without cargo: the given one, or else the centroid. It is an

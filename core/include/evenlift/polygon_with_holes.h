@@ -1,6 +1,6 @@
 // The object: a simple polygon and its holes, valid by construction. Functions that measure the
 // material (area, centroid, coverage) take one of these. Functions about where robots stand and
-// push (chords, candidates, contacts) take its outline, and cannot see the holes.
+// push (chords, candidates, contacts) take its outline, and ignore the holes.
 #pragma once
 
 #include <cstddef>
@@ -19,33 +19,35 @@ class PolygonWithHoles {
  public:
   explicit PolygonWithHoles(Polygon outline) : outline_(std::move(outline)) {}
 
-  // The holes must be at most max_holes simple polygons in either orientation, each strictly inside
-  // the outline, apart from it and from each other, none in another, with at most max_vertices
-  // vertices in all. All decisions are exact. The error names the holes and edges at fault.
-  // O(n log n) for all rings, and O(k^2) for k holes.
+  // The holes must be at most max_holes simple polygons in either orientation. Each must be
+  // strictly inside the outline, and outside all other holes without touching them. The outline and
+  // the holes must have at most max_vertices vertices in all. All decisions are exact. The error
+  // names the hole, and the vertices or edges, at fault, if there are such. O(n log n) for all
+  // rings, and O(k^2) for k holes.
   static Result<PolygonWithHoles> create(Polygon outline, const std::vector<Points>& holes);
 
   const Polygon& outline() const { return outline_; }
-  // For functions that take a polygon.
+  // Lets functions that take a polygon take the outline.
   operator const Polygon&() const { return outline_; }
   const std::vector<Polygon>& holes() const { return holes_; }
 
-  // Without the holes, rounded to the nearest double, above 0.
+  // The area without the holes, rounded to the nearest double, above 0.
   double area() const { return holes_.empty() ? outline_.area() : area_; }
-  // Of that area, rounded to the nearest doubles.
+  // The centroid of that area, rounded to the nearest doubles.
   const Vec2& centroid() const { return holes_.empty() ? outline_.centroid() : centroid_; }
   bool convex() const { return holes_.empty() && outline_.convex(); }
 
   // The boundary as one closed ring: the outline in its orientation, then each hole the other way
   // round. A path leads from the outline's first vertex to a hole near it, from each hole to
-  // another near it, and back along the same lines. So signed areas of the ring, and of what
-  // clipping leaves of it, are those of the object.
+  // another near it, and back along the same lines. So the ring has the signed area of the object,
+  // also after clipping.
   const Points& boundary() const { return holes_.empty() ? outline_.vertices() : boundary_; }
 
-  // The hole that a point is strictly inside; exact. O(n).
+  // The number, from 0, of the hole that has the point strictly inside; empty if there is no such
+  // hole. Exact. O(n).
   std::optional<std::size_t> hole_around(const Vec2& point) const;
 
-  // As given.
+  // The vertices of each hole, as given.
   std::vector<Points> rings_of_holes() const;
 
  private:
@@ -60,7 +62,7 @@ class PolygonWithHoles {
 // PolygonWithHoles::create(). O(n log n).
 Result<PolygonWithHoles> object_of(const Document& document);
 
-// Whether a point is strictly inside; exact. O(n).
+// Whether the point is strictly inside the polygon; exact. O(n).
 bool is_inside(const Polygon& polygon, const Vec2& point);
 
 }  // namespace evenlift

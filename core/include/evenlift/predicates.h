@@ -1,10 +1,10 @@
 // Robust predicates: determinants of input coordinates with an exact sign. They are adaptive (J. R.
 // Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates,
-// 1997; algorithm.md, Exact or within τ): doubles with an error bound nearly always decide,
-// otherwise double-double arithmetic, and as a last resort exact integers.
+// 1997; algorithm.md, Exact or within τ): doubles with an error bound nearly always decide;
+// otherwise double-double arithmetic decides, and as a last resort exact integers.
 //
-// The result is 0 only if the determinant is, and has a relative error below 2^-45. Arguments must
-// be finite. O(1), usually a few multiplications; the exact case is about 100 times slower.
+// The result is 0 only if the determinant is 0, and its relative error is below 2^-45. Arguments
+// must be finite. O(1), usually a few multiplications; exact integers are about 100 times slower.
 #pragma once
 
 #include "evenlift/vec.h"

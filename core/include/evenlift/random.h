@@ -7,17 +7,17 @@
 
 namespace evenlift {
 
-// A value: copies continue independently. Never draw twice within the arguments of one call,
-// because compilers evaluate them in different orders.
+// A generator of random numbers. It is a value: copies continue independently. Never draw twice
+// within the arguments of one call, because compilers evaluate them in different orders.
 class Rng {
  public:
   explicit Rng(std::uint64_t seed) : engine_(seed) {}
 
-  // In [0, 1): the upper 53 bits of one draw. O(1).
+  // A number in [0, 1): the upper 53 bits of one draw. O(1).
   double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
 
-  // In 0 .. n - 1 for n > 0, without bias: a draw beyond the last whole multiple of n is repeated.
-  // Expected O(1).
+  // A whole number in 0 .. n - 1 for n > 0, without bias: a draw beyond the last whole multiple of
+  // n is repeated. Expected O(1).
   std::uint64_t below(std::uint64_t n) {
     const std::uint64_t rejected = (~std::uint64_t{0} % n + 1) % n;  // 2^64 mod n
     std::uint64_t draw = engine_();

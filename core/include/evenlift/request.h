@@ -1,6 +1,6 @@
 // Requests and answers as JSON: one function gives other languages all of evenlift. The C library
-// (c/include/evenlift/evenlift.h), with the Python package over it, and the npm package are built
-// on it. docs/requests.md is the manual.
+// (c/include/evenlift/evenlift.h), the Python package over it, and the npm package call this
+// function. docs/requests.md is the manual.
 #pragma once
 
 #include <cstddef>

@@ -11,29 +11,30 @@ namespace evenlift {
 
 enum class ErrorCode {
   too_few_vertices,   // fewer than 3
-  too_many_vertices,  // more than max_vertices
+  too_many_vertices,  // more than max_vertices, or more than max_holes holes
   bad_coordinate,     // not finite, beyond max_coordinate, or below min_coordinate and not 0
   repeated_vertex,
   no_area,              // all vertices on one line
-  edges_cross,          // cross, touch or overlap, also those of two rings
+  edges_cross,          // they cross, touch or overlap; also those of two rings
   hole_outside,         // outside the polygon, or in another hole
   object_too_small,     // diagonal of the bounding box below min_diagonal
   centre_outside_hull,  // not strictly inside the convex hull of P
-  bad_setting,          // outside its range
+  bad_setting,          // outside its range, or not compatible with others
   too_many_edge_pairs,  // more than max_edge_pairs
   bad_syntax,           // a text in none of the formats, or one that breaks off
-  unsupported,          // valid, but of a kind that is not supported (holes, other geometries)
+  unsupported,          // valid, but not supported, such as another geometry or an overlong trace
   text_too_long,        // more than max_text_bytes, or max_link_bytes for a link
   bad_link,             // a character, length or value that no writer produces
-  bad_checksum,         // cut off or altered
-  unknown_version,      // of a newer version
+  bad_checksum,         // the link was cut off or altered
+  unknown_version,      // written by a newer version
 };
 
 // A place in the input. `index` counts vertices and edges from 0 (edge i runs from vertex i to
-// vertex i + 1), and lines, columns and the characters of a link from 1; 0 means the whole link.
-// `other` is the second vertex or edge of a pair, with index < other, or the column in a line, in
-// characters; otherwise `index` or 0. `ring` and `other_ring` are the rings of the two: 0 is the
-// outline, and k hole k, counted from 1. Of two rings the later comes first, whatever the indices.
+// vertex i + 1). It counts lines, columns and the characters of a link from 1; 0 means the whole
+// link. `other` is the second vertex or edge of a pair (index < other in one ring), or the column
+// in a line, in characters; otherwise it is `index` or 0. `ring` and `other_ring` are the rings of
+// the two: 0 is the outline, and k is hole k, counted from 1. If the two rings differ, the later
+// comes first, whatever the indices.
 struct Place {
   enum class Kind { nowhere, line, vertex, edge, hole, centre_of_mass, option, link };
   Kind kind = Kind::nowhere;
@@ -75,7 +76,7 @@ class Result {
     assert(ok());
     return *std::get_if<T>(&held_);
   }
-  // A copy, so that a reference to the result of a temporary does not dangle.
+  // Returns by value, since a reference to the result of a temporary would dangle.
   T value() && {
     assert(ok());
     return std::move(*std::get_if<T>(&held_));

@@ -12,11 +12,12 @@
 
 namespace evenlift {
 
-// The first team takes the longest even candidate, or the longest of all if candidates need only
-// meet the minimum ratio.
+// `even`: the first team takes the longest even candidate or, without one, the most even.
+// `longest`: it takes the longest of all, for positions at which candidates need only meet the
+// minimum ratio.
 enum class FirstTeam : std::uint8_t { even, longest };
 
-// O(1).
+// The rule for the first team with these positions. O(1).
 constexpr FirstTeam first_team(Positions positions) {
   return positions == Positions::range ? FirstTeam::longest : FirstTeam::even;
 }
@@ -30,33 +31,35 @@ enum class Rule : std::uint8_t {
 };
 
 // Chooses teams greedily. Returns indices into `candidates` in the order of choice: `teams` of
-// them, or all if there are fewer. Geometry decides every tie, so the same shape gets the same
-// teams. With `stands`, candidates that collide with an earlier team are skipped. The evaluation is
-// lazy (M. Minoux, Accelerated greedy algorithms for maximizing submodular set functions, 1978):
-// O(K) for each team that widens H, and O(n) for each end whose edge of H has changed and whose
-// upper bound could win. Once no candidate widens H, all further teams cost O(K log K).
+// them, or fewer if no candidates are left. Geometry decides every tie, so the same shape gets the
+// same teams. With `stands`, candidates that collide with an earlier team are skipped. The
+// evaluation is lazy (M. Minoux, Accelerated greedy algorithms for maximizing submodular set
+// functions, 1978): O(K) for each team that widens H, and O(n) for each end whose edge of H has
+// changed and whose upper bound could win. Once no candidate widens H, all further teams cost O(K
+// log K).
 std::vector<std::uint32_t> select_teams(const PolygonWithHoles& object, const Vec2& centre,
                                         const std::vector<Candidate>& candidates, Metric metric,
                                         std::size_t teams, FirstTeam first = FirstTeam::even,
                                         const Stands* stands = nullptr);
 
 // The value that select_teams() maximizes, for every candidate after the teams selected so far (at
-// least one). By area and circle it is in squared units of length, by distance in units of length.
-// For explanations only: O(K n).
+// least one). It is in squared units of length for the metrics area and circle, and in units of
+// length for distance. Only for explanations. O(K n).
 std::vector<double> scores(const PolygonWithHoles& object, const Vec2& centre,
                            const std::vector<Candidate>& candidates,
                            const std::vector<std::uint32_t>& selected, Metric metric);
 
 // The total angle, in radians, of the directions in [0, pi) whose line through C meets the boundary
-// on both sides of C, without those along radial edges. O(n log n).
+// on both sides of C. Directions along radial edges do not count. O(n log n).
 double open_directions_rad(const Polygon& polygon, const Vec2& centre);
 
-// Teams at equal angles (thesis 5.2): `teams` chords, or none if open_directions_rad() is 0 within
-// tolerance, as when C is within tolerance of an edge of a convex polygon. O(n log n + teams n).
+// Teams at equal angles (thesis 5.2): `teams` chords. There are no chords if open_directions_rad()
+// is 0 within tolerance, as when C is within tolerance of an edge of a convex polygon. O(n log n +
+// teams n).
 std::vector<Chord> distributed_teams(const Polygon& polygon, const Vec2& centre, std::size_t teams);
 
-// Teams at random (thesis 5.2), the same for one seed on every platform. Expected O(n) for each
-// draw. Fewer teams if 100,000 draws in a row find no point across C.
+// Teams at random (thesis 5.2), the same for one seed on every platform. There are fewer teams if
+// 100,000 draws in a row find no chord. Expected O(n) for each draw.
 std::vector<Chord> random_teams(const Polygon& polygon, const Vec2& centre, std::size_t teams,
                                 std::uint64_t seed);
 

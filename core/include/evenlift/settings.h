@@ -15,7 +15,7 @@
 
 namespace evenlift {
 
-// In the order in which JSON lists them.
+// The settings, in the order in which JSON lists them.
 enum class Setting : std::uint8_t {
   teams,
   method,
@@ -75,16 +75,17 @@ enum class CountsFor : std::uint8_t {
   balanced,
   given
 };
-bool counts(CountsFor placements, const Settings& settings);  // O(1)
+// Whether `placements` include that of these settings. O(1).
+bool counts(CountsFor placements, const Settings& settings);
 
-// The program's options, by the commands that accept them: those of a placement by `place`,
-// `trace`, `optimum` and `link encode`, and all by `place` and `link encode`.
+// The groups of the program's options. `place` and `link encode` accept all of them; `trace` and
+// `optimum` accept only those of `placement`.
 enum class OptionGroup : std::uint8_t { none, placement, uncertainty, units };
 
 // How JSON lists a setting in a document or a result.
 enum class Listed : std::uint8_t {
-  never,       // though perhaps within a result that depends on it
-  if_changed,  // not the default
+  never,       // but a result that depends on it may contain it
+  if_changed,  // if it is not the default
   always
 };
 
@@ -108,35 +109,35 @@ struct SettingRow {
     OptionGroup group = OptionGroup::none;
     std::string_view value = {}, help = {};
   };
-  Option option = {};          // of the program; also a key of lessons, with the same name
+  Option option = {};          // the option of the program; also a key of lessons, of the same name
   std::uint8_t record = 0;     // the number of its record in share links; 0 without one
-  std::string_view json = {};  // the JSON member, if named differently
+  std::string_view json = {};  // the name of its JSON member, if different
   Listed in_document = Listed::never, in_result = Listed::never;
   bool is_length = false;  // in the document's unit of length
 
-  // For its member of a Document. `read` returns whether the text is valid, and only then changes
-  // the document; `text` returns text that `read` accepts.
+  // Reads and writes the member of a Document that holds the setting. `read` returns whether the
+  // text is valid, and only then changes the document. `text` returns text that `read` accepts.
   struct Access {
     bool (*read)(std::string_view text, const SettingRange& range, Document& document);
     std::string (*text)(const Document& document, const SettingRange& range);
     bool (*allowed)(const Document& document, const SettingRange& range);
     std::string (*kind)(const SettingRange& range);
-    bool is_number = false;  // a number or nothing; otherwise a word
-    // The first wrong part of a list, if short enough to quote.
+    bool is_number = false;  // a number or unset; otherwise a word
+    // Returns the first wrong part of a list; empty if it is too long to quote.
     std::string_view (*refused)(std::string_view text) = nullptr;
   };
   Access access = {};
 };
 
-// In the order of Setting. O(1).
+// All rows in the order of Setting; and the row of one setting. O(1).
 std::span<const SettingRow> all_settings();
 const SettingRow& row_of(Setting setting);
 
-// Whether JSON and links include the setting, given the others. They omit settings of balanced
-// robots, the goal `hold` or supports that have no effect. O(1).
+// Whether JSON and links include the setting, given the other settings. They omit a setting of
+// balanced robots, the goal `hold` or supports if it has no effect. O(1).
 bool is_kept(const SettingRow& row, const Settings& settings);
 
-// The setting's name; and the setting with a name or alias, or nothing if it is unknown. O(1).
+// The setting's name; and the setting with a name or alias, empty if it is unknown. O(1).
 std::string_view name(Setting setting);
 std::optional<Setting> setting_from_name(std::string_view text);
 
@@ -156,21 +157,21 @@ InputError setting_error(Setting setting, std::string why);
 // read_number(), whole numbers that of read_whole(). Only the comma of `com` may have spaces and
 // tabs around it. Any other text or value (see requirement()) is an error and changes nothing. The
 // error for `no_go`, `supports` or `cargo` quotes the first wrong part if it is short. A setting
-// that changes where robots stand discards moves by hand. Supports also set the method `given`, and
-// the capacities that follow an @, such as "0,0@30 160,0". O(bytes).
+// that changes where robots stand discards moves by hand. `supports` also sets the method `given`,
+// and the capacities that follow an @, such as "0,0@30 160,0". O(bytes).
 std::optional<InputError> read_setting(Setting setting, std::string_view text, Document& document);
 
 // Text that read_setting() accepts; empty if the setting is not set and, like `apart`, has no word
 // for that. O(bytes).
 std::string text_of(Setting setting, const Document& document);
 
-// As text; supports are "0,0 160,0 80,90" and cargo "8,8:24 2,3:1.5:motor". O(bytes).
+// These values as text; supports are "0,0 160,0 80,90" and cargo "8,8:24 2,3:1.5:motor". O(bytes).
 std::string robot_text(const RobotSize& robot);
 std::string no_go_text(const std::vector<EdgePart>& no_go);
 std::string supports_text(const Points& supports);
 std::string cargo_text(const std::vector<Cargo>& cargo);
 
-// With their names in JSON and texts.
+// An overlay with its name in JSON and texts.
 struct NamedOverlay {
   std::string_view name;
   bool Overlays::*shown;
@@ -179,23 +180,24 @@ std::span<const NamedOverlay> all_overlays();
 
 // Robots moved by hand, as text: each balanced robot as EDGE:PART, each team as
 // TEAM@EDGE:PART/EDGE, with numbers from 1, parts from 0 to 1, and commas between them, such as
-// "3:0.25,5:0.5,9:1" or "2@3:0.25/9"; empty for none. read_moved() returns nothing for any other
-// text. O(bytes).
+// "3:0.25,5:0.5,9:1" or "2@3:0.25/9". The text is empty if no robots were moved. The result of
+// read_moved() is empty for any other text. O(bytes).
 std::string moved_text(const Moved& moved);
 std::optional<Moved> read_moved(std::string_view text);
 
-// Whether numbers are within their bounds and the teams in ascending order. O(robots).
+// Whether the numbers of `moved` are within their bounds, and its teams in ascending order.
+// O(robots).
 bool is_moved(const Moved& moved);
 
-// The number of the failed robot: a whole number from 1, or 0 for "none". Nothing for any other
-// text. O(bytes).
+// The number of the failed robot: a whole number from 1, or 0 for "none". The result is empty for
+// any other text. O(bytes).
 std::optional<std::uint64_t> read_failed(std::string_view text);
 
 // Checks that each setting is in its range. The error's place names the setting. check_settings()
 // (placement.h) also checks that they are compatible. O(parts of no_go).
 std::optional<InputError> check_ranges(const Settings& settings, const Shown& shown = {});
 
-// For a setting that is a single number. O(1).
+// Whether the value is in the range of a setting that is a single number. O(1).
 bool is_in_range(Setting setting, double value);
 
 }  // namespace evenlift

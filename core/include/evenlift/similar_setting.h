@@ -6,7 +6,8 @@
 
 namespace evenlift {
 
-// The name of the setting that is closest to the typed one (closest_name()), or empty.
+// The name of the setting that is closest to the typed one (closest_name()); empty if no name is
+// close.
 std::string_view similar_setting(std::string_view typed);
 
 // "unknown setting", or "unknown setting; did you mean weight?".

@@ -12,12 +12,12 @@
 
 namespace evenlift {
 
-// The lifting base H (robotics: support polygon): the convex hull of the lifting points, without corners that only rounding
-// makes (hull.h). O(m log m).
+// The lifting base H (robotics: support polygon): the convex hull of the lifting points, without
+// corners that exist only through rounding (hull.h). O(m log m).
 Points lifting_base(const Polygon& polygon, const std::vector<LiftingPoint>& points);
 
 // The share of the object in H, area(A and H) / area(A), in [0, 1], where A is the polygon minus
-// its holes; 0 if H has no area. `hull` must come from convex_hull. O(n h) for h corners.
+// its holes; 0 if H has no area. `hull` is H and must come from convex_hull. O(n h) for h corners.
 double coverage(const PolygonWithHoles& object, const Points& hull);
 
 // Computes the coverage of hulls within one outer hull. Clipping the object by the outer hull first
@@ -27,7 +27,8 @@ class CoverageWithin {
   // `outer` must come from convex_hull and have an area. O(n h).
   CoverageWithin(const PolygonWithHoles& object, const Points& outer);
 
-  // As coverage(), up to rounding. O(n' h) for n' vertices of the part within the outer hull.
+  // The same as coverage(), up to rounding. O(n' h) for n' vertices of the part within the outer
+  // hull.
   double of(const Points& hull) const;
 
  private:
@@ -37,9 +38,9 @@ class CoverageWithin {
 };
 
 // The least downward force at q that tips an object of this weight on the corners of `hull`. It is
-// infinite if q is in H, where no force tips the object as long as the robots push back and none is
-// overloaded. With two corners, as for a single team, it is 0 off their line; on the line beyond
-// the end r it is weight |C r| / |q r|. O(h).
+// infinite if q is in H: there no force tips the object, as long as the robots push back and are
+// not overloaded. With two corners, as for a single team, it is 0 if q is off their line, and
+// weight |C r| / |q r| if q is on the line beyond the end r. O(h).
 double tipping_force(const Points& hull, const Vec2& centre, double weight, const Vec2& q);
 
 }  // namespace evenlift

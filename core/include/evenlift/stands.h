@@ -1,6 +1,6 @@
 // Where robots with a size can stand (docs/stands.md). A robot has a round body of radius r outside
 // the object, an arm that reaches to the contact c on an edge, and a hand of depth d beneath the
-// object. With n the outward normal of the edge, the body's centre is s = c + (r + reach) n, the
+// object. If n is the outward normal of the edge, the body's centre is s = c + (r + reach) n, the
 // lifting point is p = c - d n, and the hand is a rectangle of width w from c to p.
 #pragma once
 
@@ -32,7 +32,7 @@ enum class WhyUnusable : std::uint8_t {
 
 inline constexpr std::size_t why_unusable_count = static_cast<std::size_t>(WhyUnusable::narrow) + 1;
 
-// In JSON: "no_go", "body" and so on. O(1).
+// The name in JSON: "no_go", "body" and so on. O(1).
 std::string_view name(WhyUnusable why);
 
 // A part of an edge, in units of length from its first vertex.
@@ -54,9 +54,9 @@ struct EdgeFrame {
 
 // The boundary that robots of one size can use: where the body, the arm and the hand have room, and
 // the hand's width touches no no-go part. docs/stands.md (Where an edge can be used) states the
-// conditions. A robot without a body (has_body()) may stand at a vertex outside no-go parts. For
-// one with a body, the usable intervals end 2 tau L before it, so that a contact counts as inside
-// the edge.
+// conditions. A robot without a size (not has_body()) may stand at a vertex outside no-go parts.
+// For a robot with a size, the usable intervals end 2 tau L before a vertex, so that a contact
+// counts as inside the edge.
 class Stands {
  public:
   // The size and the parts must be in their ranges, and the edges must exist. A tree of boxes finds
@@ -66,12 +66,12 @@ class Stands {
          const std::vector<EdgePart>& no_go);
 
   const RobotSize& robot() const { return robot_; }
-  // More than a point.
+  // Whether a robot is more than a point.
   bool has_body() const { return robot_.has_body(); }
   // Whether a robot can stand anywhere at all.
   bool any() const { return !usable_.empty(); }
 
-  // Disjoint closed intervals in ascending order, none shorter than tau L.
+  // The usable intervals of an edge: disjoint, closed, in ascending order, none shorter than tau L.
   struct Stretches {
     const Stretch* first;
     const Stretch* last;
@@ -82,28 +82,30 @@ class Stands {
   Stretches usable(std::uint32_t edge) const {
     return {usable_.data() + begins_[edge], usable_.data() + begins_[edge + std::size_t{1}]};
   }
-  // Edge after edge, in ascending order, with the first reason in the order of WhyUnusable. The
-  // pieces of 2 tau L at vertices are not listed.
+  // The unusable parts, edge after edge, in ascending order, each with the first reason in the
+  // order of WhyUnusable. The pieces of 2 tau L at vertices are not listed.
   const std::vector<UnusablePart>& unusable() const { return unusable_; }
-  // Why a robot cannot stand at t along an edge; nothing if it can, up to tau L. O(log n) plus the
+  // Why a robot cannot stand at t along an edge; empty if it can, up to tau L. O(log n) plus the
   // edge's number of usable intervals.
   std::optional<WhyUnusable> why_not(std::uint32_t edge, double t) const;
 
-  // The contact of the robot with this lifting point, and the centre of its body. At a vertex,
+  // The contact and the centre of the body, for the robot with this lifting point. At a vertex,
   // where only points can stand, and beneath the object, both are the lifting point. O(1).
   Vec2 contact(const LiftingPoint& point) const;
   Vec2 stand(const LiftingPoint& point) const;
-  // Of a contact on an edge, or of a robot beneath the object. O(1).
+  // The lifting point of the robot with this contact on an edge; beneath the object, the contact
+  // itself. O(1).
   LiftingPoint lifting_point(const LiftingPoint& contact) const;
   // The distance of a lifting point or contact from the first vertex of its edge. O(1).
   double along(const LiftingPoint& point) const;
-  // Within tau L along the edge. Costs as much as why_not().
+  // Whether a robot can have this lifting point, within tau L along the edge. Costs as much as
+  // why_not().
   bool can_lift(const LiftingPoint& point) const;
 
   // Whether bodies, arms or hands of two robots collide (docs/stands.md), up to tau L. A robot
   // beneath the object has neither arm nor hand. O(1).
   bool collide(const LiftingPoint& a, const LiftingPoint& b) const;
-  // O(m^2).
+  // Whether any two of the m robots collide. O(m^2).
   bool any_collide(const std::vector<LiftingPoint>& points) const;
 
  private:
@@ -115,18 +117,20 @@ class Stands {
   double near_ = 0;
   std::vector<EdgeFrame> frames_;
   std::vector<Stretch> usable_;
-  std::vector<std::uint32_t> begins_;  // by edge, into usable_; one more entry than edges
+  std::vector<std::uint32_t> begins_;  // of each edge, into usable_; one more entry than edges
   std::vector<UnusablePart> unusable_;
 };
 
-// Without `stands`, the points themselves. O(points).
+// The contacts of robots with these lifting points; without `stands`, the points themselves.
+// O(points).
 std::vector<LiftingPoint> contact_points(const Stands* stands, std::vector<LiftingPoint> points);
 
 // Whether robots are points that may stand anywhere; then Stands is not needed. O(1).
 bool stands_anywhere(const Settings& settings);
 
-// Null if stands_anywhere(). An error if an edge of no_go does not exist, or if the method must
-// find places and there is none. Costs as much as Stands.
+// The Stands for these settings; null if stands_anywhere(). It is an error if an edge of no_go does
+// not exist, or if the method must find places and there are no usable ones. Costs as much as
+// Stands.
 Result<std::shared_ptr<const Stands>> make_stands(const PolygonWithHoles& object,
                                                   const Settings& settings);
 
@@ -134,15 +138,15 @@ Result<std::shared_ptr<const Stands>> make_stands(const PolygonWithHoles& object
 // order and do not overlap; `at` is a place on an edge as a fraction of its length.
 // O(parts log parts).
 
-// With one part added, and with everything inside a part removed.
+// The no-go parts with one part added, and with everything inside a part removed.
 std::vector<EdgePart> with_part(std::vector<EdgePart> no_go, const EdgePart& part);
 std::vector<EdgePart> without_part(std::vector<EdgePart> no_go, const EdgePart& part);
 
 // Whether a place is in a no-go part. O(parts).
 bool is_marked(const std::vector<EdgePart>& no_go, std::uint32_t edge, double at);
 
-// After a vertex was added on an edge; and after one of n > 3 vertices was removed, so that its two
-// edges become one with the no-go parts of both.
+// The no-go parts after a vertex was added on an edge; and after one of n > 3 vertices was removed,
+// so that its two edges become one, with the no-go parts of both.
 std::vector<EdgePart> after_split(const std::vector<EdgePart>& no_go, std::uint32_t edge,
                                   double at);
 std::vector<EdgePart> after_removal(const std::vector<EdgePart>& no_go, const Points& vertices,

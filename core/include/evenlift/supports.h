@@ -26,23 +26,23 @@
 
 namespace evenlift {
 
-// In units of L.
+// The default snap distance, in units of L.
 inline constexpr double usual_snap = 1e-6;
 
-// In units of length. O(1).
+// The snap distance of these settings, in units of length. O(1).
 double snap_distance(const Polygon& polygon, const Settings& settings);
 
 class SupportPlacer {
  public:
-  // The object must outlive it. O(1).
+  // The object must outlive the placer. O(1).
   SupportPlacer(const PolygonWithHoles& object, const Settings& settings);
 
-  // The contact of a support at the edge, or its place with the edge `beneath` (chords.h). Nothing
-  // if it is outside the outline by more than the snap distance, or in a hole, as decided exactly.
-  // O(n).
+  // The contact of a support at the edge; farther inside, its place with the edge `beneath`
+  // (chords.h). Empty if a support farther than the snap distance from the outline is outside it or
+  // in a hole, as decided exactly. O(n).
   std::optional<LiftingPoint> place(const Vec2& support) const;
 
-  // From the outline. O(n).
+  // The distance of a point from the outline. O(n).
   double distance(const Vec2& point) const;
 
  private:
@@ -56,18 +56,18 @@ class SupportPlacer {
 Result<std::vector<LiftingPoint>> place_supports(const PolygonWithHoles& object,
                                                  const Settings& settings);
 
-// Places beneath the object for robots that the user is about to move: on the sides of a small
-// square that contains the centre of mass, like the legs of a table, and with few digits. The
-// middle of the square is on the way from the centre of mass to the farthest vertex. If the square
-// would there be so small that robots hide each other, it may be on another side of the centre of
-// mass. If no square fits, all places are at the first vertex. 1 <= robots <= most_supports. The
-// settings give the snap distance. O(n robots).
+// Places beneath the object for robots that the user is about to move. Like the legs of a table,
+// they are on the sides of a small square that contains the centre of mass, and they have few
+// digits. The middle of the square lies from the centre of mass towards the farthest vertex. If the
+// square would be so small there that robots hide each other, its middle may lie on another side of
+// the centre of mass. If no square fits, all places are at the first vertex. 1 <= robots <=
+// most_supports. The settings give the snap distance. O(n robots).
 Points supports_to_place(const PolygonWithHoles& object, const Vec2& centre, std::size_t robots,
                          const Settings& settings);
 
-// The place on the outline where one more robot adds most to the area of the lifting base: a
-// vertex, and the first if several add equally. If none adds anything, it is the middle of an edge,
-// the one farthest from its nearest robot. O(n m log m).
+// The place on the outline where one more robot adds most to the area of the lifting base. It is a
+// vertex, the first if several add equally. If no vertex adds any area, it is the middle of the
+// edge whose middle is farthest from its nearest robot. O(n m log m) for m robots.
 Vec2 widest_addition(const Polygon& polygon, const Points& robots);
 
 // A support where a robot of the given size does not fit, or too near to another.
@@ -82,24 +82,27 @@ struct Misfit {
   };
   std::uint32_t robot = 0;
   Why why = Why::outside;
-  std::uint32_t other = 0;  // for too_near; a smaller number
+  std::uint32_t other = 0;  // for too_near: the other robot, of smaller number
   bool operator==(const Misfit&) const = default;
 };
 
-// All misfits, in the order of the robots: first whether the place fits, then the earlier robots
-// that are too near. Without `stands`, robots are points that fit anywhere; then only two at one
-// place, within tau L, are too near. O(m log n + m^2).
+// All misfits, in the order of the robots. For each robot, first comes the reason why its place
+// does not fit, if any, and after it the earlier robots that are too near. Without `stands`, robots
+// are points that fit anywhere, so only two at one place, within tau L, are too near. O(m log n +
+// m^2).
 std::vector<Misfit> misfits(const Polygon& polygon, const Stands* stands,
                             const std::vector<LiftingPoint>& robots);
 
-// "outside", "arm", "hand", "hole", "no-go", or "too near robot 2", with robots counted from 1.
+// The misfit in words: "outside", "arm", "hand", "hole", "no-go", or "too near robot 2", with
+// robots counted from 1.
 std::string misfit_in_words(const Misfit& misfit);
 
-// The nearest places with equal loads (algorithm.md, Given supports, Even out): two robots move to
-// the ends of a chord that makes C the centroid of all. If no two will do and there are at most
-// most_evened_by_three robots, three move. Robots whose centroid is C within tau L stay, and a
-// single robot never moves. Nothing if there are no such places. `robots` are lifting points, at
-// most most_evened. O(m^2) completions (balanced.h), or O(s m^3) for s trial points.
+// The nearest places with equal loads, by the sum of squared moves (algorithm.md, Given supports,
+// Even out): two robots move to the ends of a chord that makes C the centroid of all robots. If no
+// two robots can do this and there are at most most_evened_by_three robots, three move. Robots
+// whose centroid is C within tau L stay, and a single robot never moves. Empty if there are no such
+// places. `robots` are lifting points, at most most_evened. O(m^2) completions (balanced.h), or O(s
+// m^3) for s trial points.
 inline constexpr std::size_t most_evened = 64, most_evened_by_three = 16;
 std::optional<std::vector<LiftingPoint>> even_out(const BalancedProblem& problem,
                                                   const std::vector<LiftingPoint>& robots);

@@ -1,5 +1,6 @@
-// Swaps teams of two until they hold the object (algorithm.md, Choosing teams that hold). Beyond
-// the thesis, which considers only the lifting base.
+// Swaps teams of two so that they hold the object if possible, with the required margin
+// (algorithm.md, Choosing teams that hold). This goes beyond the thesis, which considers only the
+// lifting base.
 //
 // A local search begins with the teams that a metric selects. The better of two choices of the same
 // number of teams is ahead in the first key in which they differ:
@@ -8,10 +9,11 @@
 // 2. the coverage, larger by more than 1e-9;
 // 3. the sum of the load ratios, larger by more than tau.
 //
-// Each round makes the best of the swaps that make the choice better: it moves a team to a
-// candidate that no team has. Two teams among at most most_candidates_for_pairs candidates begin by
-// moving to the best pair, if that is better. The search ends after a round without a swap, after 4
-// t rounds for t teams, or when more than most_swaps choices have been compared.
+// A swap moves a team to a candidate that no team has. Each round makes the best of the swaps that
+// make the choice better. If there are two teams and at most most_candidates_for_pairs candidates,
+// the search begins by moving both teams to the best pair, if that is better. The search ends after
+// a round without a swap, after 4 t rounds for t teams, or when more than most_swaps choices have
+// been compared.
 //
 // If the level is then below 3, the result for t - 1 teams, with the best further candidate,
 // replaces the t teams if it is better, and swaps continue within the same 4 t rounds. So one more
@@ -37,7 +39,7 @@ inline constexpr std::uint32_t most_swapped_teams = 32;
 inline constexpr std::uint64_t most_swaps = std::uint64_t{1} << 22;
 inline constexpr std::size_t most_candidates_for_pairs = 100;
 
-// Of a choice of teams.
+// The keys by which choices of teams are compared.
 struct HoldKeys {
   std::uint32_t level = 0;  // 0 .. 3
   double coverage = 0;
@@ -45,32 +47,33 @@ struct HoldKeys {
 };
 enum class HoldKey : std::uint8_t { level, coverage, ratios };
 
-// The first key in which a choice is better than another of the same number of teams; nothing if it
-// is not better. O(1).
+// The first key in which the choice with keys `a` is better than that with keys `b`, which has the
+// same number of teams; empty if it is not better. O(1).
 std::optional<HoldKey> better_by(const HoldKeys& a, const HoldKeys& b);
 
-// For the teams on the candidates `taken`, at most most_swapped_teams. With `stands` the robots
-// have a size, and hold the object where they touch it. O(n log n + K log n), and O(n) for each
-// corner of H at worst.
+// The keys of the teams on the candidates `taken`, at most most_swapped_teams. With `stands` the
+// robots have a size, and hold the object where they touch it. O(n log n + K log n), and O(n) for
+// each corner of H at worst.
 HoldKeys hold_keys(const PolygonWithHoles& object, const Vec2& centre,
                    const std::vector<Candidate>& candidates,
                    const std::vector<std::uint32_t>& taken, const HoldRequirements& firm,
                    const Stands* stands = nullptr);
 
-// The swapped teams: one; two at once; or all, replaced by the result for t - 1 teams and one more.
+// The teams that a swap moves: one; two at once; or all, which the result for t - 1 teams and one
+// more team replace.
 enum class SwapKind : std::uint8_t { single, pair, one_more };
 
 struct Swap {
   SwapKind kind = SwapKind::single;
   std::vector<std::uint32_t> teams;  // the teams that moved, increasing
   std::vector<std::uint32_t> taken;  // the candidates of all teams afterwards
-  HoldKeys keys;                     // afterwards
+  HoldKeys keys;                     // those of the choice afterwards
   HoldKey decided_by = HoldKey::level;
 };
 
 struct SwapHistory {
   std::vector<std::uint32_t> start;  // the candidates of the teams
-  HoldKeys keys;                     // at the start
+  HoldKeys keys;                     // those of the choice at the start
   std::vector<Swap> swaps;
   bool settled = false;     // the last round found nothing better
   std::uint64_t tried = 0;  // choices compared
@@ -80,28 +83,30 @@ struct SwapHistory {
   }
 };
 
-// An error for more than most_swapped_teams teams, or more than most_swaps swaps in a round. No
-// error if all candidates are taken, since there is nothing to swap; but with `stands`, some teams
-// may find no room, so the limits always apply. O(1).
+// It is an error if there are more than most_swapped_teams teams, or more than most_swaps swaps in
+// a round. If every candidate has a team, there is nothing to swap, and so no error. With `stands`,
+// some teams may find no room, so these limits apply even then. O(1).
 std::optional<InputError> check_swaps(std::size_t candidates, std::size_t teams,
                                       const Stands* stands = nullptr);
 
-// The result is never worse than its start. With `stands`, only choices whose robots do not collide
-// are tried. check_swaps() must allow the swaps. For t teams among K candidates at most 4 t rounds
-// of O(t K) swaps, most of which a bound alone rules out; and where the level stays below 3, the
-// same again for t - 1 teams, and so on: O(t^2) rounds at worst.
+// Swaps teams, beginning with those on the candidates `start`; the result is never worse. With
+// `stands`, only choices whose robots do not collide are tried. check_swaps() must allow the swaps.
+// For t teams among K candidates, there are at most 4 t rounds of O(t K) swaps, most of which a
+// bound alone rules out. If the level stays below 3, t - 1 teams are swapped in the same way, and
+// so on: O(t^2) rounds at worst.
 SwapHistory swap_teams(const PolygonWithHoles& object, const Vec2& centre,
                        const std::vector<Candidate>& candidates, std::vector<std::uint32_t> start,
                        const HoldRequirements& firm, const Stands* stands = nullptr);
 
-// One round of swap_teams() for one team; nothing if no swap makes the choice better.
+// The best swap of one team, as in a round of swap_teams(); empty if no swap of the team makes the
+// choice better.
 std::optional<Swap> best_swap_of(const PolygonWithHoles& object, const Vec2& centre,
                                  const std::vector<Candidate>& candidates,
                                  const std::vector<std::uint32_t>& taken, std::uint32_t team,
                                  const HoldRequirements& firm, const Stands* stands = nullptr);
 
 // The teams for these settings, whose method must choose among candidates, as indices into
-// `candidates`. They are selected (selection.h) and, if the goal is to hold, swapped; then
+// `candidates`. They are selected (selection.h) and, if the goal is to hold, swapped; in that case
 // check_swaps() must allow the swaps.
 std::vector<std::uint32_t> choose_candidates(const PolygonWithHoles& object, const Vec2& centre,
                                              const std::vector<Candidate>& candidates,

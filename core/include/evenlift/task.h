@@ -17,18 +17,17 @@
 
 namespace evenlift {
 
-// Learners are numbered 0 .. max_learner.
+// The greatest number of a learner; learners are numbered from 0.
 inline constexpr std::uint64_t max_learner = 999999999;
 struct Exercise {
   Document start;                // the document that opens
   std::vector<double> readings;  // each robot's true load, if C is to be found; else empty
 };
 
-// The exercise of a lesson, with or without a task, for the learner with this number: as
-// lesson_document() returns it, and then as the task says. Errors are those of lesson_document()
-// and place(). If C is to be found, it is also an error if there are not three or more given
-// supports, if these stand on one line, or if the object falls. O(n) and, if C is to be found, a
-// placement.
+// The exercise of a lesson, with or without a task, for the learner with this number: the document
+// of lesson_document(), changed as the task says. Errors are those of lesson_document() and
+// place(). If C is to be found, it is also an error if there are fewer than three given supports,
+// if these stand on one line, or if the object falls. O(n) and, if C is to be found, a placement.
 Result<Exercise> exercise(const Lesson& lesson, const Document& sample, std::uint64_t number = 1);
 
 // Whether different numbers give different objects or different hidden centres of mass. Only the
@@ -36,11 +35,11 @@ Result<Exercise> exercise(const Lesson& lesson, const Document& sample, std::uin
 // centre of mass. O(settings).
 bool is_numbered(const Lesson& lesson);
 
-// A load counts as found if it is within this fraction of the weight of the reading.
+// A load counts as found if it differs from the reading by at most this fraction of the weight.
 inline constexpr double found_within = 0.01;
 
 // A goal and its current value in words without a full stop: "the greatest load is at most 30 kg",
-// "33.3 kg". `value` is empty if there is none.
+// "33.3 kg". `value` is empty if the goal has no value.
 struct Goalpost {
   std::string name;  // the condition as written, "max<=30", or "load 2"
   std::string words, value;
@@ -48,9 +47,9 @@ struct Goalpost {
 };
 
 struct Attempt {
-  std::vector<Goalpost> goals;       // the conditions in order, or the robots' loads
-  std::vector<std::string> changed;  // though it may not be: "the weight"
-  bool kept = false;                 // all goals are, and `changed` is empty
+  std::vector<Goalpost> goals;       // the robots' loads, if C is to be found; then the conditions
+  std::vector<std::string> changed;  // what the task does not let change: "the weight"
+  bool kept = false;                 // all goals are kept, and `changed` is empty
 };
 
 // Compares a document and its placement with the exercise. Settings that only affect other methods,
@@ -58,7 +57,7 @@ struct Attempt {
 Attempt check_task(const Task& task, const Exercise& exercise, const Document& document,
                    const ShownPlacement& of);
 
-// "Only the robots may be changed." O(1).
+// A sentence that states what may be changed: "Only the robots may be changed." O(1).
 std::string movable_in_words(const Task& task);
 
 }  // namespace evenlift

@@ -8,13 +8,13 @@ namespace evenlift {
 
 inline constexpr double tau = 1e-9;
 
-// What "within tau L" means, for a polygon of diameter L.
+// The distance tau L, for a polygon of diameter L.
 inline double near_distance(double diameter) { return tau * diameter; }
 
 // Whether two ratios or shares differ by at most tau.
 bool ratios_tie(double a, double b);
 
-// The same for lengths >= 0, relative to the larger.
+// Whether two lengths >= 0 differ by at most tau times the larger.
 bool lengths_tie(double a, double b);
 
 // The greatest deficit at which a score ties with the best: tau times the best, but at least
@@ -25,15 +25,15 @@ double score_slack(double best, double floor);
 inline constexpr double score_floor = 1e-12;
 inline constexpr double short_edge = 1e-3;
 
-// Between sets of robots, coverages tie within coverage_tie, and sums of squared distances from C
-// within spread_tie times the larger sum.
+// For two sets of robots, coverages tie if they differ by at most coverage_tie. Sums of squared
+// distances from C tie if they differ by at most spread_tie times the larger sum.
 inline constexpr double coverage_tie = 1e-9;
 inline constexpr double spread_tie = 1e-9;
 
-// The angle between them is below 90 degrees, and its sine is at most tau.
+// Whether the angle between the directions is below 90 degrees and its sine at most tau.
 bool directions_agree(const Vec2& a, const Vec2& b);
 
-// The sine of the angle with the y axis is at most tau.
+// Whether the sine of the direction's angle with the y axis is at most tau.
 bool is_vertical(const Vec2& direction);
 
 }  // namespace evenlift

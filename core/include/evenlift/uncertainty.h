@@ -1,7 +1,7 @@
-// Guarantees under conditions that are known only roughly. The weight may act anywhere within some
-// distance of C: because C is uncertain (in offshore lifting, the "centre of gravity envelope"),
-// the ground slopes or the object is braked (tilt.h). The ground may be uneven, or a robot's height
-// wrong.
+// Bounds that hold although conditions are known only roughly. The weight may act anywhere within
+// some distance of C if C is uncertain (in offshore lifting, the "centre of gravity envelope"), if
+// the ground slopes or if the object is braked (tilt.h). The ground may be uneven, or a robot's
+// height wrong.
 #pragma once
 
 #include <optional>
@@ -12,19 +12,20 @@
 
 namespace evenlift {
 
-// By how much C can be off before the object tips: the least distance of C from the line of an edge
-// of H, in units of length. 0 if that is within tolerance (tau L), if H has no area, as with a
-// single team of two, or if C is outside. `hull` must come from convex_hull, and `diameter` is L.
-// O(h).
+// The distance by which C can be off before the object tips: the least distance of C from the line
+// of an edge of H, in units of length. It is 0 if that is within tolerance (tau L), if H has no
+// area, as with a single team of two, or if C is outside H. `hull` must come from convex_hull, and
+// `diameter` is L. O(h) for h corners.
 double tipping_distance(const Points& hull, const Vec2& centre, double diameter);
 
+// How far the weight and the heights of the robots may differ from those assumed.
 struct Disturbance {
   double reach = 0;   // the weight acts anywhere within this distance of C, in units of length
   double uneven = 0;  // heights are off by up to this many times the length by which a robot gives
                       // way under the mean load
   double kept = 1;    // at least this part of the weight acts on the robots, 0 < kept <= 1: on a
                       // slope, the cosine of its angle
-  // Whether loads are ranges. O(1).
+  // Whether there is any such difference, so that loads are ranges. O(1).
   bool any() const { return reach > 0 || uneven > 0 || kept < 1; }
   bool operator==(const Disturbance&) const = default;
 };
@@ -44,19 +45,20 @@ constexpr bool has_ranges(LoadModel model) {
 
 // How a disturbance may change the loads of robots that give way like springs.
 struct LoadChanges {
-  double kept = 1;                // of the disturbance
-  bool others_may_carry = false;  // robots without load by springs may take some up
-  std::vector<double>
-      by;  // the greatest change of each load, as long as the same robots carry load
-  std::vector<double>
-      at_worst;  // the greatest load of each, whichever robots go slack: as worst_loads()
-                 // (load_models.h), with C anywhere within the reach
+  double kept = 1;                // as in the disturbance
+  bool others_may_carry = false;  // whether robots to which springs give no load may take some up
+  // The greatest change of each load, as long as the same robots carry load.
+  std::vector<double> by;
+  // The greatest load of each robot, whichever robots go slack: worst_loads() (load_models.h) with
+  // C anywhere within the reach.
+  std::vector<double> at_worst;
 };
 
-// `springs` must be the loads of the same robots. Heights that are off change the load of robot i
-// by at most W/m * uneven * sum over j of |P_ij|, where P projects onto the heights that no plane
-// fits: P = I - A (A'A)^-1 A', with a row [1, x_j, y_j] of A for each robot that carries load. This
-// is 0 if only three robots, not on one line, carry load. O(m h), and O(m^2) if heights are off.
+// The changes that a disturbance may make. `springs` must be the loads of the same robots. Heights
+// that are off change the load of robot i by at most W/m * uneven * sum over j of |P_ij|. The
+// matrix P = I - A (A'A)^-1 A' projects onto the heights that no plane fits; for each robot that
+// carries load, A has a row [1, x_j, y_j]. P is 0 if only three robots, not on one line, carry
+// load. O(m h), and O(m^2) if heights are off.
 LoadChanges load_changes(const Points& robots, const Vec2& centre, double diameter, double weight,
                          const SpringLoads& springs, const Disturbance& disturbance);
 
@@ -65,17 +67,18 @@ LoadChanges load_changes(const Points& robots, const Vec2& centre, double diamet
 // may take some up. O(m).
 bool may_let_go(const std::vector<double>& loads, const LoadChanges& changes);
 
-// The ranges of the loads of robots that give way like springs and that, without the disturbance,
-// are in equilibrium with these `loads`: kept * load - by .. load + by, but never below 0. If a
-// robot may go slack, every greatest load is `at_worst`; the least loads presume that the other
+// The ranges of the loads of robots that give way like springs. Without the disturbance, the robots
+// must be in equilibrium with `loads`. Each range is kept * load - by .. load + by, but never below
+// 0. If may_let_go(), every greatest load is `at_worst`; the least loads presume that the other
 // robots keep carrying. O(m).
 std::vector<LoadRange> load_ranges(const std::vector<double>& loads, const LoadChanges& changes);
 
-// The greatest radius within which C may lie so that, by springs, no robot carries more than its
-// capacity, if it has one. It is at most springs.same_within minus `reach`, since no bound holds
-// beyond, and at most the tipping distance minus `reach`, but never below 0. `besides` and `reach`
-// are the changes of load, and the distance of the weight from C, for reasons other than C, if any.
-// Nothing if a robot may be overloaded even with C at its assumed place. O(m).
+// The greatest radius about the assumed C within which C may lie so that no robot's load, by
+// springs, exceeds its capacity. A robot may have no capacity. The radius is at most
+// springs.same_within minus `reach`, since no bound holds beyond, and at most the tipping distance
+// minus `reach`, but never below 0. `besides` holds the changes of load, and `reach` the distance
+// of the weight from C, that have other causes than the error of C. Nothing if a robot may be
+// overloaded even with C at its assumed place. O(m).
 std::optional<double> radius_within_capacity(const SpringLoads& springs, double tipping_distance,
                                              const std::vector<std::optional<double>>& capacities,
                                              const LoadChanges& besides = {}, double reach = 0);

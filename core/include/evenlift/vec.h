@@ -11,23 +11,23 @@ namespace evenlift {
 using Vec2 = Eigen::Vector2d;
 using Points = std::vector<Vec2>;
 
-// a.x b.y - a.y b.x, positive if b points to the left of a, in plain doubles; predicates.h decides
-// about input coordinates. O(1).
+// a.x b.y - a.y b.x, positive if b points to the left of a. It is computed in plain doubles;
+// predicates.h makes exact decisions about input coordinates. O(1).
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-// O(1).
+// The scalar product. O(1).
 inline double dot(const Vec2& a, const Vec2& b) { return a.x() * b.x() + a.y() * b.y(); }
 
-// One square root; hypot differs between libraries. O(1).
+// The length by one square root, since hypot differs between libraries. O(1).
 inline double length(const Vec2& a) { return std::sqrt(a.x() * a.x() + a.y() * a.y()); }
 
-// Never below the length. O(1).
+// |a.x| + |a.y|, which is never below the length. O(1).
 inline double one_norm(const Vec2& a) { return std::fabs(a.x()) + std::fabs(a.y()); }
 
-// a turned by +90 degrees. O(1).
+// The vector a turned by +90 degrees. O(1).
 inline Vec2 left_normal(const Vec2& a) { return {-a.y(), a.x()}; }
 
-// Axis-aligned, from its lower left to its upper right corner.
+// An axis-aligned rectangle, given by its lower left and its upper right corner.
 struct Box {
   Vec2 low = Vec2::Zero(), high = Vec2::Zero();
   Vec2 size() const { return high - low; }
@@ -35,7 +35,7 @@ struct Box {
   double diagonal() const { return length(size()); }
 };
 
-// Without points, the origin. O(m).
+// The smallest box that contains the points; the origin if there are no points. O(m).
 inline Box bounding_box(const Points& points) {
   if (points.empty()) return {};
   Box box{points.front(), points.front()};

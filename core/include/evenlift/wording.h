@@ -16,11 +16,11 @@ namespace evenlift {
 // is used, since sentences already returned do not change. Not thread-safe. O(log n).
 void add_translation(std::string english, std::string translated);
 
-// Texts are in English again, and results of translated() become invalid.
+// Removes all translations, so texts are in English again. Results of translated() become invalid.
 void forget_translations();
 
-// The text itself if it has no translation. A translation stays valid until it is replaced or
-// forgotten; the text lives as long as the argument. O(log n).
+// The translation of a text, or the text itself if it has no translation. A translation stays valid
+// until it is replaced or forgotten, the text itself as long as the argument. O(log n).
 std::string_view translated(std::string_view english);
 
 // A value in a sentence: a text, which is also translated, or a whole number. It does not own its
@@ -36,9 +36,9 @@ class Value {
   std::string written() const;
 
  private:
-  // Small: the page has a thousand of them.
+  // Values are kept small, since the page has a thousand of them.
   const char* text_ = nullptr;  // null for a number
-  std::size_t size_;            // of the text, or the number
+  std::size_t size_;            // the length of the text, or the number
 };
 
 // The pattern in the reader's language with the values in their places. Each new {name} of the
@@ -47,7 +47,7 @@ class Value {
 // O(bytes of pattern and values).
 std::string say(std::string_view english, std::initializer_list<Value> values = {});
 
-// The same with `number` values that are not translated.
+// The same as say(), with `number` values that are texts and are not translated.
 std::string say_written(std::string_view english, const std::string* values, std::size_t number);
 
 }  // namespace evenlift

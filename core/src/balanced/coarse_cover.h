@@ -12,10 +12,10 @@ namespace evenlift::balanced {
 
 class CoarseCover {
  public:
-  // O(n) for each row of the grid.
+  // Finds the part of the object in each cell. O(n) for each row of the grid.
   CoarseCover(const PolygonWithHoles& object, const Vec2& centre);
 
-  // Each cell that H meets counts in full. O(h) and the rows.
+  // The upper bound: each cell that H meets counts in full. O(h), plus the number of rows.
   double most(const SmallHull& hull) const;
 
  private:
@@ -29,7 +29,7 @@ class CoarseCover {
   static std::size_t cell_of(double place);
   static void widen(Rows& rows, const Vec2& a, const Vec2& b);
 
-  Vec2 low_, scale_;  // relative to C; cells per unit of length
+  Vec2 low_, scale_;  // the grid's lower left corner relative to C; cells per unit of length
   // The share of the object in the cells of a row before each column.
   std::array<std::array<double, cells + 1>, cells> before_{};
 };

@@ -15,8 +15,9 @@ class Cover {
   // The object must outlive it. O(n).
   Cover(const PolygonWithHoles& object, const Vec2& centre);
 
-  // Equals coverage(object, hull) up to rounding; 0 if C is not inside H by more than rounding, or
-  // if H has no area. O(h log n) for each crossing of the boundary with H, O(n h) at worst.
+  // The coverage, equal to coverage(object, hull) up to rounding; 0 if C is not inside H by more
+  // than rounding, or if H has no area. O(h log n) for each crossing of the boundary with H, O(n h)
+  // at worst.
   double of(const SmallHull& hull) const;
 
  private:
@@ -25,7 +26,8 @@ class Cover {
   const PolygonWithHoles& object_;
   Vec2 centre_;
   EdgeTree tree_;
-  std::vector<double> doubled_areas_;  // by edge: of the triangles of C and the preceding edges
+  // By edge: twice the signed area of the triangles of C and the preceding edges.
+  std::vector<double> doubled_areas_;
 };
 
 }  // namespace evenlift::balanced

@@ -1,4 +1,5 @@
-// The outline of P as a walk from v*, whatever the first vertex of the list, and its trial points.
+// The outline of P as a walk from v*, and its trial points (algorithm.md, Balanced robots). They do
+// not depend on which vertex is first in the list.
 #pragma once
 
 #include <cstdint>
@@ -15,19 +16,19 @@ class Outline {
   // The polygon must outlive it. O(n).
   Outline(const Polygon& polygon, const Vec2& centre);
 
-  // Lambda.
+  // The length of the outline, Lambda.
   double length() const { return starts_.back(); }
 
-  // In the order of the walk. O(n).
+  // The edges in the order of the walk. O(n).
   std::vector<std::uint32_t> edges() const;
 
-  // The distance from v* counter-clockwise to a point on an edge, in [0, Lambda). A distance within
-  // tau Lambda of Lambda counts as 0. O(1).
+  // The distance along the outline, counter-clockwise from v* to a point on an edge. It is in
+  // [0, Lambda). A distance within tau Lambda of Lambda counts as 0. O(1).
   double place(const LiftingPoint& point) const;
 
-  // The trial points in order; for robots with a size lifting points spread over the usable ranges,
-  // then the ends and middle of each usable interval, unless there are more intervals than trial
-  // points. O(n).
+  // The trial points, in order. For robots with a size (`room`), these are lifting points spread
+  // over the usable intervals (docs/stands.md), then the ends and the middle of each interval. The
+  // ends and middles are left out if there are more intervals than spread points. O(n).
   std::vector<LiftingPoint> stands(const Stands* room = nullptr) const;
 
  private:
@@ -40,7 +41,7 @@ class Outline {
   const Polygon& polygon_;
   std::vector<std::uint32_t> vertices_;  // from v* counter-clockwise
   std::vector<std::uint32_t> steps_;     // by edge: the step of the walk along it
-  std::vector<double> starts_;           // by step: the distance before it; then Lambda
+  std::vector<double> starts_;           // by step: the distance from v* to it; finally Lambda
 };
 
 }  // namespace evenlift::balanced

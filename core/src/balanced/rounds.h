@@ -1,4 +1,5 @@
-// The swaps of the search, for the rules alone (evenlift/balanced.h has them for a problem).
+// The swaps of the search by the rules alone. evenlift/balanced.h explains them; its functions of
+// the same names take a problem.
 #pragma once
 
 #include "balanced/rules.h"

@@ -1,5 +1,6 @@
-// The requirements on balanced robots, and the order of two sets. A key is computed only when
-// needed, the cheap keys first: nearly all sets lose by a bound.
+// The requirements on balanced robots, and the comparison of two sets by the keys of
+// evenlift/balanced.h. A key is computed only when needed, and cheap keys come first. Nearly all
+// sets lose by a bound.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,7 @@
 
 namespace evenlift::balanced {
 
-// With the keys computed so far.
+// A set with those of its keys that have been computed.
 struct RatedSet {
   std::vector<LiftingPoint> robots;
   std::uint32_t near_pairs = 0;
@@ -30,7 +31,7 @@ struct RatedSet {
   std::optional<double> coverage, spread;
   std::optional<std::vector<double>> places;
 
-  // Clears the keys, for other robots.
+  // Clears the keys for other robots, which have this number of near pairs.
   void begin(std::uint32_t pairs);
 };
 
@@ -46,7 +47,8 @@ class Rules {
   const EvenChords& chords() const { return chords_; }
   const Outline& outline() const { return outline_; }
   const std::vector<LiftingPoint>& stands() const { return stands_; }
-  // In units of most_work (balanced.h); 0 for outlines whose work is not bounded.
+  // The cost of a completion in units of most_work (balanced.h); 0 for outlines whose work is not
+  // bounded.
   std::uint64_t work_of_completion() const { return work_of_completion_; }
   const std::vector<Triple>& triples() const { return triples_; }
 
@@ -65,20 +67,20 @@ class Rules {
 
   // Whether the goal is hold, but the margin misses the first level.
   bool misses_hold(RatedSet& set) const { return holds_ && level(set) == 0; }
-  // Whether a reaches a higher level.
+  // Whether a reaches a higher level than b.
   bool holds_better(RatedSet& a, RatedSet& b) const { return level(a) > level(b); }
 
   bool better(RatedSet& a, RatedSet& b) const;
 
-  // The key that decides; nothing if they tie in all.
+  // The key that decides between two sets; nothing if they tie in all keys.
   std::optional<BalancedKey> decided_by(RatedSet& a, RatedSet& b) const;
 
-  // Robots with their number of near pairs. O(m^2).
+  // The set of these robots, with its number of near pairs. O(m^2).
   RatedSet rated(const std::vector<LiftingPoint>& robots) const;
 
   BalancedKeys keys(RatedSet& set) const;
 
-  // In order along the outline, with their keys.
+  // The same set, with its keys, and with its robots in order along the outline.
   RatedSet in_order(const RatedSet& set) const;
 
  private:

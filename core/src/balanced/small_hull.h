@@ -1,5 +1,6 @@
-// The convex hull of a few robots, relative to C: in plain doubles and without allocation, for the
-// coverage of thousands of sets. Corners due only to rounding do not matter.
+// The convex hull of a few robots, relative to C. It is computed in plain doubles and without
+// allocation, since the search computes the coverage of thousands of sets. Corners due only to
+// rounding do not matter.
 #pragma once
 
 #include <array>
@@ -17,7 +18,7 @@ struct SmallHull {
   double area = 0;
 };
 
-// For at most most_robots robots. O(m^2) by insertion sort, in practice few steps.
+// The hull of at most most_robots robots. O(m^2) by insertion sort, in practice few steps.
 SmallHull small_hull(const std::vector<LiftingPoint>& robots, const Vec2& centre);
 
 }  // namespace evenlift::balanced

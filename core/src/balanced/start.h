@@ -8,24 +8,27 @@
 
 namespace evenlift::balanced {
 
-// A set with its keys, its robots in order along the outline, and those from which it was built.
+// A set with its keys and with its robots in order along the outline. `kept` holds the robots of
+// the smaller set from which it was built, and `came` the others.
 struct StartSet {
   RatedSet set;
   std::vector<LiftingPoint> kept, came;
-  bool at_once = false;  // not built from a smaller set, but on usable intervals
+  bool at_once = false;  // whether it was built on usable intervals, not from a smaller set
 };
 
-// S_0, S_1 ... S_m, by their number of robots; nothing where none exists. For robots with a size,
-// S_m is then the best set on usable intervals (usable_sets.h).
+// The sets S_0, S_1 ... S_m (algorithm.md, Balanced robots), by their number of robots; empty where
+// a set does not exist. If S_m does not exist for robots with a size, the best set on usable
+// intervals (usable_sets.h) takes its place.
 using StartSets = std::vector<std::optional<StartSet>>;
 StartSets start_sets(const Rules& rules);
 
 // The start from which the search restarts after it ended with `now`; nothing if that does not pay.
-//   - Robots with a size: of most_starts sets on usable intervals, the one whose swaps lead
-//     farthest, if to a better set.
-//   - Points with the goal hold that miss the first margin level: a start whose S_4 may also be the
-//     best trial point with three more, if its S_m reaches a higher level. So they may hold a
-//     regular polygon, whose first start is symmetrical about C.
+//   - For robots with a size, it is one of the most_starts best sets on usable intervals: the one
+//     whose swaps lead to the best result, if that is better than `now`.
+//   - For more than four points that miss the first level of the goal hold, S_4 is chosen also
+//     among all sets of one trial point with three more robots. This start is returned if its S_m
+//     reaches a higher level. It helps with regular polygons, where the first start is symmetrical
+//     about C.
 inline constexpr std::size_t most_starts = 6;
 std::optional<StartSets> second_start(const Rules& rules, const std::vector<LiftingPoint>& now);
 

@@ -11,8 +11,8 @@ namespace evenlift::balanced {
 
 using Triple = std::array<std::uint32_t, 3>;  // increasing
 
-// In lexicographic order: all triples with up to 12 robots, those with two neighbours along the
-// outline with up to 24, else three in a row. O(m^3).
+// The triples that may be swapped, in lexicographic order. Up to 12 robots, these are all triples;
+// up to 24, those with two neighbours along the outline; beyond, those of three in a row. O(m^3).
 std::vector<Triple> triples_of(std::uint32_t robots);
 
 // The robots outside the triple. O(m).

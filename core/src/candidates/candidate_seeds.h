@@ -22,7 +22,7 @@ class CandidateSeeds {
                  const std::vector<OppositeVertices>& opposite, double min_ratio,
                  Positions positions, double clear, bool traced);
 
-  // Adds at most one seed; for an edge pair with positions anywhere in the range, two more.
+  // These add at most one seed or, for an edge pair with positions anywhere in the range, three.
   // Amortized O(1).
   void add(const EdgePair& pair) {
     const std::size_t before = seeds_.size();
@@ -41,15 +41,15 @@ class CandidateSeeds {
   std::vector<Candidate> grow();
 
  private:
-  // See vertex_candidate() (pair_candidate.h).
+  // The arguments of vertex_candidate() (pair_candidate.h).
   struct VertexChordSeed {
     std::uint32_t edge, other, vertex, opposite;
   };
-  // The chord that C bisects; `offset` is an index into offsets_.
+  // A chord that C bisects; `offset` is an index into offsets_.
   struct BisectingSeed {
     std::uint32_t edge_a, edge_b, offset;
   };
-  // `index` is an index into finished_.
+  // A candidate that is already made; `index` is an index into finished_.
   struct FinishedSeed {
     std::uint32_t index;
   };
@@ -74,10 +74,10 @@ class CandidateSeeds {
   double clear_;
   bool traced_;
   Corners corners_;
-  std::vector<bool> has_opposite_;  // by vertex
+  std::vector<bool> has_opposite_;  // by vertex: whether it has an opposite vertex
   std::uint32_t sources_ = 0;
   std::vector<Seed> seeds_;
-  std::vector<std::uint32_t> source_of_seed_;  // if traced
+  std::vector<std::uint32_t> source_of_seed_;  // empty unless traced_
   std::vector<SlopeKey> keys_;
   std::vector<Vec2> offsets_;
   std::vector<Candidate> finished_;

@@ -1,4 +1,5 @@
-// The chords between two lines on which robots with a size lift, and where two robots can stand.
+// The chords between two lines on which robots with a size lift, and the parts of the lines where
+// two robots can stand.
 #pragma once
 
 #include <optional>
@@ -8,8 +9,9 @@
 
 namespace evenlift {
 
-// The chords about C between two lines, by t along a. The ratio q = |C r_a| / |C r_b| is linear in
-// t. The lines must outlive it, and neither may pass through C.
+// The chords through C between two lines a and b. The place t of a chord's end r_a along a
+// determines the chord, and the ratio q = |C r_a| / |C r_b| is linear in t. The lines must outlive
+// the ChordRange, and neither may pass through C.
 class ChordRange {
  public:
   ChordRange(const StandLine& a, const StandLine& b) : a_(a), b_(b) {
@@ -21,14 +23,16 @@ class ChordRange {
   double slope() const { return slope_; }
   double q0() const { return q0_; }
 
-  // The position on b of the chord at t along a. O(1).
+  // The place along b where the chord at t along a ends. O(1).
   double on_b(double t) const { return dot(-a_.at(t) / q(t) - b_.start, b_.along); }
 
-  // The part of a piece of a whose chords end in a piece of b, at any load ratio. O(1).
+  // The part of the piece `of_a` of a whose chords end in the piece `of_b` of b, at any load ratio.
+  // O(1).
   std::optional<Stretch> common(const Stretch& of_a, const Stretch& of_b) const;
 
-  // The parts of a where robots can stand on both lines with at least the minimum ratio, within
-  // tolerance, in order of the usable ranges of a. O(stretches of a times those of b).
+  // The parts of a whose chords have at least the minimum load ratio, within tolerance, and end
+  // where robots can stand on both lines. They are in the order of the usable intervals of a.
+  // O(usable intervals of a times those of b).
   std::vector<Stretch> pieces(double min_ratio) const;
 
  private:

@@ -1,6 +1,6 @@
 // Even candidates about many centres. An even chord about M ends where the outline meets its mirror
-// image in M. A tree of boxes finds these places without visiting every edge; their candidates are
-// decided like all others.
+// image in M. A tree of boxes finds these places without visiting every edge; the candidates there
+// are decided like all others.
 #pragma once
 
 #include <cstddef>
@@ -22,22 +22,23 @@ class EvenChords {
   // place that does not depend on the vertex list. O(n).
   EvenChords(const Polygon& polygon, const Stands* stands, const std::vector<std::uint32_t>& walk);
 
-  // Equals find_candidates(polygon, centre, 1), but without a limit on the number of candidates,
-  // and a chord between two vertices may name the other edges of these vertices. The centre may be
-  // anywhere. O(n) at worst; for an outline that hardly winds, O(log n) for each place where it
-  // meets its mirror image.
+  // All even candidates about a centre, which may be anywhere: those of find_candidates(polygon,
+  // centre, 1), but without a limit on their number. A chord between two vertices may name the
+  // other edges of these vertices. O(n) at worst; for an outline that hardly winds, O(log n) for
+  // each place where the outline meets its mirror image.
   std::vector<Candidate> about(const Vec2& centre) const;
 
-  // All even candidates about the centre or, of many, those between the edges of a sample: of a
-  // half, a quarter, an eighth and so on of all edges, the smallest with at least enough_chords
-  // candidates. An edge's number in the walk alone decides its samples. A strongly winding outline
-  // may have a hundred thousand even chords about one centre, and some serve a search as well.
-  // O(log n) for each place where the sample meets its mirror image.
+  // The even candidates about the centre between the edges of a sample, or all if no sample has
+  // enough_chords candidates. The samples hold a half, a quarter, an eighth and so on of all edges,
+  // and the smallest with enough candidates is used. Only an edge's number in the walk decides
+  // which samples contain it. A strongly winding outline may have a hundred thousand even chords
+  // about one centre, and a search needs only some of them. O(log n) for each place where the
+  // sample meets its mirror image.
   static constexpr std::size_t enough_chords = 32;
   std::vector<Candidate> some_about(const Vec2& centre) const;
 
-  // The number of even candidates with duplicates, at most `most`. A strongly winding outline soon
-  // reaches `most`, so this is fast where about() is slow.
+  // The number of even candidates, including duplicates, or `most` if that is less. A strongly
+  // winding outline soon reaches `most`, so this is fast where about() is slow.
   std::size_t count_about(const Vec2& centre, std::size_t most) const;
 
  private:
@@ -46,7 +47,7 @@ class EvenChords {
   // Some edges, in the order of their numbers.
   struct Sample {
     std::vector<std::uint32_t> edges;
-    std::vector<LineEnds> lines;  // moved inward by a hand's depth if it has any
+    std::vector<LineEnds> lines;  // moved inward by the depth of the hand, if any
     EdgeTree tree;
   };
   static Sample sample_of(const Polygon& polygon, const Stands* stands,
@@ -57,7 +58,7 @@ class EvenChords {
   const Stands* stands_;
   Sample all_;
   std::vector<Sample> samples_;  // the smallest first
-  double size_ = 0;              // the largest coordinate
+  double size_ = 0;              // the largest coordinate in size
 };
 
 }  // namespace evenlift

@@ -10,8 +10,8 @@
 namespace evenlift {
 
 // Calls visit(i, j) for lines that face each other: for an open range of directions u, the ray from
-// C along u meets line i and the ray along -u line j. Leaves out lines within `near` of C. `visit`
-// returns whether to continue. O(m log m + K) for m lines and K pairs.
+// C along u meets line i and the ray along -u meets line j. Leaves out lines within `near` of C.
+// `visit` returns whether to continue. O(m log m + K) for m lines and K pairs.
 void for_each_facing(const std::vector<StandLine>& lines, double near,
                      const std::function<bool(std::uint32_t i, std::uint32_t j)>& visit);
 

@@ -20,28 +20,29 @@ struct SeenEdge {
   double doubled_area;  // orient(centre, first, last) > 0
 };
 
-// The polygon must outlive it. O(1).
+// The edge as C sees it. The polygon must outlive the result. O(1).
 SeenEdge see(const Polygon& polygon, const Vec2& centre, std::uint32_t edge);
 inline SeenEdge see(const Polygon& polygon, const RadialView& view, std::uint32_t edge) {
   return {edge, polygon.vertex(view.first(edge)), polygon.vertex(view.last(edge)),
           view.doubled_area(edge)};
 }
 
-// One end of a pair's range: the vertex-chord there.
+// One end of a pair's range, with the vertex-chord there.
 struct SectionEnd {
-  std::uint32_t vertex;    // at which the range ends
-  std::uint32_t opposite;  // across C if both edges end here, otherwise inside_edge
+  std::uint32_t vertex;    // the vertex at which the range ends
+  std::uint32_t opposite;  // the vertex across C if both edges end here, otherwise inside_edge
   bool on_a;               // whether the vertex belongs to a
   Across across;           // from the vertex to the other edge
   double g;                // |C r_b| / |C r_a|
   int compare_to_one;      // -1, 0, 1: g is below, equal to or above 1; exact
 };
 
-// The end where edge a ends at `vertex_a` and edge b at `vertex_b`; one may be inside_edge. O(1).
+// The end where edge a ends at `vertex_a` and edge b at `vertex_b`. One of the two may be
+// inside_edge. O(1).
 SectionEnd section_end(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                        const SeenEdge& b, std::uint32_t vertex_a, std::uint32_t vertex_b);
 
-// r_a - C at a section end. O(1).
+// The vector r_a - C at a section end. O(1).
 Vec2 offset_on_a(const Polygon& polygon, const Vec2& centre, const SectionEnd& end);
 
 // Whether edges count as parallel, by g at both ends of the range. O(1).
@@ -53,17 +54,17 @@ inline bool are_parallel(double g0, double g1) {
 PairVerdict examine(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                     const SeenEdge& b, const EdgePair& pair, double min_ratio);
 
-// The decision where estimates make it certain. Most pairs have no candidate, or one of two
-// frequent kinds, and need no more. The pair's range must not end at a vertex that has an opposite
-// vertex. O(1).
+// The decision of examine() where estimates make it certain, otherwise `unsure`. Most pairs have no
+// candidate, or one of two frequent kinds, and need no more than estimates. The pair's range must
+// not end at a vertex that has an opposite vertex. O(1).
 enum class QuickVerdict : std::uint8_t { unsure, none, bisecting, at_begin, at_end };
 QuickVerdict examine_quickly(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                              const SeenEdge& b, const EdgePair& pair, double min_ratio);
 
-// r_a - C for the chord that C bisects. O(1).
+// The vector r_a - C for the chord that C bisects. O(1).
 Vec2 bisecting_offset(const Vec2& centre, const SeenEdge& a, const SeenEdge& b);
 
-// With that offset. O(1).
+// The candidate on that chord, whose offset is from bisecting_offset(). O(1).
 Candidate bisecting_candidate(const Vec2& centre, std::uint32_t edge_a, std::uint32_t edge_b,
                               const Vec2& offset);
 
@@ -83,7 +84,7 @@ SectionRim section_rim(const Polygon& polygon, const Vec2& centre, const SeenEdg
 // Whether the load ratio is at least the minimum, within tolerance. O(1).
 bool reaches(const Chord& chord, double min_ratio);
 
-// The direction or its opposite, as it points from r1 to r2 of a chord. O(1).
+// The direction or its opposite, whichever points from r1 to r2 of a chord. O(1).
 Vec2 rightward(const Vec2& direction);
 
 }  // namespace evenlift

@@ -1,5 +1,5 @@
 // The lines on which robots with a size lift: edges moved inward by the depth of the hand, with
-// their usable ranges; and the chords between them (docs/stands.md).
+// their usable intervals; and the chords between them (docs/stands.md).
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,15 @@ namespace evenlift {
 // An edge moved inward, as C sees it. Its point at t is C + start + t along.
 struct StandLine {
   std::uint32_t edge = 0;
-  Vec2 start = Vec2::Zero(), along = Vec2::Zero();  // relative to C; of unit length
+  Vec2 start = Vec2::Zero(), along = Vec2::Zero();  // a point relative to C; a unit vector
   double low = 0, high = 0;                         // the first and last place to stand
   Stands::Stretches usable{nullptr, nullptr};
-  double height = 0;  // start x along: the distance from C, positive if counter-clockwise about C
+  // start x along: the distance from C, positive if the line runs counter-clockwise about C.
+  double height = 0;
   Vec2 at(double t) const { return start + t * along; }
 };
 
-// Nothing if no robot can stand at the edge. O(1).
+// The line of an edge; nothing if no robot can stand at the edge. O(1).
 std::optional<StandLine> stand_line(const Polygon& polygon, const Vec2& centre,
                                     const Stands& stands, std::uint32_t edge);
 
@@ -30,29 +31,30 @@ std::optional<StandLine> stand_line(const Polygon& polygon, const Vec2& centre,
 // minimum, within tolerance, and whose robots do not collide:
 //   - first the chord with the best ratio; if all ratios are equal, the one nearest to the middle
 //     of the lines' common range; of equally good ones the longest;
-//   - the chords at which a usable range ends on both lines at once, as between opposite vertices.
-// O(stretches).
+//   - the chords at which a usable interval ends on both lines, as between opposite vertices.
+// O(s^2) for s usable intervals of both lines, plus O(log n) for each chord.
 std::vector<Candidate> standing_chords(const Stands& stands, const Vec2& centre, const StandLine& a,
                                        const StandLine& b, double min_ratio, double near);
 
-// These chords for an edge pair of the polygon, for hands without depth. The pair's candidate stays
-// unchanged if two robots can stand there.
+// The same chords for an edge pair of the polygon, for hands without depth. The pair's candidate
+// stays unchanged if two robots can stand there.
 std::vector<Candidate> standing_chords(const Polygon& polygon, const Stands& stands,
                                        const Vec2& centre, const EdgePair& pair, double min_ratio);
 
-// See standing_ranges() (candidates.h). Neither line may pass within tau L of C. O(stretches of a
-// times those of b).
+// The same as standing_ranges() of candidates.h, for two lines. Neither line may pass within tau L
+// of C. O(usable intervals of a times those of b).
 std::vector<PairRange> standing_ranges(const StandLine& a, const StandLine& b, double min_ratio,
                                        double near);
 
 // The candidates that positions anywhere in the range add: two in the longest range of two lines of
-// from.stands, far enough from corners where possible. Drops those with too low a load ratio or
-// colliding robots. None if the range is only one place. O(stretches of a times those of b).
+// from.stands, far enough from corners where possible. Those with too low a load ratio or with
+// colliding robots are dropped. Empty if the range is only one place. O(usable intervals of a times
+// those of b).
 std::vector<Candidate> standing_range_chords(const FromCorners& from, const Vec2& centre,
                                              const StandLine& a, const StandLine& b,
                                              double min_ratio, double near);
 
-// Whether both robots can stand there and do not collide. O(log n).
+// Whether both robots of a candidate can stand at its ends and do not collide. O(log n).
 bool can_stand(const Stands& stands, const Candidate& candidate);
 
 }  // namespace evenlift

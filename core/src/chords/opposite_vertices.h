@@ -10,14 +10,14 @@
 
 namespace evenlift {
 
-// Like opposite_vertices(), but nothing if there are more than `most`. O(n) instead of O(n log n),
-// since the view has sorted the vertices.
+// The result of opposite_vertices() (chords.h), or nothing if there are more than `most`. It takes
+// O(n) instead of O(n log n), since the view has sorted the vertices.
 std::optional<std::vector<OppositeVertices>> find_opposite_vertices(const Polygon& polygon,
                                                                     const Vec2& centre,
                                                                     const RadialView& view,
                                                                     std::uint64_t most);
 
-// `v` and `w` are offsets from C; `near` is tau L. O(1).
+// Whether two vertices are opposite. `v` and `w` are their offsets from C; `near` is tau L. O(1).
 bool are_opposite(const Vec2& v, const Vec2& w, double near);
 
 // The error for too many edge pairs and opposite vertices.

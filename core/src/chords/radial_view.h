@@ -2,10 +2,10 @@
 // sweep of a line through C over them.
 //
 // Vertices are sorted by direction modulo 180 degrees; equal directions form a group.
-// Position k < direction_count() is group k seen forward (directions in [0, 180)),
-// position k + direction_count() the same group seen backward. C sees an edge at less than 180
-// degrees, so the edge covers the positions from its first to its last end, and the sweep only
-// compares integers.
+// Position k < direction_count() is group k seen forward (directions in [0, 180)), and
+// position k + direction_count() is the same group seen backward.
+// C sees an edge that is not radial at less than 180 degrees. So the edge covers the positions from
+// its first to its last end, and the sweep only compares integers.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ bool is_forward(const Vec2& centre, const Vec2& v);
 
 class RadialView {
  public:
-  // O(n log n).
+  // Sorts the vertices by direction. O(n log n).
   RadialView(const Polygon& polygon, const Vec2& centre);
 
   std::uint32_t direction_count() const { return direction_count_; }
@@ -31,16 +31,16 @@ class RadialView {
   // The edge's ends, counter-clockwise as C sees them.
   std::uint32_t first(std::uint32_t edge) const { return arms_[edge].first; }
   std::uint32_t last(std::uint32_t edge) const { return arms_[edge].last; }
-  // orient(centre, first, last) > 0: twice the area of the triangle of C and the edge.
+  // Twice the area of the triangle of C and the edge: orient(centre, first, last) > 0.
   double doubled_area(std::uint32_t edge) const { return arms_[edge].doubled_area; }
 
-  // The vertices other than C, by group, forward and backward mixed.
+  // The vertices other than C, by group; forward and backward ones are mixed.
   const std::vector<std::uint32_t>& order() const { return order_; }
   std::uint32_t group_begin(std::uint32_t group) const { return group_begins_[group]; }
   std::uint32_t position(std::uint32_t vertex) const { return positions_[vertex]; }
   bool forward(std::uint32_t vertex) const { return positions_[vertex] < direction_count_; }
 
-  // The positions from `from` counter-clockwise to `to`.
+  // The number of positions from `from` counter-clockwise to `to`.
   std::uint32_t steps(std::uint32_t from, std::uint32_t to) const {
     return to >= from ? to - from : to + 2 * direction_count_ - from;
   }
@@ -56,12 +56,13 @@ class RadialView {
   std::uint32_t direction_count_ = 0;
   std::vector<Arms> arms_;  // by edge
   std::vector<std::uint32_t> order_;
-  std::vector<std::uint32_t> group_begins_;  // into order_; one more than there are groups
+  std::vector<std::uint32_t> group_begins_;  // indices of order_; one more than there are groups
   std::vector<std::uint32_t> positions_;     // by vertex
 };
 
-// The edges that a line through C meets, forward and backward, while it turns from 0 to 180
-// degrees. At each group, first the edges that end there leave, then those that begin there enter.
+// The non-radial edges that a line through C meets, forward and backward, while the line turns from
+// 0 to 180 degrees. At each group, first the edges that end there leave, then those that begin
+// there enter.
 class RadialSweep {
  public:
   RadialSweep(const Polygon& polygon, const RadialView& view);
@@ -69,10 +70,11 @@ class RadialSweep {
   const std::vector<std::uint32_t>& ahead() const { return active_[0]; }   // met forward
   const std::vector<std::uint32_t>& behind() const { return active_[1]; }  // met backward
 
-  // Amortized O(1) for each vertex of the group.
+  // Removes the edges that end at the group. Amortized O(1) for each vertex of the group.
   void leave(std::uint32_t group);
 
-  // Calls visit(edge, is_ahead) just before an edge enters.
+  // Adds the edges that begin at the group. Calls visit(edge, is_ahead) just before each one
+  // enters.
   template <class Visit>
   void enter(std::uint32_t group, Visit&& visit) {
     for_each_edge_at(group, [&](std::uint32_t edge, std::uint32_t vertex) {
@@ -101,13 +103,14 @@ class RadialSweep {
   std::vector<std::uint32_t> slots_;  // by edge: its index in active_
 };
 
-// O(n).
+// The number of edge pairs. O(n).
 std::uint64_t count_edge_pairs(const Polygon& polygon, const RadialView& view);
 
 // The error if `number` exceeds max_edge_pairs. `what` is, for example, "edge pairs".
 std::optional<InputError> check_number(std::uint64_t number, const char* what);
 
-// Calls visit(const EdgePair&) in the order in which the ranges begin. O(n + K).
+// Calls visit(const EdgePair&) for each of the K edge pairs, in the order in which their ranges
+// begin. O(n + K).
 template <class Visit>
 void for_each_edge_pair(const Polygon& polygon, const RadialView& view, Visit&& visit) {
   RadialSweep sweep(polygon, view);

@@ -10,24 +10,25 @@ namespace evenlift {
 
 class RayCaster {
  public:
-  // O(n).
+  // Moves C to the origin. O(n).
   RayCaster(const Polygon& polygon, const Vec2& centre);
 
   struct Hit {
     double distance = 0;  // from C
     LiftingPoint point;
   };
-  // The boundary points on the ray from C in direction u, nearest first, each once: of a radial
-  // edge its end vertices in that direction, of any other edge at most one point. A vertex on the
-  // ray, within tau, counts even where the boundary only touches the ray. O(n + k log k) for k
+  // The boundary points on the ray from C in direction u, nearest first, each once. A radial edge
+  // contributes its end vertices in that direction, any other edge at most one point. A vertex on
+  // the ray, within tau, counts even where the boundary only touches the ray. O(n + k log k) for k
   // points.
   std::vector<Hit> hits(const Vec2& u) const;
 
-  // The farthest point on the ray among `edges`: at least one, none radial, each seen from C in
-  // direction u. A ray that misses an edge by rounding meets its end. O(number of edges).
+  // The farthest point where the ray meets one of `edges`. There must be at least one edge; the ray
+  // must meet each edge, and no edge may be radial. If the ray misses an edge by rounding, it
+  // counts as meeting the edge's end. O(number of edges).
   Hit farthest(const Vec2& u, const std::vector<std::uint32_t>& edges) const;
 
-  // The point of the ray on one such edge. O(1).
+  // The point where the ray meets one such edge. O(1).
   Hit hit_on(const Vec2& u, std::uint32_t edge) const;
 
  private:

@@ -1,4 +1,6 @@
-// Chords from a vertex through C: the arithmetic that vertex-chords and section ends share.
+// Chords from a vertex through C: the arithmetic that vertex-chords and section ends share. The
+// section of an edge is the part of it on which chords of a pair end (docs/algorithm.md, Edge
+// pairs).
 #pragma once
 
 #include <cstdint>
@@ -42,7 +44,7 @@ bool points_right(const Vec2& direction);
 // The shorter of two positive lengths divided by the longer.
 double load_ratio(double arm1, double arm2);
 
-// Whether the ends agree within the distance `near`, in either order.
+// Whether the ends of two chords agree within the distance `near`, in either order.
 bool same_chord(const Chord& a, const Chord& b, double near);
 
 }  // namespace evenlift

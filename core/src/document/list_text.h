@@ -8,8 +8,8 @@
 
 namespace evenlift {
 
-// Calls read(item) until it refuses one. Between quotes, a space is part of an item. Returns
-// whether it accepts all. O(bytes).
+// Calls read(item) for one item after another until it refuses one. Between quotes, spaces, tabs
+// and line ends are part of an item. Returns whether all items were accepted. O(bytes).
 template <class Read>
 bool for_each_item(std::string_view text, Read read) {
   constexpr std::string_view spaces = " \t\r\n";
@@ -27,8 +27,8 @@ bool for_each_item(std::string_view text, Read read) {
   }
 }
 
-// The first item that cannot be read; empty if there is none or it is not quotable. `read` returns
-// what an item means, or nothing. O(bytes).
+// The first item that cannot be read; empty if all can be read, or if that item is not quotable
+// (is_quotable()). `read` returns the meaning of an item, or nothing. O(bytes).
 template <class Read>
 std::string_view refused_item(std::string_view text, Read read) {
   std::string_view refused;

@@ -1,5 +1,6 @@
-// The values of settings: from text, to text, and whether they are in range. The type of a value
-// determines its syntax, so a row of the table in settings.cpp needs only its member and range.
+// Reads the values of settings from text, writes them as text, and checks their ranges. The type of
+// a value determines its syntax, so a row of the table in settings.cpp names only its member and
+// range.
 #pragma once
 
 #include <cstdint>
@@ -77,7 +78,7 @@ std::string text_of(Name value, const SettingRange&) {
   return std::string(name(value));
 }
 
-// --- Any of these, or nothing
+// --- A value of one of these types, or nothing
 
 template <class Value>
 bool is_within(const std::optional<Value>& value, const SettingRange& range) {
@@ -89,7 +90,7 @@ std::string text_of(const std::optional<Value>& value, const SettingRange& range
   return value ? text_of(*value, range) : std::string(range.unset);
 }
 
-// Stores the parsed value if it is in range. Returns whether it is.
+// Stores the parsed value if it is valid and in range. Returns whether it is.
 template <class Value>
 bool take(std::string_view text, const SettingRange& range, Value& value) {
   const std::optional<Value> read = parsed(text, range, Value{});

@@ -10,19 +10,19 @@ namespace evenlift {
 class Dyadic {
  public:
   Dyadic() = default;
-  explicit Dyadic(double value);  // finite
+  explicit Dyadic(double value);  // the value must be finite
 
   int sign() const { return sign_; }
 
-  // A double with the same sign and a relative error of at most 2^-52, at least the smallest
-  // positive double and at most the largest in size.
+  // The number as a double: 0 for 0, otherwise a double with the same sign and a relative error of
+  // at most 2^-52. A number beyond the range of doubles becomes the nearest one that is not 0.
   double to_double() const;
 
   friend Dyadic operator+(const Dyadic& a, const Dyadic& b);
   friend Dyadic operator-(const Dyadic& a, const Dyadic& b);
   friend Dyadic operator*(const Dyadic& a, const Dyadic& b);
-  // a / b for b other than 0, both perhaps beyond the range of doubles, with a relative error of at
-  // most 2^-50, plus the rounding of a subnormal result.
+  // The quotient a / b with a relative error of at most 2^-50, plus the rounding of a subnormal
+  // result. b must not be 0. Both a and b may be beyond the range of doubles.
   friend double approximate_quotient(const Dyadic& a, const Dyadic& b);
   Dyadic operator-() const;
 

@@ -41,7 +41,7 @@ inline double line_pseudo_angle(const Vec2& u) {
   return (u.y() > 0 ? 2.0 : -2.0) - u.x() / u.y();
 }
 
-// How C sees an item of for_each_between.
+// The direction in which C sees an item of for_each_between(), relative to the two corners.
 enum class SeenAt : std::uint8_t { first_corner, between, second_corner };
 
 // Calls visit(item, seen_at) counter-clockwise for the items that C sees between two corners of H

@@ -1,6 +1,6 @@
 // Sorting by index, with type erasure: one std::stable_sort instantiation serves all orders, since
-// six added 9 KB to the compressed page. Code that mostly sorts (candidates, the selector) has its
-// own.
+// six of them added 9 KB to the compressed page. Code that mostly sorts (candidates, the selector)
+// has sorts of its own.
 #pragma once
 
 #include <cstddef>
@@ -42,7 +42,8 @@ inline bool lexicographically_before(const Vec2& a, const Vec2& b) {
   return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
 }
 
-// From left to right, points with equal x from bottom to top, equal points by index. O(n log n).
+// The indices of the points from left to right, with equal x from bottom to top; equal points are
+// in order of index. O(n log n).
 SortedIndices lexicographic_order(const Points& points);
 
 }  // namespace evenlift

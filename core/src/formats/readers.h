@@ -16,7 +16,7 @@ Result<Document> read_thesis(std::string_view text);
 Result<Document> read_wkt(std::string_view text);
 Result<Document> read_geojson(std::string_view text);
 
-// Shared messages.
+// Messages that the readers share.
 inline constexpr char no_third_coordinate[] = "coordinates beyond x and y are not supported";
 inline constexpr char no_more_vertices[] = "the polygon has more than 1048576 vertices";
 inline constexpr char no_vertices[] = "the polygon has no vertices";
@@ -29,13 +29,13 @@ static_assert(max_vertices == 1048576 && max_holes == 1000 && max_cargo == 1000,
 // Whether the word is WKT's name for another geometry than a polygon, in either case. O(1).
 bool names_other_geometry(std::string_view word);
 
-// Reads the rings of a WKT polygon and their parentheses: the outline and at most `most_holes`
-// holes, each without a last vertex that equals the first. Counts positions with coordinates beyond
-// x and y in `beyond`, or refuses them if it is null. O(bytes).
+// Reads the parentheses and rings of a WKT polygon: the outline and at most `most_holes` holes. A
+// ring's last vertex is dropped if it equals the first. Positions with coordinates beyond x and y
+// are counted in `beyond`, or refused if `beyond` is null. O(bytes).
 std::optional<InputError> take_wkt_polygon(TextCursor& cursor, Document& document,
                                            std::size_t most_holes, std::size_t* beyond);
 
-// Whether the word is Z, M or ZM, for further coordinates. O(1).
+// Whether the word is Z, M or ZM, which announce further coordinates. O(1).
 bool names_wkt_dimensions(std::string_view word);
 
 // Drops the last vertex if it equals the first. O(1).

@@ -26,13 +26,13 @@ inline std::int64_t turn(const GridPoint& a, const GridPoint& b, const GridPoint
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Twice the signed area, positive counter-clockwise, rounded.
+// Twice the signed area, rounded; positive for counter-clockwise vertices.
 double doubled_area(const std::vector<GridPoint>& vertices);
 
-// 10^decimals, exact.
+// Returns 10^decimals, exactly.
 double units(int decimals);
 
-// Halves round away from zero, so that symmetric shapes stay symmetric.
+// The nearest integer. Halves round away from zero, so that symmetric shapes stay symmetric.
 std::int64_t nearest(double value);
 
 GridPolygon regular(std::size_t n);           // O(n)

@@ -13,16 +13,16 @@ namespace evenlift {
 
 class ContactFinder {
  public:
-  // The polygon must outlive it. O(n log n).
+  // The polygon must outlive the finder. O(n log n).
   explicit ContactFinder(const Polygon& polygon);
 
-  // Equals contacts() (closure.h). O(m log n) for m points, if few vertices lie within tau L of one
-  // another.
+  // Returns the same as contacts() (closure.h). O(m log n) for m points, if few vertices lie within
+  // tau L of one another.
   std::vector<Contact> find(const std::vector<LiftingPoint>& points) const;
 
  private:
-  // A square of a grid with the side 4 tau L, so that all points within tau L of a point are in
-  // four squares.
+  // A cell of a grid of squares with side 4 tau L. All points within tau L of a given point lie in
+  // at most four of these squares.
   using Cell = std::array<double, 2>;
   Cell cell_of(const Vec2& p) const;
   std::optional<std::uint32_t> vertex_at(const Vec2& p) const;

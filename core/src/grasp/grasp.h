@@ -9,8 +9,8 @@
 
 namespace evenlift {
 
-// Each contact's edge is directed with the interior on its left, so the inward normal is its
-// direction turned by +90 degrees.
+// The edge of each contact is directed with the interior on its left. So the inward normal is the
+// edge's direction turned by +90 degrees.
 struct Grasp {
   struct Touch {
     Vec2 from, to;  // the ends of the edge, as directed
@@ -20,25 +20,25 @@ struct Grasp {
     Vec2 inward() const { return left_normal(to - from) / length(to - from); }
   };
   Vec2 centre;
-  double diagonal = 0;  // of the bounding box
+  double diagonal = 0;  // the diagonal of the bounding box
   double diameter = 0;  // L
   double near = 0;
   double radius = 0;  // R: the largest distance of a vertex from C
   std::vector<Touch> touches;
 };
 
-// The grasp with these contacts, but of those on edges of one direction only the first and the
-// last: the wrenches and normal lines of the others lie between theirs and add nothing. `radius` is
-// R. O(m log e) for m contacts on e edges.
+// Returns the grasp with these contacts. If several are on edges of the same direction, it keeps
+// only the first and the last: the wrenches and normal lines of the others lie between those of
+// these two and add nothing. `radius` is R. O(m log e) for m contacts on e edges.
 Grasp make_grasp(const Polygon& polygon, const Vec2& centre, double radius,
                  const std::vector<Contact>& contacts);
 
-// The position along the edge from the foot of the perpendicular from C, times the edge's length.
-// O(1).
+// The touch's position along its edge, measured from the foot of the perpendicular from C, times
+// the edge's length. O(1).
 double along(const Grasp& grasp, const Grasp::Touch& touch);
 
-// With torques in units of R, and sorted by edge and torque, so that the margin does not depend on
-// the order of the robots. O(m log m).
+// The wrenches of the touches, with torques in units of R. They are sorted by edge and torque, so
+// that the margin does not depend on the order of the robots. O(m log m).
 std::vector<Wrench> wrenches(const Grasp& grasp);
 
 }  // namespace evenlift

@@ -1,5 +1,5 @@
-// The levels of a margin compare sets of teams or balanced robots with the goal hold
-// (algorithm.md).
+// With the goal hold, choices of teams and sets of balanced robots are compared by the level of
+// their margin (algorithm.md).
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace evenlift {
 
 inline constexpr std::uint32_t best_level = 3;
 
-// The margins of the levels 1 to 3, ascending.
+// The least margins of levels 1, 2 and 3, ascending.
 using LevelBounds = std::array<double, best_level>;
 inline LevelBounds level_bounds(double min_margin) {
   constexpr double least_margin = 0.001, halfway = 0.4;
@@ -20,7 +20,7 @@ inline LevelBounds level_bounds(double min_margin) {
   return bounds;
 }
 
-// 0 without a margin.
+// The level of a margin, 0 .. best_level; 0 if there is no margin.
 inline std::uint32_t level_of(const std::optional<double>& margin, const LevelBounds& bounds) {
   if (!margin) return 0;
   return static_cast<std::uint32_t>(std::upper_bound(bounds.begin(), bounds.end(), *margin) -

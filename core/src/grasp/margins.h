@@ -1,4 +1,4 @@
-// The margins of many grasps of one object, by the contacts far enough from corners.
+// The margins of many grasps of one object. Only contacts far enough from corners count.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,11 @@ namespace evenlift {
 
 class Margins {
  public:
-  // The polygon must outlive it. Contacts nearer than `clear` to a corner do not count. O(n log n).
+  // The polygon must outlive this object. Contacts nearer than `clear` to a corner do not count.
+  // O(n log n).
   Margins(const Polygon& polygon, const Vec2& centre, double clear);
 
-  // Equals the margin of analyse_hold() for the clear_contacts() of these points. O(m log n) and
+  // Returns the margin of analyse_hold() for the clear_contacts() of these points. O(m log n), and
   // the cost of wrench_margin().
   std::optional<double> of(const std::vector<LiftingPoint>& points) const;
 

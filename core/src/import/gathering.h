@@ -1,4 +1,4 @@
-// Gathers a reader's shapes, and what is left out.
+// Gathers the shapes that a reader finds, and counts the objects that it leaves out.
 #pragma once
 
 #include <optional>
@@ -14,21 +14,21 @@
 
 namespace evenlift {
 
-// Points closer than this part of the larger side count as one: drawings repeat points, and ends
+// Points closer than this share of the larger side count as one: drawings repeat points, and ends
 // that should meet differ a little.
 inline constexpr double same_point = 1e-5;
 
 double larger_side(const Box& box);
 
-// Rounded to at most four digits, such as 12.35 or 120.
+// Writes the value rounded to at most four digits, such as 12.35 or 120.
 std::string short_number(double value);
 
 std::string counted(std::size_t count, std::string_view one, std::string_view many);
 
-// The user's text in quotation marks, where it is never translated.
+// Puts the user's text in quotation marks. It is never translated.
 std::string in_quotes(std::string_view text);
 
-// Valid UTF-8 of at most 80 characters, on one line.
+// The name as valid UTF-8 of at most 80 characters, on one line.
 std::string clean_name(std::string_view name);
 
 // Counts objects by name.
@@ -36,7 +36,7 @@ class LeftOut {
  public:
   void add(std::string_view one, std::string_view many);
   bool empty() const { return counts_.empty(); }
-  // "2 texts and 1 dimension", in the order of first appearance.
+  // The counts in words, such as "2 texts and 1 dimension", in the order of first appearance.
   std::string list() const;
   std::size_t total() const;
 
@@ -63,34 +63,37 @@ class Gathering {
   Import import;
   LeftOut left_out;
 
-  // Adds what a fill makes of closed parts, or each as an outline, of which finish() makes shapes
-  // and holes. A problem leaves out only its part.
+  // Adds the shapes that the fill makes of the closed parts. Without a fill, each part is added as
+  // an outline, and finish() makes shapes and holes of the outlines. A part with a problem is left
+  // out; the others remain.
   void add(const DrawnShape& drawn);
   // Joins open pieces. If `closes_alone`, a straight edge closes a piece that meets no other. Notes
-  // what was joined, dropped and left open.
+  // tell which pieces were joined, dropped and left open.
   void add_joined(const std::vector<DrawnPiece>& pieces, bool closes_alone);
-  // Where two ends stayed open, as part of a sentence; or empty.
+  // A part of a sentence that says where two ends stayed open; empty if no ends did.
   const std::string& gap() const { return gap_; }
   // Adds vertices and holes unchanged.
   void add(Document document, std::string_view name, std::string_view kind);
   // Leaves out the shape with this error.
   void add_problem(InputError error);
-  // No room for more shapes or vertices: a reader may stop.
+  // Whether the limit of shapes or vertices is reached, so that a reader may stop.
   bool full() const { return full_.has_value(); }
-  // The most holes kept for a shape; unlimited if they are left out later.
+  // The most holes kept for a shape; max_vertices, in effect unlimited, if holes are left out
+  // later.
   std::size_t most_holes() const { return options_.holes ? max_holes : max_vertices; }
-  // Degrees are converted after reading, so they need no note.
+  // Whether degrees are converted after reading, so that they need no note.
   bool projects() const { return options_.project; }
   // Adds the sentence, translated.
   void note(std::string_view sentence);
 
-  // Without a shape, returns the first problem, or else `nothing`.
+  // Finishes and returns the import. If it has no shape, returns the first problem, or `nothing` if
+  // there were no problems.
   Result<Import> finish(InputError nothing);
 
  private:
   struct Drawn {
     bool filled;
-    std::size_t path, part;  // numbers
+    std::size_t path, part;  // counted from 1
   };
   struct Flattened;
 
@@ -107,7 +110,7 @@ class Gathering {
   std::string gap_;
   double left_open_ = 0;  // the greatest_open of the pieces (joining.h)
   std::size_t open_points_ = 0;
-  std::vector<Drawn> drawn_;  // of each shape, if they are outlines of a drawing
+  std::vector<Drawn> drawn_;  // by shape, if the shapes are outlines of a drawing
   std::size_t paths_ = 0;
   std::size_t outlines_ = 0;  // shapes, and holes that came with an outline of a drawing
   std::size_t without_area_ = 0, problems_ = 0;

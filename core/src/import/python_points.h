@@ -7,11 +7,12 @@
 
 namespace evenlift {
 
-// Whether the text has only numbers, commas, brackets and parentheses, and begins with "((", "[("
-// or "[[" or has a comma after its first "(x, y)", unlike the thesis's text. O(bytes).
+// Whether the text has only numbers, commas, brackets and parentheses, and either begins with "((",
+// "[(" or "[[", or has a comma after its first "(x, y)". The thesis's text has no such comma.
+// O(bytes).
 bool looks_like_python(std::string_view text);
 
-// Each list of points is a shape. O(bytes).
+// Reads each list of points as a shape. O(bytes).
 Result<Import> read_python_points(std::string_view text, const ImportOptions& options);
 
 }  // namespace evenlift

@@ -11,18 +11,18 @@ namespace evenlift {
 Result<Import> read_svg(std::string_view text, const ImportOptions& options);
 Result<Import> read_dxf(std::string_view text, const ImportOptions& options);
 Result<Import> read_columns(std::string_view text, const ImportOptions& options);
-// GeoJSON, arrays of points, and results.
+// Reads GeoJSON, arrays of points, and evenlift's results.
 Result<Import> read_json_shapes(std::string_view text, const ImportOptions& options);
 
-// Whether the text begins, after any comments, with pairs of lines, a code and a value, first 0 and
-// SECTION. O(bytes until then).
+// Whether the text begins, after any comments, with a DXF section: pairs of lines, a code and a
+// value, of which the first are 0 and SECTION. O(bytes until there).
 bool looks_like_dxf(std::string_view text);
 
-// For the message about a text in no known format.
+// A part of the message about a text in no known format.
 inline constexpr char known_formats[] =
     "evenlift reads lines \"x, y\", columns of a table (CSV), SVG, DXF, WKT and GeoJSON";
 
-// For files of robots' poses that evenlift saved.
+// The message about a file of robots' poses that evenlift saved.
 inline constexpr char robots_are_no_polygon[] =
     "these are the robots of a result, not a polygon: open the JSON saved with them, which contains the "
     "polygon and all settings";

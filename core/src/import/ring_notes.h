@@ -1,5 +1,5 @@
-// What readers of rings leave out or suspect, and notes about it: one rule for WKT, GeoJSON, other
-// JSON and tables.
+// Counts of the vertices and heights that readers of rings leave out, and notes about them and
+// about degrees. WKT, GeoJSON, other JSON and tables share this rule.
 #pragma once
 
 #include <cstddef>
@@ -14,22 +14,22 @@ namespace evenlift {
 struct RingNotes {
   std::size_t repeated = 0;  // vertices at the place of the one before
   std::size_t heights = 0;   // positions with coordinates beyond x and y
-  bool are_degrees = false;  // says the text
+  bool are_degrees = false;  // the text says that its coordinates are degrees
   // The note about degrees.
   std::string_view in_degrees =
       "the coordinates are degrees of longitude and latitude, not lengths";
 
   // Drops and counts vertices that equal the one before; the last may equal the first. O(n).
   void drop_repeated(Points& ring);
-  // The import must have all its shapes. O(vertices).
+  // Adds the notes to the import, which must already have all its shapes. O(vertices).
   void add_to(Gathering& gathering) const;
 };
 
-// Around all vertices. O(vertices).
+// The box around all vertices. O(vertices).
 Box box_of(const std::vector<ImportedShape>& shapes);
 
-// Whether a reference system with this code is in degrees: WGS 84 and the national ones most common
-// in files. O(1).
+// Whether the reference system with this code is one in degrees. It knows WGS 84 and the national
+// systems most common in files. O(1).
 bool is_in_degrees(double code);
 
 }  // namespace evenlift

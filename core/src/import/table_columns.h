@@ -12,23 +12,24 @@ namespace evenlift {
 
 struct CellStyle {
   char separator = ' ';
-  bool decimal_comma = false;  // allowed
+  bool decimal_comma = false;  // decimal commas are allowed
 };
 
-// O(cells).
+// The numbers of the columns whose cells are numbers. O(cells).
 std::vector<std::size_t> number_columns(const Fields& cells, const CellStyle& style);
 
 // Whether each cell is empty, or has a digit and only characters of numbers. O(cells).
 bool has_only_digits(const Fields& cells);
 
-// The style of the first line that begins with a number and has two, even before headings; else of
-// the first with two numbers, such as after a name; else of the first with a digit. Where commas
-// part cells, decimal commas are allowed if quoted cells of the first lines can have nothing else.
-// O(first lines).
+// The style of the first line that begins with a number and has two numbers, even before headings.
+// If there is no such line, it is the style of the first line with two numbers, such as after a
+// name; without one, of the first line with a digit. Where commas part cells, decimal commas are
+// allowed if the commas in quoted cells of the first lines can be nothing else. O(first lines).
 CellStyle style_of_table(std::string_view text);
 
-// Those `columns` with two or more runs of at least three equal cells, as numbers or names of
-// shapes have. Coordinates do not: three vertices in a row would be on one line. O(bytes).
+// The numbers of those `columns` that consist of two or more runs, each of at least three equal
+// cells. Numbers and names of shapes do. Coordinates do not: three vertices in a row would be on
+// one line. O(bytes).
 std::vector<std::size_t> columns_of_shapes(std::string_view rows, const CellStyle& style,
                                            const std::vector<std::size_t>& columns);
 
@@ -38,10 +39,10 @@ struct ChosenColumns {
   std::string note;                 // empty if no other columns have numbers
 };
 
-// Two columns with numbers in the first row. Drops those whose headings name numbers of points or
-// heights, those that stay the same, and those that number the lines, while two others remain.
-// `rows` begins with the first row. There may be fewer headings than columns. At least two columns
-// must have numbers. O(bytes).
+// Chooses two of the columns with numbers in the first row. It drops a first column that numbers
+// the shapes, columns whose headings name numbers of points or heights, columns that stay the same,
+// and columns that number the lines, as long as two others remain. `rows` begins with the first
+// row. There may be fewer headings than columns. At least two columns must have numbers. O(bytes).
 ChosenColumns choose_columns(std::string_view rows, const CellStyle& style, const Fields& first_row,
                              const Fields& headings);
 

@@ -5,7 +5,7 @@
 
 namespace evenlift {
 
-// "millimetres"; empty without a unit.
+// The unit's full name, such as "millimetres"; empty for LengthUnit::none.
 inline const char* in_full(LengthUnit unit) {
   switch (unit) {
     case LengthUnit::m:

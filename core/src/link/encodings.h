@@ -13,8 +13,8 @@ struct QuantizedPolygon {
   QuantizedVertices quantized;
 };
 
-// At least one, and several for a small polygon. Compares only integers, so every platform chooses
-// the same. O(n).
+// Returns at least one encoding, and several for a small polygon. It compares only integers, so
+// every platform chooses the same. O(n).
 std::vector<QuantizedPolygon> likely_encodings(const Points& vertices);
 
 }  // namespace evenlift

@@ -15,25 +15,25 @@ namespace evenlift {
 bool is_decimal_digit(char c);
 bool is_white_space(char c);
 
-// The end of the link from `begin` in a text up to `end`. It excludes what follows '&' in an
-// address, such as parameters of visit counters, and punctuation and closing brackets around the
-// link, but not the full stop after the version.
+// The end of the link that starts at `begin` in a text that ends at `end`. The link ends before an
+// '&' in an address, after which parameters of visit counters may follow. Punctuation and closing
+// brackets around the link are not part of it, but the full stop after the version is.
 std::size_t end_of_link(std::string_view text, std::size_t begin, std::size_t end);
 
-// 0 .. 63.
+// The value 0 .. 63 of a digit; nullopt if the character is not a digit.
 std::optional<std::uint8_t> digit_of(char c);
 
-// The error's place is the link, and the character if it is not 0.
+// Makes an error whose place is the link, and the character's number from 1 unless it is 0.
 InputError link_error(ErrorCode code, std::string message, std::size_t character = 0);
 
-// A link cannot contain the character at `at`.
+// The error that a link cannot contain the character at `at`.
 InputError bad_character(std::string_view text, std::size_t at);
 
-// `link` is its version so far: appends the digits and the checksum. O(digits).
+// Appends the digits and the checksum to `link`, which so far holds the version. O(digits).
 void append_digits(std::string& link, const Digits& digits);
 
-// The digits from `payload` to the checksum of the link [begin, end), or why they cannot be right.
-// O(end - begin).
+// The digits from `payload` to the checksum of the link [begin, end), or an error that says why
+// they cannot be right. O(end - begin).
 Result<Digits> read_digits(std::string_view text, std::size_t begin, std::size_t payload,
                            std::size_t end);
 

@@ -11,24 +11,25 @@
 
 namespace evenlift {
 
-// Predicts a coordinate's number from the vertices before, on the same axis.
+// Predicts a coordinate's number from the numbers of earlier vertices on the same axis.
 enum class Predictor : std::uint8_t {
   nothing,   // always 0
   previous,  // the last vertex's number
   line,      // extrapolates the last two linearly
-  repeat     // the last one plus the step four vertices ago, for combs
+  repeat     // adds the step four vertices ago to the last number, for combs
 };
 inline constexpr Predictor all_predictors[] = {Predictor::nothing, Predictor::previous,
                                                Predictor::line, Predictor::repeat};
 
-// The writer tries several encodings and keeps the shortest.
+// The settings with which vertices are coded. The writer tries several encodings and keeps the
+// shortest.
 struct Encoding {
   Scale scale{0};
   Predictor predictor = Predictor::nothing;
 };
 
-// A value without a number on the scale is `escaped`: the link contains the double itself, and
-// later predictions use the number predicted here.
+// A value that has no number on the scale is `escaped`: the link contains the double itself, and
+// later predictions use the number that was predicted for it.
 struct QuantizedCoordinate {
   double value = 0;
   std::int64_t number = 0;
@@ -36,7 +37,7 @@ struct QuantizedCoordinate {
 };
 using QuantizedVertices = std::vector<std::array<QuantizedCoordinate, 2>>;
 
-// For vertex i. Wraps around beyond 64 bits. O(1).
+// The predicted number for vertex i. It wraps around beyond 64 bits. O(1).
 inline std::uint64_t predict(Predictor predictor, const QuantizedVertices& quantized, std::size_t i,
                              std::size_t axis) {
   const auto back = [&](std::size_t steps) {
@@ -48,7 +49,7 @@ inline std::uint64_t predict(Predictor predictor, const QuantizedVertices& quant
   return back(1);
 }
 
-// O(n).
+// The vertices' coordinates with their numbers on the scale. O(n).
 QuantizedVertices quantize(const Scale& scale, const Points& vertices);
 
 }  // namespace evenlift

@@ -1,5 +1,5 @@
-// Coordinates as integers, without loss: steps of a decimal grid, or the doubles in ascending
-// order.
+// Turns coordinates into integers without loss. They number the steps of a decimal grid, or the
+// doubles in ascending order.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace evenlift {
 
-// Numbers doubles.
+// A scale gives doubles their numbers.
 class Scale {
  public:
   static constexpr int most_decimals = 22;           // 10^22 is the largest power that is a double
@@ -20,10 +20,10 @@ class Scale {
   bool decimal() const { return kind_ != doubles; }
   int zero_bits() const { return zero_bits_; }
 
-  // nullopt if a finite value has no number. O(1). With k decimals it is the only integer m, |m| <
-  // 2^51, for which m / 10^k, rounded once, is the value in every bit; -0 has none. With `doubles`
-  // it is the bit pattern of the absolute value, complemented for a negative value: numbers ascend
-  // with values, 0 has number 0, and -0 has number -1.
+  // nullopt if a finite value has no number. O(1). With k decimals, the number is the only integer
+  // m, |m| < 2^51, for which m / 10^k, rounded once, is the value in every bit; -0 has no number.
+  // With `doubles`, the number is the bit pattern of the absolute value, complemented for a
+  // negative value. So numbers ascend with values, 0 has number 0, and -0 has number -1.
   std::optional<std::int64_t> number_of(double value) const;
 
   // The inverse of number_of. Any number has a value, which may be infinite or NaN. O(1).
@@ -34,7 +34,8 @@ class Scale {
   int zero_bits_;
 };
 
-// The least k for which Scale(k) has a number for a finite value, else Scale::doubles. O(1).
+// The least k for which Scale(k) has a number for this finite value; Scale::doubles if there is no
+// such k. O(1).
 int decimals_of(double value);
 
 }  // namespace evenlift

@@ -3,8 +3,8 @@
 // on a whole link. Programs that read links must follow docs/link-format.md, "Coder".
 //
 // Encoder and Decoder have the same members, which take the value to write and return the value
-// read: the encoder returns its argument, the decoder ignores it. So one template over the coder
-// describes the format in both directions. For example,
+// read: the encoder returns its argument, the decoder ignores it. So one template with the coder as
+// its parameter describes the format in both directions. For example,
 //
 //   settings.seed = code_integer(coder, settings.seed, 64);
 //
@@ -23,8 +23,8 @@ using Digits = std::vector<std::uint8_t>;  // each 0 .. 63
 
 // One adaptive binary decision. The more frequent value takes fewer bits.
 struct BitModel {
-  std::uint16_t count[2];   // of false and of true so far
-  void update(bool value);  // counts one more; O(1)
+  std::uint16_t count[2];   // how often false and true came so far
+  void update(bool value);  // counts one more value; O(1)
 };
 
 class Encoder {
@@ -33,12 +33,13 @@ class Encoder {
 
   // Codes one of `count` equally likely values 0 .. count - 1; 1 <= count <= 4096. Amortized O(1).
   std::uint32_t code_uniform(std::uint32_t value, std::uint32_t count);
-  // Codes one bit by the model, and updates it. Amortized O(1).
+  // Codes one bit by the model, and updates the model. Amortized O(1).
   bool code_bit(bool value, BitModel& model);
   bool failed() const { return false; }
   void fail() {}
 
-  // The fewest digits that a decoder can read. The encoder is unusable afterwards. Amortized O(1).
+  // Returns the fewest digits from which a decoder reads the values. The encoder is unusable
+  // afterwards. Amortized O(1).
   Digits finish();
 
  private:
@@ -56,11 +57,11 @@ class Decoder {
 
   explicit Decoder(std::span<const std::uint8_t> digits);
 
-  // After a failure they return 0, so check failed() before using a value.
+  // After a failure these two functions return 0, so check failed() before using a value.
   std::uint32_t code_uniform(std::uint32_t, std::uint32_t count);
   bool code_bit(bool, BitModel& model);
 
-  // The digits end too early, or no encoder writes them.
+  // Whether the digits end too early, or no encoder writes them.
   bool failed() const { return failed_; }
   void fail() { failed_ = true; }
 
@@ -75,9 +76,9 @@ class Decoder {
   bool failed_ = false;
 };
 
-// --- Codes built from these two; all O(1)
+// --- Codes built from code_uniform() and code_bit(); all O(1)
 
-// The lowest `count` bits of value, 0 <= count <= 64.
+// Codes the lowest `count` bits of value, 0 <= count <= 64.
 template <class Coder>
 std::uint64_t code_bits(Coder& coder, std::uint64_t value, int count) {
   std::uint64_t result = 0;
@@ -90,7 +91,7 @@ std::uint64_t code_bits(Coder& coder, std::uint64_t value, int count) {
   return result;
 }
 
-// A value of 0 .. greatest; all are about equally likely.
+// Codes a value of 0 .. greatest; all are about equally likely.
 template <class Coder>
 std::uint64_t code_up_to(Coder& coder, std::uint64_t value, std::uint64_t greatest) {
   const int width = static_cast<int>(std::bit_width(greatest));
@@ -102,8 +103,8 @@ std::uint64_t code_up_to(Coder& coder, std::uint64_t value, std::uint64_t greate
   return result;
 }
 
-// An integer below 2^widest: its width, then the bits below the leading one (an Elias code with a
-// uniform width).
+// Codes an integer below 2^widest: its width, then the bits below its leading 1 (an Elias code with
+// a uniform width).
 template <class Coder>
 std::uint64_t code_integer(Coder& coder, std::uint64_t value, int widest) {
   const auto width = static_cast<int>(coder.code_uniform(

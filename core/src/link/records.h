@@ -1,7 +1,7 @@
 // The records of share links of version 2: settings added after version 1. A record is a tag, the
 // number of bytes of its payload, and the payload: a setting's text as for read_setting(). The
-// records of supports and holes instead hold numbers of points and, like the vertices, their
-// coordinates. They are in order of tag, and tag 0 ends them.
+// records of supports and holes instead hold numbers of points, and the points' coordinates coded
+// like the vertices. Records are in order of tag, and tag 0 ends them.
 #pragma once
 
 #include <cstddef>
@@ -16,15 +16,15 @@
 
 namespace evenlift {
 
-// The number of a record never changes. Those of settings are in their rows (settings.h), the
-// others here. docs/link-format.md lists all, and the reserved ones, so that no two later versions
-// use a number differently.
+// The number of a kind of record, which never changes. The numbers of settings are in the settings'
+// rows (settings.h), the others here. docs/link-format.md lists all of them and the reserved ones,
+// so that no two later versions use a number differently.
 using Tag = std::uint8_t;
 namespace tag {
 inline constexpr Tag end = 0;
-inline constexpr Tag units = 11;  // of lengths and weights, with a comma before the latter
+inline constexpr Tag units = 11;  // the unit of lengths, a comma, and the unit of weights
 inline constexpr Tag holes = 13;
-inline constexpr Tag halo = 18;   // overlays without own settings
+inline constexpr Tag halo = 18;   // the overlays that have no settings of their own
 inline constexpr Tag moved = 19;  // robots moved by hand
 inline constexpr Tag supports = 21;
 inline constexpr Tag tilt = 28;
@@ -48,20 +48,22 @@ struct CodedLists {
   std::vector<std::size_t> hole_sizes;
 };
 
-// None if version 1 can represent the document. O(robots moved by hand).
+// The document's records; empty if version 1 can represent the document. O(robots moved by hand).
 Records records_of(const Document& document);
 
-// The tags must be known. Returns whether each value is valid for its setting. O(bytes).
+// Sets the document's settings from the records, whose tags must be known. Returns whether each
+// value is valid for its setting. O(bytes).
 bool take_records(const Records& records, Document& document);
 
-// A decoder replaces the records. It fails at a payload longer than any known setting, and stops at
-// an unknown tag, which remains the last record. O(bytes).
+// Widths in bits of the numbers that code_records() codes in O(bytes). A decoder fills the records.
+// It fails at a payload longer than any value of its setting, and stops at an unknown tag, which
+// remains the last record.
 inline constexpr int widest_tag = 8, widest_length = 20, widest_supports = 10, widest_holes = 10,
                      widest_hole = 16;
 static_assert(most_supports < 1u << widest_supports && max_holes < 1u << widest_holes);
 bool is_known(Tag tag);
 
-// In bytes: a number has at most 24. O(1).
+// The most bytes of a value of this record; a number has at most 24. O(1).
 std::size_t longest_value(Tag tag);
 
 template <class Coder>
@@ -90,8 +92,8 @@ void code_holes(Coder& coder, CodedPoints& holes, std::vector<std::size_t>& size
   if (!coder.failed()) code_points(coder, holes, all);
 }
 
-// Returns whether the record holds points. A decoder refuses a repeated one, which would add to the
-// points.
+// Codes the record if it holds points, and returns whether it does. A decoder refuses a repeated
+// record, which would add to the points.
 template <class Coder>
 bool code_points_of(Coder& coder, Tag number, CodedLists& lists) {
   if (number != tag::supports && number != tag::holes) return false;

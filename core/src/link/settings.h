@@ -12,12 +12,12 @@
 
 namespace evenlift {
 
-// What a link omits: the defaults of 1.0.0, still the same. If a default changes, set the old value
-// here (test_link.cpp).
+// The defaults of version 1.0.0, which a link omits. They are still the defaults. If a default
+// changes, set the old value here (test_link.cpp).
 inline Document defaults_of_links() { return {}; }
 
-// The settings of version 1. Later ones keep their defaults here, and have records where needed
-// (records.h).
+// The settings of version 1. Settings added later keep their defaults here, and have records where
+// needed (records.h).
 inline Document settings_of_link_1(const Document& document) {
   Document first = defaults_of_links();
   const Settings& settings = document.settings;
@@ -32,7 +32,7 @@ inline Document settings_of_link_1(const Document& document) {
   return first;
 }
 
-// A finite number: as a short decimal if there is one, otherwise as 64 bits. O(1).
+// Codes a finite number as a short decimal if it has one, otherwise as 64 bits. O(1).
 template <class Coder>
 double code_number(Coder& coder, double value) {
   int kind = 0;
@@ -50,7 +50,7 @@ double code_number(Coder& coder, double value) {
   return Scale(kind).value_of(negative ? -number : number);
 }
 
-// Version 1 has no tipping.
+// The overlays of version 1 as bits. Version 1 has no bit for tipping.
 inline std::uint32_t overlay_mask(const Overlays& shown) {
   return (shown.candidates ? 1u : 0u) | (shown.chords ? 2u : 0u) | (shown.lifting_base ? 4u : 0u) |
          (shown.clockwise ? 8u : 0u) | (shown.counterclockwise ? 16u : 0u);
@@ -80,7 +80,7 @@ void code_settings(Coder& coder, Document& document) {
   Settings& settings = document.settings;
   Overlays& overlays = document.shown.overlays;
   std::optional<std::uint32_t>& step = document.shown.step;
-  // Compares bits: -0 and 0 differ.
+  // These comparisons are of bits: -0 and 0 differ.
   const bool ratio = !same_bits(settings.min_ratio, usual.min_ratio);
   const bool weight = !same_bits(settings.weight, usual.weight);
   const auto differs = [&](bool different) {
@@ -101,8 +101,8 @@ void code_settings(Coder& coder, Document& document) {
   if (differs(weight)) settings.weight = code_number(coder, settings.weight);
   if (differs(settings.seed != usual.seed)) settings.seed = code_integer(coder, settings.seed, 64);
   if (differs(!(overlays == defaults.shown.overlays))) {
-    // Default overlays are not written, so here the default mask can mean that tipping is shown.
-    // Then the mask itself follows.
+    // Default overlays are not written, so here the default mask can mean that tipping is shown. If
+    // it does, the mask itself follows.
     const std::uint32_t sign = overlay_mask(defaults.shown.overlays),
                         shown = overlay_mask(overlays);
     std::uint32_t mask = coder.code_uniform(overlays.tipping ? sign : shown, 32);

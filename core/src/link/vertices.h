@@ -1,6 +1,6 @@
 // The vertices in share links of version 1. Each coordinate is quantized to an integer and
-// predicted from the vertices before. The residual, the difference from the prediction, is mostly
-// small. Adaptive models code its zero flag, size and sign.
+// predicted from earlier vertices. The residual is the difference from the prediction and is mostly
+// small. Adaptive models code whether it is zero, its size and its sign.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,8 @@
 
 namespace evenlift {
 
-// A sign, a class of sizes, and the place within that class. Class 0 is 0 itself.
+// A residual, as its sign, its class of sizes, and its place within that class. Class 0 is 0
+// itself.
 struct Residual {
   bool negative = false;
   unsigned size_class = 0;
@@ -36,8 +37,8 @@ class ResidualClasses {
     return exponents_ ? fraction_bits_ : static_cast<int>(size_class) - 1;
   }
 
-  // Class c holds the sizes of c bits, or for unpredicted doubles those with the exponent field c -
-  // 1.
+  // The residual with this number. Class c holds the sizes of c bits; for unpredicted doubles, it
+  // holds the sizes with the exponent field c - 1.
   Residual residual_of(std::uint64_t number) const {
     Residual residual;
     residual.negative = (number >> 63) != 0;
@@ -70,7 +71,8 @@ class ResidualClasses {
   int fraction_bits_;
 };
 
-// Bounds on all residuals of a polygon. The vertices follow them, so impossible cases take no bits.
+// Bounds on all residuals of a polygon. A link holds them before the vertices, so impossible cases
+// take no bits.
 struct Limits {
   unsigned greatest_class = 0;
   bool negatives = false;
@@ -82,7 +84,7 @@ inline bool has_no_prediction(Predictor predictor, std::size_t i) {
   return i == 0 && predictor != Predictor::nothing;
 }
 
-// Also gives escaped coordinates their predicted numbers. O(n).
+// Finds the limits of the residuals, and gives escaped coordinates their predicted numbers. O(n).
 inline Limits limits_of(const Encoding& encoding, QuantizedVertices& quantized) {
   const ResidualClasses classes(encoding);
   Limits limits;
@@ -104,7 +106,7 @@ inline Limits limits_of(const Encoding& encoding, QuantizedVertices& quantized) 
   return limits;
 }
 
-// Codes residuals with models that adapt to those so far.
+// Codes residuals with models that adapt to the earlier residuals.
 template <class Coder>
 class ResidualCoder {
  public:
@@ -135,7 +137,8 @@ class ResidualCoder {
  private:
   static constexpr unsigned steps = 16;
 
-  // One decision per class, from the greatest down. After 16 decisions the class itself follows.
+  // Codes one decision per class, from the greatest down. After 16 decisions the class itself
+  // follows.
   unsigned code_class(unsigned size_class) {
     for (unsigned step = 0; step < steps; ++step) {
       const unsigned asked = limits_.greatest_class - step;
@@ -145,7 +148,7 @@ class ResidualCoder {
     return coder_.code_uniform(Coder::decoding ? 0 : size_class - 1, left) + 1;
   }
 
-  // Only the highest bit has an adaptive model.
+  // Codes the place. Only its highest bit has an adaptive model.
   std::uint64_t code_place(std::uint64_t place, unsigned size_class) {
     const int bits = classes_.place_bits(size_class);
     if (bits == 0) return 0;
@@ -171,7 +174,7 @@ class ResidualCoder {
   std::array<BitModel, steps> class_models_ = all_alike(2);
   std::array<BitModel, steps> high_bit_models_ = all_alike(8);
   std::array<BitModel, 3> sign_models_{BitModel{{4, 4}}, BitModel{{4, 4}}, BitModel{{4, 4}}};
-  unsigned zeros_before_ = 0;              // of the last two residuals
+  unsigned zeros_before_ = 0;              // the zero flags of the last two residuals
   std::array<unsigned, 2> sign_before_{};  // per axis: 0 none, 1 positive, 2 negative
 };
 
@@ -206,7 +209,7 @@ Limits code_limits(Coder& coder, Limits limits, const Encoding& encoding,
   return limits;
 }
 
-// O(1).
+// Codes the number of a coordinate without prediction. O(1).
 template <class Coder>
 std::int64_t code_unpredicted(Coder& coder, std::int64_t number) {
   auto size = static_cast<std::uint64_t>(number);
@@ -217,9 +220,9 @@ std::int64_t code_unpredicted(Coder& coder, std::int64_t number) {
   return static_cast<std::int64_t>(negative ? 0 - size : size);
 }
 
-// Codes the vertices, and their encoding, which it returns. Both coders must know `count`. The
-// encoder takes `quantized` in the encoding's scale. The decoder fills it, and stops early if it
-// fails. O(count).
+// Codes the vertices' encoding and the vertices. Returns the encoding. Both coders must know
+// `count`. For an encoder, `quantized` must hold numbers on the encoding's scale. A decoder fills
+// `quantized`, and stops early if it fails. O(count).
 template <class Coder>
 Encoding code_vertices(Coder& coder, Encoding encoding, QuantizedVertices& quantized,
                        std::size_t count) {

@@ -1,5 +1,6 @@
-// A JSON text as events: values with places, numbers as the nearest doubles, errors as InputError.
-// It wraps the event reader of nlohmann-json, which neither recurses nor builds a tree.
+// Reads a JSON text as events: values with their places, numbers as the nearest doubles, and errors
+// as InputError. It wraps the event reader of nlohmann-json, which neither recurses nor builds a
+// tree.
 #pragma once
 
 #include <cstddef>
@@ -15,24 +16,25 @@ namespace evenlift {
 struct JsonValue {
   enum class Kind : std::uint8_t { object, array, string, number, boolean, null };
   Kind kind;
-  std::size_t offset;  // of the first byte of an object or array, of the last byte of other values
-  double number;       // the nearest double, finite
+  std::size_t offset;     // the first byte of an object or array, the last byte of other values
+  double number;          // the nearest double, finite
   std::string_view text;  // for a string
 };
 
-// Each function returns whether to continue. A sink that stops stores why.
+// Receives the events. Each function returns whether to continue. A sink that stops the reader
+// stores the reason itself.
 class JsonSink {
  public:
   virtual bool value(const JsonValue& value) = 0;
-  virtual bool key(std::string_view name, std::size_t offset) = 0;  // of the next value
-  virtual bool end() = 0;                                           // of an object or array
+  virtual bool key(std::string_view name, std::size_t offset) = 0;  // the name of the next value
+  virtual bool end() = 0;                                           // the end of an object or array
 
  protected:
   ~JsonSink() = default;
 };
 
-// An error if the text is not valid JSON or nests more than 64 arrays and objects; nullopt if it is
-// valid or the sink stopped first. O(bytes).
+// Reads the text and calls the sink. Returns an error if the text is not valid JSON or nests more
+// than 64 arrays and objects; nullopt if it is valid or the sink stopped first. O(bytes).
 std::optional<InputError> read_json(std::string_view text, JsonSink& sink);
 
 }  // namespace evenlift

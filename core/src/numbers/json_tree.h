@@ -1,4 +1,4 @@
-// Two arrays, with 32 bytes a value.
+// A JSON text as a tree. Two arrays hold it, with 32 bytes for each value.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace evenlift {
 
-// An array for each of 1,048,576 vertices, its two numbers, and a third more.
+// Enough for 1,048,576 vertices: for each one an array, its two numbers, and one further value.
 inline constexpr std::size_t max_json_values = std::size_t{1} << 22;
 
 class JsonTree {
@@ -28,16 +28,16 @@ class JsonTree {
   Kind kind(Index i) const { return nodes_[i].kind; }
   std::size_t offset(Index i) const { return nodes_[i].offset; }
   double number(Index i) const { return nodes_[i].number; }
-  // Of a string, and of a member.
+  // The text of a string, and the name of a member.
   std::string_view text(Index i) const { return strings_[nodes_[i].string]; }
   std::string_view name(Index i) const { return strings_[nodes_[i].name]; }
 
-  // For loops: for (Index i = first(at); i != end(at); i = next(i)).
+  // These make loops over the contents: for (Index i = first(at); i != end(at); i = next(i)).
   Index first(Index i) const { return i + 1; }
   Index end(Index i) const { return nodes_[i].next; }
   Index next(Index i) const { return nodes_[i].next; }
 
-  // The last one with this name, if any. O(members).
+  // The last member with this name; nullopt if there is no such member. O(members).
   std::optional<Index> member(Index object, std::string_view wanted) const;
   bool is_string(std::optional<Index> i, std::string_view wanted) const;
 
@@ -45,7 +45,7 @@ class JsonTree {
   friend class TreeBuilder;
   struct Node {
     double number;
-    Index next;  // after this value and its contents
+    Index next;  // the node after this value and its contents
     std::uint32_t offset;
     std::uint32_t string, name;
     Kind kind;

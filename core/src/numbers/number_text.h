@@ -1,4 +1,4 @@
-// The results are the same on every platform and in every locale.
+// Converts between numbers and texts, with the same results on every platform and in every locale.
 #pragma once
 
 #include <cstddef>
@@ -8,31 +8,31 @@
 
 namespace evenlift {
 
-// digits * 10^exponent. The digits do not end in 0, and zero is 0 * 10^0.
+// The number digits * 10^exponent with a sign. The digits do not end in 0, and zero is 0 * 10^0.
 struct Decimal {
   std::uint64_t digits;  // below 10^17
   int exponent;
   bool negative;
 };
 
-// The fewest digits that read back as the same double; in a tie, the nearest. The value must be
-// finite. O(1).
+// The decimal with the fewest digits that reads back as the same double. If there are several, it
+// is the nearest. The value must be finite. O(1).
 Decimal shortest_decimal(double value);
 
-// Appends shortest() (numbers.h). The value must be finite. O(1).
+// Appends the text of shortest() (numbers.h). The value must be finite. O(1).
 void append_shortest(std::string& text, double value);
 
-// At the beginning of a text.
+// A number at the beginning of a text.
 struct ScannedNumber {
   enum class Kind { none, finite, too_large };
   Kind kind;
-  std::size_t length;  // in bytes; 0 for none
+  std::size_t length;  // in bytes; 0 for Kind::none
   double value;        // the nearest double, ties to even; may be -0 or subnormal
 };
 
-// The longest prefix that is a number: an optional sign, one or more digits with at most one
-// decimal point, and an optional exponent ("-1.5e3", ".5", "5."). Spaces, hexadecimal, infinity and
-// NaN are not numbers. O(bytes).
+// Reads the longest prefix of the text that is a number: an optional sign, one or more digits with
+// at most one decimal point, and an optional exponent ("-1.5e3", ".5", "5."). Spaces, hexadecimal,
+// infinity and NaN are not numbers. O(bytes).
 ScannedNumber scan_number(std::string_view text);
 
 }  // namespace evenlift

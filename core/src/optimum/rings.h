@@ -9,23 +9,23 @@
 
 namespace evenlift::optimum {
 
-// Ends in order about C.
+// Ends of chords in order about C, and the share of P that they cover.
 struct Ring {
   double share = 0;
   std::vector<std::uint32_t> ends;
 };
 
-// Of at most `most` ends of any chords. O(K^3 most); calls `stop` for each possible first end;
-// nullopt if it returned true.
+// The best ring of at most `most` ends of any chords. It calls `stop` for each possible first end,
+// and returns nullopt if `stop` returned true. O(K^3 most).
 std::optional<Ring> best_ring(const Triangles& triangles, std::uint32_t most, const Stop& stop);
 
-// Of ends of at most `teams` chords, with both ends of at least one. If no ring has both ends of a
-// chord, best_ring() with `teams` ends finds the best. O(K^4 teams).
+// The best ring of ends of at most `teams` chords that has both ends of at least one chord. Among
+// rings without both ends of any chord, best_ring() with `teams` ends finds the best. O(K^4 teams).
 std::optional<Ring> best_ring_of_chords(const Triangles& triangles, std::uint32_t teams,
                                         const Stop& stop);
 
-// A ring whose share is at least that of best_ring_of_chords(): each side of a chord has up to teams - 1 separate ends.
-// O(K^3 teams).
+// A ring whose share is at least that of best_ring_of_chords(): on each side of a chord, up to
+// teams - 1 ends are chosen separately. O(K^3 teams).
 std::optional<Ring> best_ring_by_sides(const Triangles& triangles, std::uint32_t teams,
                                        const Stop& stop);
 

@@ -1,4 +1,4 @@
-// The areas of P in triangles of C and two ends.
+// The areas of P in triangles of C and two ends of chords.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace evenlift::optimum {
 
-// K chords in candidate order. End i < K is the right end of chord i, and end K + i its left end:
-// the ends are in order about C.
+// The shares of P in the triangles of K chords in candidate order. End i < K is the right end of
+// chord i, and end K + i is its left end. So the ends are in order about C.
 class Triangles {
  public:
   // O(n K^2).
@@ -22,7 +22,7 @@ class Triangles {
   std::uint32_t chord_of(std::uint32_t end) const { return end % chords_; }
 
   // The share of P in the triangle of C, the end `from`, and the end `steps` places later,
-  // cyclically. steps <= chords(): the angle at C is at most 180 degrees.
+  // cyclically. `steps` is at most chords(), so the angle at C is at most 180 degrees.
   double share(std::uint32_t from, std::uint32_t steps) const {
     return shares_[from * (chords_ + std::size_t{1}) + steps];
   }

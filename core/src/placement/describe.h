@@ -1,4 +1,4 @@
-// What follows from the robots' positions.
+// Computes the values that follow from the robots' positions.
 #pragma once
 
 #include "evenlift/placement.h"
@@ -8,7 +8,8 @@ namespace evenlift {
 // Fills in all values that follow from the teams. O(n log n).
 void describe_grasp(Placement& placement);
 
-// Moves robots like with_moved() (moved.h), or returns why they cannot stand there. O(n log n).
+// Moves robots like with_moved() (moved.h), or returns an error that says why they cannot stand
+// there. O(n log n).
 std::optional<InputError> move_robots(Placement& placement, const Moved& moved);
 
 }  // namespace evenlift

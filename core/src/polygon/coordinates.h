@@ -8,8 +8,9 @@
 
 namespace evenlift {
 
-// Differences of accepted coordinates are at least 1e-116: lengths, areas and moments of even the
-// thinnest object stay far from underflow. O(1).
+// Whether a coordinate is not 0 but nearer to 0 than is accepted. Differences of accepted
+// coordinates are 0 or at least 1e-116 in size, so lengths, areas and moments of even the thinnest
+// object stay far from underflow. O(1).
 inline bool is_too_near_to_0(double coordinate) {
   return coordinate != 0 && std::fabs(coordinate) < min_coordinate;
 }

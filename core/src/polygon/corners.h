@@ -1,5 +1,6 @@
-// The convex vertices at the ends of straight runs. Straight vertices join edges to one run, so
-// more vertices on a side change nothing.
+// The convex vertices at the ends of an outline's straight runs, and which of them are corners
+// (Polygon::is_corner). Straight vertices join their edges into one run, so extra vertices on a
+// straight side change nothing.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +16,12 @@ class Corners {
   // O(n).
   explicit Corners(const Polygon& polygon);
 
-  // The convex vertex where an edge's run begins or ends, in the order of the vertices; none if it
-  // is reflex. O(1).
+  // The vertex where the run of an edge begins or ends, in the order of the vertices; nullopt if
+  // this vertex is reflex. O(1).
   std::optional<std::uint32_t> before(std::uint32_t edge) const { return some(before_[edge]); }
   std::optional<std::uint32_t> after(std::uint32_t edge) const { return some(after_[edge]); }
 
-  // Whether it is a corner (Polygon::is_corner). O(1).
+  // Whether the vertex is a corner (Polygon::is_corner). O(1).
   bool is_corner(std::uint32_t vertex) const { return is_corner_[vertex]; }
 
  private:

@@ -1,4 +1,4 @@
-// Each node of the tree has the box of consecutive edges.
+// A tree of boxes. Each node of the tree has the box around consecutive edges.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace evenlift {
 
-// Of an edge or any other segment.
+// The ends of an edge or of any other segment.
 struct LineEnds {
   Vec2 start = Vec2::Zero(), end = Vec2::Zero();
 };
@@ -24,8 +24,8 @@ class EdgeTree {
 
   // O(n).
   explicit EdgeTree(const Polygon& polygon);
-  // Any segments; neighbours should be near each other. Without segments there is one leaf without
-  // edges. O(n).
+  // Makes the tree of any segments; neighbours in the list should be near each other. If there are
+  // no segments, the tree is one leaf without edges. O(n).
   explicit EdgeTree(const std::vector<LineEnds>& lines);
 
   // Node 0 is the root.
@@ -37,7 +37,7 @@ class EdgeTree {
   std::vector<Node> nodes_;
 };
 
-// Of a closed ring, in order. O(n).
+// The edges of a closed ring, in order. O(n).
 std::vector<LineEnds> edges_of(const Points& ring);
 
 }  // namespace evenlift

@@ -10,9 +10,9 @@ struct Moments {
   Vec2 centroid;
 };
 
-// Each is rounded to the nearest double. The ring may run along a line there and back, as in
-// polygons with holes (polygon_with_holes.h). `corner` is the lower left of its bounding box. The
-// area must not be 0. O(n).
+// Returns the area and the centroid's coordinates, each rounded to the nearest double. The ring may
+// run along a line there and back, as in polygons with holes (polygon_with_holes.h). `corner` is
+// the lower left corner of the ring's bounding box. The area must not be 0. O(n).
 Moments moments(const Points& ring, const Vec2& corner);
 
 }  // namespace evenlift

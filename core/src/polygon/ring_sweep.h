@@ -1,4 +1,4 @@
-// All decisions are exact.
+// Finds edges of rings that cross or touch, and the ring around each ring. All decisions are exact.
 #pragma once
 
 #include <cstddef>
@@ -12,20 +12,21 @@
 namespace evenlift {
 
 // Rings in one list of vertices: ring r ends before ends[r]. Edge i runs from vertex i to the next
-// of its ring.
+// vertex of its ring.
 struct Rings {
   Points vertices;
   std::vector<std::size_t> ends;
-  std::vector<bool> counter_clockwise;  // by ring; needed for more than one
+  std::vector<bool> counter_clockwise;  // by ring; needed only if there is more than one ring
   std::size_t size() const { return ends.size(); }
   std::size_t begin(std::size_t ring) const { return ring == 0 ? 0 : ends[ring - 1]; }
 };
 
 struct RingSweep {
-  // Two edges with a common point other than the vertex that neighbours share, the smaller index
-  // first.
+  // Two edges with a common point, the smaller index first; nullopt if there are no such edges. The
+  // vertex that neighbours share does not count.
   std::optional<std::pair<std::size_t, std::size_t>> crossing;
-  // Without a crossing: the innermost ring around each.
+  // By ring, the innermost ring around it; nullopt if there is no ring around it. It is filled only
+  // if there is no crossing.
   std::vector<std::optional<std::size_t>> around;
 };
 

@@ -1,20 +1,20 @@
-// The least possible greatest load, for a weight of 1 and C at the origin.
+// Finds the least possible greatest load of a robot, for a weight of 1 and C at the origin.
 #pragma once
 
 #include "evenlift/vec.h"
 
 namespace evenlift {
 
-// By the closed formula, over all ordered pairs. Needs at least one robot, and C inside the lifting
-// base. O(m^3).
+// Uses the formula at best_load() (load_models.h), over all ordered pairs of robots. There must be
+// at least one robot, and C must be inside the lifting base. O(m^3).
 double best_share_by_pairs(const Points& robots);
 
-// By cutting planes. With g(q) = 1 + b . q the share is the greatest of 1 / (sum of max(0, g)) over
-// all b, and the sum is convex in b. `hull` is the lifting base, counter-clockwise, with C inside.
-// O(m) for each of about a hundred steps.
+// Uses cutting planes. With g(q) = 1 + b . q, the share is the greatest value over all b of 1 /
+// (sum of max(0, g(q)) over the robots q), and this sum is convex in b. `hull` is the lifting base,
+// counter-clockwise, with C inside. O(m) for each of about a hundred steps.
 double best_share_by_cuts(const Points& robots, const Points& hull);
 
-// Robots (t, 0) on one line with C. O(m log m).
+// Finds the share for robots (t, 0), which are on one line with C. O(m log m).
 double best_share_on_line(const Points& robots);
 
 }  // namespace evenlift

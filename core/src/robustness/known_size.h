@@ -1,4 +1,4 @@
-// The size for the tolerance of robots far from the origin.
+// The size from which the tolerance for robots far from the origin is made.
 #pragma once
 
 #include <algorithm>
@@ -8,9 +8,9 @@
 
 namespace evenlift {
 
-// L, or more if rounding of large coordinates moves a robot by more than tau L, as for an object of
-// size 10 at 1e9. Then two robots of a team and C are collinear only up to that rounding, which tau
-// times this size allows for. O(m).
+// Returns L, or more if rounding of large coordinates moves a robot by more than tau L, as for an
+// object of size 10 at 1e9. In that case the two robots of a team and C are collinear only up to
+// this rounding, and tau times the returned size allows for it. O(m).
 inline double known_size(const Points& robots, const Vec2& centre, double diameter) {
   double reach = centre.cwiseAbs().maxCoeff();
   for (const Vec2& robot : robots) reach = std::max(reach, robot.cwiseAbs().maxCoeff());

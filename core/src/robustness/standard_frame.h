@@ -11,16 +11,16 @@ namespace evenlift {
 
 struct StandardFrame {
   Vec2 mean = Vec2::Zero();
-  // A point p has the coordinates axis[k] . (p - mean), each with the mean square 1. Within
-  // tolerance (tau), the second axis is 0 for points on one line, and both are 0 for points at one
-  // place.
+  // The coordinates of a point p are axis[k] . (p - mean); each has the mean square 1. The second
+  // axis is 0 if the points are on one line within tau, and both are 0 if the points are at one
+  // place within tau.
   Vec2 axis[2] = {Vec2::Zero(), Vec2::Zero()};
 
   Vec2 operator()(const Vec2& p) const { return {dot(axis[0], p - mean), dot(axis[1], p - mean)}; }
 };
 
-// For at least one point, in units of L. The first axis points to the point farthest from the
-// centroid. O(m).
+// Returns the frame of at least one point, in units of L. Its first axis points to the point
+// farthest from the centroid. O(m).
 StandardFrame standard_frame(const Points& points);
 
 }  // namespace evenlift

@@ -20,8 +20,8 @@ struct Surroundings {
     double pseudo_angle;
   };
   Points boundary;             // relative to C, counter-clockwise (polygon_with_holes.h)
-  std::vector<Seen> vertices;  // of the outline, except C, by pseudo-angle
-  bool convex = false;         // and without holes
+  std::vector<Seen> vertices;  // those of the outline except C, by pseudo-angle
+  bool convex = false;         // convex and without holes
   double diameter = 0;         // L
 };
 
@@ -36,8 +36,8 @@ struct Gain {
 // The wedge between C and an edge of H, and the parts of P in it beyond the edge.
 class Wedge {
  public:
-  // h1 and h2 are relative to C, and counter-clockwise. If H is a segment, each of its sides is an
-  // edge. O(n) for area and distance, O(1) for circle.
+  // The edge's ends h1 and h2 are relative to C and in counter-clockwise order. If H is a segment,
+  // each of its sides is an edge. O(n) for area and distance, O(1) for circle.
   Wedge(const Surroundings& surroundings, Metric metric, const Vec2& h1, const Vec2& h2);
 
   const Vec2& h1() const { return h1_; }
@@ -46,18 +46,18 @@ class Wedge {
   // The signed distance of p (relative to C) from the edge's line, positive outside H. O(1).
   double distance(const Vec2& p) const;
 
-  // f(p) or an upper bound, for p in the wedge beyond the edge. O(log n).
+  // Returns f(p) or an upper bound of it, for p in the wedge beyond the edge. O(log n).
   Gain estimate(const Vec2& p) const;
 
-  // A better value than `known`: after an estimate a close bound, then f(p). The first few calls
-  // evaluate f(p), until close bounds are likely to pay. The first of these costs a few
-  // evaluations, the others O(sqrt(m) log m).
+  // Returns a better value than `known`: a close bound if `known` is an estimate, otherwise f(p).
+  // The first few calls return f(p), until close bounds are likely to pay. The first close bound
+  // costs a few evaluations, each later one O(sqrt(m) log m).
   Gain sharpen(const Vec2& p, const Gain& known);
 
-  // f(p). O(m) for the m vertices and crossings of P in the wedge beyond the edge.
+  // Returns f(p). O(m) for the m vertices and crossings of P in the wedge beyond the edge.
   double evaluate(const Vec2& p) const;
 
-  // For the metric distance: the vertices in the sum f(p). O(m).
+  // A vertex in the sum f(p) of the metric distance. arms(p) returns all of them, in O(m).
   struct Arm {
     Vec2 vertex;
     double before, after;  // distances outside the edge and the new one
@@ -67,8 +67,8 @@ class Wedge {
 
  private:
   void collect_area();
-  // Whether C sees the edge under at most 180 degrees. The angle is greater where the first team's
-  // chord leaves C on the outer side: by less than tau L, between opposite vertices.
+  // Whether C sees the edge under at most 180 degrees. The angle is greater only if the edge is the
+  // first team's chord between opposite vertices and C is outside it, by less than tau L.
   bool is_convex() const;
   void collect_outer_vertices();
   double area_gain(const Vec2& p) const;
@@ -77,8 +77,8 @@ class Wedge {
   bool prepare_close_bounds();
   double close_bound(const Vec2& p) const;
   double distance_error_bound() const;
-  // The outer vertices seen from C: before p, in the direction of p, which are [begin, end), and
-  // after p.
+  // Divides the outer vertices by their directions from C. Those before `begin` come before p,
+  // those in [begin, end) are in the direction of p, and the others come after p.
   struct Split {
     std::size_t begin, end;
   };
@@ -89,21 +89,21 @@ class Wedge {
   const Surroundings* surroundings_;
   Metric metric_;
   Vec2 h1_, h2_;
-  double pseudo_angle1_ = 0;  // of h1
+  double pseudo_angle1_ = 0;  // that of h1
 
-  Points outside_;  // area: P beyond the edge; in a convex wedge, not far outside it
+  Points outside_;  // for area: P beyond the edge; if the wedge is convex, not far outside it
   double outside_area_ = 0;
 
   struct Outer {
     Vec2 position;
     double pseudo_angle;  // from that of h1
-    double distance;      // outside the edge's line, not negative
+    double distance;      // outside the edge's line; not negative
   };
-  std::vector<Outer> outer_;  // distance: vertices of P in the wedge beyond the edge, by direction
-  Points sums_;               // sums_[k]: of the first k positions
+  std::vector<Outer> outer_;  // for distance: vertices of P in the wedge beyond the edge
+  Points sums_;               // sums_[k] is the sum of the first k positions
   double distance_sum_ = 0;
 
-  int evaluations_ = 0;  // until the close bounds exist
+  int evaluations_ = 0;  // counted until the close bounds exist
   std::optional<AreaBins> area_bins_;
   std::optional<DistanceBlocks> distance_blocks_;
 };

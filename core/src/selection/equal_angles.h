@@ -13,22 +13,22 @@
 
 namespace evenlift {
 
-// The polygon must outlive it.
+// Finds the chords of teams at equal angles. The polygon must outlive it.
 class EqualAngles {
  public:
   // O(n log n).
   EqualAngles(const Polygon& polygon, const Vec2& centre);
 
-  // The total angle of directions in [0, pi) whose lines through C meet the boundary on both sides
-  // of C, without those along radial edges.
+  // The total angle of the directions in [0, pi) whose lines through C meet the boundary on both
+  // sides of C. Directions along radial edges do not count.
   double measure_rad() const { return measure_; }
 
-  // Apart from rounding gaps between radial edges.
+  // Whether that angle is above 0, apart from rounding gaps between radial edges.
   bool has_chords() const { return measure_ > tau; }
 
-  // For each of `numbers` of teams, visit(i, chord) for the chords of numbers[i], by ascending
-  // angle, until it returns false. O(n), and for each chord O(number of edges that its line meets),
-  // mostly O(1) for many chords.
+  // Calls visit(i, chord) for the chords of numbers[i] teams, for each i by ascending angle until
+  // visit returns false. O(n), and for each chord O(number of edges that its line meets), mostly
+  // O(1) for many chords.
   using Visit = std::function<bool(std::size_t i, const Chord& chord)>;
   void for_each_chord(const std::vector<std::uint32_t>& numbers, const Visit& visit) const;
 

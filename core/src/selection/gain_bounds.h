@@ -1,5 +1,5 @@
-// Close upper bounds of gains by area and distance, cheaper than the gains: sums of a wedge in bins
-// by direction, and in each bin by distance outward.
+// Close upper bounds of gains by area and distance, which cost less than the gains. They use sums
+// over a wedge, in bins by direction, and in each bin by distance outward.
 #pragma once
 
 #include <array>
@@ -10,7 +10,8 @@
 
 namespace evenlift {
 
-// For the area of a region beyond the line h1 h2 in the wedge from h1 to h2, or hardly outside it.
+// Bounds areas of a region that is beyond the line h1 h2, and in the wedge from h1 to h2 or hardly
+// outside it.
 class AreaBins {
  public:
   // `region` is a counter-clockwise ring, which may touch itself. All points are relative to C, and
@@ -18,7 +19,7 @@ class AreaBins {
   // the rims of bins c times.
   AreaBins(const Points& region, const Vec2& h1, const Vec2& h2, double diameter);
 
-  // For the region's area in the triangle h1 h2 p, with p in the wedge. O(bins).
+  // An upper bound of the region's area in the triangle h1 h2 p, for p in the wedge. O(bins).
   double bound(const Vec2& p) const;
 
  private:
@@ -32,7 +33,7 @@ class AreaBins {
     std::array<double, levels + 1> inside{};  // area of the region up to each level
     double inside_at_most(double level) const;
   };
-  struct Piece;  // of the region's boundary, within one bin
+  struct Piece;  // a piece of the region's boundary within one bin
   void make_bins(std::size_t number);
   std::vector<Piece> split(const Points& region) const;
   void measure_levels(const std::vector<Piece>& pieces);
@@ -40,20 +41,20 @@ class AreaBins {
   double level_at_rim(const Vec2& a, const Vec2& b, std::size_t rim) const;
 
   Vec2 h1_, h2_;
-  double pseudo_angle1_ = 0, width_ = 0;  // of h1; from h1 to h2
+  double pseudo_angle1_ = 0, width_ = 0;  // pseudo-angles of h1, and from h1 to h2
   Points rims_;                           // directions from h1 to h2, with |x| + |y| = 1
   std::vector<Bin> bins_;
-  double error_bound_ = 0;  // of rounding
+  double error_bound_ = 0;  // of the rounding in bound()
 };
 
 // Bounds sums of distances of points beyond a line.
 class DistanceBlocks {
  public:
-  // Points are relative to C and counter-clockwise about it. O(m log m).
+  // The points are relative to C and counter-clockwise about it. O(m log m).
   explicit DistanceBlocks(Points points);
 
-  // Up to rounding, a lower bound of the sum of max(0, d) over the points `first` to `last` - 1,
-  // with d the distance to the right of the line a -> b. O(blocks log(size of a block)).
+  // A lower bound, up to rounding, of the sum of max(0, d) over the points `first` to `last` - 1,
+  // where d is the distance to the right of the line a -> b. O(blocks log(size of a block)).
   double least_sum_beyond(const Vec2& a, const Vec2& b, std::size_t first, std::size_t last) const;
 
  private:
@@ -61,10 +62,10 @@ class DistanceBlocks {
   double least_sum_of_block(const Line& line, std::size_t block) const;
 
   Points points_;
-  std::size_t size_;            // of a block; the last may be smaller
+  std::size_t size_;            // points in a block; the last may have fewer
   Points aheads_;               // the middle direction of each block
-  std::vector<double> levels_;  // ahead . v of each block's points, ascending
-  Points sums_;                 // of the block's points from that level up
+  std::vector<double> levels_;  // ahead . v for each block's points v, ascending
+  Points sums_;                 // of the block's points from each level up
 };
 
 }  // namespace evenlift

@@ -15,20 +15,20 @@
 namespace evenlift {
 
 // Lazy greedy evaluation (M. Minoux, Accelerated greedy algorithms for maximizing submodular set
-// functions, 1978). Each end of a candidate has an upper bound of its gain, which is refined, and
-// finally evaluated, only while it can still win. Gains do not always diminish here, so an end gets
-// a new bound when the edge of H in front of it changes. While H stays the same, so do all gains,
-// and the candidates that tie for the best wait in line.
+// functions, 1978). Each end of a candidate has an upper bound of its gain. The bound is refined,
+// and finally replaced by the gain, only while the candidate can still win. Gains do not always
+// diminish here, so an end gets a new bound when the edge of H in front of it changes. While H
+// stays the same, so do all gains, and the candidates that tie for the best score wait in line.
 class Selector {
  public:
-  // Takes at most `most_teams`. With `stands`, which must outlive the selector, candidates that
-  // collide with a taken team drop out.
+  // The caller takes at most `most_teams`. The candidates and `stands` must outlive the selector.
+  // With `stands`, candidates that collide with a taken team drop out.
   Selector(const PolygonWithHoles& object, const Vec2& centre,
            const std::vector<Candidate>& candidates, Metric metric,
            std::size_t most_teams = ~std::size_t{0}, FirstTeam first = FirstTeam::even,
            const Stands* stands = nullptr);
 
-  // Takes the best candidate. Returns false if none is left.
+  // Takes the best candidate left. Returns false if all are taken or dropped out.
   bool take_next();
 
   // Takes this candidate, whatever its score.
@@ -36,17 +36,17 @@ class Selector {
 
   const std::vector<std::uint32_t>& taken() const { return taken_; }
 
-  // Whether it collides with a taken team.
+  // Whether the candidate dropped out because it collides with a taken team.
   bool dropped_out(std::uint32_t candidate) const { return states_[candidate] == State::dropped; }
 
-  // Against the teams taken so far, at least one.
+  // The candidate's score after the teams taken so far. There must be at least one.
   double score(std::uint32_t candidate);
 
-  // Like take_next(), but takes none.
+  // Evaluates candidates like take_next(), but takes none.
   void compare() { find_leaders(); }
 
-  // The known gain of a candidate's end (0: r1, 1: r2), the wedge of the edge of H in front of it,
-  // and whether it is outside H. There must be a team.
+  // The known gain of a candidate's end (0: r1, 1: r2), the wedge of the edge of H in front of the
+  // end, and whether the end is outside H. At least one team must be taken.
   const Gain& gain(std::uint32_t candidate, std::uint32_t end) const {
     return ends_[2 * candidate + end].gain;
   }
@@ -57,10 +57,10 @@ class Selector {
     return gains(wedge(candidate, end), ends_[2 * candidate + end].position);
   }
 
-  // Corners of H, relative to C.
+  // The corners of H, relative to C.
   const Points& base() const { return hull_; }
 
-  // Scores that differ by at most the floor always tie. It depends on H.
+  // Scores that differ by at most the floor always tie. For the metric distance it depends on H.
   double floor() const { return floor_; }
 
  private:
@@ -71,8 +71,8 @@ class Selector {
     Vec2 position;  // relative to C
     double pseudo_angle = 0;
     Index wedge = 0;  // into wedges_
-    // An end in the direction of a corner of H belongs to both edges. The larger gain counts, so
-    // that mirror images have the same scores.
+    // An end in the direction of a corner of H belongs to both edges there. The larger gain counts,
+    // so that mirror images have the same scores.
     std::optional<Index> other_wedge;
     Gain gain;
   };
@@ -108,18 +108,18 @@ class Selector {
   double near_;   // tau L
   double floor_;  // see floor()
 
-  std::vector<End> ends_;      // of candidate i: 2 i (r1) and 2 i + 1 (r2)
-  Indices by_direction_;       // by pseudo-angle
-  Points hull_;                // relative to C, counter-clockwise
+  std::vector<End> ends_;      // candidate i has the ends 2 i (r1) and 2 i + 1 (r2)
+  Indices by_direction_;       // the ends by pseudo-angle
+  Points hull_;                // corners of H relative to C, counter-clockwise
   Indices edges_;              // the wedge of each edge, from corner i to i + 1
-  std::vector<Wedge> wedges_;  // with past ones, so that indices stay valid
+  std::vector<Wedge> wedges_;  // including past ones, so that indices stay valid
 
   const Stands* stands_;
   std::size_t out_ = 0;        // candidates taken or dropped
   std::vector<State> states_;  // of the candidates
   std::vector<std::uint32_t> taken_;
   Indices line_;                  // next candidates while H does not change, last first
-  std::size_t best_in_line_ = 0;  // how many of them have exactly the best score
+  std::size_t best_in_line_ = 0;  // how many in the line have exactly the best score
   double best_score_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// The rules of the choice, which also explain it in the walkthrough.
+// The rules by which teams are chosen. The walkthrough explains each choice by them.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@ namespace evenlift {
 
 enum class Key : std::uint8_t { score, ratio, length };
 
-// In order. At each key the candidates that tie with the best remain. The first of the last ones in
-// candidate order wins.
+// The keys of a rule, in order. At each key, only the candidates that tie with the best one remain.
+// After the last key, the first remaining candidate in candidate order wins.
 inline std::span<const Key> keys_of(Rule rule) {
   static constexpr Key by_length[] = {Key::length, Key::ratio},
                        by_ratio[] = {Key::ratio, Key::length},
@@ -50,14 +50,14 @@ inline double value_of(Key key, const Candidate& candidate, double score) {
   return key == Key::score ? score : key == Key::ratio ? candidate.chord.ratio : candidate.length;
 }
 
-// The best value is the largest; `floor` is the selector's.
+// Whether a value ties with the best, which is the largest. `floor` is Selector::floor().
 inline bool ties(Key key, double best, double value, double floor) {
   if (key == Key::ratio) return ratios_tie(best, value);
   if (key == Key::length) return lengths_tie(best, value);
   return value >= best - score_slack(std::fabs(best), floor);
 }
 
-// Keeps candidates i that tie with the best value(i) of a key.
+// Keeps the candidates i whose value(i) of the key ties with the best one.
 template <class Value>
 void keep_best(std::vector<std::uint32_t>& indices, Key key, double floor, Value value) {
   double best = -std::numeric_limits<double>::infinity();

@@ -9,11 +9,11 @@
 
 namespace evenlift {
 
-// The first `count` candidates in the order of taking them while their scores still tie. Each time,
-// keeps those whose ratio ties with the best remaining one, then those whose length ties with the
-// longest, and takes the first in candidate order. There are no fixed classes of ties, as ties are
-// not transitive: once the best is taken, others may tie with the next. O(m log m) for m candidates
-// left, and O(candidates).
+// The first `count` candidates in the order in which they are taken while their scores tie. Each
+// step keeps the candidates whose ratio ties with the best one left, of these the candidates whose
+// length ties with the longest, and takes the first in candidate order. There are no fixed classes
+// of ties, as ties are not transitive: once the best is taken, others may tie with the next.
+// O(m log m) for m candidates left, and O(candidates).
 std::vector<std::uint32_t> order_of_taking(const std::vector<Candidate>& candidates,
                                            std::vector<std::uint32_t> candidates_left,
                                            std::size_t count);

@@ -1,4 +1,4 @@
-// The ranges that an edge loses, and why.
+// The ranges of an edge that are lost, since no robot can use them, and the reasons.
 #pragma once
 
 #include <array>
@@ -10,18 +10,18 @@
 
 namespace evenlift {
 
-// All of WhyUnusable but the last, `narrow`.
+// The number of values of WhyUnusable without the last, `narrow`.
 inline constexpr std::size_t reasons_to_lose = static_cast<std::size_t>(WhyUnusable::narrow);
 
 class Losses {
  public:
-  // An open range, which may reach beyond the edge. O(1).
+  // Adds an open range that is lost for this reason. It may reach beyond the edge. O(1).
   void add(WhyUnusable why, const Stretch& lost) {
     lost_[static_cast<std::size_t>(why)].push_back(lost);
   }
 
-  // The parts of an edge of this length, in order, each with the first reason for its loss, or
-  // none. Neighbours differ. O(k log k) for k ranges.
+  // The parts of an edge of this length, in order. Each has the first reason why it is lost, or
+  // nullopt if it is usable. Neighbours differ. O(k log k) for k ranges.
   struct Part {
     Stretch part;
     std::optional<WhyUnusable> why;

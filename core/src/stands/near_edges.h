@@ -1,4 +1,4 @@
-// Edges near an edge, by a tree of boxes.
+// Finds the edges near an edge, by a tree of boxes.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace evenlift {
 
-// The points start + x along + y outward with x and y in these ranges.
+// A rectangle: the points start + x along + y outward with x and y in these ranges.
 struct Surrounding {
   Vec2 start, along, outward;
   double x_low, x_high, y_low, y_high;
@@ -18,13 +18,13 @@ struct Surrounding {
 
 class NearEdges {
  public:
-  // Neighbours should be near each other. O(n).
+  // Edges that are neighbours in the list should be near each other. O(n).
   explicit NearEdges(std::vector<LineEnds> edges) : edges_(std::move(edges)), tree_(edges_) {}
 
   const LineEnds& edge(std::uint32_t i) const { return edges_[i]; }
 
   // Visits the edges whose boxes meet the rectangle, and perhaps a few others, in ascending order.
-  // O(log n) for each edge that meets it, if they do not wind much.
+  // O(log n) for each edge that meets the rectangle, if the edges do not wind much.
   template <class Visit>
   void for_each(const Surrounding& around, Visit&& visit) const {
     descend(around, 0, visit);

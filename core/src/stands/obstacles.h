@@ -1,5 +1,5 @@
-// The open ranges where the robot's body, arm or hand would meet another edge (docs/stands.md, Where
-// an edge can be used, conditions 1 to 3).
+// The open ranges where the robot's body, arm or hand would meet another edge (docs/stands.md,
+// Where an edge can be used, conditions 1 to 3).
 #pragma once
 
 #include <array>
@@ -9,21 +9,22 @@
 
 namespace evenlift {
 
-// Another edge in the frame of the robot's edge: x runs along it from its first vertex, y away from
-// the object.
+// Another edge in the frame of the robot's edge: x runs along the robot's edge from its first
+// vertex, y away from the object.
 struct SeenObstacle {
   Vec2 p, q;
 };
 
-// `near` is tau L. O(1).
+// The range in which the robot's body, arm or hand would meet the other edge; nullopt if it meets
+// the edge nowhere. `near` is tau L. O(1).
 std::optional<Stretch> lost_to_body(const SeenObstacle& other, const RobotSize& robot, double near);
 std::optional<Stretch> lost_to_arm(const SeenObstacle& other, const RobotSize& robot);
 std::optional<Stretch> lost_to_hand(const SeenObstacle& other, const RobotSize& robot, double near);
-// Where the hand would reach onto a no-go part of the other edge: beside the contact's edge, and at
-// most a tenth of the hand's width beneath it. O(1).
+// The range in which the hand would reach onto a no-go part of the other edge: beside the contact's
+// edge, and at most a tenth of the hand's width beneath that edge. O(1).
 std::optional<Stretch> lost_to_mark(const SeenObstacle& other, const EdgePart& part,
                                     const RobotSize& robot, double near);
-// Where the other edge separates the contact from the hand. O(1).
+// The range in which the other edge separates the contact from the hand. O(1).
 std::optional<Stretch> parted_from_hand(const SeenObstacle& other, const RobotSize& robot,
                                         double near);
 

@@ -1,4 +1,4 @@
-// What edges lose to no-go parts, corners and other edges.
+// Finds the ranges that edges lose to no-go parts, corners and other edges.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +18,11 @@ EdgeFrame frame_of(const Polygon& polygon, std::uint32_t edge);
 
 class Surveyor {
  public:
-  // The object must outlive it. O(n), and O(p log p) for p parts.
+  // The object must outlive the surveyor. O(n), and O(p log p) for p no-go parts.
   Surveyor(const PolygonWithHoles& object, const RobotSize& robot,
            const std::vector<EdgePart>& no_go);
 
-  // O(log n) for each edge near enough to obstruct a robot.
+  // The ranges that an edge loses. O(log n) for each edge near enough to obstruct a robot.
   Losses survey(std::uint32_t edge, const EdgeFrame& frame) const;
 
  private:

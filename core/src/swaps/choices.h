@@ -1,4 +1,4 @@
-// Choices on trial, and quick proofs that a choice cannot be the best.
+// Choices of teams on trial, and quick proofs that a choice cannot be the best.
 #pragma once
 
 #include <cstdint>
@@ -13,31 +13,31 @@
 
 namespace evenlift::swaps {
 
-// A candidate, or the teams that stay while one is swapped.
+// A candidate, or the teams that stay while another team is swapped.
 struct Part {
   std::vector<LiftingPoint> robots;
   std::vector<Wrench> wrenches;
   double ratios = 0;
 };
 
-// A candidate, and the part to which it is added. Parts are numbered: first the candidates, then
-// the parts that stay.
+// A choice on trial: a candidate, and the part to which it is added. Parts are numbered: first the
+// candidates, then the parts that stay.
 struct Trial {
   std::uint32_t candidate = 0, other = 0;
-  double coverage = 0;           // or its upper bound
+  double coverage = 0;           // of the choice, or its upper bound
   std::uint8_t sharpness = 0;    // 0 and 1: bounds, 2: exact
-  std::uint8_t most_level = 3;   // upper bound of its margin level
-  std::uint8_t least_level = 0;  // lower bound
+  std::uint8_t most_level = 3;   // upper bound of the choice's margin level
+  std::uint8_t least_level = 0;  // lower bound of that level
 };
 
 class Choices {
  public:
-  // Polygon, candidates and stands must outlive it. O(K log n).
+  // The object, candidates and stands must outlive it. O(K log n) for K candidates.
   Choices(const PolygonWithHoles& object, const Vec2& centre,
           const std::vector<Candidate>& candidates, const HoldRequirements& firm,
           const Stands* stands = nullptr);
 
-  // The teams on these candidates, without the team of that number.
+  // The teams on these candidates, without the team that has the number `without`, from 0.
   Part part_of(const std::vector<std::uint32_t>& taken,
                std::optional<std::size_t> without = std::nullopt) const;
 
@@ -52,16 +52,16 @@ class Choices {
   // Whether no robots of the two parts collide. O(robots).
   bool fit(std::uint32_t candidate, std::uint32_t other) const;
 
-  // With a first bound of its coverage. O(robots).
+  // Returns a trial with a first bound of its coverage. O(robots).
   Trial trial(std::uint32_t candidate, std::uint32_t other) const;
 
-  // Bounds the coverage more closely, at last exactly.
+  // Bounds the coverage more closely; the second call computes it exactly.
   void sharpen(Trial& trial) const;
 
-  // Whether a known direction proves a margin below `level` (> 0).
+  // Whether a known direction proves that the margin does not reach `level` (> 0).
   bool surely_below(const Trial& trial, std::uint32_t level);
 
-  // Whether the margin reaches the level. If not, its weakest direction becomes known.
+  // Whether the margin reaches the level. If not, the direction of the weakest hold becomes known.
   bool reaches(const Trial& trial, std::uint32_t level);
 
   double ratios(const Trial& trial) const {
@@ -80,14 +80,14 @@ class Choices {
   const std::vector<Candidate>& candidates_;
   const Stands* stands_;  // null if robots have no size
   Vec2 centre_;
-  std::array<double, 3> bounds_;  // of levels 1 to 3, ascending
+  std::array<double, 3> bounds_;  // the least margins of levels 1 to 3
   balanced::CoarseCover coarse_cover_;
   balanced::Cover cover_;
   Margins margins_;
   std::vector<Part> parts_;                   // of the candidates
   std::vector<Part> staying_;                 // parts that stay
-  std::vector<Wrench> directions_;            // where choices are weak, latest success first
-  mutable std::vector<LiftingPoint> robots_;  // of trial after trial
+  std::vector<Wrench> directions_;            // in which choices are weak, latest success first
+  mutable std::vector<LiftingPoint> robots_;  // reused by all trials
 };
 
 }  // namespace evenlift::swaps

@@ -1,4 +1,4 @@
-// One round: the best choice on trial.
+// One round of swaps, which finds the best choice on trial.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@ struct Better {
   HoldKey decided_by = HoldKey::level;
 };
 
-// The best trial if it is better than the present choice, else nothing. Trials are in order of
-// preference.
+// Returns the best trial if it is better than the present choice, otherwise nullopt. If trials tie
+// in all keys, the first is chosen.
 std::optional<Better> best_trial(Choices& choices, std::vector<Trial> trials, const HoldKeys& now);
 
 }  // namespace evenlift::swaps

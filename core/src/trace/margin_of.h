@@ -9,8 +9,8 @@
 
 namespace evenlift {
 
-// The margin (closure.h) of robots that lift at these points, by contacts far enough from corners;
-// none without any.
+// The margin (closure.h) of robots that lift at these points. Only contacts far enough from corners
+// count; nullopt if there are no such contacts.
 inline std::optional<double> margin_of(const Trace& trace,
                                        const std::vector<LiftingPoint>& robots) {
   const Placement& placement = trace.placement;

@@ -10,7 +10,7 @@
 
 namespace evenlift {
 
-// The figures of one step, back to front. Its row in steps.cpp names the function.
+// Collects the figures of one step, back to front. The step's row in steps.cpp names the function.
 class StepFigures : LookedAtStep {
  public:
   StepFigures(const Trace& trace, const StepDetail& detail) : LookedAtStep(trace, detail) {}
@@ -61,7 +61,7 @@ class StepFigures : LookedAtStep {
   void falls();
   void cargo();
 
-  // The centre of mass is in front.
+  // Returns the figures, with the centre of mass in front.
   std::vector<Figure> take() &&;
 
  private:
@@ -85,7 +85,7 @@ class StepFigures : LookedAtStep {
   void add_body(const LiftingPoint& contact, std::optional<std::uint32_t> part);
 
   std::vector<Figure> figures_;
-  std::optional<Vec2> centre_;  // in place of C
+  std::optional<Vec2> centre_;  // drawn in place of C
 };
 
 }  // namespace evenlift

@@ -1,4 +1,4 @@
-// What the tables of steps share.
+// The common parts of the tables of steps.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace evenlift {
 
-// One row for each kind of step, in order.
+// Whether a table has one row for each kind of step, in order.
 template <class Row, std::size_t size>
 constexpr bool has_each_step(const Row (&rows)[size]) {
   for (std::size_t i = 0; i < size; ++i)
@@ -17,13 +17,13 @@ constexpr bool has_each_step(const Row (&rows)[size]) {
   return size == step_kind_count;
 }
 
-// One step of a trace, for a row's functions.
+// One step of a trace, as the functions in the tables' rows see it.
 class LookedAtStep {
  protected:
   LookedAtStep(const Trace& trace, const StepDetail& detail)
       : trace_(trace), placement_(trace.placement), detail_(detail), item_(detail.step.item) {}
 
-  // With its first items of cargo.
+  // The object with its first `items` pieces of cargo.
   Loaded with_cargo(std::size_t items) const {
     return evenlift::with_cargo(placement_.own_centre, placement_.settings, items);
   }

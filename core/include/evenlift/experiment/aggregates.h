@@ -12,14 +12,14 @@ namespace evenlift::experiment {
 
 struct Statistics {
   double mean = 0;
-  std::optional<double> deviation;  // standard, divided by n - 1; none for one value
+  std::optional<double> deviation;  // standard deviation with divisor n - 1; empty for one value
 };
 
-// Of one or more values, added in order. O(n).
+// The statistics of one or more values, added in order. O(n).
 Statistics statistics(const std::vector<double>& values);
 
-// The averages for a method and a number of robots, over all polygons measured with both: for teams
-// of two, those on which the algorithm can also place that number of teams.
+// The averages for a method and a number of robots, over all polygons measured with both. For teams
+// of two, these are the polygons on which the algorithm can also place that number of teams.
 struct Aggregate {
   Method method = Method::area;
   std::uint32_t robots = 0;
@@ -29,7 +29,7 @@ struct Aggregate {
   Statistics max_share;        // 0.5 .. 1 (figures 5.5, 5.6)
   Statistics coverage;         // 0 .. 1 (figures 5.7, 5.8)
   double closed = 0;           // share of polygons in form closure, 0 .. 1
-  double held_clear = 0;       // the same by contacts clear of corners
+  double held_clear = 0;       // the same if only contacts clear of corners count
   // `closable` polygons have form closure in a placement of teams of two by any method;
   // `form_closure` is the share of them with form closure by this method (figure 5.11).
   // `no_area_possible` and `no_area` are the same by the thesis's own, weaker test.
@@ -37,14 +37,14 @@ struct Aggregate {
   std::optional<double> form_closure, no_area;
 };
 
-// Form closure, or the thesis's own test.
+// Selects one of two tests: form closure, or the thesis's own test.
 using Closed = double Measurement::*;
 
 // Whether some placement of teams of two passes the test. Balanced robots do not count, so the same
 // polygons are left out as in the thesis. O(rows).
 bool can_close(const PolygonResult& result, Closed closed);
 
-// The aggregates by method, then by robots. O(rows).
+// The aggregates, sorted by method, then by number of robots. O(rows).
 std::vector<Aggregate> aggregate(const std::vector<PolygonResult>& results);
 
 struct SetAggregates {
@@ -55,7 +55,7 @@ struct SetAggregates {
 // One row for each aggregate, under a heading; missing values are empty. O(rows).
 std::string aggregates_csv(const std::vector<SetAggregates>& sets);
 
-// Null if there is none. O(rows).
+// The aggregate of this method and number of robots; null if there is no such aggregate. O(rows).
 const Aggregate* find(const std::vector<Aggregate>& aggregates, Method method,
                       std::uint32_t robots);
 

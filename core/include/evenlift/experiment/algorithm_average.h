@@ -1,4 +1,4 @@
-// The thesis's "our algorithm": the mean of the three metrics.
+// The thesis's "our algorithm": the mean over the methods that choose among candidates.
 #pragma once
 
 #include <cstdint>
@@ -9,19 +9,20 @@
 
 namespace evenlift::experiment {
 
-// A value of an aggregate, if it has it.
+// Returns a value of an aggregate; nothing if the aggregate lacks it.
 using Pick = std::optional<double> (*)(const Aggregate&);
 std::optional<double> pick_spread(const Aggregate& a);
 std::optional<double> pick_share(const Aggregate& a);
 std::optional<double> pick_coverage(const Aggregate& a);
 std::optional<double> pick_closure(const Aggregate& a);
 
-// The mean of the methods that choose among candidates; nothing unless all have a value. O(rows).
+// The mean of a value over the methods that choose among candidates; nothing unless all of them
+// have it. O(rows).
 std::optional<double> algorithm_average(const std::vector<Aggregate>& aggregates,
                                         std::uint32_t robots, Pick pick);
 
 // The method's spread of loads divided by the algorithm's, for objects of experiment_weight.
-// Nothing if either is missing, or if the algorithm's loads are even to within τ of their mean.
+// Nothing if either is missing, or if the algorithm's spread is at most τ times the mean load.
 // O(rows).
 std::optional<double> spread_times(const std::vector<Aggregate>& aggregates, Method method,
                                    std::uint32_t robots);
@@ -30,12 +31,14 @@ struct Range {
   double least = 0, most = 0;
 };
 
-// The least and the greatest spread_times() for 2, 4, .. most_robots, if any. O(rows most_robots).
+// The least and the greatest spread_times() for 2, 4, .. most_robots robots; nothing if there are
+// no values. O(rows most_robots).
 std::optional<Range> spread_ratio(const std::vector<Aggregate>& aggregates, Method method,
                                   std::uint32_t most_robots);
 
-// The mean over 4, 6, .. most_robots of the algorithm's coverage minus the method's (the coverage
-// of two robots is 0). O(rows most_robots).
+// The algorithm's coverage minus the method's, averaged over those of 4, 6, .. most_robots robots
+// with which both were measured; nothing if there are no such numbers. Two robots are left out,
+// since their coverage is 0. O(rows most_robots).
 std::optional<double> coverage_lead(const std::vector<Aggregate>& aggregates, Method method,
                                     std::uint32_t most_robots);
 

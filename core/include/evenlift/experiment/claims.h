@@ -10,14 +10,14 @@
 namespace evenlift::experiment {
 
 struct Claim {
-  std::string section;  // of the thesis
-  std::string what;     // and how it is counted if the thesis leaves that open
-  std::string thesis;   // "—" if its text gives no number
-  std::string ours;     // "—" if the data have none
+  std::string section;  // section of the thesis
+  std::string what;     // the quantity, and how it is counted if the thesis leaves that open
+  std::string thesis;   // the thesis's number; "—" if its text gives none
+  std::string ours;     // the same number for the measured polygons; "—" if the data have none
 };
 
-// The claims of one set from its sorted `results` and their `aggregates`: the same for every set,
-// in the same order. O(rows).
+// The claims of one set from its sorted `results` and their `aggregates`. Every set has the same
+// claims in the same order. O(rows).
 std::vector<Claim> make_claims(const std::vector<PolygonResult>& results,
                                const std::vector<Aggregate>& aggregates);
 
@@ -26,10 +26,11 @@ struct SetClaims {
   std::vector<Claim> claims;
 };
 
-// A table with a column for each set, ending in a newline. O(claims).
+// A Markdown table with a column for each set, ending in a newline. O(claims).
 std::string claims_markdown(const std::vector<SetClaims>& sets);
 
-// {"sets": [names], "rows": [{"section", "what", "thesis", "ours": [of each set]}]} O(claims).
+// The claims as JSON: {"sets": [names], "rows": [{"section", "what", "thesis", "ours": [one for
+// each set]}]}. O(claims).
 std::string claims_json(const std::vector<SetClaims>& sets);
 
 }  // namespace evenlift::experiment

@@ -1,5 +1,6 @@
-// Coverage, form closure and spread of loads of every method with few robots, also odd numbers.
-// This is beyond the thesis, whose robots form teams of two.
+// Tables of coverage, form closure, clear holds, spread of loads and number of polygons for every
+// method with few robots, including odd numbers. They go beyond the thesis, whose robots form teams
+// of two.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,7 @@ inline constexpr std::uint32_t few_robots_from = 3, few_robots_to = 12;
 struct FewRobotsRow {
   std::string what;                // the quantity and its unit
   std::uint32_t robots = 0;        // few_robots_from .. few_robots_to
-  std::vector<std::string> cells;  // by all_methods; "–" if not measured with this number of robots
+  std::vector<std::string> cells;  // for each of all_methods; "–" if not measured
 };
 
 // The table of one set, averaged over the polygons on which the method was measured with that
@@ -24,16 +25,16 @@ struct FewRobotsRow {
 // cannot reach it.
 struct FewRobots {
   std::string set;
-  std::vector<FewRobotsRow> rows;  // by quantity, then by robots
+  std::vector<FewRobotsRow> rows;  // sorted by quantity, then by number of robots
 };
 
-// Every set has the same rows in the same order. O(rows).
+// The table of a set. Every set has the same rows in the same order. O(rows).
 FewRobots few_robots(const SetAggregates& set);
 
-// Each table follows the name of its set. O(rows).
+// The tables in Markdown. Each has the name of its set as its first heading. O(rows).
 std::string few_robots_markdown(const std::vector<FewRobots>& sets);
 
-// [{"set", "rows": [{"what", "robots", "cells": [by method]}]}] O(rows).
+// The tables as JSON: [{"set", "rows": [{"what", "robots", "cells": [by method]}]}]. O(rows).
 std::string few_robots_json(const std::vector<FewRobots>& sets);
 
 }  // namespace evenlift::experiment

@@ -1,4 +1,4 @@
-// The thesis's figures: the points of a chart and a sentence about them.
+// The thesis's figures. Each has the points of a chart and a sentence about them.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace evenlift::experiment {
 struct FigurePoint {
   std::uint32_t robots = 0;
   double value = 0;            // as in the aggregates: a load, or a share of 1
-  std::uint32_t polygons = 0;  // in the average
+  std::uint32_t polygons = 0;  // number of polygons in the average
 };
 
 struct FigureSeries {
@@ -23,20 +23,20 @@ struct FigureSeries {
 
 struct Figure {
   std::string set;       // the averaged set; empty for a single polygon
-  std::string id;        // of the thesis's figure, such as "5.3"
+  std::string id;        // number of the thesis's figure, such as "5.3"
   std::string title;     // the quantity, in words
   std::string unit;      // "kg" or another weight unit, or "%" for shares, shown times 100
-  std::string column;    // of the aggregates that has the values
+  std::string column;    // the column of the CSV file that has the values
   std::string sentence;  // the main result, made from the data
-  std::vector<FigureSeries> series;  // by method, if it has values
+  std::vector<FigureSeries> series;  // one for each method that has values
 };
 
-// The most robots measured on at least a fifth of the method's polygons, so that no point averages
-// only a few; 0 without polygons. O(rows).
+// The greatest number of robots measured on at least a fifth of the method's polygons, so that no
+// point averages only a few; 0 without polygons. O(rows).
 std::uint32_t most_robots_shown(const std::vector<Aggregate>& aggregates, Method method);
 
-// Figures 5.3 to 5.8 and 5.11 of one set: teams of two up to most_robots_shown() for area, balanced
-// robots up to that for balanced. O(rows).
+// Figures 5.3 to 5.8 and 5.11 of one set. They show teams of two up to most_robots_shown() of area,
+// and balanced robots up to most_robots_shown() of balanced. O(rows).
 std::vector<Figure> make_figures(const SetAggregates& set);
 
 // The quantities of section 5.1 for one polygon with every method, by number of robots: greatest
@@ -45,8 +45,8 @@ std::vector<Figure> make_figures(const SetAggregates& set);
 std::vector<Figure> make_polygon_figures(const PolygonResult& result,
                                          const ExperimentSettings& settings);
 
-// [{"set", "id", "title", "unit", "column", "sentence", "series": [{"method",
-// "points": [[robots, value, polygons], ...]}]}] O(rows).
+// The figures as JSON: [{"set", "id", "title", "unit", "column", "sentence", "series": [{"method",
+// "points": [[robots, value, polygons], ...]}]}]. O(rows).
 std::string figures_json(const std::vector<Figure>& figures);
 
 }  // namespace evenlift::experiment

@@ -1,5 +1,5 @@
 // Measures one polygon as in chapter 5 of the thesis: every method with every number of teams.
-// Beyond the thesis, balanced robots with every number of robots.
+// Balanced robots, with every number of robots, go beyond the thesis.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace evenlift::experiment {
 
-// As in the thesis (5.2, 5.3).
-inline constexpr double experiment_weight = 100;  // of an object, kg
+// The weight in the thesis (5.2, 5.3).
+inline constexpr double experiment_weight = 100;  // of an object, in kg
 
 // Limits of settings.
 inline constexpr std::uint32_t max_samples = 100000;
@@ -23,16 +23,17 @@ inline constexpr std::uint32_t max_experiment_teams = 10000;
 struct ExperimentSettings {
   double min_ratio = 0.8;       // minimum load ratio, 0 .. 1
   std::uint32_t samples = 200;  // random placements of each polygon, 1 .. max_samples
-  // 1 .. max_experiment_teams; time grows with its square.
+  // The greatest number of teams, 1 .. max_experiment_teams. The time grows with its square.
   std::uint32_t most_teams = 1000;
-  // least_robots .. most_robots. Their search takes most of the time, more with more robots.
+  // The greatest number of balanced robots, least_robots .. most_robots. The search for them takes
+  // most of the time, more with more robots.
   std::uint32_t most_balanced = 12;
   double weight = experiment_weight;        // of the object; above 0
   WeightUnit weight_unit = WeightUnit::kg;  // in the figures of a single polygon
   bool operator==(const ExperimentSettings&) const = default;
 };
 
-// An error for a setting out of range, whose place names the option. O(1).
+// An error if a setting is out of range. Its place names the option. O(1).
 std::optional<InputError> check_settings(const ExperimentSettings& settings);
 
 // A polygon ready to be measured.
@@ -42,11 +43,12 @@ struct Subject {
   std::vector<Candidate> candidates;  // their number is the greatest number of teams
 };
 
-// Validates a document, whose settings do not matter, and finds its candidates. The errors are
-// those of place(). O(n log n + K log K) for K edge pairs.
+// Validates a document and finds its candidates. Only weight and cargo matter among the document's
+// settings, since C depends on them. The errors are those of place(). O(n log n + K log K) for K
+// edge pairs.
 Result<Subject> prepare(const Document& document, double min_ratio);
 
-// One method with one number of robots. Values of random placements are averages.
+// The values of one method with one number of robots. Those of random placements are averages.
 struct Measurement {
   Method method = Method::area;
   std::uint32_t robots = 0;   // 2, 4, .. twice the number of candidates; balanced 2, 3, ..
@@ -55,24 +57,24 @@ struct Measurement {
   double form_closure = 0;    // share of placements in form closure, 0 .. 1
   double no_area = 0;         // the same by the thesis's own test: no region of free rotation
                               // centres has an area
-  double held_clear = 0;      // the same without contacts nearer than usual_clear R to a corner
-  double load_min = 0, load_mean = 0, load_max = 0;  // over the robots, kg
-  double spread = 0;                                 // load_max - load_min, kg (figure 5.3)
-  double max_share = 0.5;  // greatest share of its team's load on one robot (figure 5.5); any two
+  double held_clear = 0;      // form_closure without contacts nearer than usual_clear R to a corner
+  double load_min = 0, load_mean = 0, load_max = 0;  // over the robots, in the unit of the weight
+  double spread = 0;                                 // load_max - load_min (figure 5.3)
+  double max_share = 0.5;  // greatest share of a team's load on one robot (figure 5.5); any two
                            // balanced robots count as a team
-  std::optional<std::uint32_t> chosen;  // the candidate of the last team, from 0; none for other
-                                        // methods
+  std::optional<std::uint32_t> chosen;  // the candidate of the last team, from 0; empty for methods
+                                        // that do not choose among candidates
   bool operator==(const Measurement&) const = default;
 };
 
-// One for balanced, otherwise one for every two robots. O(1).
+// The number of teams: one for balanced, otherwise one for every two robots. O(1).
 std::uint32_t teams_of(Method method, std::uint32_t robots);
 
 // Measures one method with 1, 2, ... teams, up to the number of candidates (also for equal angles
-// and random) and `most_teams`. Numbers that a method cannot place are omitted (equal angles and
-// random, with C on the boundary). The random sample k = 1 .. samples is random_teams() with seed
-// k; its first t teams are the placement of t teams. For t teams: O(t^2) loads, and coverage and
-// form closure once for each.
+// and random) and `most_teams`. Numbers of teams that a method cannot place are omitted (by equal
+// angles and random, if C is on the boundary). The random sample k = 1 .. samples is random_teams()
+// with seed k; its first t teams are the placement of t teams. For t teams this computes O(t^2)
+// loads, and coverage and form closure once for each number of teams.
 //
 // Balanced robots are measured with 2, 3, ... robots, even without candidates, wherever place()
 // finds a placement with the other settings at their defaults. Each number costs the search of

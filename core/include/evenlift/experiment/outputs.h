@@ -13,21 +13,22 @@ namespace evenlift::experiment {
 
 struct Outputs {
   std::string measurements_csv, aggregates_csv, polygons_csv;
-  std::vector<std::pair<std::string, std::string>> refused;  // polygon, reason
+  std::vector<std::pair<std::string, std::string>> refused;  // polygon and reason
   std::vector<Figure> figures;                               // by the thesis's figure, then by set
   std::vector<SetClaims> claims;                             // empty for a single polygon
   std::vector<FewRobots> few_robots;                         // empty for a single polygon
 };
 
-// Each set has its averages. O(rows).
+// The outputs for sets of polygons. Each set has its own averages. O(rows).
 Outputs make_outputs(const std::vector<ResultSet>& sets);
 
-// The measurements and make_polygon_figures(). O(rows).
+// The outputs for a single polygon: its measurements and make_polygon_figures(). O(rows).
 Outputs make_polygon_outputs(const PolygonResult& result, const ExperimentSettings& settings);
 
+// The outputs as JSON for the page:
 // {"measurements", "aggregates", "polygons": the CSV files as strings; "thesis": the table in
 // Markdown; "refused": [{"polygon", "problem"}]; "figures", "claims", "few_robots": as
-// figures_json, claims_json and few_robots_json} for the page. O(output).
+// figures_json, claims_json and few_robots_json}. O(output).
 std::string outputs_json(const Outputs& outputs);
 
 }  // namespace evenlift::experiment

@@ -1,5 +1,5 @@
-// The measurements of many polygons as CSV, and the part files that assemble an interrupted or
-// shared run.
+// The measurements of many polygons as CSV, and the part files from which an interrupted or shared
+// run is assembled.
 #pragma once
 
 #include <cstdint>
@@ -13,36 +13,36 @@
 namespace evenlift::experiment {
 
 struct PolygonResult {
-  std::string set;      // the polygons with which it is averaged
+  std::string set;      // the set of polygons with which it is averaged
   std::string polygon;  // unique in its set
-  std::string problem;  // why it could not be measured, or empty
+  std::string problem;  // the reason why it could not be measured, or empty
   std::uint32_t vertices = 0;
   bool convex = false;
   std::uint32_t candidates = 0;           // the most teams that the algorithm can place
-  std::vector<Measurement> measurements;  // by method, then by robots
+  std::vector<Measurement> measurements;  // sorted by method, then by robots
   bool operator==(const PolygonResult&) const = default;
 };
 
-// Seconds by stage ("candidates", or a method's name).
+// The seconds of each stage, "candidates" or a method's name.
 using Times = std::vector<std::pair<std::string, double>>;
 
 // 16 hexadecimal digits that distinguish texts (FNV-1a, 64 bits). O(bytes).
 std::string fingerprint(std::string_view bytes);
 
-// Everything on which a polygon's result depends counts: settings, centre of mass and vertices.
+// The fingerprint of the settings and the document: its outline, holes, centre of mass and cargo.
 // O(n).
 std::string fingerprint(const Document& document, const ExperimentSettings& settings);
 
-// Of a file that could not be read.
+// Replaces the fingerprint of a file that could not be read.
 inline constexpr const char* refused_fingerprint = "refused";
 
-// A result without measurements yet. O(1).
+// The result of a polygon that has no measurements yet. O(1).
 PolygonResult result_of(const std::string& set, const std::string& polygon, const Subject& subject);
 
 // Sorts by set, then by polygon, both by their bytes. O(n log n).
 void sort_results(std::vector<PolygonResult>& results);
 
-// The results of one set, by polygon.
+// The results of one set, sorted by polygon.
 struct ResultSet {
   std::string name;
   std::vector<PolygonResult> results;
@@ -51,17 +51,17 @@ struct ResultSet {
 // Divides sorted results into sets and keeps their order. O(n).
 std::vector<ResultSet> group_by_set(std::vector<PolygonResult> results);
 
-// A finished polygon. write_part() ends its text with a newline. O(rows).
+// A finished polygon. write_part() returns its text, which ends with a newline. O(rows).
 struct Part {
   ExperimentSettings settings;
-  std::string fingerprint;  // of its input
+  std::string fingerprint;  // of the polygon's input
   PolygonResult result;
   Times times;
   bool operator==(const Part&) const = default;
 };
 std::string write_part(const Part& part);
 
-// Reads exactly what write_part() returns; nothing for any other text. O(bytes).
+// Reads a text that write_part() returned; nothing for any other text. O(bytes).
 std::optional<Part> read_part(std::string_view text);
 
 // One row for each set, polygon, method and number of robots, in that order, under a heading. The
@@ -69,8 +69,8 @@ std::optional<Part> read_part(std::string_view text);
 // double, and `chosen` may be empty. O(rows).
 std::string measurements_csv(const std::vector<ResultSet>& sets);
 
-// One row for each polygon: its size, and the number of teams that the algorithm can place or why
-// it was refused. O(polygons).
+// One row for each polygon: its number of vertices, whether it is convex, and the number of teams
+// that the algorithm can place, or the reason why the polygon was refused. O(polygons).
 std::string polygons_csv(const std::vector<ResultSet>& sets);
 
 // One row for each polygon and stage, with its seconds.

@@ -11,7 +11,7 @@
 
 namespace evenlift::experiment {
 
-// Part i of n equal parts, 1 <= i <= n <= max_shards.
+// A shard is part i of n equal parts of an experiment, 1 <= i <= n <= max_shards.
 inline constexpr std::uint32_t max_shards = 100000;
 struct Shard {
   std::uint32_t i = 1, n = 1;
@@ -22,12 +22,13 @@ struct ShardList {
   Shard shard;
   ExperimentSettings settings;
   struct Entry {
-    std::string set, polygon, fingerprint;  // as in the polygon's part
+    std::string set, polygon, fingerprint;  // as in the polygon's Part
   };
   std::vector<Entry> entries;
 };
 
-// read_shard_list() returns nothing for a text that write_shard_list() did not write. O(entries).
+// Write and read a list as text. read_shard_list() returns nothing for a text that
+// write_shard_list() did not write. O(entries).
 std::string write_shard_list(const ShardList& list);
 std::optional<ShardList> read_shard_list(std::string_view text);
 

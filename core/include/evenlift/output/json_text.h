@@ -25,15 +25,16 @@ std::string numbers(const std::vector<double>& values);
 std::string object(const std::vector<Member>& members);  // on one line
 std::string object(std::initializer_list<Member> members);
 
-// One item or member per line, indented by 2 (depth + 1) spaces. Values of several lines must have
-// been made for depth + 1. Without items the text is [] or {}.
+// Write one item or member per line, indented by 2 (depth + 1) spaces. Values of several lines must
+// have been made for depth + 1. Without items the text is [] or {}.
 std::string long_array(const std::vector<std::string>& items, int depth);
 std::string long_object(const std::vector<Member>& members, int depth);
 
-// On one line. Line breaks are only between items, since text() escapes others. O(bytes).
+// Joins the lines of a JSON text into one. It may have line breaks only between items; text()
+// escapes those within strings. O(bytes).
 std::string on_one_line(std::string_view text);
 
-// One per line.
+// Writes an array of points, one [x, y] per line, like long_array().
 std::string points(const Points& points, int depth);
 
 }  // namespace evenlift::json

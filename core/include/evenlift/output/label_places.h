@@ -1,5 +1,5 @@
 // Finds a free place for each label of a picture, beside its owner, and outside the object if there
-// is room. Coordinates are in pixels, or in a unit of about that size.
+// is space. Coordinates are in pixels, or in a unit of about that size.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ using evenlift::Box;
 using Segment = std::pair<Vec2, Vec2>;
 
 struct Request {
-  Box owner;                 // what the label names
+  Box owner;                 // the box around the thing that the label names
   Vec2 away = Vec2::Zero();  // the preferred direction, of any length
   Vec2 size = Vec2::Zero();  // of the label
 };
@@ -28,9 +28,10 @@ struct Surroundings {
   std::vector<Points> holes = {};  // of the object: free ground, whose edges are avoided
 };
 
-// A box for each label; nothing if every place would cover a mark, an owner or another label. Tries
-// all directions and a few distances, takes the cheapest place, and repeats this once the other
-// labels are known. O(labels (n + labels + chords)).
+// Returns a box for each label, or nothing for a label if every place would leave the frame or
+// cover a mark, an owner or another label. For each label it tries 24 directions and three
+// distances and takes the place with the fewest drawbacks. It does so twice, the second time with
+// all other labels in place. O(labels (n + labels + chords)).
 std::vector<std::optional<Box>> place(const std::vector<Request>& requests,
                                       const Surroundings& around);
 

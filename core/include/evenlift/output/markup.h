@@ -1,4 +1,4 @@
-// Text within SVG and HTML.
+// Functions for text within SVG and HTML.
 #pragma once
 
 #include <cstddef>
@@ -7,10 +7,11 @@
 
 namespace evenlift {
 
-// With `&`, `<`, `>` and `"` as entities, for use between tags and in attribute values. O(bytes).
+// Returns the text with `&`, `<`, `>` and `"` as entities, for use between tags and in attribute
+// values. O(bytes).
 std::string escaped(std::string_view text);
 
-// In a UTF-8 text. O(bytes).
+// Returns the number of characters in a UTF-8 text. O(bytes).
 std::size_t character_count(std::string_view text);
 
 }  // namespace evenlift

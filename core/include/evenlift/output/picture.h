@@ -1,5 +1,5 @@
-// A placement as shapes with roles, in polygon coordinates, without colours or pixels, for the SVG
-// writer and the page's canvas.
+// Turns a placement into shapes with roles, in polygon coordinates, without colours or pixels, for
+// the SVG writer and the page's canvas.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ namespace evenlift {
 enum class Role : std::uint8_t {
   object,            // filled P, without its holes
   lifting_base,      // filled H
-  clockwise,         // filled region of free rotation centres
-  counterclockwise,  // the same, counter-clockwise
+  clockwise,         // filled region of the centres of free clockwise rotations
+  counterclockwise,  // filled region of the centres of free counter-clockwise rotations
   candidate,         // a chord that no team took
   chord,             // joins the robots of a team
   robot,             // a lifting point
@@ -29,28 +29,30 @@ enum class Role : std::uint8_t {
 struct Shape {
   Role role = Role::object;
   Points points;                      // closed area (3 or more), segment (2) or spot (1)
-  std::optional<std::uint32_t> team;  // of chords and robots
-  double load = 0;                    // of robots; of cargo, its weight
+  std::optional<std::uint32_t> team;  // set for chords and robots
+  double load = 0;                    // of a robot; for cargo, its weight
   std::vector<Points> holes = {};     // of the object
   std::uint32_t item = 0;             // index of the cargo
-  double radius = 0;                  // of its disc, in units of length
+  double radius = 0;                  // of the cargo's disc, in units of length
 };
 
-// The chord of a team of two, otherwise a line from each robot to C. O(robots of the team).
+// The lines that show a team: for a team of two its chord, otherwise a line from each robot to C.
+// O(robots of the team).
 struct Segment {
   Vec2 from = Vec2::Zero(), to = Vec2::Zero();
 };
 std::vector<Segment> joining_lines(const Team& team, const Vec2& centre);
 
-// The radius of each item's disc, in units of length. A disc has the area of a part of the object
-// that weighs as much; all are smaller in the same ratio if the largest would exceed
-// `largest_cargo_disc` L. O(items).
+// Returns the radius of the disc of each item of cargo, in units of length. A disc has the area of
+// a part of the object that weighs the same as the item. If the largest radius would exceed
+// `largest_cargo_disc` L, all are reduced in the same ratio. O(items).
 inline constexpr double largest_cargo_disc = 0.06;
 std::vector<double> cargo_radii(const Placement& placement);
 
-// The mark by which one sees which robots form a team: strokes side by side that add up to the
-// team's number (from 1), where a broad one counts five. `at` is the robot's place on the picture,
-// `outward` any direction away from C; the strokes begin at the distance `radius`. O(team).
+// Returns a mark that shows which robots form a team: strokes side by side that add up to the
+// team's number (from 1), where a broad stroke counts five. `at` is the robot's place on the
+// picture, in pixels, and `outward` is the direction away from C, as a vector of any length. The
+// strokes begin at the distance `radius` from `at`. O(team).
 struct TallyStroke {
   Segment line;
   bool five = false;
@@ -58,9 +60,9 @@ struct TallyStroke {
 std::vector<TallyStroke> tally(std::size_t team, const Vec2& at, const Vec2& outward,
                                double radius);
 
-// The shapes that the overlays select, back to front. Of more than `most_lines` candidates or
-// teams, only every second, third and so on is shown, since more would be indistinguishable.
-// O(output).
+// Returns the object, cargo, centre of mass and robots, and the shapes that the overlays select,
+// from back to front. If there are more than `most_lines` candidates or teams, only every second
+// (or third, and so on) of them gets lines, since more lines would be indistinguishable. O(output).
 std::vector<Shape> make_picture(const Placement& placement, const Overlays& overlays,
                                 std::size_t most_lines = SIZE_MAX);
 

@@ -1,4 +1,4 @@
-// The poses of a placement for controlling robots: a table, JSON, or a message of ROS 2.
+// Writes the poses of a placement for controlling robots: as a table, JSON, or a message of ROS 2.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,17 @@ namespace evenlift {
 
 enum class PoseFormat : std::uint8_t { csv, json, yaml };
 
-// For a name that ends in .csv, .json or .yaml; nothing for others. O(1).
+// Returns the format for a file name that ends in .csv, .json or .yaml; nothing for other names.
+// O(1).
 std::optional<PoseFormat> pose_format_of_file(std::string_view file_name);
 
-// Of the coordinates: that of the polygon's file, or the centre of mass.
+// The origin of the coordinates: that of the polygon's file, or the centre of mass.
 enum class PoseOrigin : std::uint8_t { file, com };
 std::optional<PoseOrigin> pose_origin_from_name(std::string_view text);  // "file" or "com"
 inline constexpr const char* pose_origin_requirement = "the origin of poses must be file or com";
 
-// A coordinate frame: 1 to 255 letters, digits, '_', '-', '.' and '/', without a '/' at the
-// beginning, which ROS 2 rejects. O(bytes).
+// Returns whether a text can name a coordinate frame: 1 to 255 letters, digits, '_', '-', '.' and
+// '/'. It must not begin with a '/', which ROS 2 rejects there. O(bytes).
 bool is_frame_name(std::string_view text);
 inline constexpr const char* frame_requirement =
     "the frame must be 1 to 255 letters, digits, _, -, . and /, without / at the beginning";
@@ -31,18 +32,18 @@ struct PoseOptions {
   std::string frame = "object";  // see is_frame_name(); not in tables
 };
 
-// The robots, team after team, counted from 1: position, heading, load and team of each. The
-// position is the centre of the body of a robot with a size, otherwise the lifting point; the
-// heading is that of PlacedRobot (placed_robots.h).
+// Returns the position, heading, load and team of each robot, team after team. Robots and teams are
+// counted from 1. The position is the centre of the body of a robot with a size, otherwise the
+// lifting point; the heading is that of PlacedRobot (placed_robots.h).
 //   csv   a row for each robot: robot,team,x,y,heading_deg,load,unit,weight_unit
 //   json  {"frame", "origin", "unit", "weight_unit", "robots": [{"robot", "team", "x", "y",
-//         "heading_deg", "direction": [x, y], "load"}]}, direction being the heading as a vector of
+//         "heading_deg", "direction": [x, y], "load"}]}; `direction` is the heading as a vector of
 //         length 1
 //   yaml  a geometry_msgs/msg/PoseArray that `ros2 topic pub` accepts: positions in metres, z = 0;
-//         the rotation is about z, and turns x into the heading; loads and teams are comments
+//         the rotation is about z and turns x into the heading; loads and teams are in comments
 // Tables and JSON are in the placement's units. Numbers have the fewest digits that read back to
-// the same double. YAML treats an object without a unit as one in metres, and its first lines state
-// this. The bytes are the same on every platform. O(n + m).
+// the same double. YAML takes the coordinates of an object without a unit for metres, and its first
+// lines state this. The bytes are the same on every platform. O(n + m).
 std::string poses_text(const ShownPlacement& of, PoseFormat format,
                        const PoseOptions& options = {});
 

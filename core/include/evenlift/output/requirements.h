@@ -1,5 +1,5 @@
 // Conditions on a placement, in the words of `evenlift place --require`: "held, coverage>=0.8,
-// max<=20, robots<=4". They mark a result as kept or not.
+// max<=20, robots<=4". Each condition is kept or not.
 #pragma once
 
 #include <optional>
@@ -23,13 +23,15 @@ namespace evenlift {
 //   max, min           the greatest and the least planned load
 //   spread             max - min, with C at its assumed place
 //   max_after_failure  the greatest load by springs after any one failure
-//   margin             of form closure
+//   margin             the margin of form closure
 //   tipping_distance   the distance that C may be off before the object tips
-//   tip                the slope in degrees at which it tips in the worst direction (tilt.h)
-//   robots             their number
+//   tip                the slope, in degrees, at which the object tips in the worst direction
+//                      (tilt.h)
+//   robots             the number of robots
 //
-// The first four are true or false. `capacity`, `max` and `min` are kept wherever C lies within its
-// uncertainty; if that is too large for loads to be known (uncertainty.h), they are not kept.
+// The first four are true or false. `capacity`, `max` and `min` use the planned loads as ranges
+// within the given disturbance (loads_when_disturbed()). If the object falls, or can tip within the
+// disturbance, these conditions are not kept.
 struct Condition {
   std::string_view quantity;  // one of these names
   bool at_least = true;       // for numbers: >= or <=
@@ -39,33 +41,36 @@ struct Condition {
 
 inline constexpr std::size_t most_conditions = 100;
 
-// The conditions in a text: words between commas, or a quantity, >= or <=, and a number. Spaces do
-// not matter. The error, at the place "require", quotes the wrong condition if it is short, and
-// lists all words. O(bytes).
+// Reads the conditions in a text, separated by commas. Each is one of the first four words, or a
+// quantity, >= or <=, and a number. Spaces do not matter. The error, at the place "require", quotes
+// the wrong condition if it is short, and lists all words. O(bytes).
 Result<std::vector<Condition>> read_conditions(std::string_view text);
 
-// A condition and its value: a number, or 0 or 1. Without a value, such as a load of an object that
-// falls, it is not kept. Numbers are compared within tolerance: tau of the weight for loads, tau L
-// for distances, tau for coverage and margin.
+// A condition and the value of its quantity: a number, or 0 or 1. If there is no value, as for a
+// load of an object that falls, the condition is not kept. Numbers are compared within tolerance:
+// tau of the weight for loads, tau L for distances, tau for coverage and margin, and 90 tau for
+// degrees.
 struct Requirement {
   Condition condition;
   std::optional<double> value;
   bool kept = false;
 };
 
-// O(m log m) for each; max_after_failure costs as much as single_failures() (placed_robots.h).
+// Determines the values of the conditions and whether they are kept. O(m log m) for each condition;
+// max_after_failure costs as much as single_failures() (placed_robots.h), and so does steady if
+// there is a disturbance.
 std::vector<Requirement> check_conditions(const ShownPlacement& of,
                                           const std::vector<Condition>& conditions);
 
-// O(1).
+// Returns whether the condition's quantity is true or false, not a number. O(1).
 bool is_yes_or_no(const Condition& condition);
 
-// "The greatest load is at most 30 kg", "The robots hold the object"; and the value, "33.3 kg" or
-// "no", empty if there is none. O(1).
+// Return a condition in words, as "The greatest load is at most 30 kg" or "The robots hold the
+// object", and its value, as "33.3 kg" or "no"; empty if the requirement has no value. O(1).
 std::string condition_in_words(const Condition& condition, const Units& units);
 std::string value_in_words(const Requirement& requirement, const Units& units);
 
-// "coverage>=0.8: 0.834, kept", "held: no, not kept". O(1).
+// Returns a requirement in one line: "coverage>=0.8: 0.834, kept", "held: no, not kept". O(1).
 std::string requirement_in_words(const Requirement& requirement);
 
 }  // namespace evenlift

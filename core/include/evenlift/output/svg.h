@@ -1,4 +1,4 @@
-// A placement as an SVG picture for reports, without scripts or fonts to load.
+// Draws a placement as an SVG picture for reports, without scripts or fonts to load.
 #pragma once
 
 #include <string>
@@ -8,14 +8,15 @@
 
 namespace evenlift {
 
-// The polygon, H, chords, robots with their loads, the centre of mass and the two regions of free
-// rotation centres (hatched, so that they differ without colour), fitted with a margin; a caption
-// and a <title>/<desc> in words. The bytes are the same on every platform. Given the `link` of its
-// document (link.h), evenlift can open the picture as that document. O(output).
+// Draws the polygon, H, chords, robots with their loads, the centre of mass and the two regions of
+// free rotation centres (hatched, so that they differ without colour), fitted with a margin. A
+// caption and a <title>/<desc> describe them in words. The bytes are the same on every platform. If
+// `link` is the link of the document (link.h), evenlift can open the picture as that document.
+// O(output).
 std::string placement_svg(const ShownPlacement& of, std::string_view link = {});
 
-// At half the size, for pictures side by side: letters and robots keep their size, and there is no
-// caption or link. O(output).
+// Draws the same at half the size, for pictures side by side. Letters and robots keep their size,
+// and there is no caption or link. O(output).
 std::string placement_sketch(const ShownPlacement& of);
 
 }  // namespace evenlift

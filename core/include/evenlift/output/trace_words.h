@@ -1,7 +1,7 @@
-// The walkthrough in words: captions and formulas with this polygon's numbers, the algorithm as
-// pseudo-code, and answers to "why not this one?". All texts are in plain English or the reader's
-// language (wording.h), in UTF-8, and the same bytes on every platform. Vertices, edges, candidates
-// and teams count from 1.
+// Puts the walkthrough into words: captions and formulas with this polygon's numbers, the algorithm
+// as pseudo-code, and answers to "why not this one?". All texts are in plain English or the
+// reader's language (wording.h), in UTF-8, and the same bytes on every platform. Vertices, edges,
+// candidates and teams are counted from 1.
 #pragma once
 
 #include <string>
@@ -13,53 +13,59 @@
 
 namespace evenlift {
 
-// Such as "Edges that face each other". O(1).
+// Returns a chapter's title, such as "Edges that face each other". O(1).
 std::string_view title(Chapter chapter);
 
-// One to three sentences. O(1) plus numbers(); linear for `slopes` and `duplicates`.
+// Describes a step in one to three sentences. O(1) plus the cost of numbers() (trace.h); linear for
+// the steps `slopes` and `duplicates`.
 std::string caption(const Trace& trace, const StepDetail& detail);
 
-// For the step `sections` before a learner chooses the more even end: without load ratios. O(1).
+// Returns the caption of the step `sections` before a learner chooses the more even end: without
+// load ratios. O(1).
 std::string caption_before_choice(const Trace& trace, const StepDetail& detail);
 
-// "load ratio = 47.5 / 50.1 = 0.948 ≥ 0.8"; empty if there is nothing to calculate. O(1).
+// Returns the step's formula, such as "load ratio = 47.5 / 50.1 = 0.948 ≥ 0.8"; empty if there is
+// nothing to calculate. O(1).
 std::string formula(const Trace& trace, const StepDetail& detail);
 
-// The meaning of the formula's letters in one or two sentences; empty if none needs it. O(1).
+// Explains the formula's letters in one or two sentences; empty if no letter needs it. O(1).
 std::string_view formula_letters(const Trace& trace, const StepDetail& detail);
 
-// For the method, positions and goal of the settings. Each line is one statement, indented by two
-// spaces for each level. O(1).
+// Returns the algorithm for the method, positions and goal of the settings. Each line is one
+// statement, indented by two spaces for each level. O(1).
 std::vector<std::string_view> pseudo_code(const Settings& settings);
 
-// The index, from 0, of the line of pseudo_code() that the step executes. O(1).
+// Returns the index, from 0, of the line of pseudo_code() that the step executes. O(1).
 std::uint32_t pseudo_line(const Trace& trace, const StepDetail& detail);
 
-// question(trace, detail) in words. O(1).
+// Returns the question, which question() (trace.h) made, in words. O(1).
 std::string question_text(const Trace& trace, const StepDetail& detail, const Question& question);
 
-// Why a team stands where it does, with the numbers, for readers who do not know the algorithm.
-// O(1).
+// Explains why a team stands where it does, with the numbers, for readers who do not know the
+// algorithm. O(1).
 std::string why_here_text(const Trace& trace, const TeamScores& scores);
 
-// Why a chord is not a team, or which team it is, with the numbers. O(1).
+// Explains why no team stands on a chord, or which team does, with the numbers. O(1).
 std::string why_not_text(const Trace& trace, const WhyNot& answer);
 
-// Why no balanced robot stands at a place, or why one does. O(1).
+// Explains why no balanced robot stands at a place, or why one does. O(1).
 std::string why_no_robot_text(const Trace& trace, const WhyNoRobot& answer);
 
-// The set if two robots take another even chord. Costs as much as compare_even_chord().
+// Describes the set of balanced robots if two of them take another even chord. The cost is that of
+// compare_even_chord().
 std::string even_chord_text(const Trace& trace, const StepDetail& detail, std::uint32_t choice);
 
-// The result of another answer about a swap of teams. Costs as much as compare_swap().
+// Describes the result if a learner answers otherwise about a swap of teams. The cost is that of
+// compare_swap().
 std::string other_swap_text(const Trace& trace, const StepDetail& detail, const Question& question,
                             std::uint32_t choice);
 
-// A figure under the pointer: "candidate 4, ratio 0.951", "team 2, robot 1: 15.7 of 100". O(1).
+// Describes a figure under the pointer: "candidate 4, ratio 0.951", "team 2, robot 1: 15.7 of 100".
+// O(1).
 std::string figure_text(const Trace& trace, const StepDetail& detail, const Figure& figure);
 
-// The label of a part of the object: "edge 4", "vertex 2", "image of edge 1", "centroid"; empty for
-// other figures. O(1).
+// Returns the label of a part of the object: "edge 4", "vertex 2", "image of edge 1", "centroid";
+// empty for other figures. O(1).
 std::string part_name(const Figure& figure);
 
 }  // namespace evenlift

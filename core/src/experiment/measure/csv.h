@@ -10,14 +10,14 @@ namespace evenlift::experiment::csv {
 
 using Row = std::vector<std::string>;
 
-// In quotes if necessary. O(bytes).
+// The text of a field, in quotes if necessary. O(bytes).
 std::string field(std::string_view text);
 
-// With its line feed. O(bytes).
+// The text of a row, with its line feed. O(bytes).
 std::string line(const Row& row);
 
-// Nothing if a quote is open at the end, text follows a closing quote, or the last line does not
-// end in a line feed. O(bytes).
+// The rows of a text. Nothing if a quote is open at the end, text follows a closing quote, or the
+// last line does not end in a line feed. O(bytes).
 std::optional<std::vector<Row>> read(std::string_view text);
 
 }  // namespace evenlift::experiment::csv

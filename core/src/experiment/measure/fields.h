@@ -1,4 +1,5 @@
-// Reads the fields of a row one after another, and settings as fields of parts and shard lists.
+// Reads the fields of a row one after another. Parts and shard lists contain the settings as
+// fields.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The claims by the thesis's sections.
+// The thesis's claims, section by section.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ inline constexpr const char* none = "—";
 
 std::string percent(double share, int decimals = 0);
 std::string rate(const Count& count);  // "56 % (63 of 113)"
-// "1.5 kg (s.d. 1.9 kg)": the deviation times `scale`.
+// Writes "1.5 kg (s.d. 1.9 kg)". The value is text; the deviation is multiplied by `scale`.
 std::string with_deviation(const std::string& value, const std::optional<double>& deviation,
                            double scale, int decimals, const char* unit);
 

@@ -7,7 +7,8 @@
 
 namespace evenlift::experiment::markdown {
 
-// A cell that shows a text unchanged. Names may contain anything, so HTML and Markdown are escaped.
+// Returns a cell that shows the text. Names may contain anything, so HTML and Markdown are escaped,
+// and control characters become spaces.
 inline std::string cell(std::string_view text) {
   std::string out;
   for (const char c : text) {

@@ -9,7 +9,8 @@
 
 namespace evenlift::experiment {
 
-// With teams of two up to most_robots robots; 0 if there are no teams. O(rows most_robots).
+// The sentence is about teams of two with up to most_robots robots; most_robots is 0 if there are
+// no teams. O(rows most_robots).
 using Sentence = std::string (*)(const std::vector<Aggregate>& aggregates,
                                  std::uint32_t most_robots);
 
@@ -21,13 +22,13 @@ std::string coverage_sentence(const std::vector<Aggregate>&, std::uint32_t);
 std::string coverage_deviation_sentence(const std::vector<Aggregate>&, std::uint32_t);
 std::string closure_sentence(const std::vector<Aggregate>&, std::uint32_t);
 
-// Parts of such sentences. A value and its unit stay on one line.
+// These functions write parts of such sentences. A value and its unit stay on one line.
 std::string in_unit(double value, const std::string& unit);
 std::string in_kg(double value);
 std::string in_percent(double share);
-// In words: "by area", "at equal angles", "in balance".
+// Names the method in words: "by area", "at equal angles", "in balance".
 std::string by(Method method);
-// "1, 2 and 3"; empty if there are no items.
+// Joins the items: "1, 2 and 3". Empty if there are no items.
 std::string listed(const std::vector<std::string>& items);
 
 }  // namespace evenlift::experiment

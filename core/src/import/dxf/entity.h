@@ -10,16 +10,16 @@
 
 namespace evenlift {
 
-inline constexpr std::size_t max_dxf_groups = std::size_t{1} << 22;  // of an object
+inline constexpr std::size_t max_dxf_groups = std::size_t{1} << 22;  // most groups of an object
 
 struct DxfVertex {
   Vec2 point = Vec2::Zero();
-  double bulge = 0;  // of the edge that follows
+  double bulge = 0;  // the bulge of the edge that follows
   int flags = 0;
 };
 
-// The values are views of the text. A group that should be a number and is none counts as 0;
-// bad_number() returns the first one's place.
+// An object of the drawing. The values are views of the text. A group that should be a number but
+// is not counts as 0; bad_number() returns the place of the first such group.
 class DxfEntity {
  public:
   std::string_view type;
@@ -28,15 +28,16 @@ class DxfEntity {
 
   void begin(std::string_view new_type);
   double number(const DxfGroup& group);
-  // Of the first group with this code. O(groups).
+  // The number in the first group with this code; `otherwise` if there is no such group. O(groups).
   double number_of(int code, double otherwise);
   std::string_view text_of(int code) const;
   Vec2 point_of(int code) { return {number_of(code, 0), number_of(code + 10, 0)}; }
-  // The bits of a group, 70 in most objects.
+  // The bits of the flags; most objects have them in group 70.
   int flags_of(int code = 70);
-  // Then the x axis of the object's own coordinates points to the left.
+  // Whether the object is seen from behind: the x axis of its own coordinates points to the left.
   bool seen_from_behind() { return number_of(230, 1) < 0; }
-  // How far the plane's normal leans to the side, at most 1.
+  // The larger size of the x and y components of the plane's normal, at most 1; 0 for a plane seen
+  // straight on.
   double tilt();
   const std::optional<std::size_t>& bad_number() const { return bad_number_; }
   void add_bad_number(std::size_t offset) {
@@ -47,15 +48,17 @@ class DxfEntity {
   std::optional<std::size_t> bad_number_;
 };
 
-// The groups of the section or block must be complete.
+// Reads the objects of a section or block one after another. The groups of the section or block
+// must be complete.
 class DxfEntities {
  public:
   DxfEntities(std::string_view text, std::size_t from)
       : text_(text), from_(from), groups_(text, from) {}
 
-  // Valid until the next call; nullptr at the end, or after an error. O(bytes of the object).
+  // The next object, valid until the next call; nullptr at the end or after an error. O(bytes of
+  // the object).
   DxfEntity* next();
-  std::size_t bytes_read() const { return groups_.offset() - from_; }  // so far
+  std::size_t bytes_read() const { return groups_.offset() - from_; }  // number of bytes so far
   std::optional<InputError> error() const;
 
  private:
@@ -68,9 +71,9 @@ class DxfEntities {
   std::size_t from_;
   DxfGroups groups_;
   DxfEntity entity_, vertex_;
-  std::optional<DxfGroup> pending_;  // the next object's first
+  std::optional<DxfGroup> pending_;  // the first group of the next object
   bool begun_ = false;
-  std::optional<std::size_t> too_long_;  // where an object has too many groups
+  std::optional<std::size_t> too_long_;  // the place where an object has too many groups
 };
 
 }  // namespace evenlift

@@ -1,4 +1,4 @@
-// Pairs of lines, a code and a value.
+// The groups of a DXF text. A group is a pair of lines: a code and a value.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +10,18 @@ namespace evenlift {
 struct DxfGroup {
   int code;
   std::string_view value;
-  std::size_t offset;  // of the value in the text
+  std::size_t offset;  // the place of the value in the text
 };
 
-// The text must outlive the reader.
+// Reads the groups of a text, which must outlive this reader.
 class DxfGroups {
  public:
   explicit DxfGroups(std::string_view text, std::size_t from = 0) : text_(text), at_(from) {}
 
-  // nullopt at the end, or if the code is not an integer. O(bytes of the pair).
+  // The next group; nullopt at the end, or if the code is not an integer. O(bytes of the pair).
   std::optional<DxfGroup> next();
   bool broken() const { return broken_; }
-  // Where the last pair begins, and the next one.
+  // The places where the last pair and the next pair begin.
   std::size_t code_offset() const { return code_at_; }
   std::size_t offset() const { return at_; }
 

@@ -6,7 +6,7 @@
 
 namespace evenlift {
 
-// Objects that are left out.
+// The name of a kind of objects that are left out, for one and for several of them.
 struct DxfName {
   const char* one;
   const char* many;
@@ -17,15 +17,15 @@ struct DxfDrawn {
   Outline outline;
   const char* closed_kind = nullptr;  // such as "circle"; nullptr for an open outline
   const DxfName* reason = nullptr;
-  bool made_periodic =
-      false;  // a spline that the object marks as periodic has knots of an open one
+  bool made_periodic = false;  // a spline marked as periodic has the knots of an open one
 };
 
-// Of LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE, POLYLINE, SPLINE.
+// Whether the type is LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE, POLYLINE or SPLINE.
 bool is_drawn(std::string_view type);
 
-// Ends closer than `same_point` of a spline's larger side close it (spline.h). O(groups), for
-// splines as Outline::b_spline.
+// The object's outline. A spline is closed if its ends are within `same_point` times the larger
+// side of its control points' box (spline.h). O(groups); for splines the cost is that of
+// Outline::b_spline.
 DxfDrawn draw(DxfEntity& entity, double same_point);
 
 }  // namespace evenlift

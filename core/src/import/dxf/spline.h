@@ -5,10 +5,11 @@
 
 namespace evenlift {
 
-// Reads curves of degree 1 to 10 with positive weights whose knots fit the control points. A closed
-// curve's first control points follow the last again if its knots go on for as many spans as its
-// degree. They also do if it is closed and periodic, but has even knots of an open curve whose ends
-// do not meet. Each cause of refusal has a reason of its own.
+// Reads curves of degree 1 to 10 with positive weights whose knots fit the control points. In two
+// cases, a closed curve's first control points are repeated after its last. In the first, the
+// number of knots includes those for this repetition. In the second, the curve is marked as
+// periodic, its knots are the even knots of an open curve, and its first and last control points
+// differ. Each cause of refusal has a reason of its own.
 DxfDrawn draw_spline(DxfEntity& entity, double same_point);
 
 }  // namespace evenlift

@@ -18,28 +18,29 @@ struct OutlineWithHoles {
   std::vector<std::size_t> holes;
 };
 
-// The shapes that a path of several rings fills, the largest first. A ring is a hole if it is
-// filled around but not inside. If both sides are filled, the inside is a shape of its own. Rings
-// may touch. Rings that cross are separate shapes. O(k^2 + n) for k rings of n vertices in all,
-// plus O(m) for up to 256 vertices of each ring in the box of one with m.
+// The shapes that a path of several rings fills, the largest first. A ring is a hole if the fill is
+// around it but not inside it. If both sides are filled, the inside is a shape of its own. Rings
+// may touch. Rings that cross are separate shapes. O(k^2 + n) for k rings of n vertices in all. For
+// each ring in the box of another ring with m vertices, up to 256 of its vertices take O(m) each.
 std::vector<OutlineWithHoles> filled_shapes(const std::vector<const Points*>& rings, Fill fill);
 
-// A filled one may have holes by its fill.
+// An outline to nest. A filled outline may have holes that come from its fill.
 struct ClosedOutline {
   const Points* points = nullptr;
-  const std::vector<Points>* holes = nullptr;  // or null for none
+  const std::vector<Points>* holes = nullptr;  // null if there are no holes
   bool filled = false;
 };
 
 struct Nesting {
-  std::vector<OutlineWithHoles> shapes;  // by area, the largest first; of equal ones by coordinates
-  std::size_t holes = 0;                 // in all, without those of filled outlines
+  std::vector<OutlineWithHoles> shapes;  // the largest first; equal areas by coordinates
+  std::size_t holes = 0;                 // in all, except holes of filled outlines
   std::size_t repeated = 0;              // exact repetitions, which were dropped
 };
 
-// Makes holes by depth. A filled outline is always a shape. One without a fill is a hole if it is
-// directly inside a shape, else, also in a hole, a shape. Outlines that cross or touch are separate
-// shapes. The order does not matter. The complexity is that of filled_shapes.
+// Decides which outlines are holes. A filled outline is always a shape. An outline without a fill
+// is a hole if it is directly inside a shape; otherwise, also inside a hole, it is a shape.
+// Outlines that cross or touch are separate shapes. The order does not matter. The complexity is
+// that of filled_shapes().
 Nesting nest(const std::vector<ClosedOutline>& outlines);
 
 }  // namespace evenlift

@@ -12,7 +12,7 @@ struct GraphEdge {
   std::size_t from, to;  // nodes
   CurvePiece curve;      // its end is the node `to`
   std::size_t line;      // edges of one straight line have the same number
-  std::size_t piece;     // of the drawing
+  std::size_t piece;     // the number of the drawing's piece
 };
 
 // Drops edges that lie on another with the same ends: lines, and curves whose control points are
@@ -22,7 +22,7 @@ void drop_repeated(std::vector<GraphEdge>& edges, double near);
 
 struct HalfEdge {
   std::size_t edge;
-  bool back;  // from `to` to `from`
+  bool back;  // runs from `to` to `from`
 };
 
 // A bounded face as a simple cycle, counter-clockwise, from its least node by x, then y.
@@ -30,11 +30,11 @@ struct Face {
   std::vector<HalfEdge> boundary;
 };
 
-// In order of their boundaries. Edges that lead nowhere, or that alone join two parts, bound no
-// face. O(edges log edges).
+// The bounded faces, in the order of their boundaries. Edges that lead nowhere, or that alone join
+// two parts, bound no face. O(edges log edges).
 std::vector<Face> faces_of(const std::vector<GraphEdge>& edges, const Points& nodes);
 
-// Parts of one straight line become one edge. O(edges of the face).
+// The face's outline. Parts of one straight line become one edge. O(edges of the face).
 Outline outline_of(const Face& face, const std::vector<GraphEdge>& edges, const Points& nodes);
 
 }  // namespace evenlift

@@ -14,7 +14,7 @@ namespace evenlift {
 
 class PointGrid {
  public:
-  // The points must outlive it. Cells are `cell` > 0 wide. O(n log n).
+  // The points must outlive the grid. Cells are `cell` wide, above 0. O(n log n).
   PointGrid(const Points& points, double cell) : points_(points), cell_(cell) {
     low_ = bounding_box(points).low;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -26,8 +26,8 @@ class PointGrid {
     });
   }
 
-  // Visits the points i within `near` of `at`, itself included; only some if very many are that
-  // near. O(log n + visits) if `near` is about a cell.
+  // Visits the points i within `near` of `at`, including a point at `at` itself. If very many are
+  // that near, it visits only some of them. O(log n + visits) if `near` is about a cell.
   template <class Visit>
   void for_each_near(const Vec2& at, double near, Visit visit) const {
     const auto [x0, y0] = cell_of(at - Vec2(near, near));
@@ -38,8 +38,8 @@ class PointGrid {
       });
   }
 
-  // Visits the points i within `near` of the segment, and perhaps others close to it. O((cells
-  // along it + visits) log n).
+  // Visits the points i within `near` of the segment, and perhaps others close to the segment.
+  // O((cells along the segment + visits) log n).
   template <class Visit>
   void for_each_along(const Vec2& a, const Vec2& b, double near, Visit visit) const {
     const Vec2 &left = a.x() <= b.x() ? a : b, &right = a.x() <= b.x() ? b : a;
@@ -63,7 +63,7 @@ class PointGrid {
   }
 
  private:
-  static constexpr std::size_t most_visited = 256;  // in a column of cells
+  static constexpr std::size_t most_visited = 256;  // most points visited in a column of cells
   struct Entry {
     std::int64_t x, y;
     std::size_t point;

@@ -5,7 +5,7 @@
 
 namespace evenlift {
 
-// By x, then by y.
+// Whether a precedes b by x, then by y.
 inline bool is_before(const Vec2& a, const Vec2& b) {
   return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
 }

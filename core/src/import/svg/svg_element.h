@@ -6,7 +6,7 @@
 
 namespace evenlift {
 
-// The "href" of "xlink:href".
+// The name without its prefix: "href" for "xlink:href".
 inline std::string_view without_prefix(std::string_view name) {
   const std::size_t colon = name.rfind(':');
   return colon == std::string_view::npos ? name : name.substr(colon + 1);

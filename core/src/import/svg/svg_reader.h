@@ -1,4 +1,4 @@
-// Gathers the shapes of one SVG that are seen.
+// Gathers the visible shapes of one SVG.
 #pragma once
 
 #include <cstddef>
@@ -25,29 +25,30 @@ class SvgReader {
   Result<Import> read();
 
  private:
-  // What an element inherits.
+  // The properties that an element inherits from the elements around it.
   struct Context {
     Affine matrix;
-    std::string_view layer;         // label of the nearest layer or group that has one
-    std::string_view name_of_copy;  // of the <use> that copies this element
+    std::string_view layer;         // label of the nearest layer or group with a label
+    std::string_view name_of_copy;  // the name of the <use> that copies this element
     SvgViewport viewport;
     SvgLook look;
     bool in_copy = false;
   };
-  // In all copies together, so that copies of copies cannot multiply without end. An element counts
-  // as 64 bytes.
+  // The most bytes in all copies together, so that copies of copies cannot multiply without end. An
+  // element counts as 64 bytes, plus its attributes' values.
   static constexpr std::size_t most_copied_bytes = std::size_t{1} << 26;
 
-  // With a fill and no stroke.
+  // A path with a fill and without a stroke.
   struct FilledPath {
     std::string_view d;
     Affine matrix;
   };
 
-  // svg.cpp: the document.
+  // svg.cpp defines these functions, which read the document.
   InputError error_at(const pugi::xml_node& node, ErrorCode code, std::string message) const;
   void problem(const pugi::xml_node& node, const std::string& what);
-  // On nullopt the shape is left out.
+  // Returns the value, or reports the problem and returns nullopt; the shape is left out in that
+  // case.
   template <class T>
   std::optional<T> checked(const pugi::xml_node& node, const char* what, SvgResult<T> result) {
     if (auto* wrong = std::get_if<SvgProblem>(&result)) {
@@ -62,7 +63,7 @@ class SvgReader {
   void say_what_is_unseen();
   InputError nothing_found() const;
 
-  // svg_tree.cpp: elements, groups and copies.
+  // svg_tree.cpp defines these functions, for elements, groups and copies.
   std::optional<InputError> children(const pugi::xml_node& parent, const Context& context,
                                      int depth);
   std::optional<InputError> element(const pugi::xml_node& node, const Context& context, int depth);
@@ -71,7 +72,8 @@ class SvgReader {
   std::optional<InputError> chosen_child(const pugi::xml_node& node, const Context& context,
                                          int depth);
   std::optional<InputError> copy(const pugi::xml_node& node, Context& inside, int depth);
-  // Has its own viewport. `sized` gives its size: the <use>, or itself.
+  // Enters an element that has its own viewport. `sized` gives its size: it is the <use> that
+  // copies the element, or the element itself.
   std::optional<InputError> nested(const pugi::xml_node& node, const pugi::xml_node& sized,
                                    Context& inside, int depth);
   bool enter(const pugi::xml_node& node, std::string_view name, Context& inside);
@@ -84,7 +86,7 @@ class SvgReader {
   InputError too_deep(const pugi::xml_node& node) const;
   bool full() const { return gathering_.full() || piece_points_ > max_vertices; }
 
-  // svg_shapes.cpp: what is drawn.
+  // svg_shapes.cpp defines these functions, for the drawn shapes.
   void shape(const pugi::xml_node& node, const Context& context, std::string_view name);
   bool is_stroke_of_filled(const pugi::xml_node& node, const Context& context);
   void path(const pugi::xml_node& node, const Context& context, const std::string& called);
@@ -95,7 +97,7 @@ class SvgReader {
                bool circle);
   void line(const pugi::xml_node& node, const Context& context);
   std::string called(const pugi::xml_node& node, const Context& context) const;
-  // The context's viewport is 100 per cent.
+  // The length that the attribute gives, where the context's viewport is 100 per cent.
   std::optional<std::optional<double>> length(const pugi::xml_node& node, const Context& context,
                                               const char* attribute);
   void add(const Outline& outline, const Context& context, const std::string& called,
@@ -111,26 +113,27 @@ class SvgReader {
   std::vector<std::pair<std::string_view, pugi::xml_node>> by_id_;  // sorted once needed
   bool has_ids_ = false;
 
-  // Gathered by a walk. A second walk also takes shapes without paint.
+  // A walk through the document gathers the following members. A second walk also takes shapes
+  // without paint.
   Gathering gathering_;
   std::vector<DrawnPiece> pieces_;
   std::size_t piece_points_ = 0;
-  std::vector<pugi::xml_node> open_;  // elements around the present one
+  std::vector<pugi::xml_node> open_;  // the elements around the current one
   std::size_t copied_bytes_ = 0;
   std::size_t hidden_ = 0, unpainted_ = 0, hairs_ = 0;
   std::vector<std::string> hidden_names_;
-  FilledPath filled_;  // the shape before, if it was one
+  FilledPath filled_;  // the shape before, if it was a filled path
   bool takes_unpainted_ = false, has_problem_ = false, has_texts_ = false;
 };
 
-// From a drawing program; may be empty.
+// The label that a drawing program gave the element; may be empty.
 std::string_view label_of(const pugi::xml_node& node);
-// For people: the label, title or id.
+// The element's name for people: its label, title or id.
 std::string_view own_name(const pugi::xml_node& node);
 
-// Drops hairs and returns their number. A hair returns to within `meet` of its beginning, and its
-// control points stay within `reach` of it. Programs draw hairs at corners, where they would double
-// a vertex. O(pieces).
+// Drops hairs and returns their number. A hair is a part of the outline, with a curve, that returns
+// to within `meet` of its beginning; its control points stay within `reach` of that beginning.
+// Programs draw hairs at corners, where they would double a vertex. O(pieces).
 std::size_t drop_hairs(Outline& outline, double reach, double meet);
 
 }  // namespace evenlift

@@ -1,4 +1,5 @@
-// How an SVG's elements look, by attributes, the style attribute, style sheets and inheritance.
+// Finds how an SVG's elements look from their attributes, the style attribute, style sheets and
+// inheritance.
 #pragma once
 
 #include <array>
@@ -14,7 +15,7 @@
 
 namespace evenlift {
 
-// They decide whether and where an element is seen.
+// The properties that decide whether and where an element is seen.
 enum class SvgProperty : std::uint8_t {
   display,
   visibility,
@@ -35,7 +36,7 @@ enum class SvgProperty : std::uint8_t {
 };
 inline constexpr auto svg_property_count = static_cast<std::size_t>(SvgProperty::count);
 
-// Declared for one element; empty if not.
+// The values declared for one element; a value is empty if it is not declared.
 struct SvgDeclared {
   std::array<std::string_view, svg_property_count> values;
   std::string_view operator[](SvgProperty property) const {
@@ -43,7 +44,7 @@ struct SvgDeclared {
   }
 };
 
-// What an element inherits.
+// The look that an element inherits.
 struct SvgLook {
   bool visible = true;
   bool fill = true, fill_opaque = true;
@@ -59,23 +60,25 @@ SvgLook inherited(SvgLook look, const SvgDeclared& declared);
 
 // A drawing's style sheets. They read the selectors `tag`, `.class`, `#id`, `tag.class`, `tag#id`
 // and `*`, and lists of these; others and at-rules are skipped. The last declaration of the highest
-// specificity wins, and `!important` over all others. The drawing must outlive the sheets, which
-// may not be copied.
+// specificity wins. `!important` declarations win over all others. The drawing must outlive the
+// sheets, which may not be copied.
 class SvgStyles {
  public:
   SvgStyles() = default;
   SvgStyles(const SvgStyles&) = delete;
   SvgStyles& operator=(const SvgStyles&) = delete;
 
-  // Reads all <style> elements below the root. False if there are more than most_declarations.
-  // O(bytes log bytes).
+  // Reads all <style> elements below the root. Returns false if there are more than
+  // most_declarations declarations. O(bytes log bytes).
   static constexpr std::size_t most_declarations = std::size_t{1} << 18;
   bool read(const pugi::xml_node& root);
 
-  // O(bytes of its attributes, times the logarithm of the number of declarations).
+  // The values declared for this element. O(bytes of its attributes, times the logarithm of the
+  // number of declarations).
   SvgDeclared of(const pugi::xml_node& node) const;
 
-  // Then shapes that seem to have no paint may have some.
+  // Whether a skipped rule sets a fill or stroke. If so, shapes that seem to have no paint may have
+  // some.
   bool skipped_paint() const { return skipped_paint_; }
 
  private:
@@ -101,7 +104,7 @@ class SvgStyles {
   void apply(const Selector& selector, Cascade& cascade) const;
 
   std::string text_;                       // without comments
-  std::vector<Declaration> declarations_;  // by selector; only the winning one of each property
+  std::vector<Declaration> declarations_;  // by selector; only the winner for each property
   bool skipped_paint_ = false;
 };
 

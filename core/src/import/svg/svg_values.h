@@ -13,30 +13,30 @@
 
 namespace evenlift {
 
-// Part of a sentence, such as "character 7: not a number".
+// A problem, as part of a sentence, such as "character 7: not a number".
 struct SvgProblem {
   std::string what;
 };
 template <class T>
 using SvgResult = std::variant<T, SvgProblem>;
 
-// A list separated by white space and commas. O(bytes).
+// Reads a list of numbers separated by white space and commas. O(bytes).
 SvgResult<std::vector<double>> svg_numbers(std::string_view text);
 
-// Without white space and commas at the ends. O(bytes).
+// The text without white space and commas at its ends. O(bytes).
 std::string_view svg_trimmed(std::string_view text);
 
-// In user units: a number, perhaps with a unit such as mm, or in per cent of `whole`. An inch is 96
-// user units. Empty text and "auto" give nullopt. O(bytes).
+// Returns a length in user units. The text is a number, perhaps with a unit such as mm, or in per
+// cent of `whole`. An inch is 96 user units. Empty text and "auto" give nullopt. O(bytes).
 SvgResult<std::optional<double>> svg_length(std::string_view text,
                                             std::optional<double> whole = std::nullopt);
 
-// As in the attribute, or as in CSS, with units and more functions: translateX(1mm), rotate(90deg),
-// skew(1rad). Empty text and "none" give the identity. O(bytes).
+// Reads a transform as in the attribute, or as in CSS with units and more functions:
+// translateX(1mm), rotate(90deg), skew(1rad). Empty text and "none" give the identity. O(bytes).
 SvgResult<Affine> svg_transform(std::string_view text);
 
-// Such as "center", "10px 20px" or "left 25%", in a box at the origin, as far as its width and
-// height are known. Empty text gives the origin. O(bytes).
+// Reads a point such as "center", "10px 20px" or "left 25%" in a box at the origin, as far as the
+// box's width and height are known. Empty text gives the origin. O(bytes).
 SvgResult<Vec2> svg_transform_origin(std::string_view text, std::optional<double> width,
                                      std::optional<double> height);
 

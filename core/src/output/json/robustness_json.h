@@ -1,4 +1,4 @@
-// Loads and robustness in a placement's JSON, at nesting level `depth`.
+// Writes loads and robustness for a placement's JSON, at nesting level `depth`.
 #pragma once
 
 #include <optional>

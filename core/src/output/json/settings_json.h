@@ -8,8 +8,8 @@
 
 namespace evenlift::json {
 
-// From `first` to `last` of a list (SettingRow::in_document, in_result), those that affect the
-// document's method, in the order of Setting. O(output).
+// Adds the settings from `first` to `last` that are in the list (SettingRow::in_document or
+// in_result) and affect the document's method, in the order of Setting. O(output).
 void add_settings(std::vector<Member>& members, const Document& document, Listed SettingRow::*list,
                   Setting first, Setting last);
 

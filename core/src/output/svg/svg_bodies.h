@@ -1,4 +1,4 @@
-// The unusable boundary, and robots to scale.
+// Draws the unusable boundary, and robots to scale.
 #pragma once
 
 #include <string>
@@ -11,21 +11,21 @@
 
 namespace evenlift::svg {
 
-// All teams in turn; empty if the robots have no size. O(n + robots).
+// The robots of all teams in turn; empty if the robots have no size. O(n + robots).
 std::vector<PlacedRobot> robots_with_size(const Placement& placement);
 
-// What must fit on the paper: vertices, the bodies of these robots, and discs of cargo. O(n +
-// robots + items).
+// Points of all objects that must fit on the paper: the vertices, the bodies of these robots, and
+// the discs of cargo. O(n + robots + items).
 Points extent(const Placement& placement, const std::vector<PlacedRobot>& robots);
 
-// Empty if points may stand anywhere. O(parts).
+// Draws the unusable boundary; empty if points may stand anywhere. O(parts).
 std::string unusable_boundary(const Placement& placement, const Paper& paper);
 
-// O(robots).
+// Draws the robots to scale. O(robots).
 std::string bodies(const std::vector<PlacedRobot>& robots, const RobotSize& size,
                    const Paper& paper);
 
-// In pixels. O(1).
+// The box around the robot's body, in pixels. O(1).
 Box body_box(const PlacedRobot& robot, const RobotSize& size, const Paper& paper);
 
 }  // namespace evenlift::svg

@@ -9,7 +9,7 @@
 
 namespace evenlift::svg {
 
-// What the picture's key must explain.
+// The parts of the picture that its key must explain.
 struct Seen {
   bool hull = false, clockwise = false, counterclockwise = false;
   bool no_go = false, unusable = false, body = false, overload = false, slide = false;
@@ -25,12 +25,12 @@ struct Caption {
 // `top` and `width` are in pixels.
 Caption make_caption(const ShownPlacement& of, const Seen& seen, double top, double width);
 
-// Hatched at +45 degrees (clockwise) or -45, so that regions differ without colour and where they
-// overlap. `fills` defines both.
+// Names the fill of a region, which is hatched at +45 degrees (clockwise) or -45. So the two
+// regions differ without colour and where they overlap. fills() defines both fills.
 std::string region_fill(bool clockwise);
 std::string fills();
 
-// The usual sign: a disc with two opposite quarters filled.
+// The usual sign of a centre of mass: a disc with two opposite quarters filled.
 std::string centre_mark(const Vec2& at, double radius);
 
 }  // namespace evenlift::svg

@@ -1,4 +1,4 @@
-// At which slopes the object tips, and where a further load may stand.
+// Draws the slopes at which the object tips, and the region where a further load may stand.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace evenlift::svg {
 
-// The region is green, and the rest of the object striped. Both are in pixels.
+// Draws the region green, and the rest of the object striped. Both are in pixels.
 std::string load_region(const std::vector<Points>& rings, const Points& region);
 std::string load_swatch();
 
-// Circles about C, up to the farthest corner of the lifting base. Empty without a height of C, or
-// if the object falls.
+// Draws circles about C, up to the farthest corner of the lifting base. Empty if C has no height or
+// the object falls.
 std::string tilt_marks(const ShownPlacement& of, const Paper& paper);
 std::string tilt_swatch();
 

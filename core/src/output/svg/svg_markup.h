@@ -18,16 +18,17 @@ std::string attribute(std::string_view name, double value);
 std::string element(std::string_view tag, std::string_view attributes);  // <tag .../>
 
 std::string path(const Points& points, bool closed);  // the attribute d
-std::string path(const std::vector<Points>& rings);   // of closed rings
+std::string path(const std::vector<Points>& rings);   // the attribute d of closed rings
 
-// On a white border that separates it from the shapes below.
+// Draws an arrow with a white border, which separates it from the shapes below.
 std::string arrow(const Vec2& tail, const Vec2& head, std::string_view colour);
 
-// The baseline is at `at`.
+// Writes words whose baseline is at `at`.
 std::string text(const Vec2& at, double size, std::string_view words,
                  std::string_view attributes = "");
 
-// Generous, as the reader's font is unknown. `average` is a character's width in units of the size.
+// A generous estimate of the text's width, since the reader's font is unknown. `average` is a
+// character's width in units of the size.
 double text_width(std::string_view words, double size, double average = 0.56);
 
 // Breaks words at blanks into lines of at most `width`. A longer word has its own line.

@@ -1,4 +1,4 @@
-// Colours, and sizes in CSS pixels at the picture's natural size.
+// The picture's colours, and its sizes in CSS pixels at the picture's natural size.
 #pragma once
 
 #include <string_view>
@@ -7,8 +7,8 @@ namespace evenlift::svg {
 
 inline constexpr double largest_width = 720, largest_height = 520;    // of the object
 inline constexpr double smallest_width = 680, smallest_height = 300;  // of the ground around it
-inline constexpr double margin = 72;          // of ground around the object, for the loads
-inline constexpr double caption_margin = 24;  // of panel around the caption
+inline constexpr double margin = 72;          // width of ground around the object, for the loads
+inline constexpr double caption_margin = 24;  // width of panel around the caption
 
 inline constexpr std::string_view ground_colour = "#EEF1F4";
 inline constexpr std::string_view panel_colour = "#FFFFFF";

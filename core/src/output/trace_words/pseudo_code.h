@@ -1,4 +1,4 @@
-// Each step executes one statement.
+// The statements of the pseudo-code. Each step of the walkthrough executes one of them.
 #pragma once
 
 #include <cstdint>

@@ -10,7 +10,8 @@
 
 namespace evenlift {
 
-// The formula of a step with its numbers. Its row in step_words.cpp selects the function.
+// Writes the formula of a step with its numbers. The step's row in step_words.cpp selects the
+// function.
 class StepFormulas : LookedAtStep {
  public:
   StepFormulas(const Trace& trace, const StepDetail& detail) : LookedAtStep(trace, detail) {}

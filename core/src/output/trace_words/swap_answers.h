@@ -8,10 +8,10 @@
 
 namespace evenlift {
 
-// As percentages, with enough decimals to show which is larger.
+// Writes both shares as percentages, with enough decimals, at most six, to show which is larger.
 std::array<std::string, 2> told_apart(double a, double b);
 
-// Asks a learner before a swap.
+// The question that a learner is asked before a swap.
 std::string swap_question(const StepDetail& detail, const Question& question);
 
 }  // namespace evenlift

@@ -1,5 +1,5 @@
-// The walkthrough's sentences. A piece is a few numbers until one function writes it: strings at
-// each place took a third of the walkthrough's code.
+// Writes the walkthrough's sentences. A piece stays a few numbers until one function, written(),
+// makes it text: strings at each place took a third of the walkthrough's code.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct Piece {
     exact,
     percent
   };
-  // A piece does not own its text and must not outlive the call.
+  // A piece does not own its text and must not outlive it.
   Piece(const char* words) : text(words) {}
   Piece(std::string_view words) : text(words) {}
   Piece(const std::string& words) : text(words) {}
@@ -39,10 +39,10 @@ struct Piece {
 
 std::string written(const Piece& piece);
 
-// Puts the pieces into the {names} of the translated pattern, as say() does.
+// Puts the pieces in place of the {names} of the translated pattern, as say() does.
 std::string fill(std::string_view pattern, std::initializer_list<Piece> pieces);
 
-// Translated and joined by spaces. Leaves out empty ones.
+// Translates the pieces and joins them by spaces. Leaves out empty pieces.
 std::string sentences(std::initializer_list<Piece> each);
 
 // counted_from_1(0) is "1", and counted(3, "team") is "3 teams".
@@ -50,20 +50,20 @@ Piece whole(std::size_t number);
 Piece counted_from_1(std::size_t index);
 Piece counted(std::size_t number, std::string_view noun);
 
-// About four significant digits of `scale`. number_unlike() adds decimals, up to nine, if the
-// number would look like `other` but does not tie with it.
+// A number rounded to about four significant digits of `scale`. number_unlike() adds decimals, up
+// to nine, if the number would look like `other` but does not tie with it.
 Piece number(double value, double scale);
 Piece number_unlike(double value, double other, double scale);
 
 Piece with_decimals(double value, int decimals);
 
-// The fewest digits that read back to the same number.
+// A number with the fewest digits that read back to the same number.
 Piece exact(double value);
 
-// A share of 1.
+// A share of 1, as a percentage.
 Piece percent(double share);
 
-// Three decimals, or more if it would look like 1 or `other` but is neither.
+// A ratio with three decimals, or with more if it would look like 1 or `other` but is neither.
 Piece ratio_text(double ratio, double other = 1);
 
 // Lengths and areas of a trace's object.
@@ -71,29 +71,32 @@ Piece length_text(const Trace& trace, double value);
 Piece area_text(const Trace& trace, double value);
 Piece point_text(const Trace& trace, const Vec2& point);
 
-// Loads as in loads_in_words, without and with unit, in a trace with teams.
+// Loads as in loads_in_words(): load_text() without unit, weight_text() with unit. The trace must
+// have teams.
 Piece load_text(const Trace& trace, double value);
 Piece weight_text(const Trace& trace, double value);
 Piece weight_text(const Trace& trace, double value, double largest);
 Piece margin_text(double value);
 
-// With the item's name, if any: "Cargo 2, “motor”,".
+// Names the item by its number, and by its name if it has one: "Cargo 2, “motor”,".
 std::string cargo_text(const Trace& trace, std::uint32_t item);
 
-// A metric's quantity, the merit of the candidate that wins, asked for and told, the place of the
-// winning chord, and its lead over the next best.
+// Sentences about a metric. `score` says what the score measures. `asked` and `wins` say why the
+// winning candidate wins, as an answer to a question and as part of a sentence. `chord` says which
+// chord a team takes, and `gains` compares this chord with the next best.
 struct MetricWords {
   const char *score, *asked, *wins, *chord, *gains;
 };
 MetricWords words_of(Metric metric);
 
-// In the unit of the trace's metric and rule, with enough decimals to differ from `other`.
+// A score in the unit of the trace's metric and rule, with enough decimals to differ from `other`.
 Piece score_text(const Trace& trace, Rule rule, double value, double other);
 
-// "at most" the score if it is an upper bound.
+// Writes the score, with "at most" before it if it is only an upper bound.
 std::string score_or_bound(const Piece& score, bool exact);
 
-// The angle to the x axis in degrees, in (-90, 90]; 90 within tolerance of vertical.
+// The angle to the x axis in degrees, in (-90, 90]. It is 90 if the direction is vertical within
+// tolerance.
 double slope_degrees(const Vec2& direction);
 
 }  // namespace evenlift

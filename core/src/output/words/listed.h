@@ -9,7 +9,8 @@
 
 namespace evenlift {
 
-// "1, 2 and 5". Of more than eight numbers, the first seven and "and 3 more".
+// Writes "1, 2 and 5". If there are more than eight numbers, it writes the first seven and "and 3
+// more".
 inline std::string listed(const std::vector<std::size_t>& numbers) {
   if (numbers.empty()) return {};
   constexpr std::size_t most_named = 8;
@@ -22,7 +23,8 @@ inline std::string listed(const std::vector<std::size_t>& numbers) {
                      : say("{numbers} and {last}", {text, numbers.back()});
 }
 
-// "2, 4 and 5" for robots, teams or candidates from 0.
+// Writes indices of robots, teams or candidates, which count from 0, as numbers from 1: "2, 4 and
+// 5".
 template <class Number>
 std::string numbers_from_1(const std::vector<Number>& numbers) {
   std::vector<std::size_t> shown;
