@@ -14,13 +14,14 @@ namespace evenlift::view {
 // are not the plan's.
 void renew_outlooks(Derived& facts, LoadModel model, const Shown& shown);
 
-// Renews the effect of each failure, if due. It is known for at most `most_failures_known` robots.
-// If it takes long, it waits while robots `move`.
+// Renews the effect of each failure, if due. With more than `most_failures_known` robots, no
+// effects are computed. If this would take long, it is put off while robots are being moved
+// (`move`).
 inline constexpr std::size_t most_failures_known = 128;
 void renew_failures(Derived& facts, const Shown& shown, bool move);
 
-// Lets this robot fail; if there is no such robot, none fails. Places nothing. If the failures are
-// unknown, costs as much as one of them.
+// Lets this robot fail; if there is no such robot, none fails. The other robots stay where they
+// are. If the effects of failures are not known, this costs as much as computing one of them.
 void let_fail(Derived& facts, std::size_t robot, const Shown& shown);
 
 }  // namespace evenlift::view

@@ -15,9 +15,9 @@ void end_search(Derived& facts, Effects& effects);
 // Begins the search if one is due, in O(n).
 void begin_search(Derived& facts, Effects& effects);
 
-// Begins to count the balanced robots that can carry the object if any one fails, if each can carry
-// `capacity`. Does so once the robots on the screen have settled, unless the count is known. O(1)
-// if there is nothing to begin.
+// Begins to find how many balanced robots, each able to carry `capacity`, are needed so that the
+// others carry the object if any one fails. Does so once the robots on the screen have settled,
+// unless the count is known. O(1) if there is nothing to begin.
 void begin_count(Derived& facts, const std::optional<double>& capacity, Effects& effects);
 
 // Forgets the count, and ends it if it is under way.

@@ -17,8 +17,8 @@ void draw_coverage(const Painter& painter, const CanvasView& view);
 // can be dragged, the coverage, and lines.
 Occupied occupied_by_marks(const CanvasView& view, double reach);
 
-// The labels of cargo, which avoid all these places. They do not depend on other labels, which
-// avoid them.
+// The labels of cargo. They avoid all the other places above. They do not depend on other labels,
+// which avoid them.
 std::vector<CargoLabel> labels_of_cargo(const CanvasView& view);
 
 // The text beside a robot.

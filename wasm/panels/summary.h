@@ -69,9 +69,8 @@ std::string link_lacks_in_words(const AppState& state);
 // O(teams).
 std::string summary(const AppState& state);
 
-// In addition to the summary: the selection, the tool and the shown overlays, each in a sentence on
-// its own line.
-// O(1).
+// In addition to the summary: the selection, the tool, snapping, which overlays are shown or
+// hidden, and the comparison, each on its own line. O(1).
 std::string news(const AppState& state);
 
 }  // namespace evenlift::view

@@ -93,9 +93,11 @@ struct FailurePlan {
 
 // Finds the least number of robots for the placement's method, at the places where place() would
 // put them. The search begins with the least number that the weight and, for balanced robots,
-// `survive` permit. It ends if there is no place for more teams, at most_teams_tried(), or after
-// the loads of most_loads_planned robots. For balanced robots it tries at most most_sets_planned
-// numbers, each with a whole search. For given supports no plan is possible.
+// `survive` permit. It ends when there is no place for more teams, when check_swaps() (swaps.h)
+// refuses more, at most_teams_tried() teams (for balanced robots, at most_robots), or before it
+// would compute more than most_loads_planned loads in all; m robots need m^2. For balanced robots
+// it tries at most most_sets_planned numbers, each with a whole search. For given supports no plan
+// is possible.
 inline constexpr std::uint64_t most_loads_planned = std::uint64_t{1} << 21;
 inline constexpr std::uint32_t most_sets_planned = 8;
 FailurePlan plan_for_failures(const Placement& placement, double capacity);

@@ -38,8 +38,8 @@ class SupportPlacer {
   SupportPlacer(const PolygonWithHoles& object, const Settings& settings);
 
   // The contact of a support at the edge; farther inside, its place with the edge `beneath`
-  // (chords.h). Empty if a support farther than the snap distance from the outline is outside it or
-  // in a hole, as decided exactly. O(n).
+  // (chords.h). Empty if the support is farther than the snap distance from the outline and is
+  // outside it or in a hole; this is decided exactly. O(n).
   std::optional<LiftingPoint> place(const Vec2& support) const;
 
   // The distance of a point from the outline. O(n).
@@ -58,9 +58,9 @@ Result<std::vector<LiftingPoint>> place_supports(const PolygonWithHoles& object,
 
 // Places beneath the object for robots that the user is about to move. Like the legs of a table,
 // they are on the sides of a small square that contains the centre of mass, and they have few
-// digits. The middle of the square lies from the centre of mass towards the farthest vertex. If the
-// square would be so small there that robots hide each other, its middle may lie on another side of
-// the centre of mass. If no square fits, all places are at the first vertex. 1 <= robots <=
+// digits. The middle of the square is offset from the centre of mass towards the farthest vertex.
+// If the square would be so small there that robots hide each other, its middle may lie on another
+// side of the centre of mass. If no square fits, all places are at the first vertex. 1 <= robots <=
 // most_supports. The settings give the snap distance. O(n robots).
 Points supports_to_place(const PolygonWithHoles& object, const Vec2& centre, std::size_t robots,
                          const Settings& settings);
@@ -70,14 +70,14 @@ Points supports_to_place(const PolygonWithHoles& object, const Vec2& centre, std
 // edge whose middle is farthest from its nearest robot. O(n m log m) for m robots.
 Vec2 widest_addition(const Polygon& polygon, const Points& robots);
 
-// A support where a robot of the given size does not fit, or too near to another.
+// A support where a robot of the given size does not fit, or that is too near to another.
 struct Misfit {
   enum class Why : std::uint8_t {
     outside,   // the body would meet the object
     arm,       // it would cross the object
     hand,      // it would stick out of the object
     hole,      // the hand would reach into it
-    no_go,     // the robot would touch such a part
+    no_go,     // the robot would touch a no-go part of an edge
     too_near,  // it collides with another robot, or both are at one place
   };
   std::uint32_t robot = 0;

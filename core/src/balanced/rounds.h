@@ -1,5 +1,5 @@
-// The swaps of the search by the rules alone. evenlift/balanced.h explains them; its functions of
-// the same names take a problem.
+// The swaps of the search for balanced robots, given only its Rules. evenlift/balanced.h explains
+// them; there, the functions of the same names take a BalancedProblem instead.
 #pragma once
 
 #include "balanced/rules.h"

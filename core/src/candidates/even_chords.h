@@ -28,12 +28,12 @@ class EvenChords {
   // each place where the outline meets its mirror image.
   std::vector<Candidate> about(const Vec2& centre) const;
 
-  // The even candidates about the centre between the edges of a sample, or all if no sample has
-  // enough_chords candidates. The samples hold a half, a quarter, an eighth and so on of all edges,
-  // and the smallest with enough candidates is used. Only an edge's number in the walk decides
-  // which samples contain it. A strongly winding outline may have a hundred thousand even chords
-  // about one centre, and a search needs only some of them. O(log n) for each place where the
-  // sample meets its mirror image.
+  // Even candidates about the centre: those between edges of one sample, or all of them if no
+  // sample has enough_chords candidates. The samples hold a half, a quarter, an eighth and so on of
+  // all edges, and the smallest with enough candidates is used. Only an edge's number in the walk
+  // decides which samples contain it. A strongly winding outline may have a hundred thousand even
+  // chords about one centre, and a search needs only some of them. O(log n) for each place where
+  // the sample meets its mirror image.
   static constexpr std::size_t enough_chords = 32;
   std::vector<Candidate> some_about(const Vec2& centre) const;
 
@@ -58,7 +58,7 @@ class EvenChords {
   const Stands* stands_;
   Sample all_;
   std::vector<Sample> samples_;  // the smallest first
-  double size_ = 0;              // the largest coordinate in size
+  double size_ = 0;              // the largest absolute value of a coordinate
 };
 
 }  // namespace evenlift

@@ -16,7 +16,7 @@ constexpr int length_bits = 17;  // of max_lesson_bytes
 
 // Predicts a text bit by bit from what followed its last three bytes before, or if that is new, its
 // last byte. It never goes through the models, so their order does not matter.
-class Predictor {
+class TextPredictor {
  public:
   // O(1) on average.
   template <class Coder>
@@ -60,8 +60,8 @@ struct Learner {
   bool code_bit(bool value, BitModel&) const { return value; }
 };
 
-Predictor primed() {
-  Predictor predictor;
+TextPredictor primed() {
+  TextPredictor predictor;
   Learner learner;
   for (const char c : lesson_primer) predictor.code_byte(learner, static_cast<std::uint8_t>(c));
   return predictor;
@@ -88,7 +88,7 @@ Result<std::string> encode_lesson_link(std::string_view lesson) {
     return InputError{ErrorCode::text_too_long, "a lesson has at most 65536 bytes", {}};
   Encoder encoder;
   code_integer(encoder, lesson.size(), length_bits);
-  Predictor predictor = primed();
+  TextPredictor predictor = primed();
   for (const char c : lesson) predictor.code_byte(encoder, static_cast<std::uint8_t>(c));
   std::string link(head);
   append_digits(link, encoder.finish());
@@ -112,7 +112,7 @@ Result<std::string> decode_lesson_link(std::string_view text) {
   Decoder decoder(*digits);
   const std::uint64_t length = code_integer(decoder, 0, length_bits);
   std::string lesson;
-  Predictor predictor = primed();
+  TextPredictor predictor = primed();
   while (lesson.size() < length && length <= max_lesson_bytes && !decoder.failed())
     lesson += static_cast<char>(predictor.code_byte(decoder, 0));
   // Only one link per lesson, so that no other can hide data.

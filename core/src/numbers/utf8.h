@@ -6,8 +6,8 @@
 
 namespace evenlift {
 
-// The bytes of the text's first character; 0 if the text is empty or does not begin with a
-// character of UTF-8. O(1).
+// The number of bytes in the text's first character; 0 if the text is empty or does not begin with
+// a valid UTF-8 character. O(1).
 std::size_t utf8_length(std::string_view text);
 
 // Whether the line is UTF-8 without control characters other than tabs and carriage returns.

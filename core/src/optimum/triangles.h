@@ -1,4 +1,4 @@
-// The areas of P in triangles of C and two ends of chords.
+// The share of P's area that lies in each triangle with corners at C and at two chord ends.
 #pragma once
 
 #include <cstdint>

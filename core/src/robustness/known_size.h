@@ -1,4 +1,4 @@
-// The size from which the tolerance for robots far from the origin is made.
+// The size on which the tolerance for robots far from the origin is based.
 #pragma once
 
 #include <algorithm>

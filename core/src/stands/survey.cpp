@@ -11,7 +11,7 @@
 namespace evenlift {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 std::vector<LineEnds> edges_of_holes(const PolygonWithHoles& object) {
   std::vector<LineEnds> edges;
@@ -82,8 +82,8 @@ std::span<const EdgePart> Surveyor::marked_on(std::uint32_t edge) const {
 void Surveyor::add_no_go(std::uint32_t edge, double size, Losses& losses) const {
   const double half = robot_.width / 2;
   for (const EdgePart& part : marked_on(edge)) {
-    const Stretch marked{part.from == 0 ? -infinity : part.from * size,
-                         part.to == 1 ? infinity : part.to * size};
+    const Stretch marked{part.from == 0 ? -unbounded : part.from * size,
+                         part.to == 1 ? unbounded : part.to * size};
     losses.add(WhyUnusable::no_go, marked);
     if (half > 0) losses.add(WhyUnusable::near_no_go, {marked.from - half, marked.to + half});
   }
@@ -95,10 +95,10 @@ void Surveyor::add_corners(std::uint32_t edge, const EdgeFrame& frame, Losses& l
     return dot(polygon_.vertex(corner) - from, frame.along);
   };
   if (const auto corner = corners_.before(edge); corner && corners_.is_corner(*corner))
-    losses.add(WhyUnusable::corner, {-infinity, way(polygon_.edge_start(edge), *corner) + half});
+    losses.add(WhyUnusable::corner, {-unbounded, way(polygon_.edge_start(edge), *corner) + half});
   if (const auto corner = corners_.after(edge); corner && corners_.is_corner(*corner))
     losses.add(WhyUnusable::corner,
-               {frame.length + way(polygon_.edge_end(edge), *corner) - half, infinity});
+               {frame.length + way(polygon_.edge_end(edge), *corner) - half, unbounded});
 }
 
 void Surveyor::add_obstacles(std::uint32_t edge, const EdgeFrame& frame, Losses& losses) const {

@@ -1,4 +1,4 @@
-// One round of swaps, which finds the best choice on trial.
+// One round of swaps: it finds the best of the choices tried.
 #pragma once
 
 #include <optional>
