@@ -141,7 +141,7 @@ test("at the end a question waits, its answer comes when it is asked for, and is
   await end(page).getByRole("button", { name: "Answer", exact: true }).press("Enter");
   await idle(page);
   assert.deepEqual(await end(page).boundingBox(), before, "its room was kept, so that the drawing stands still");
-  assert.match(await end(page).innerText(), /again\?\s+About a third of the way/);
+  assert.match(await end(page).innerText(), /again\?\s+C must go about a third of the way/);
   assert.equal(await end(page).getByRole("button", { name: "Answer", exact: true }).count(), 0);
   assert.match(
     await page.evaluate(() => document.activeElement.textContent),
@@ -154,7 +154,7 @@ test("at the end a question waits, its answer comes when it is asked for, and is
   await idle(page);
   await page.keyboard.press("ArrowRight");
   await idle(page);
-  assert.match(await end(page).textContent(), /About a third of the way/);
+  assert.match(await end(page).textContent(), /about a third of the way/);
   await begin(page, "opposite");
   await goToEnd(page);
   assert.doesNotMatch(await end(page).innerText(), /No\. The centre of mass/, "another lesson's answer is not shown");
@@ -844,7 +844,7 @@ test("the handout has a picture and the words for each stop of the lesson, and o
     await page.locator("#handout .paper-question").textContent(),
     /A question.*Do the even chords stay even\?.*an even chord moves along with C/,
   );
-  assert.match(await figures.first().textContent(), /Eight vertices, and no corner points inwards/);
+  assert.match(await figures.first().textContent(), /eight vertices, and no corner points inwards/);
   assert.equal(await page.locator("#handout figure svg .object").count(), await figures.count());
   assert.match(
     await figures.nth(3).locator("svg").textContent(),
