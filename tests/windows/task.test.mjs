@@ -106,7 +106,7 @@ test("what a task does not allow is said, and undo brings it back", async () => 
   await card(page).getByRole("button", { name: "Question" }).click();
   await card(page).getByText("Must the motor lie above").waitFor();
   await card(page).getByRole("button", { name: "Answer" }).click();
-  await card(page).getByText("No. All four carry the same").waitFor();
+  await card(page).getByText("No. C is the centre of mass of slab and motor together").waitFor();
   await page.done();
 });
 
