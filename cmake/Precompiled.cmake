@@ -1,5 +1,5 @@
-# Reading headers takes most of the time of compiling a small file. Every file still includes all that it uses: `./dev tidy`
-# compiles each alone, without precompiled headers (CMAKE_DISABLE_PRECOMPILE_HEADERS).
+# Reading headers takes most of the time of compiling a small file. Every file still includes all that it uses:
+# `./dev tidy` compiles each alone, without precompiled headers (CMAKE_DISABLE_PRECOMPILE_HEADERS).
 include_guard()
 
 # The target reads Eigen, and the headers that it names, only once.

@@ -7,7 +7,7 @@
 namespace evenlift::experiment {
 namespace {
 
-std::string hundredths(double share) { return fixed(100 * share, 1); }
+std::string bare_percent(double share) { return fixed(100 * share, 1); }
 
 // A column of the aggregates, in words and digits.
 struct Measure {
@@ -16,9 +16,9 @@ struct Measure {
 };
 
 constexpr Measure measures[] = {
-    {"coverage, %", [](const Aggregate& a) { return hundredths(a.coverage.mean); }},
-    {"in form closure, %", [](const Aggregate& a) { return hundredths(a.closed); }},
-    {"held with clearance, %", [](const Aggregate& a) { return hundredths(a.held_clear); }},
+    {"coverage, %", [](const Aggregate& a) { return bare_percent(a.coverage.mean); }},
+    {"in form closure, %", [](const Aggregate& a) { return bare_percent(a.closed); }},
+    {"held with clearance, %", [](const Aggregate& a) { return bare_percent(a.held_clear); }},
     {"spread of loads, kg of 100 kg", [](const Aggregate& a) { return fixed(a.spread.mean, 2); }},
     {"number of polygons", [](const Aggregate& a) { return std::to_string(a.polygons); }},
 };
