@@ -1,5 +1,6 @@
-// The commands, one file each. They receive the arguments after their name, write to standard
-// output only on success, and otherwise throw Failure.
+// The commands, one file each. They receive the arguments after their name. A command throws
+// Failure if its exit status is not 0. Before that, it writes to standard output only in the cases
+// that cli.md names under "Exit status and errors".
 #pragma once
 
 #include <string>

@@ -6,8 +6,8 @@
 namespace evenlift::native {
 
 // Prints a table with a row for each shape, or with --json a line for each, even if shapes are
-// refused. Throws Failure before printing for options that show or write one placement, and after
-// printing if a shape was refused or a condition is not kept.
+// refused. Throws Failure before printing if an option is invalid or needs a single shape, or the
+// input cannot be read; after printing if a shape was refused or a condition is not kept.
 void place_all(const PlaceOptions& options);
 
 }  // namespace evenlift::native

@@ -21,16 +21,16 @@ class ExperimentFolder {
   const std::string& path() const { return path_; }
   std::string file(const std::string& name) const { return path_ + "/" + name; }
 
-  // The part of this polygon if it is complete, with this fingerprint and these settings; otherwise
-  // nullopt.
+  // The part of the entry's polygon, if it is complete and has the entry's fingerprint and these
+  // settings; otherwise nullopt.
   std::optional<experiment::Part> find(const experiment::ShardList::Entry& entry,
                                        const experiment::ExperimentSettings& settings) const;
   // Writes a part completely or not at all. Several threads and programs may call it at the same
   // time.
   void keep(const experiment::Part& part) const;
 
-  // Writes the list of a finished shard. Removes the lists of another division of the work into
-  // shards.
+  // Writes the list of a finished shard. Removes lists that cannot be read or that belong to
+  // another number of shards.
   void finish(const experiment::ShardList& list) const;
   // The lists of all finished shards. Throws Failure if a list cannot be read.
   std::vector<experiment::ShardList> finished() const;
@@ -40,8 +40,8 @@ class ExperimentFolder {
   std::string path_;
 };
 
-// All parts of a finished run, by set and polygon, from one or more folders with its shards. Throws
-// Failure if a shard is missing or unfinished, or if shards do not belong together.
+// All parts of a finished run, sorted by set and polygon. Its shards may be in several folders.
+// Throws Failure if a shard is missing, unfinished or damaged, or if shards do not belong together.
 std::vector<experiment::Part> collect(const std::vector<ExperimentFolder>& folders);
 
 }  // namespace evenlift::native

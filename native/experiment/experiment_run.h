@@ -10,14 +10,14 @@ namespace evenlift::native {
 
 struct RunOutcome {
   std::size_t polygons = 0;      // the number in this shard
-  std::size_t resumed = 0;       // how many of them an earlier run measured
+  std::size_t resumed = 0;       // the number of them that an earlier run measured
   std::vector<Failure> refused;  // why polygons were refused
 };
 
-// Measures this shard's files, which are every n-th of all, in `jobs` threads (one shape after
-// another in WebAssembly). The largest shapes come first. Skips unchanged polygons that the folder
-// contains with the same settings. Finally writes the shard's list. Throws Failure if the folder
-// cannot be written.
+// Measures the files of this shard, every n-th of all if there are n shards, in `jobs` threads (one
+// shape after another in WebAssembly). The largest shapes come first. Skips unchanged polygons that
+// the folder contains, measured with the same settings. Finally writes the shard's list. Throws
+// Failure if the folder cannot be written.
 RunOutcome run_experiment(const std::vector<PolygonFile>& all, const experiment::Shard& shard,
                           const experiment::ExperimentSettings& settings, unsigned jobs,
                           const ExperimentFolder& folder);

@@ -18,9 +18,9 @@ struct MeasuredPolygon {
   std::optional<Failure> refused;  // why the file cannot be read; the document is then empty
 };
 
-// Returns all shapes, in the order of the files. Reports on standard error, one per line, what is
-// left out, and that all shapes of a file are taken. Throws Failure if two shapes of a set have the
-// same name. O(bytes), plus O(k log k) for k shapes.
+// Returns all shapes, in the order of the files. Prints notes on standard error, one per line: what
+// it leaves out, and which files have several shapes. Throws Failure if two shapes of a set have
+// the same name. O(bytes + k log k) for k shapes.
 std::vector<MeasuredPolygon> read_polygons(const std::vector<PolygonFile>& files);
 
 }  // namespace evenlift::native

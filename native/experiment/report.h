@@ -1,5 +1,5 @@
-// An experiment's report as one HTML file, which works without a network: the thesis's figures
-// redrawn, the results of few robots, and the table against the thesis's text.
+// An experiment's report as one HTML file, which works without a network. It contains the thesis's
+// figures redrawn, the results of few robots, and a table of the thesis's claims with our results.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// A command's arguments. They are parsed by CLI11, behind an interface with one way to fail, which
-// cli.md describes.
+// A command's arguments. CLI11 parses them. Every error becomes a Failure, which the program
+// reports as cli.md, "Exit status and errors", describes.
 #pragma once
 
 #include <map>
@@ -27,13 +27,13 @@ class CommandLine {
                    const std::string& help);
   void value(std::optional<std::string>& into, const std::string& option, const std::string& name,
              const std::string& help);
-  // Declares `other` as a second name of an option declared with value(). The help omits it.
+  // Declares `other` as a second name of an option declared with value(). The help omits `other`.
   void alias(const std::string& other, const std::string& option);
   void flag(bool& into, const std::string& option, const std::string& help);
 
   // Fills the declared variables. Returns false after printing help on request. Throws Failure on
-  // an unknown option, a missing or surplus argument, and an option given twice or without its
-  // value.
+  // an unknown option, a missing or surplus argument, and an option that is given twice, without
+  // its value, or with a value that it does not take.
   bool parse(const std::vector<std::string>& arguments);
 
  private:

@@ -12,17 +12,17 @@ inline constexpr int bad_input_status = 2;  // wrong usage or input
 inline constexpr int not_kept_status = 3;   // a requirement that is not kept
 inline constexpr int other_status = 1;      // anything else, such as a file that cannot be written
 
-// The error that a command throws. main prints `evenlift: WHERE: WHAT` on standard error.
+// The error that a command throws. main() then prints `evenlift: WHERE: WHAT` on standard error.
 struct Failure {
   int status = bad_input_status;
   std::string where;                   // a file and the place in it, or an option as typed
   std::string what;                    // one sentence without a full stop
   std::vector<std::string> list = {};  // further lines, such as the possible choices
-  bool silent = false;                 // nothing is printed: the reader is gone or knows it
+  bool silent = false;                 // print nothing: the user already knows, or no one reads
 };
 
-// Prints the message on one line, even if the file's name is empty or has control characters, and
-// the list below it.
+// Prints the message on one line, with "?" for control characters and two quotation marks for an
+// empty `where`, and the list below it. Prints nothing if the failure is silent.
 void print_failure(const Failure& failure);
 
 // The error's message as a part of a sentence: "no such file or directory".

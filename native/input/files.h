@@ -1,5 +1,5 @@
-// Reads and writes whole files, byte for byte. All except is_same_file() and read_file() throw
-// Failure.
+// Reads and writes whole files, byte for byte. All functions except is_same_file() and read_file()
+// throw Failure.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,9 @@
 
 namespace evenlift::native {
 
-// `file` is a path, "-" for standard input, or a share link.
+// Below, `file` is a path, "-" for standard input, or a share link.
 struct Input {
-  std::string source;  // its name in errors: the path, "standard input" or "link"
+  std::string source;  // the name in errors: the path, "standard input" or "link"
   Document document;
 };
 Input read_input(const std::string& file, const ShapeOptions& options);
@@ -32,16 +32,17 @@ std::string read_standard_input();
 // Returns the text of a file, cut off in the same way; nullopt if the file cannot be read.
 std::optional<std::string> read_file(const std::string& path);
 
-// Whether both lead to the same regular file; the first may be "-".
+// Whether both paths lead to the same regular file. The first may be "-", for standard input.
 bool is_same_file(const std::string& a, const std::string& b);
 
-// Refuses "-", which is only for reading, and the path of the input file. The Failure names the
-// option.
+// Refuses a path that is "-", which is only for reading, or that leads to the input file. The
+// Failure names the option.
 void check_output_file(const std::string& option, const std::string& path,
                        const std::string& input);
 
-// Replaces the file by one with `text`, or leaves it unchanged: writes a new file beside it, and
-// renames that. Writes directly to a file that is not regular (a pipe, /dev/stdout).
+// Creates or replaces a regular file: writes a new file beside the old one, then renames the new
+// file. On an error, the old file stays unchanged. Writes directly to any other path, such as a
+// pipe or a symbolic link (/dev/stdout).
 void write_file(const std::string& path, std::string_view text);
 
 // Writes to standard output. The Failure is silent if the pipe is broken, since a reader may stop

@@ -13,12 +13,13 @@ struct HandedIn {
   std::string name;                     // the text before the link in its line; may be empty
   std::string link;                     // a share link, or an address that ends in one
   std::optional<std::uint64_t> number;  // the learner's number, if the address has one
-  std::size_t line = 0;                 // its line, from 1
+  std::size_t line = 0;                 // the number of its line, from 1
 };
 
-// Returns the given link, or the links in a file ("-": on standard input). Each line has one link,
-// perhaps after a name and spaces, a tab, a comma or a semicolon. Skips empty lines and lines that
-// begin with #. Throws Failure if there are no links.
+// Returns the given link, or the links in a file ("-": on standard input). Each line has one link.
+// Before the link there may be a name, followed by spaces, a tab, a comma or a semicolon. Skips
+// empty lines and lines that begin with #. Throws Failure for an unreadable file, or one without
+// links.
 std::vector<HandedIn> read_handed_in(const std::string& link_or_file);
 
 }  // namespace evenlift::native

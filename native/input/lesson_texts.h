@@ -15,9 +15,9 @@ struct LessonText {
   Document sample;
 };
 
-// Returns the lesson in a file or on standard input ("-"), in a link or an address that ends in
-// one, or the ready-made lesson that has the given name. Throws Failure about `option` or the
-// lesson.
+// Reads a lesson. `given` is a file, "-" for standard input, a link to a lesson, an address that
+// ends in such a link, or the name of a ready-made lesson. Throws Failure if the lesson cannot be
+// read. The Failure names `option` if there is no such lesson.
 LessonText read_lesson(const std::string& option, const std::string& given);
 
 }  // namespace evenlift::native

@@ -15,29 +15,30 @@
 
 namespace evenlift::native {
 
-// Reads a whole number up to `most`. Throws Failure if the text is not one.
+// Reads a whole number up to `most`. Throws Failure for any other text.
 std::uint64_t whole_option(const std::string& option, const std::string& text,
                            std::uint64_t most = ~std::uint64_t{0});
 
-// Puts a setting into the document, or reads one that is not part of it (settings.h). Throws
-// Failure with the option's name if the text is invalid.
+// setting_option() reads a setting into the document. loads_option() returns the load model, which
+// is not part of a document. Both throw Failure with the option's name if the text is invalid.
 void setting_option(Setting setting, const std::string& text, Document& document);
 LoadModel loads_option(const std::string& text);
 
-// The options for the table of settings (settings.h). A setting without its option keeps the file's
-// value or the default.
+// The options for the settings in the table of settings.h. If an option is not typed, its setting
+// keeps the file's value or the default.
 class SettingOptions {
  public:
   void declare(CommandLine& line, OptionGroup group);
 
-  // Applies the typed settings. Throws Failure with the option's name if the text is invalid, or if
-  // the method does not use the setting. Combinations are checked with the rest of the document.
+  // Applies the typed settings. Throws Failure with the option's name if a text is invalid, or if
+  // the method does not use the setting. Combinations of settings are checked later, with the rest
+  // of the document.
   void apply(Document& document) const;
 
   // The path of the file that --supports names; nullopt if it names no file.
   std::optional<std::string> supports_file() const;
 
-  // The failure for an error of the document; it names the option at fault, if any.
+  // The Failure for an error of the document. The Failure names the option at fault, if any.
   Failure failure(const std::string& source, const InputError& error) const;
 
  private:
@@ -55,7 +56,8 @@ struct InputOptions {
 
   void declare(CommandLine& line, const std::string& help = "the polygon");
 
-  // Both read the file and apply the typed settings. They throw Failure if either is invalid.
+  // read() reads one shape of the file, and read_all() reads all shapes. Both apply the typed
+  // settings, and throw Failure if the file or a setting is invalid.
   Input read() const;
   InputShapes read_all() const;
 

@@ -13,11 +13,11 @@ struct PolygonFile {
 
 inline constexpr const char* single_files = "files";
 
-// Finds the given files, and in the given folders and their sub-folders all files that end in .txt,
-// .wkt, .json, .geojson, .svg or .dxf, except hidden ones and index.txt, a list of contents. Each
-// given folder is a set, and the given files are another. The result is sorted by set and name.
-// Throws Failure for a missing path, a folder without polygons, and two folders, or two files of a
-// set, with the same name.
+// Finds the given files and, in the given folders and their sub-folders, all files whose names end
+// in .txt, .wkt, .json, .geojson, .svg or .dxf. Ignores hidden files and folders, and index.txt,
+// which is a list of contents. Each given folder is a set, and the given files together are another
+// set. The result is sorted by set and name. Throws Failure for a missing path, a folder without
+// polygon files, two sets with the same name, and two files of a set with the same name.
 std::vector<PolygonFile> find_polygon_files(const std::vector<std::string>& paths);
 
 }  // namespace evenlift::native

@@ -16,20 +16,23 @@ struct ShapeOptions {
   bool offered = false;  // whether the command has these options
 
   void declare(CommandLine& line);
-  // Whether holes count. Throws Failure if --holes is neither yes nor no.
+  // Whether the shapes keep their holes. Throws Failure if --holes is neither yes nor no.
   bool keeps_holes() const;
   // Whether --shape is "all". Only `evenlift place` then takes all shapes; for other commands, the
   // word is a shape's name.
   bool selects_all() const { return shape == "all"; }
 };
 
-// Returns the selected shape, or the only one. Reports omissions and decisions on standard error,
-// one per line. Throws Failure; if no shape is selected among several, it lists the shapes.
+// Returns the selected shape, or the only one. Reports on standard error what was left out and how
+// the text was read, one line each. Throws Failure if the text or an option is invalid. If the user
+// must first select a shape, because there are several or open lines left out span more than any
+// shape, the Failure lists the shapes.
 Document choose_shape(const std::string& text, const std::string& source,
                       const ShapeOptions& options);
 
-// Returns all shapes, whatever was left out. Reports the same as choose_shape(). If the command has
-// no option for a shape, also reports that all of several are taken. Throws Failure.
+// Returns all shapes. Reports the same as choose_shape(). If choose_shape() would require a
+// selection but the command has no option for it, also reports that all shapes are taken. Throws
+// Failure if the text or an option is invalid.
 std::vector<ImportedShape> all_shapes(const std::string& text, const std::string& source,
                                       const ShapeOptions& options);
 

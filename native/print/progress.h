@@ -27,8 +27,9 @@ class Progress {
   std::mutex mutex_;
 };
 
-// After half a second, shows the running task's name and its time so far. It shows no percentage,
-// since a search may end early. A separate thread draws, so that the computation need not.
+// After half a second, shows the name of the running task and the time since its start. It shows no
+// percentage, since a search may end early. A separate thread draws this line, so that the
+// computation does not have to.
 class Waiting {
  public:
   explicit Waiting(std::string what);
@@ -38,7 +39,7 @@ class Waiting {
 
  private:
   std::promise<void> over_;
-  std::future<void> drawing_;  // destroyed before over_; this waits for the thread
+  std::future<void> drawing_;  // destroyed before over_; its destructor waits for the thread
 };
 
 }  // namespace evenlift::native

@@ -19,8 +19,9 @@ struct RobustnessOptions {
   void declare(CommandLine& line);
 };
 
-// The options' values, and the document's disturbance. The constructor throws Failure with the
-// option's name if a value is invalid.
+// The values of the options, and the disturbance of the document (uncertainty.h). The constructor
+// throws Failure with the option's name if a value is invalid, or if there is a disturbance but the
+// load model gives no ranges of loads.
 struct RobustnessAsked {
   RobustnessAsked(const RobustnessOptions& options, const Shown& shown);
 
@@ -47,11 +48,11 @@ struct ShownLoads {
 };
 ShownLoads shown_loads(const Placement& placement, const RobustnessKnown& known);
 
-// The requested sentences about loads, disturbance, slopes, a further load and failures, one per
-// line.
+// Sentences about the loads, the disturbance, slopes, a further load and failures, as far as
+// requested, with a line for each subject. The text is empty if the robots carry no loads.
 std::string robustness_lines(const ShownPlacement& of, const RobustnessKnown& known);
 
-// A table with a row for the failure of each robot; empty if not requested.
+// A table with a row for the failure of each robot; empty if failures are not requested.
 std::string failure_table(const ShownPlacement& of, const RobustnessKnown& known);
 
 }  // namespace evenlift::native

@@ -1,7 +1,10 @@
 #include "evenlift/capacity.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "evenlift/failures.h"
 #include "evenlift/generate.h"
 #include "evenlift/output/words.h"
 #include "evenlift/swaps.h"
@@ -37,6 +40,30 @@ CapacityPlan plan_by_trying(Document document, double capacity, std::uint32_t mo
     if (placement->teams.size() < k) return plan;
     plan.tried = k;
     if (!exceeds(placement->loads->max, capacity)) return {true, k, placement->loads->max, k};
+  }
+  return plan;
+}
+
+// The greatest load that a robot carries, intact or after any one failure, by the effects that the
+// page shows; infinite if a failure drops the object.
+double greatest_with_failures(const Placement& placement) {
+  double greatest = placement.loads->max;
+  for (const std::optional<RestOfRobots>& rest : single_failures(
+           placement.object, placement.centre_of_mass, placement.weight(), placement.teams))
+    greatest = std::max(greatest, rest ? rest->greatest_by_springs : HUGE_VAL);
+  return greatest;
+}
+
+// By definition, for teams of two.
+FailurePlan failure_plan_by_trying(Document document, double capacity, std::uint32_t most) {
+  FailurePlan plan;
+  for (std::uint32_t teams = 1; teams <= most; ++teams) {
+    document.settings.teams = teams;
+    const Placement placement = placed(document);
+    if (placement.teams.size() < teams) return plan;
+    plan.tried = 2 * teams;
+    const double greatest = greatest_with_failures(placement);
+    if (!exceeds(greatest, capacity)) return {true, 2 * teams, greatest, 2 * teams};
   }
   return plan;
 }
@@ -84,6 +111,42 @@ TEST_CASE("robots needed for a capacity are the fewest that stay within it, by e
     }
   }
   CHECK(possible > 60);
+}
+
+TEST_CASE("robots needed if any one may fail are the fewest that stay within the capacity",
+          "[capacity][slow]") {
+  int possible = 0;
+  for (const char* name : {"puzzle-piece", "thesis-sample", "kidney-table", "horseshoe"}) {
+    for (const Method method : pair_methods) {
+      for (const double capacity : {60.0, 40.0, 26.0, 12.5}) {
+        Document document = corpus::polygon(name);
+        document.settings.method = method;
+        const FailurePlan plan = plan_for_failures(placed(document), capacity);
+        const FailurePlan expected = failure_plan_by_trying(document, capacity, 20);
+        INFO(name << ", " << evenlift::name(method) << ", " << capacity);
+        if (!expected.possible && expected.tried == 40) continue;  // more teams may be enough
+        CHECK(plan.possible == expected.possible);
+        CHECK(plan.robots == expected.robots);
+        CHECK(std::abs(plan.greatest_load - expected.greatest_load) <= 1e-12 * capacity);
+        possible += expected.possible ? 1 : 0;
+      }
+    }
+  }
+  CHECK(possible > 40);
+}
+
+TEST_CASE("rounding does not add robots to those needed if any one may fail", "[capacity]") {
+  for (const char* name : {"puzzle-piece", "thesis-sample", "hexagon"}) {
+    for (const Method method : {Method::area, Method::distributed, Method::balanced}) {
+      Document document = corpus::polygon(name);
+      document.settings.method = method;
+      const Placement placement = placed(document);
+      const FailurePlan plan = plan_for_failures(placement, 30);
+      INFO(name << ", " << evenlift::name(method));
+      REQUIRE(plan.possible);
+      CHECK(plan_for_failures(placement, plan.greatest_load * (1 - 1e-12)) == plan);
+    }
+  }
 }
 
 TEST_CASE("a plan is the least number of teams also where hundreds are needed",

@@ -691,6 +691,16 @@ test("a candidate that is pressed says why it was not taken; Esc closes the card
     const [[ax, ay], [bx, by]] = free.ends;
     return [...evenlift.view.to_screen(ax + (bx - ax) * 0.3, ay + (by - ay) * 0.3)];
   });
+  // A drag that ends where it began is not a click.
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (const away of [60, 0]) {
+    await page.mouse.move(x + away, y);
+    await idle(page);
+  }
+  await page.mouse.up();
+  await idle(page);
+  assert.equal(await controlIfShown(page, "close explanation"), null);
   await page.mouse.click(x, y);
   await idle(page);
   assert.match(await page.locator("#alert").textContent(), /^Candidate \d+ of \d+\. /);

@@ -386,6 +386,15 @@ TEST_CASE("supports are read from tables, results and poses", "[supports][import
   }
   CHECK(read(poses_text(placement, PoseFormat::yaml)).unit == LengthUnit::m);
   CHECK(table.unit == LengthUnit::none);
+  Shown in_millimetres;
+  in_millimetres.units.length = LengthUnit::mm;
+  const ShownPlacement shown{placement, in_millimetres};
+  for (const std::string& text : {placement_json(shown, false), poses_text(shown, PoseFormat::json),
+                                  poses_text(shown, PoseFormat::csv)}) {
+    INFO(text);
+    CHECK(read(text).unit == LengthUnit::mm);
+  }
+  CHECK(read("x,y,unit\n0,0,pallet\n1,1,\n").unit == LengthUnit::none);
   CHECK(read("x (cm),y (cm),SWL\n1,2,3").unit == LengthUnit::cm);
   CHECK(read("x (cm),y (cm),SWL\n1,2,3").capacities.at(0) == 3.0);
   CHECK(read("x,y,Rated capacity (kg)\n1,2,3").capacities.at(0) == 3.0);
@@ -454,6 +463,10 @@ TEST_CASE("a requirement names a quantity, and is kept within tolerance", "[supp
     REQUIRE_FALSE(read.ok());
     CHECK(read.error().message.find("coverage>=0.8") != std::string::npos);
   }
+  std::string many = "held";
+  for (std::size_t i = 1; i < most_conditions; ++i) many += ",held";
+  CHECK(read_conditions(many).ok());
+  CHECK(read_conditions(many + ",held").error().message == "there are more than 100 conditions");
 }
 
 TEST_CASE(

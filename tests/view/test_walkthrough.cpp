@@ -492,6 +492,19 @@ TEST_CASE("playing turns over by itself and stops at the end", "[view][lesson]")
   CHECK(page.app.state.view.walkthrough.detail.step.kind == StepKind::result);
 }
 
+TEST_CASE("after a hole has changed, the words of a lesson no longer apply", "[view][lesson]") {
+  Page page;
+  CHECK_FALSE(open_lesson(page.app.state, "title: One\npolygon: l\nteams: 2\n\n[centre]\nHere.\n",
+                          "POLYGON ((0 0, 9 0, 9 9, 0 9), (1 1, 3 1, 3 3))"));
+  CHECK(words_of_stop(page.app.state) == "Here.");
+  give(page.app.state, MoveVertex{5, {4, 1}});
+  CHECK_FALSE(script_is_true(page.app.state));
+  CHECK(words_of_stop(page.app.state).starts_with("You changed the shape"));
+  give(page.app.state, EndEdit{});
+  give(page.app.state, Undo{});
+  CHECK(words_of_stop(page.app.state) == "Here.");
+}
+
 TEST_CASE("a ready-made lesson shows its own stops and words, and can be left for all steps",
           "[view][lesson]") {
   Page page;

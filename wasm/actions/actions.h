@@ -31,7 +31,7 @@ enum class Group : std::uint8_t { files, editing, teams, view, lesson, help };
 struct Key {
   std::string_view name;
   bool command = false;
-  bool shift = false;  // compared only if set in the table, or with `command`
+  bool shift = false;  // ignored unless the table sets it or `command` is set
 };
 
 struct Action {
@@ -51,7 +51,7 @@ const Action& action(ActionId id);
 // The action's present effect in words, with its key: "Undo: moved a vertex (Ctrl+Z)".
 std::string tip(const Action& action, const AppState& state);
 
-// Returns the enabled action of a key, or null; then the browser handles the key.
+// Returns the enabled action of a key. If it returns null, the browser handles the key.
 const Action* action_for(const AppState& state, const Key& key);
 
 }  // namespace evenlift::view

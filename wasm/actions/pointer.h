@@ -13,7 +13,7 @@ struct Pointer {
   bool second = false;      // over the picture of the second method
   bool over_panel = false;  // over a panel or popup
   bool pressed = false, down = false, released = false, double_pressed = false;
-  double moved = 0;  // greatest distance from the press, in pixels
+  double moved = 0;  // distance from the press, in pixels
   double wheel = 0;  // the wheel's steps, > 0 to zoom in
   // The pinch of two fingers, or of a trackpad.
   bool pinching = false;
@@ -21,7 +21,8 @@ struct Pointer {
   double pinch_factor = 1;
 };
 
-// Drags, pans, zooms, adds vertices, and finds the part under the pointer.
+// Appends the commands that follow from the pointer. They drag, pan, zoom, add vertices, and note
+// the part under the pointer.
 void interact(const AppState& state, const Pointer& pointer, Commands& commands);
 
 }  // namespace evenlift::view

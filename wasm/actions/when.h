@@ -17,8 +17,8 @@ bool on_vertex(const AppState& s);     // a vertex or a weight is selected
 bool on_ring(const AppState& s);       // a vertex of the outline or of a hole is selected
 bool on_robot(const AppState& s);      // the card of a movable robot is open
 bool by_own_hand(const AppState& s);   // the robots are placed by hand
-bool can_even_out(const AppState& s);  // placed by hand, and not in a challenge
-bool on_own_robot(const AppState& s);  // placed by hand, and the card of one is open
+bool can_even_out(const AppState& s);  // the robots are placed by hand, but not in a challenge
+bool on_own_robot(const AppState& s);  // the robots are placed by hand, and the card of one is open
 bool can_nudge(const AppState& s);
 
 // While a polygon is drawn, undo removes one vertex.
@@ -41,7 +41,7 @@ bool by_candidates(const AppState& s);
 bool is_random(const AppState& s);
 bool has_own_centre(const AppState& s);
 bool has_height(const AppState& s);  // C has a height
-bool has_extra(const AppState& s);   // a further load is asked about
+bool has_extra(const AppState& s);   // the user asks about a further load
 bool can_fail(const AppState& s);
 
 bool anything_open(const AppState& s);  // Escape would close something

@@ -15,9 +15,10 @@ struct LastVisit {
   std::string_view draft;  // a link to a document that was refused while it was being edited
 };
 
-// Opens the link if it can be read; otherwise the last work, with its draft as one more step of
-// undo; otherwise the sample. Undo leads from a link back to the work, which is placed only when
-// undo opens it. Returns why the link could not be read, or an empty text. Costs one placement.
+// Opens the link if it can be read; otherwise the last work and then its draft, as one step of
+// undo; otherwise the sample. After a link has opened, undo opens the last work, which is placed
+// only then. Returns why the link could not be read, or an empty text. Costs one placement, or two
+// with a draft.
 std::string open_page(AppState& state, const LastVisit& visit, std::string_view sample);
 
 }  // namespace evenlift::view

@@ -1,4 +1,4 @@
-// Settings as text, as window.evenlift.set() passes them and the browser keeps them.
+// Settings as text: those that window.evenlift.set() passes, and those that the browser keeps.
 #pragma once
 
 #include <optional>
@@ -15,16 +15,17 @@ namespace evenlift::view {
 struct Changeable {
   Document document;
   LoadModel load_model = LoadModel::plan;  // of the shown loads
-  std::optional<std::uint64_t> failed =
-      {};  // the failing robot, from 1, or 0 for none; unchanged without a value
+  // The failing robot, from 1, or 0 for none; nullopt leaves it unchanged.
+  std::optional<std::uint64_t> failed = {};
 };
 
 // Applies lines `name=value` in the syntax of settings.h. Returns an error for the first unreadable
-// line. Makes no checks that need place(). O(bytes).
+// line, or if check_settings() refuses the result. Makes no checks that need place(). O(bytes).
 Result<Changeable> with_settings(Changeable given, std::string_view lines);
 
-// The preferences that the browser keeps apart from the document, as lines `name=value`. If a line
-// is unreadable, the default stays: another version of the page may have written it. O(bytes).
+// The preferences that the browser keeps apart from the document, as lines `name=value`. An
+// unreadable line leaves its preference at the default, because another version of the page may
+// have written the line. O(bytes).
 struct Kept {
   bool motion = true;
 };

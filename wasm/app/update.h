@@ -1,4 +1,4 @@
-// Applies commands to the state. The folder `edits` has the longer ones.
+// Applies commands to the state. The folder `edits` implements the longer commands.
 #pragma once
 
 #include "state/command.h"

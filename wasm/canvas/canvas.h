@@ -1,4 +1,4 @@
-// The drawing: background, picture, numbers, grips.
+// The canvas: the background, and the pictures with their numbers and grips.
 #pragma once
 
 #include "picture/scene.h"
@@ -7,7 +7,8 @@
 
 namespace evenlift::view {
 
-// Draws into Dear ImGui's background, under every panel. `second` is the compared method's scene.
+// Draws into Dear ImGui's background, under every panel. `second` is the scene of the second
+// method.
 void draw_canvas(const AppState& state, const Scene& scene, const Scene& second,
                  const Layout& layout);
 

@@ -1,4 +1,4 @@
-// The line at the foot of the canvas: the part under the pointer and its uses.
+// The line at the foot of the canvas, which names the part under the pointer and its uses.
 #pragma once
 
 #include <string>
@@ -7,10 +7,12 @@
 
 namespace evenlift::view {
 
-// The hint; empty if there is none.
+// Empty if there is no hint.
 std::string hint(const AppState& state);
 
-// The hint, shortened by last parts for which there is no space beside the view tools.
+// The hint as the canvas shows it: without the last parts that have no room beside the view tools.
+// It is empty if no part has room, on a narrow, low or touch screen, and while a notice, a card or
+// a window of the page appears.
 std::string shown_hint(const AppState& state, const Layout& layout);
 
 void draw_hint(ImDrawList& list, const AppState& state, const Layout& layout, const Theme& theme);

@@ -6,8 +6,9 @@
 
 namespace evenlift::view {
 
-// Writes "edge 4" or "vertex 1" beside each part, outside the polygon, and "C" beside the centre of
-// mass. All names keep clear of occupied places. O(vertices) for each name.
+// Writes a name such as "edge 4" or "vertex 1" beside each part that the step shows, on the outside
+// of the polygon, and "C" beside the centre of mass. All names keep clear of occupied places.
+// O(vertices) for each name.
 void draw_part_names(const Painter& painter, const CanvasView& view, Occupied& occupied);
 
 }  // namespace evenlift::view

@@ -6,10 +6,10 @@ namespace evenlift::view {
 
 void draw_figure(const Painter& painter, const CanvasView& view, const Figure& figure);
 
-// Draws a ring around a place that the text mentions.
+// Draws a ring around a place that a step or a question marks.
 void draw_ring(const Painter& painter, const Vec2& at, Colour colour);
 
-// Draws the point M, with its name.
+// Draws the point M of the search for balanced robots, with its name.
 void draw_middle(const Painter& painter, const CanvasView& view, const Vec2& world);
 
 }  // namespace evenlift::view

@@ -5,11 +5,12 @@
 
 namespace evenlift::view {
 
-// Brings the facts up to date, once after each batch of commands. Derives only the facts whose
-// basis (state/derived.h) changed, and the facts that follow from them. Slow work waits for the end
-// of a drag. Uses the values that commands passed on (AppState::given), and asks the browser to
-// search or to announce; changes nothing else. Costs at most one placement for the document and one
-// for the second method; O(overlays) if nothing is out of date.
+// Brings the facts up to date. Call it once after each batch of commands. Derives only the facts
+// whose basis (state/derived.h) changed, and the facts that follow from them. Slow work waits for
+// the end of a drag. Takes the values that commands passed on (AppState::given), and appends
+// requests to the browser, such as to search or to announce, to Session::effects. Changes nothing
+// else. Costs at most one placement for the document and one for the second method and, at rest,
+// the offer (offer.h) and the plan for a capacity. Costs O(overlays) if nothing is out of date.
 void derive(AppState& state);
 
 }  // namespace evenlift::view

@@ -12,17 +12,18 @@
 
 namespace evenlift::view {
 
-// Whether a worker should choose the teams during a drag. It should if `before`, the placement on
-// the screen, has many vertices and candidates, the method chooses among candidates, and the robots
-// are points that were not moved by hand. O(holes).
+// Whether a worker should choose the teams during a drag. It should if there are many vertices and
+// candidates; if `before`, the placement on the screen, has as many vertices and holes as the
+// document; if the method chooses among candidates; and if the robots are points that may stand
+// anywhere and were not moved by hand. O(holes).
 bool is_for_a_worker(const Document& document, const Placement& before);
 
 // Returns the number of rings, the number of vertices of each ring, and all coordinates, in this
 // order. The outline is the first ring.
 std::vector<double> rings_as_numbers(const Document& document);
 
-// The settings (settings_text.h) without supports, which the document's method does not use. The
-// goal is such that teams stay as the metric selects them.
+// The settings as text (settings_text.h). The text leaves out the supports, which a metric does not
+// use. If the goal would swap teams, the text has the goal `cover` instead.
 std::string settings_as_selected(const Document& document);
 
 // Reads a document; nullopt if the rings or settings are malformed. O(numbers + bytes).

@@ -1,6 +1,7 @@
-// Robots as text, bit for bit, between the page and the search for balanced robots. Each robot is
-// an edge and two coordinates, separated by spaces. The text of a plan for failures is the number
-// of robots and the greatest load of one, or only the number tried.
+// Texts that pass robots between the page and the search for balanced robots, bit for bit. Each
+// robot is the number of an edge and two coordinates, separated by spaces. The text of a plan for
+// failures is the number of robots and the greatest load of a robot or, if no plan was found, only
+// the greatest number of robots tried.
 #pragma once
 
 #include <optional>

@@ -15,16 +15,16 @@ void end_search(Derived& facts, Effects& effects);
 // Begins the search if one is due, in O(n).
 void begin_search(Derived& facts, Effects& effects);
 
-// Begins to find how many balanced robots, each able to carry `capacity`, are needed so that the
-// others carry the object if any one fails. Does so once the robots on the screen have settled,
-// unless the count is known. O(1) if there is nothing to begin.
+// Begins to count the balanced robots of this capacity that are needed if any one robot may fail
+// (FailurePlan). Does nothing, at a cost of O(1), without a capacity, before the search for the
+// robots on the screen has ended, or if the count is known or under way.
 void begin_count(Derived& facts, const std::optional<double>& capacity, Effects& effects);
 
-// Forgets the count, and ends it if it is under way.
+// Forgets the count, and ends the counting if it is under way.
 void drop_count(Derived& facts, Effects& effects);
 
-// Takes the robots or the count that a search found (robots_text.h). Ignores the results of any
-// search but the present one, and an invalid text. Returns the kind of result that it took.
+// Takes the robots or the count that a search found (robots_text.h). Ignores invalid texts, and the
+// results of any search but the last one. Returns the kind of result that it took.
 enum class Taken : std::uint8_t { nothing, count, same_robots, other_robots };
 Taken take(Derived& facts, const Given::Found& found);
 

@@ -5,14 +5,14 @@
 
 namespace evenlift::view {
 
-// Whether both settings put robots at the same places. O(bytes).
+// Whether the settings agree in all values on which the robots' places depend. O(bytes).
 bool stand_alike(const Settings& a, const Settings& b);
 
-// The edit of the setting that differs; Edit::settings if several do. The documents have the same
-// vertices. O(bytes).
+// The kind of edit to which the differing setting belongs; Edit::settings if the differing settings
+// belong to several kinds, or if none differs. The documents must have the same vertices. O(bytes).
 Edit edit_between(const Document& before, const Document& after);
 
-// Returns `shown` with the values of `after` where `before` and `after` differ, except the step.
+// Returns `shown` with those values of `after` that differ from `before`, except the step.
 // O(bytes).
 Shown with_changes(const Shown& shown, const Shown& before, const Shown& after);
 

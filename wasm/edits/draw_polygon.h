@@ -13,8 +13,8 @@ namespace evenlift::view {
 // Changes the tool, and forgets the drawn points.
 void take_tool(AppState& state, Tool tool);
 
-// After the placed vertices change: forgets the typed values of the next edge, and whether the
-// shape can be closed.
+// Forgets the typed values of the next edge, and the result of the check whether the shape can be
+// closed. Call it after the placed vertices change.
 void renew_drawing(AppState& state);
 
 void add_point(AppState& state, const Vec2& at);
@@ -23,13 +23,15 @@ void take_point_back(AppState& state);
 void put_point_back(AppState& state);
 void set_draw_cursor(AppState& state, const SetDrawCursor& cursor);
 
-// Takes over the typed values of the next edge, and moves the cursor to its end.
+// Takes over the typed values of the next edge, and moves the cursor to the edge's end.
 void type_edge(AppState& state, const TypeEdge& typed);
 
-// Forgets the typed values. The next edge ends at the pointer again or, without one, has not begun.
+// Forgets the typed values of the next edge. The edge then ends at the pointer again; without a
+// pointer, it has no length.
 void withdraw_edge(AppState& state);
 
-// Closes the drawn shape: opens the polygon with the present settings, or adds the hole.
+// Closes the drawn shape: opens the polygon with the settings that opened_after() keeps, or adds
+// the hole. If the shape is refused, shows a notice instead.
 void finish_drawing(AppState& state);
 
 }  // namespace evenlift::view

@@ -9,12 +9,12 @@ namespace evenlift::view {
 // Records the work for undo. Consecutive live edits are one step.
 void begin_edit(AppState& state, bool live, Edit edit);
 
-// Begins an edit of the document, which will be placed again: the last notice ends, and robots
-// moved by hand go back.
+// Begins an edit, and returns the document to change, which will be placed again. The last notice
+// ends, and robots moved by hand go back.
 Document& edit(AppState& state, bool live, Edit edit);
 
-// Applies the difference between two values of Shown, except the step. This is an edit, unless only
-// overlays differ.
+// Changes the shown values that differ between `before` and `after`, except the step. The change is
+// an edit, unless only overlays differ.
 void change_shown(AppState& state, const Shown& before, const Shown& after, bool live = false);
 
 }  // namespace evenlift::view

@@ -1,4 +1,4 @@
-// Edits by scripts and in the table of vertices, which may be refused as a whole.
+// Edits by scripts and in the table of vertices. Each edit is accepted or refused as a whole.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Undo and redo. Leaving a lesson leads back in the same way.
+// Undo, redo, and the return from a lesson to the work before it.
 #pragma once
 
 #include "state/state.h"
@@ -9,9 +9,9 @@ void undo(AppState& state);
 void redo(AppState& state);
 
 // Leaves the walkthrough. If it belongs to a lesson, restores the document that was open before the
-// lesson, with its settings and undo. After an edit in the lesson, leaving the lesson is a step of
-// undo, and a notice explains that. In an <iframe> the lesson's object stays, since nothing was
-// open before.
+// lesson, with its settings and steps of undo. After an edit in the lesson, leaving the lesson is
+// itself a step of undo, and a notice says so. In an <iframe> the lesson's object stays, since
+// nothing was open before.
 void leave_walkthrough(AppState& state);
 
 // Leaves the task of a lesson in the same way, if a task is open.
@@ -20,7 +20,7 @@ void leave_task(AppState& state);
 // Leaves a lesson because another one opens at once, so nothing is placed or shown.
 void leave_lesson_for_another(AppState& state);
 
-// Forgets a selected or held vertex that no longer exists. O(1).
+// Forgets a selected, hovered or held vertex, edge or weight that no longer exists. O(1).
 void drop_stale_picks(AppState& state);
 
 }  // namespace evenlift::view

@@ -1,5 +1,5 @@
-// Moves, adds and removes vertices of the outline and of holes, and weights. Numbers are those of
-// handles (handles.h).
+// Moves, adds and removes weights, and vertices of the outline and of holes. The parameters
+// `number` and `edge` are numbers of handles (handles.h).
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ void remove_handle(AppState& state, std::size_t number);
 // Adds a weight of about a tenth of the object's own weight, and selects it.
 void add_weight(AppState& state, const Vec2& at);
 
-// Remembers everything that moves with the polygon. O(n).
+// Notes the polygon and everything that moves with it, for the drag that begins. O(n).
 void grip_polygon(AppState& state);
 
 // The reason why a weight is refused, as a sentence without a full stop; empty if it is accepted.

@@ -10,7 +10,7 @@
 
 namespace evenlift::view {
 
-// Draws the text beside a spot, moved so that it is inside the window.
+// Draws the text beside a spot, moved so that the text is inside the window.
 void draw_word(ImDrawList& list, const Vec2& spot, const Rect& window, const Theme& theme,
                Colour colour, const std::string& text);
 
@@ -23,7 +23,8 @@ inline constexpr SharesOfLine from_middle = {0.5, 0.32, 0.68, 0.18, 0.82, 0.9};
 std::optional<Rect> clear_box_on_line(const Vec2& from, const Vec2& to, const Vec2& size,
                                       const SharesOfLine& shares, std::vector<Rect>& before);
 
-// The same for a text that must appear: if no fraction works, uses the first.
+// The box of a text that must appear: if no fraction works, the box is at the first one. Adds the
+// box to `before`.
 Rect box_on_line(const Vec2& from, const Vec2& to, const Vec2& size, const SharesOfLine& shares,
                  std::vector<Rect>& before);
 

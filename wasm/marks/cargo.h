@@ -17,14 +17,14 @@ struct CargoDisc {
 };
 std::vector<CargoDisc> cargo_discs(const CanvasView& view);
 
-// A weight's name or, without one, its weight.
+// The label of a weight: its name or, without a name, how heavy it is.
 struct CargoLabel {
   Rect box;  // in pixels
   std::string text;
 };
 
-// The labels that have room beside their discs, clear of everything in `occupied`. They are added
-// to `occupied`. O(items).
+// The labels that have room beside their discs, clear of everything in `occupied`; none for very
+// many weights. Adds the labels to `occupied`. O(items).
 std::vector<CargoLabel> cargo_labels(const CanvasView& view, Occupied& occupied);
 
 // Adds to `occupied` the discs, the object's own centre of mass, and the line from it to C.

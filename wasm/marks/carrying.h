@@ -5,16 +5,16 @@
 
 namespace evenlift::view {
 
-// Draws the places where a further load may stand, in green; the rest is striped. Draws nothing if
-// the overlay is hidden, or if no load is asked about.
+// Fills the region where a further load may stand with green, and the rest of the object with
+// stripes. Draws nothing if the overlay is hidden, or if the user does not ask about a load.
 void draw_load_region(const Painter& painter, const CanvasView& view);
 
-// Draws circles about C for slopes. Where a circle reaches the edge of the lifting base, the object
-// tips on that slope, if that direction is downhill.
+// Draws circles about C, each for one slope. On that slope, under the assumptions of tilt.h, the
+// object tips downhill if the circle reaches beyond the lifting base in that direction.
 void draw_tilt(const Painter& painter, const CanvasView& view);
 
-// Writes the load's effect at the pointer, or the slope at which the object tips in the pointer's
-// direction. Returns whether it wrote anything.
+// Writes the load's effect at the pointer, or the slope at which the object tips towards the
+// pointer. Returns whether it wrote anything.
 bool draw_carrying_here(const Painter& painter, const CanvasView& view);
 
 }  // namespace evenlift::view

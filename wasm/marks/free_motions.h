@@ -6,12 +6,12 @@
 
 namespace evenlift::view {
 
-// Draws an arrow from the centre of mass in a direction in which the object can slide, with its
-// name if there is room.
+// Draws an arrow from the centre of mass in a direction in which the object can slide, with a label
+// if there is room.
 void draw_slide(const Painter& painter, const CanvasView& view, Occupied* occupied);
 
-// Draws an arrow at the window's edge to each region of free rotation that should be shown but is
-// outside the window, with its meaning if there is room. O(corners of the regions).
+// For each shown region of free rotation that lies outside the window, draws an arrow towards the
+// region at the window's edge, with a label if there is room. O(corners of the regions).
 void draw_far_regions(const Painter& painter, const CanvasView& view, Occupied* occupied);
 
 }  // namespace evenlift::view

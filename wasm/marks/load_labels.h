@@ -14,11 +14,10 @@ namespace evenlift::view {
 void draw_coverage(const Painter& painter, const CanvasView& view);
 
 // The places that labels avoid: robots, the centre of mass, cargo with its labels, vertices that
-// can be dragged, the coverage, and lines.
+// can be dragged, the coverage, and lines. Labels keep `reach` pixels away from robots.
 Occupied occupied_by_marks(const CanvasView& view, double reach);
 
-// The labels of cargo. They avoid all the other places above. They do not depend on other labels,
-// which avoid them.
+// The labels of cargo. They avoid the other places in the list above; all other labels avoid them.
 std::vector<CargoLabel> labels_of_cargo(const CanvasView& view);
 
 // The text beside a robot.
@@ -28,8 +27,8 @@ struct LoadLabel {
   bool over;  // the load exceeds the capacity
 };
 
-// The loads beside the robots, except a failed robot's; empty if no robot carries anything. The
-// boxes are added to `occupied`. O(robots).
+// The loads beside the robots, except a failed robot's and those without room; empty if no robot
+// carries anything. Adds the boxes to `occupied`. O(robots).
 std::vector<LoadLabel> load_labels(const CanvasView& view, const RobotSize& size,
                                    const Outlook& outlook, Occupied& occupied);
 

@@ -16,25 +16,28 @@ struct RobotSize {
 inline constexpr std::size_t most_labelled = 50;
 RobotSize robot_size(std::size_t teams);
 
-// The radius of a robot's mark, in pixels.
+// The radius of a robot's disc with its ring, in pixels.
 float mark_radius(const std::vector<Team>& teams);
 
-// The distance from a robot, in pixels, to the end of its small body and its team's mark.
+// The distance from a robot, in pixels, to the outer end of its team's mark or, if robots have no
+// numbers, to just outside its ring.
 double mark_reach(const RobotSize& size);
 
-// Draws the pale body of a robot without a size: not to scale, and beneath the discs of all robots.
+// Draws the pale body of a robot without a size. The body is not to scale. Call this before any
+// robot's disc is drawn.
 void draw_small_body(const Painter& painter, const Theme& theme, const RobotSize& size,
                      const Vec2& world);
 
-// The number of teams of two, or of the teams that balanced robots would make.
+// The number of teams of two, or of teams that balanced robots would make: half the number of
+// robots, rounded up.
 std::size_t pairs_of(const std::vector<Team>& teams);
 
-// The number of robots in the first `teams` of all teams.
+// The number of robots in the first `teams` teams of `all`.
 std::size_t robots_of(const std::vector<Team>& all, std::size_t teams);
 
-// The sizes of the robots in the first `teams` of all teams. A robot near another is smaller, and
-// has no number if that would touch the other robot. O(m^2) for m robots; with more than
-// most_labelled pairs, no distances are examined.
+// The sizes of the robots in the first `teams` teams of `all`. A robot near another is smaller, and
+// a robot very near another also has no number. O(m^2) for m robots; with more than most_labelled
+// pairs, no distances are examined.
 std::vector<RobotSize> robot_sizes(const CanvasView& view, const std::vector<Team>& all,
                                    std::size_t teams);
 

@@ -9,23 +9,23 @@
 
 namespace evenlift::view {
 
-// Draws the unusable parts in grey, no-go parts in amber. There must be robots with a size, or
-// no-go parts. O(parts).
+// Draws the unusable parts in grey, and no-go parts in amber. Call it only if robots have a size,
+// or if there are no-go parts. O(parts).
 void draw_unusable(const Painter& painter, const Placement& placement, const Theme& theme);
 
-// The robots whose body is drawn, because it is larger than the mark; empty for very many robots.
-// O(robots).
+// All robots, if their bodies look at least as large as their discs; none otherwise, or for very
+// many robots. O(robots).
 std::vector<PlacedRobot> drawn_bodies(const CanvasView& view);
 
-// Whether the robots have a size, drawn to scale.
+// Whether the robots have a size, which is then drawn to scale.
 bool draws_sizes(const Placement& placement);
 
 // Draws the unusable parts and, if robots have a size, their bodies, arms and hands to scale,
 // beneath their marks. O(parts + robots).
 void draw_stands(const Painter& painter, const CanvasView& view);
 
-// The reason why no robot can stand at the hovered place of an edge; nullopt if one can, or if the
-// placement is not the document's. O(log n).
+// The reason why no robot can stand at the hovered place of an edge; nullopt if a robot can stand
+// there, or if the document is refused. O(log n).
 std::optional<WhyUnusable> why_unusable(const AppState& state, const Pick& at);
 
 // Writes that reason at the pointer.

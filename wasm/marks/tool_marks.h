@@ -15,8 +15,8 @@ struct NumberedEdge {
   Vec2 a, b;
   std::size_t edge;
 };
-// Draws the numbers of edges, from 1, as in messages and settings. They do not cover each other
-// and, if their edges have room, not the boxes `before`, which are in pixels.
+// Draws the numbers of edges, from 1, as in messages and settings. If an edge has room, its number
+// covers neither an earlier number nor one of the boxes `before`, which are in pixels.
 void draw_edge_numbers(const Painter& painter, const Theme& theme, Colour colour,
                        const std::vector<NumberedEdge>& edges, std::vector<Rect> before = {});
 

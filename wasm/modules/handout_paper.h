@@ -1,4 +1,4 @@
-// The pictures of a handout: how points are mapped to the paper, and the places of words on it.
+// For the pictures of a handout: maps points to the paper, and finds places for words on the paper.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,8 @@ class Paper {
   static constexpr double text = 10;  // height of the letters
 
   explicit Paper(const Points& points);
-  // The point on the paper, rounded to tenths. This is invisible, and makes the file shorter.
+  // The place of the point on the paper, rounded to tenths. The rounding is invisible, and makes
+  // the file shorter.
   Vec2 operator()(const Vec2& p) const;
   Points operator()(const Points& points) const;
   double length(double in_polygon_units) const { return in_polygon_units * scale_; }
@@ -29,8 +30,8 @@ class Paper {
   Vec2 middle_;
 };
 
-// A weight's disc, whose area shows its share of the total weight, and its name or, if it has none,
-// its weight.
+// A weight's disc and label. The area of the disc shows the weight's share of the total weight. The
+// label is the name or, without a name, how heavy the weight is.
 struct PaperCargo {
   Vec2 middle;  // on the paper
   double radius;
@@ -52,9 +53,9 @@ struct PaperWords {
   std::string text;
 };
 
-// The text in a step's picture: C, the names of cargo and of the caption's parts, load ratios of
-// the compared chords, and the robots' loads once known. Words without room are left out. O(words
-// (n + words + lines)).
+// The text in a step's picture: C, the names of cargo and of the caption's parts, numbers or load
+// ratios of the compared chords, and the robots' loads once known. Words without room are left out.
+// O(words (n + words + lines)).
 std::vector<PaperWords> words_on_paper(const Paper& paper, const Trace& trace,
                                        const StepDetail& detail,
                                        const std::vector<Figure>& figures);

@@ -11,21 +11,21 @@ namespace evenlift::view::browser {
 // Carries out the requests in order.
 void carry_out(const Effects& effects);
 
-// Shows this cursor over the canvas.
 void show_cursor(Cursor cursor);
 
-// Reports characters that cannot be shown.
+// Tells the user that the canvas cannot show these characters.
 void say_absent(std::string_view characters);
 
-// Requests page_letters() with the larger fonts.
+// Asks the browser to fetch the larger fonts and to call page_letters() with them.
 void fetch_letters();
 
-// Requests page_resize() with the present size.
+// Asks the browser to call page_resize() with the present size.
 void measure_screen();
 
 void request_frame();
 
-// Requests page_frame() at the browser's next frame. Only schedule() in main.cpp uses it.
+// Asks the browser to call page_frame() at its next frame. Only schedule() in main.cpp uses this
+// function.
 void schedule_frame();
 
 }  // namespace evenlift::view::browser

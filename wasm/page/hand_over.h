@@ -5,7 +5,7 @@
 
 namespace evenlift::view {
 
-// Keeps the text alive until the next call.
+// Returns the text for the caller in JavaScript, and keeps it alive until the next call.
 inline const char* hand_over(std::string text) {
   static std::string kept;
   kept = std::move(text);

@@ -1,5 +1,5 @@
-// The functions that web/page calls: window.evenlift, the address bar, keys. All text is UTF-8; a
-// returned text stays valid until the next call.
+// Shared parts of the functions that web/page calls for window.evenlift, the address bar and keys.
+// All text is UTF-8; a text that such a function returns stays valid until the next call.
 #pragma once
 
 #include "app/app.h"
@@ -9,14 +9,14 @@ namespace evenlift::view {
 App& app();
 
 // Carries out the pending commands and their requests to the browser. Returns whether there were
-// any.
+// commands.
 bool settle();
 
 // Carries out these commands at once, as if they came from a button.
 void carry_out(Commands commands);
 
-// Does everything that follows a command. Call it after a function that changed the state in place
-// of a command because the function may refuse.
+// Does everything that follows a command. A function that must return a refusal changes the state
+// without a command; call carried_out() after it.
 void carried_out();
 
 }  // namespace evenlift::view

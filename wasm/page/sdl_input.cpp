@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cmath>
 #include <cstddef>
 
 namespace evenlift::view {
@@ -192,7 +193,8 @@ Pointer SdlInput::pointer(double zoom) {
   p.released = ImGui::IsMouseReleased(0);
   p.down = ImGui::IsMouseDown(0);
   const ImVec2 moved = ImGui::GetMouseDragDelta(0, 0);
-  p.moved = length(Vec2(static_cast<double>(moved.x), static_cast<double>(moved.y)));
+  p.moved = std::max(length(Vec2(static_cast<double>(moved.x), static_cast<double>(moved.y))),
+                     std::sqrt(static_cast<double>(io.MouseDragMaxDistanceSqr[0])));
   if (wheel_) p.wheel = static_cast<double>(wheel_->wheel);
   if (pinch_) {
     p.pinching = true;

@@ -16,19 +16,20 @@ class SdlInput {
  public:
   void take(const Screen& screen);
 
-  // Passes the pointer's next events to Dear ImGui in order, up to the next press, release or wheel
-  // turn: in one pass, Dear ImGui would lose a second such event. A press waits until the panels
-  // are `laid_out`. Dear ImGui's pixels are `zoom` CSS pixels large. Call before ImGui::NewFrame().
+  // Passes the pointer's next events to Dear ImGui in order, up to and including the next press,
+  // release or turn of the wheel: in one pass, Dear ImGui would lose a second such event. A press
+  // waits until the panels are `laid_out`. Dear ImGui's pixels are `zoom` CSS pixels large. Call it
+  // before ImGui::NewFrame().
   void feed(bool laid_out, double zoom);
 
   // Takes the pinch of a trackpad, which browsers report as a wheel.
   void pinch(const Vec2& at, double factor);
 
-  // The finger that is down begins to ask about the part beneath it, until it is lifted or another
-  // comes down.
+  // Notes that the finger on the screen now asks about the part beneath it. The question ends when
+  // the finger is lifted or a second finger comes down.
   void ask() { asks_ = touch_ && down_ && !two_fingers_; }
 
-  // The pointer in this pass, in the same pixels as in feed(). Call after ImGui::NewFrame().
+  // The pointer in this pass, in the same pixels as in feed(). Call it after ImGui::NewFrame().
   Pointer pointer(double zoom);
 
   bool waiting() const { return !queue_.empty(); }
@@ -65,8 +66,8 @@ class SdlInput {
   Vec2 at_ = Vec2(-1e6, -1e6);
   bool down_ = false, touch_ = false, asks_ = false;
   Vec2 pressed_at_ = Vec2::Zero();
-  std::optional<Uint32> pressed_time_;  // nullopt if a finger's next press is a first one
-  bool two_fingers_ = false;  // until all are lifted: the last finger of a pinch drags nothing
+  std::optional<Uint32> pressed_time_;  // nullopt if a finger's next press cannot be a second one
+  bool two_fingers_ = false;  // until all are lifted, so that the last finger drags nothing
   Vec2 pinch_middle_ = Vec2::Zero();
   double pinch_spread_ = 1;
 

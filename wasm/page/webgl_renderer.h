@@ -21,7 +21,8 @@ class WebglRenderer {
   void stop();
 
   // Uploads the font atlas. Call it after start() and after every change of the atlas, before
-  // ImGui::NewFrame(). From 1.92 on Dear ImGui requests its textures itself.
+  // ImGui::NewFrame(). From version 1.92 on, Dear ImGui requests its textures itself, and this
+  // function does nothing.
   void upload_fonts();
 
   // Draws a frame on this background. O(vertices + indices).

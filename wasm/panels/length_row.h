@@ -27,11 +27,12 @@ struct OptionalRow {
   const char* without;           // the text shown without a value
   const char *unset_id, *unset;  // the button that removes the value
 };
-// Returns whether the value is given.
+// Returns whether the setting has a value.
 bool draw_optional(const Ui& ui, const OptionalRow& row);
 
-// The size of the object; and a length's first step from 0: a power of ten, from 1/500 to 1/50 of
-// the size.
+// size_of_object() returns the diagonal of the polygon's bounding box, or 100 before the first
+// placement. first_length() returns the first step of a length above 0: a power of ten, from 1/500
+// to 1/50 of the size.
 double size_of_object(const AppState& state);
 double first_length(double size_of_object);
 

@@ -19,29 +19,30 @@ void draw_panels(const AppState& state, Commands& commands);
 void draw_verdict(const Ui& ui);          // the whole verdict, of constant height
 void draw_headline(const Ui& ui);         // its first sentence, of constant height
 void draw_verdict_words(const Ui& ui);    // all its sentences, of constant height
-void draw_verdict_details(const Ui& ui);  // all but the first, and what remains if a robot fails
-void draw_embedded_verdict(
-    const Ui& ui);  // in an <iframe> without a lesson: the result, and the link to the page
+void draw_verdict_details(const Ui& ui);  // its other sentences, and what remains if a robot fails
+// In an <iframe> without a lesson: the result, and the link to the page.
+void draw_embedded_verdict(const Ui& ui);
 void draw_failures(const Ui& ui);  // below the verdict, of constant height
 void draw_settings(const Ui& ui);
 void draw_teams_stepper(const Ui& ui);
 void draw_capacity(const Ui& ui);
 void draw_goal(const Ui& ui);  // shown if the method has a goal
 void draw_robot_size(const Ui& ui);
-// Slopes, uneven ground and a further load, below the button, which begins at `head`.
+// draw_carrying_button() opens and closes the rows for slopes, uneven ground and a further load.
+// draw_carrying() draws these rows below the button, whose top is at `head`.
 void draw_carrying_button(const Ui& ui, float width);
 void draw_carrying(const Ui& ui, float head);
 void draw_more_button(const Ui& ui, float width);
 void draw_more(const Ui& ui, float head);  // seldom-used settings
 void draw_compare(const Ui& ui);
 void draw_comparison(const Ui& ui);  // with a second method
-// Draws the heat map's colours, and their forces.
+// Draws the heat map's colours, with the forces at their borders.
 void draw_heat_key(const Ui& ui);
 void draw_overlays(const Ui& ui);
 void draw_teams(const Ui& ui);
 void draw_numbers(const Ui& ui);
 
-// The value after a step up or down that suits its size: 100 changes by tens, 12 by ones.
+// The value after a step up or down that suits its size: 120 changes by tens, 12 by ones.
 double stepped(double value, int by);
 
 // The sections of the walkthrough.
@@ -56,14 +57,14 @@ void draw_player_row(const Ui& ui);
 // The floating cards.
 void draw_toolbar(const Ui& ui);
 void draw_tool_bar(const Ui& ui);
-// Whether the toolbar's menu has the snap choices, because they do not fit in the tool's bar; and
-// their rows in the menu.
+// snaps_in_menu() returns whether the menu of the toolbar has the snap choices, because they do not
+// fit in the tool's bar. draw_snap_choices() draws their rows in the menu.
 bool snaps_in_menu(const Ui& ui);
 void draw_snap_choices(const Ui& ui);
 // The fields for the next edge, while at least one vertex is drawn.
 void draw_edge_fields(const Ui& ui, float length_width, float angle_width);
-// The buttons for the selected vertex; and whether they are on a narrow screen's closed sheet, not
-// in a bar over the drawing.
+// draw_vertex_buttons() draws the buttons for the selected vertex. vertex_is_on_sheet() returns
+// whether these are on the closed sheet of a narrow screen instead of in a bar over the drawing.
 void draw_vertex_buttons(const Ui& ui);
 bool vertex_is_on_sheet(const AppState& state);
 void draw_view_tools(const Ui& ui);

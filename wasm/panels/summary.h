@@ -22,11 +22,11 @@ Verdict verdict(const AppState& state);
 // The verdict's assumptions about the robots; empty if the verdict is not about placed robots.
 std::string presumed_in_words(const AppState& state);
 
-// The mood after a robot's failure: `falls`, `not_quite` because the object can tip or a robot is
-// overloaded, or `good`.
+// The mood after a robot's failure: `falls` if the other robots do not carry the object,
+// `not_quite` if the object may tip or a robot is overloaded, and otherwise `good`.
 Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest);
 
-// The effect in words if the robot with this number, from 0, fails; empty if unknown.
+// The effect in words of the failure of the robot with this number, from 0; empty if unknown.
 std::string failure_words(const AppState& state, std::size_t robot);
 
 // Texts like "4", "29.1 kg", "8.2 kg", "61 %", "held". The loads are empty if the object falls.
@@ -35,7 +35,8 @@ struct ScoreInWords {
 };
 ScoreInWords score_of(const Placement& placement, const Units& units);
 
-// Whether a robot, or this one, carries more than its capacity, by the shown loads.
+// Whether some robot, or the robot with this number, carries more than its capacity, by the shown
+// loads.
 bool is_overloaded(const AppState& state);
 bool is_overloaded(const AppState& state, std::size_t robot);
 
@@ -46,17 +47,18 @@ std::string overload_in_brief(const AppState& state);
 // "4 robots · at most 29.0 kg · spread 8.0 kg · 64 % covered · not held".
 std::string score(const AppState& state);
 
-// Whether each robot stays within its capacity, and the number of robots needed; empty if no
+// Says whether each robot stays within its capacity, and how many robots are needed; empty if no
 // capacity is given.
 std::string need_in_words(const AppState& state);
 
-// The assumptions of the shown loads, and the effect of the C uncertainty, each in a sentence or
-// two; empty for the plan without uncertainty.
+// model_words() states the assumptions of the shown loads, and uncertainty_words() the effect of
+// the disturbance (uncertainty.h), each in a sentence or two. Both are empty for the plan without a
+// disturbance.
 std::string model_words(const AppState& state);
 std::string uncertainty_words(const AppState& state);
 
-// The slope at which the object tips, and the places where a further load may stand; empty if
-// neither is asked about.
+// The slope at which the object tips (tilt.h), and the places where a further load may stand; empty
+// if the user asks about neither.
 std::string carrying_words(const AppState& state);
 
 // The unit of weights, such as "kg".
@@ -69,8 +71,8 @@ std::string link_lacks_in_words(const AppState& state);
 // O(teams).
 std::string summary(const AppState& state);
 
-// In addition to the summary: the selection, the tool, snapping, which overlays are shown or
-// hidden, and the comparison, each on its own line. O(1).
+// What the summary lacks: the selection, the tool, snapping, which overlays are shown or hidden,
+// and the comparison, each on its own line. O(n).
 std::string news(const AppState& state);
 
 }  // namespace evenlift::view

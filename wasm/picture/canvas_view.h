@@ -1,4 +1,5 @@
-// A picture on the canvas: of the placement, or of the second method's placement beside it.
+// A picture on the canvas. It shows the placement or, beside it, the placement of the second
+// method.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Fills a large polygon by rows of device pixels. There would be too many triangles for a frame,
-// and they would be slow to compute; the window bounds the number of rows and spans.
+// Fills a large polygon by rows of device pixels. Such a polygon would have too many triangles for
+// a frame, and they would be slow to compute. The window bounds the number of rows and spans.
 #pragma once
 
 #include <vector>
@@ -18,9 +18,9 @@ struct RowFill {
 };
 
 // Returns the visible part of the polygon without its holes. The even-odd rule decides at each
-// pixel's middle, so an edge that the outline passes in both directions has no effect. `pixel` is a
-// device pixel's size. Rows are higher than a pixel if there would otherwise be more than a few
-// hundred thousand spans. O(n + pixels + rows that the edges cross).
+// pixel's middle, so an edge that the outline passes in both directions has no effect. `pixel` is
+// the size of a device pixel. Larger pixels, and so higher rows, are used if there would otherwise
+// be more than a few hundred thousand spans. O(n + pixels + rows that the edges cross).
 RowFill fill_rows(const Points& polygon, const std::vector<Points>& holes, const Camera& camera,
                   const Rect& window, double pixel);
 

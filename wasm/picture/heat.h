@@ -1,5 +1,5 @@
-// The heat map shows, for each point outside the lifting base, the least press down there that tips
-// the object.
+// The heat map shows, for each point outside the lifting base, the least downward press there that
+// tips the object if the robots push back and none is overloaded.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace evenlift::view {
 
-// The part of the object, without its holes, where only a press down of at least `share` times the
-// object's weight tips it. The innermost band has an infinite share: no press there tips the
-// object.
+// The part of the object, without its holes, where only a downward press of at least `share` times
+// the weight (with cargo) tips it. The innermost band has an infinite share: under the same
+// conditions, no press there tips the object.
 struct HeatBand {
   double share = 0;
   std::vector<Vec2> triangles;  // three points each

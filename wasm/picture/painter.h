@@ -14,13 +14,13 @@
 
 namespace evenlift::view {
 
-// If there are more candidates than this, they are not dashed: tens of thousands of dashes are slow
-// to draw.
+// If there are more candidates than this, their chords are not dashed, because tens of thousands of
+// dashes are slow to draw.
 inline constexpr std::size_t most_dashed = 300;
 
 class Painter {
  public:
-  // A `strength` below 1 fades everything: it shows that the result is out of date.
+  // A `strength` below 1 fades everything, to show that the result is out of date.
   Painter(ImDrawList& list, const Camera& camera, const Rect& window, float strength = 1)
       : list_(list), camera_(camera), window_(window), strength_(strength) {}
 
@@ -29,7 +29,7 @@ class Painter {
 
   void fill(const Points& corners, const std::vector<std::uint32_t>& triangles,
             Colour colour) const;
-  // rows() finds the rows of the visible part of a large polygon. fill() fills them, or, if
+  // rows() finds the rows of the visible part of a large polygon. fill() fills these rows or, if
   // `within` is not empty, only their part in this convex area.
   RowFill rows(const Points& polygon, const std::vector<Points>& holes = {}) const;
   void fill(const RowFill& rows, Colour colour, const Points& within = {}) const;
@@ -41,7 +41,6 @@ class Painter {
   void fill_around(const std::vector<Points>& holes, const Points& counter_clockwise,
                    Colour colour) const;
   void outline(const Points& polygon, Colour colour, float width, bool closed = true) const;
-  // Draws the outlines of the polygon and of the holes.
   void outlines(const Points& polygon, const std::vector<Points>& holes, Colour colour,
                 float width) const;
   void line(const Vec2& a, const Vec2& b, Colour colour, float width) const;
@@ -53,7 +52,7 @@ class Painter {
   void region(const Points& counter_clockwise, Colour fill, Colour line, bool rising) const;
   // Draws an arrow between points on the screen, in pixels.
   void arrow(const Vec2& tail, const Vec2& head, Colour colour, float width) const;
-  // Hatches a convex area with lines at +45° (rising) or −45°. They move with the plane.
+  // Hatches a convex area with lines at +45° (rising) or −45°. The lines move with the polygon.
   void hatch_convex(const Points& counter_clockwise, bool rising, Colour colour) const;
 
  private:

@@ -29,7 +29,7 @@ struct Scene {
   // are empty if the object is filled by rows.
   Points corners;
   std::vector<std::uint32_t> triangles;
-  std::vector<HeatBand> heat;  // computed on first request
+  std::vector<HeatBand> heat;  // computed when it is first shown
   bool shows_heat() const { return overlays.tipping && !heat.empty(); }
   CoveragePlace coverage;  // where the coverage's number appears, if there is room
 

@@ -1,8 +1,8 @@
 // Divides a polygon, which may have holes, into triangles, so that it can be filled.
 //
 // This is the ear clipping of mapbox/earcut.hpp. The library itself would have to be fetched for
-// every build, since distributions do not package it. It is about as fast: it takes 0.74 to 1.25
-// times the time for stars, combs and circles of 1,000 and 20,000 vertices.
+// every build, since distributions do not package it. This code is about as fast as the library: it
+// takes 0.74 to 1.25 times as long for stars, combs and circles of 1,000 and 20,000 vertices.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,12 @@
 
 namespace evenlift::view {
 
-// Returns three indices for each triangle, in either orientation. They count the polygon's vertices
-// and then each hole's. This function is for drawing only: it computes in plain doubles, always
-// ends, and returns some triangles even for a polygon that is not simple, which edits may pass
-// through. To test an ear it examines only nearby vertices, found by Z-order. It costs little more
-// than O(n) for most shapes, but O(n²) for some, so large polygons are filled by rows
-// (fill_rows.h). The holes cost O(holes n).
+// Returns three indices for each triangle, in either orientation. Indices number the vertices of
+// the polygon and then of each hole. This function is for drawing only: it computes in plain
+// doubles, always ends, and returns some triangles even for a polygon that is not simple, which
+// edits may pass through. To test an ear, it examines only nearby vertices, which it finds by
+// Z-order. The function costs little more than O(n) for most shapes, but O(n²) for some, so large
+// polygons are filled by rows (fill_rows.h). The holes cost O(holes n).
 std::vector<std::uint32_t> triangulate(const Points& vertices,
                                        const std::vector<Points>& holes = {});
 

@@ -23,7 +23,7 @@ struct Rect {
 };
 
 // The part of a segment from a to b, as fractions of the way from a. part_within() returns the part
-// in a rectangle (boundary included), or nothing if they do not meet. O(1).
+// in a rectangle (boundary included), or nullopt if segment and rectangle do not meet. O(1).
 struct PartOfSegment {
   double from = 0, to = 1;
 };
@@ -41,23 +41,22 @@ struct Camera {
 // Returns the camera that shows all points within `room`, as large as possible. O(n).
 Camera fit(const Points& points, const Rect& room);
 
-// Returns the camera with its scale multiplied by `factor`, within `smallest` and `largest`. The
-// point under `about` (pixels) stays in place.
+// Returns the camera with its scale multiplied by `factor`, but limited to the range from
+// `smallest` to `largest`. The point under `about` (pixels) stays in place.
 Camera zoom(const Camera& camera, const Vec2& about, double factor, double smallest,
             double largest);
 
 // Returns the camera after the drawing moved by this many pixels.
 Camera pan(const Camera& camera, const Vec2& pixels);
 
-// Returns the distance between the dots of the grid, in polygon coordinates: 1, 2 or 5 times a
-// power of ten, and at least 22 pixels on the screen.
+// Returns the distance between the dots of the grid, in polygon coordinates: the least number that
+// is 1, 2 or 5 times a power of ten and at least 22 pixels on the screen.
 double grid_step(const Camera& camera);
 
-// Returns the dot of the grid that is nearest to `world`.
 Vec2 nearest_dot(const Camera& camera, const Vec2& world);
 
-// Returns the nearest coordinates with no more decimals than a pixel needs. They are readable, and
-// short in links.
+// Returns the nearest coordinates with no more decimals than a pixel needs. Such coordinates are
+// readable, and short in links.
 Vec2 rounded_to_pixels(const Camera& camera, const Vec2& world);
 
 // Rounds to two more decimals than rounded_to_pixels(), so that turned or scaled shapes keep their

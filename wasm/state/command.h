@@ -1,5 +1,5 @@
-// Everything that the user, a key or another page can ask for. A command is data, which update.h
-// applies between two frames.
+// Everything that the user, a worker or the page around the view can ask for. A command is data,
+// and apply() (app/update.h) carries it out between two frames.
 #pragma once
 
 #include <string>
@@ -37,7 +37,7 @@ struct InsertVertex {
   std::size_t edge;
   Vec2 at;
 };
-// Removes a vertex or a weight. A hole of three vertices is removed whole.
+// Removes a vertex, a weight, or a hole of three vertices.
 struct RemoveVertex {
   std::size_t vertex;  // the number of a handle (handles.h)
 };
@@ -71,7 +71,7 @@ struct PlaceYourself {  // puts robots beneath the object, for the user to move
 };
 struct CloseTask {};  // restores the document that was open before the task
 struct SetChallenge {
-  bool on;  // the page does not show its own answers
+  bool on;  // in a challenge, the page does not show its own answers
 };
 struct AddRobot {
   std::optional<Vec2> at;  // nothing: where the robot adds most to the lifting base
@@ -86,8 +86,8 @@ struct RemoveRobot {
 struct EvenOut {};      // moves two or three given robots to equal loads
 struct ResetRobots {};  // moves the robots back to where the method placed them
 
-// Reports a result of the search with this number (Given::Found). Without `robots`, the search
-// cannot continue.
+// Reports a result of the search with this number (Given::Found). If `robots` is missing, the
+// search cannot continue.
 struct TakeRobots {
   std::uint64_t number;
   std::optional<std::string> robots;
@@ -191,15 +191,15 @@ struct LeaveScript {};  // continues without the lesson's words
 struct SetPresenting {
   bool on;
 };
-// Shows all steps of the trace, and sets an open lesson aside; or shows only the lesson's stops
-// again, or, without a lesson, the main steps.
+// If `all`, shows all steps of the trace, and sets an open lesson aside. Otherwise shows only the
+// stops of that lesson again or, without a lesson, the main steps.
 struct ShowAllSteps {
   bool all;
 };
 struct Compare {
   std::optional<Method> method;
 };
-// Lets a robot fail, or all robots work again.
+// Lets a robot fail, or lets all robots work again.
 struct Fail {
   std::optional<std::size_t> robot;  // the number from 0; nothing: all work
 };
@@ -222,7 +222,8 @@ struct SetCamera {
   Camera camera;
 };
 struct FitView {};
-// Zooms about a place on the screen, or about the middle of the area for the polygon.
+// Zooms about a place on the screen, or about the middle of the area where the fitting view puts
+// the polygon.
 struct ZoomView {
   double factor;
   std::optional<Vec2> about{};
@@ -235,12 +236,12 @@ struct SetSectionOpen {
   bool View::*section;
   bool open;
 };
-// Sets whether the brush erases. A stroke that begins on a no-go part erases; any other stroke
-// marks.
+// Sets whether the brush erases no-go parts, or adds them. A stroke that begins on a no-go part
+// erases.
 struct SetErases {
   bool erases;
 };
-// The panels report an open list of choices.
+// Reports from the panels whether a list of choices is open.
 struct ListIsOpen {
   bool open;
 };
@@ -263,7 +264,7 @@ struct OpenDialog {
   Dialog dialog;
 };
 struct OpenPage {};     // opens the page of an <iframe> in a new tab
-struct LayOutAgain {};  // asks for another frame, since part of a panel moved
+struct LayOutAgain {};  // asks for another frame, since something still moves
 struct ShowNotice {
   Notice notice;
 };
@@ -276,7 +277,8 @@ struct SetCanvas {
 struct SetPreferences {
   bool dark, reduced_motion, finger;
 };
-// `on`: the pointer is a finger; `asking`: the finger rests, to ask about the part under it.
+// `on`: the pointer is a finger; `asking`: the finger rests in order to ask about the part under
+// it.
 struct SetTouch {
   bool on, asking;
 };
@@ -321,8 +323,8 @@ using AnyCommand = std::variant<
     MeasureSheet, MeasureNotice, CopyLink, TypeValue, OpenDialog, OpenPage, LayOutAgain, TakeRobots,
     TakeChoice, ShowNotice, EndNotice, SetCanvas, SetPreferences, SetTouch, CoverScreen, MakeRoom,
     LayPicture, TakePictureAway, SetMeasuring, KeepMotion, KeepComparison, ForgetSteps, AddStep>;
-// One command. The special members of this class are compiled once (command.cpp): in every file
-// that makes a command, they took half of the time of compiling the panels.
+// One command. The special members of this class are compiled only once, in command.cpp. Compiled
+// in every file that makes a command, they took half of the time of compiling the panels.
 class Command {
  public:
   template <class Kind>

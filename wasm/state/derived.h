@@ -1,5 +1,5 @@
-// The derived part of the state: everything that follows from the document and the view. Only
-// derive() (derive/derive.h) writes it.
+// The derived part of the state: everything that follows from the work, the view and the session.
+// Only derive() (derive/derive.h) writes it.
 #pragma once
 
 #include <cstddef>
@@ -23,14 +23,14 @@ namespace evenlift::view {
 struct Outlook {
   std::vector<LoadRange> loads;  // of each robot, by the load model `model`
   LoadModel model = LoadModel::plan;
-  double greatest = 0;    // of these loads
+  double greatest = 0;    // the greatest of these loads
   Robustness robustness;  // see placed_robots.h
-  std::optional<ModelLoads>
-      models;  // present only if the shown model is not the plan, or there is a disturbance
+  // Absent if the plan is shown and there is no Disturbance (uncertainty.h).
+  std::optional<ModelLoads> models;
   std::optional<ExtraLoad> extra;  // where a further load may stand, if the user asks
 };
 
-// A failed robot, and the placement without it.
+// A failed robot, and the placement after its failure.
 struct Failure {
   std::size_t robot = 0;
   std::optional<RestOfRobots> rest;  // nothing if the others do not carry the object
@@ -38,32 +38,33 @@ struct Failure {
   Outlook outlook;                   // of the other robots
 };
 
-// The background search that improves the balanced robots on the screen. Afterwards it counts the
-// robots needed if any one may fail.
+// The background search that improves the balanced robots on the screen. If a capacity is given, a
+// further search then counts the robots needed if any one robot may fail.
 struct Search {
   std::uint64_t number = 0;  // of the last search; results of earlier searches are dropped
-  bool due = false;          // the robots on the screen are the start of a search
+  bool due = false;          // a search should begin, if the robots on the screen need one
   bool under_way = false;
-  bool counting = false;  // it counts the robots needed
+  bool counting = false;  // the search that counts the robots is under way
 };
 
-// During a drag of a large object, a worker chooses the object's teams (derive/elsewhere.h). It
-// takes one document after another, and skips documents that are overtaken meanwhile.
+// During a drag of a large object, a worker chooses the object's teams (derive/elsewhere.h). The
+// worker takes one document at a time, always the newest, and skips the documents in between.
 struct Elsewhere {
   std::uint64_t number = 0;  // of the last document for the worker
   bool under_way = false;
   bool possible = true;     // false once the worker failed during a drag
-  Document document;        // the one that the worker has now
+  Document document;        // the document that the worker has now
   std::uint64_t edits = 0;  // Work::edits() of this document
 };
 
-// Other settings that would correct a placement that is not good, and the label of their button.
+// Settings that would improve a placement whose verdict is not good, and the label of the button
+// that applies them.
 struct Offer {
   Settings settings;
   std::string label;
 };
 
-// The inputs of the last derive(), which show what is out of date.
+// The inputs of the last derive(). Results are out of date if the present inputs differ.
 struct Basis {
   std::uint64_t edits = 0;  // Work::edits() of the placed or refused document
   Haste haste = Haste::at_rest;
@@ -84,18 +85,18 @@ struct Derived {
   std::string untraced;                // why the requested trace is missing
 
   // Summaries of the above.
-  std::optional<double> best_ratio;  // the best ratio of any chord, if no chord has the minimum
-  std::optional<Offer> offer;        // if the placement is not good; nothing during a drag
+  std::optional<double> best_ratio;  // the best load ratio of any chord, if none meets the minimum
+  std::optional<Offer> offer;        // if the verdict is not good; nothing during a drag
   bool offer_due = true;             // the offer may have changed
   std::optional<CapacityPlan> plan;  // robots needed for the capacity; not updated in a drag
-  std::optional<FailurePlan> spare;  // the robots needed if any one may fail; balanced robots
-                                     // need a search for each number, so it comes later (search.h)
+  std::optional<FailurePlan> spare;  // the robots needed if any one robot may fail; for balanced
+                                     // robots, a search finds it later (derive/search.h)
   bool plan_due = false;             // `plan` or `spare` may have changed
   Outlook outlook, second_outlook;   // of the first and the second placement
-  std::vector<std::optional<RestOfRobots>> failures;  // by the failing robot; empty while unknown
+  std::vector<std::optional<RestOfRobots>> failures;  // one for each robot; empty while unknown
   bool failures_due = true;                           // `failures` must be computed
   std::optional<Failure> failure;                     // the robot that the user let fail
-  std::optional<Explanation> explanation;             // the card beside a robot or chord
+  std::optional<Explanation> explanation;             // the card about a robot, chord or candidate
   Search search;
   Elsewhere elsewhere;
 
@@ -103,19 +104,19 @@ struct Derived {
   Basis basis;
 };
 
-// Values that commands pass to derive(): results of a check, and results from outside the view.
-// derive() empties this struct.
+// Values that commands pass to derive(): what a command has already computed, and results from
+// outside the view. derive() empties this struct.
 struct Given {
   std::optional<Placement> placement;  // of the document
   std::optional<Trace> trace;          // of that placement
-  // The held robot's number before and after, if the placements differ only in robots moved by
-  // hand.
+  // Set if the user moves a robot by hand and changes nothing else: the robot's number before and
+  // after the move.
   struct Moved {
     std::size_t robot, now;
   };
   std::optional<Moved> moved;
-  // The result of the search with this number: robots or a count, or no `robots` if the search
-  // cannot continue.
+  // The result of the search with this number. `robots` is a text with robots or a count
+  // (robots_text.h), and absent if the search cannot continue.
   struct Found {
     std::uint64_t number;
     std::optional<std::string> robots;
@@ -123,7 +124,7 @@ struct Given {
   };
   std::optional<Found> found;
   // The worker's choice for the document with this number (derive/elsewhere.h). The choice is empty
-  // if the document is refused, and nothing if the worker failed.
+  // if the document is refused, and absent if the worker failed.
   struct Chosen {
     std::uint64_t number;
     std::optional<std::vector<double>> choice;

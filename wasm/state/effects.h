@@ -26,7 +26,7 @@ enum class Dialog : std::uint8_t {
   welcome,
   optimum,
   language,
-  end_of_dialogs  // not a dialog; it stays last and counts them: each must have a name
+  end_of_dialogs  // not a dialog; stays last and counts the dialogs, which all must have a name
 };
 
 // The shapes of the mouse pointer over the canvas.
@@ -40,15 +40,15 @@ enum class Cursor : std::uint8_t {
   move,
   resize_rising,
   resize_falling,
-  end_of_cursors  // not a cursor; counts them
+  end_of_cursors  // not a cursor; counts the cursors
 };
 
-// The document changed. The page updates the address bar, the storage and the live region, at most
-// a few times a second.
+// The document changed. The page updates the address bar and the storage, at most a few times a
+// second, and the summary for users who cannot see the canvas.
 struct DocumentChanged {};
 
-// The selection, the held part or the comparison changed. The page updates only the summary for
-// users who cannot see the canvas.
+// The summary for users who cannot see the canvas may have changed, for instance with the selection
+// or during a drag. The page updates nothing else.
 struct SummaryChanged {};
 
 // The preferences changed. The browser keeps them apart from the document (page_kept()).
@@ -80,21 +80,21 @@ struct ShowFullScreen {
   bool on;
 };
 
-// Opens the page of an <iframe> in a new tab.
+// Opens the page, which is now in an <iframe>, in a new tab.
 struct ShowPage {};
 
-// Continues this search for balanced robots in the background, and ends any earlier one. The
-// problem is a polygon in the thesis's format, settings as lines `name=value`, and the starting
-// robots (robots_text.h). Results arrive through page_take_robots(). With a capacity, the search
-// only counts the robots needed if any one may fail.
+// Continues this search for balanced robots in the background, and ends any earlier one. The input
+// is a polygon in the thesis's format, settings as lines `name=value`, and the starting robots
+// (robots_text.h). Results arrive through page_take_robots(). With a capacity in the settings, the
+// search only counts the robots needed if any one robot may fail.
 struct BeginSearch {
   std::uint64_t number;
   std::string polygon, settings, robots;
 };
 struct EndSearch {};
 
-// A worker chooses the teams of the document with these rings and settings (derive/elsewhere.h).
-// The choice arrives through page_take_choice().
+// Lets a worker choose a document's teams (derive/elsewhere.h). The rings are the outline and the
+// holes, as numbers. The choice arrives through page_take_choice().
 struct ChooseElsewhere {
   std::uint64_t number;
   std::vector<double> rings;

@@ -29,8 +29,8 @@ struct Pick {
   };
   Kind kind = Kind::none;
   std::size_t index = 0;   // of the vertex, edge, team, candidate, weight or frame's grip
-  int end = 0;             // of a robot: 0 for r1, 1 for r2
-  Vec2 at = Vec2::Zero();  // in polygon coordinates; on an edge or chord, its nearest point
+  int end = 0;             // of a robot: its index in the team; r1 is 0, and r2 is 1
+  Vec2 at = Vec2::Zero();  // in polygon coordinates; on an edge or chord, nearest to the pointer
   bool second = false;     // the part is in the second method's picture
   bool operator==(const Pick&) const = default;
 };
@@ -45,7 +45,7 @@ struct Explanation {
   std::string title;
   std::vector<Row> rows;
   std::string reason;
-  std::optional<std::uint32_t> step;  // where the walkthrough decides this
+  std::optional<std::uint32_t> step;  // the walkthrough's step that decides on this part
 };
 
 }  // namespace evenlift::view

@@ -15,8 +15,8 @@
 
 namespace evenlift::view {
 
-// The browser keeps these numbers, so a new kind goes at the end. A setting without a kind has the
-// number of its record in links (SettingRow), counted from `edit_of_records`.
+// The kinds of edits. The browser keeps their numbers, so a new kind goes at the end. For a setting
+// without a kind, the number is `edit_of_records` plus that of its record in links (SettingRow).
 enum class Edit : std::uint32_t {
   opened,
   drawn,
@@ -59,14 +59,14 @@ std::string in_words(Edit edit);
 // Returns the kind of a change of this setting. O(settings).
 Edit edit_of(const SettingRow& row);
 
-// Returns `shown` with the overlays and the step of `other`: undo leaves these unchanged. O(1).
+// Returns `shown` with the overlays and the step of `other`, which undo must not change. O(1).
 Shown seen_as(Shown shown, const Shown& other);
 
 // Returns whether this edit replaced the open object by another one. O(1).
 bool is_other_object(Edit edit);
 
-// A picture behind the drawing, for tracing. The page draws the picture; the view knows its
-// position.
+// A picture behind the drawing, which the user can draw over. The page draws the picture; the view
+// knows its position.
 struct Backdrop {
   Vec2 low, high;             // its corners, in polygon coordinates
   std::uint32_t picture = 0;  // the picture's number, counted since the start
@@ -92,8 +92,8 @@ class History {
   bool can_undo() const { return !past_.empty(); }
   bool can_redo() const { return !future_.empty(); }
 
-  // Returns the edit that undo() would undo (redo() would redo). Precondition: can_undo()
-  // (can_redo()).
+  // undoes() returns the edit that undo() would undo, and redoes() the one that redo() would redo.
+  // Precondition: can_undo() (can_redo()).
   Edit undoes() const { return past_.back().edit; }
   Edit redoes() const { return future_.back().edit; }
 
@@ -108,17 +108,17 @@ class History {
   Recalled redo(const Document& now, const Beside& beside = {});
 
   // Leaves the open lesson and returns the document that was open before it; nothing if no lesson
-  // is open. If the lesson was not edited, the history forgets it. Otherwise leaving it is another
-  // step, which can be undone.
+  // is open. If the lesson was not edited, the history forgets the lesson. Otherwise leaving the
+  // lesson is another step, which can be undone.
   std::optional<Recalled> leave_lesson(const Document& now, const Beside& beside = {});
 
-  // Returns the index, as for kept(), of the step that opened a lesson, if the object before the
-  // newest `later` steps belongs to that lesson; otherwise nothing. O(steps).
+  // Returns the index (as for kept()) of the step that opened the lesson that was open before the
+  // newest `later` steps; nothing if no lesson was open. 0 means the present lesson. O(steps).
   std::optional<std::size_t> lesson_opened(std::size_t later = 0) const;
 
-  // A step, for storage outside. kept() returns the step to which i + 1 undos (redos) lead for
-  // index i, or nothing if there are fewer steps. The link is empty if the document is too large
-  // for a link. The first call for a step costs O(n), and later ones O(bytes).
+  // A step in the form that the browser stores. For index i, kept() returns the step that i + 1
+  // undos (redos) reach, or nothing if there are fewer steps. The link is empty if the document is
+  // too large for a link. The first call for a step costs O(n), and later ones O(bytes).
   struct Kept {
     Edit edit = Edit::settings;
     Beside beside;
@@ -126,7 +126,7 @@ class History {
   };
   std::optional<Kept> kept(bool redo, std::size_t index);
 
-  // Adds a step as the newest one to undo (redo). Ignores a step whose link is unreadable. O(n).
+  // Adds a step as the next one to undo (redo). Ignores a step whose link is unreadable. O(n).
   void add(bool redo, const Kept& kept);
   void clear();
 
@@ -144,7 +144,7 @@ class History {
                 const Beside& beside);
 
   std::vector<Entry> past_, future_;
-  std::vector<Entry> future_before_lesson_;  // from when the last lesson was opened
+  std::vector<Entry> future_before_lesson_;  // the steps to redo when the last lesson was opened
 };
 
 }  // namespace evenlift::view

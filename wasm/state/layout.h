@@ -17,13 +17,14 @@ struct Layout {
   bool low = false;        // the height is small: seldom-used controls are in the toolbar's menu
   bool brief = false;  // the closed sheet shows only its first lines, to leave room for the drawing
   Rect panel;          // the panel at the side, or the sheet
-  // The player, with the walkthrough's words and buttons. It is empty if no walkthrough is open,
-  // except in an <iframe>. On a narrow screen the player is in the sheet.
+  // The player: the walkthrough's buttons and, in an <iframe> and in presentation mode, its words.
+  // An <iframe> always has a player. Elsewhere the player is empty if no walkthrough is open, and
+  // on a narrow screen outside presentation mode, where the sheet contains the buttons.
   Rect player;
-  // Only left and top matter: the width follows from the content. The toolbar is empty in an
-  // <iframe> and while steps are presented.
+  // The greatest room for the toolbar, which is as wide as its content; empty in an <iframe> and
+  // while steps are presented.
   Rect toolbar;
-  Rect tools;  // the view tools, zoom and fit; empty if the toolbar's menu has them
+  Rect tools;  // the view tools, such as zoom and fit; empty if the toolbar's menu has them
   Rect free;   // the part of the canvas that is covered only briefly, if at all
   // The two pictures of a comparison. Without a comparison, `first` is the whole drawing and
   // `second` is empty.
@@ -32,14 +33,13 @@ struct Layout {
   // foot.
   double caption = 0;
   Rect notice;  // a notice appears at the foot of this place
-  Rect room;    // where the fitting view puts the polygon
+  Rect room;    // where fitting_camera() puts the polygon
 };
 
-// Returns the places on the screen for this state.
 Layout layout(const AppState& state);
 
-// Returns whether a narrow screen's sheet can be half open. On a low screen it cannot: the closed
-// sheet is about as high as a half-open one.
+// Returns whether a narrow screen's sheet can be half open. It cannot be on a low screen, where the
+// closed sheet is about as high as a half-open one.
 bool has_half_sheet(const AppState& state);
 
 // Returns the camera that shows the polygon and its centre of mass, even if this centre is outside

@@ -9,8 +9,8 @@
 
 namespace evenlift::view {
 
-// Returns the number of placed teams, at least 1; 3 if nothing is placed. Two balanced robots count
-// as one team.
+// Returns the number of placed teams, but at least 1, and 3 if nothing is placed. If the robots are
+// not in teams, every two robots count as a team.
 inline std::uint32_t placed_teams(const std::optional<Placement>& placement) {
   if (!placement) return 3;
   return std::max<std::uint32_t>(1, static_cast<std::uint32_t>(count_robots(placement->teams) / 2));
@@ -22,9 +22,9 @@ inline std::uint32_t placed_teams(const AppState& state) {
 // Returns whether the method considers the robots' size. For the other methods, robots are points.
 inline bool takes_sizes(Method method) { return is_one_team(method) || selects_candidates(method); }
 
-// Returns the settings with another method, and without the settings that the method does not
-// support. "max" teams becomes `teams`, and supports, the goal, the robots' size and the no-go
-// edges are reset. For teams, a goal of balanced robots is also reset.
+// Returns the settings with another method. Of the settings that the method does not support,
+// `teams` replaces "max" teams, and supports, the goal, the robots' size and the no-go edges are
+// reset. The goal is also reset if the method changes from balanced robots to teams.
 inline Settings with_method(Settings settings, Method method, std::uint32_t teams) {
   const bool balanced = method == Method::balanced;
   if (method != Method::given) settings.supports.clear();
@@ -39,8 +39,9 @@ inline Settings with_method(Settings settings, Method method, std::uint32_t team
   return settings;
 }
 
-// Changes the method. Settings that the new method does not support are set aside in `aside`, until
-// a method is chosen that supports them. Balanced robots have their own goal.
+// Changes the method. If the new method does not support the robots' size, the no-go edges or the
+// goal of teams, `aside` keeps them until the user chooses a method that supports them. The goal
+// of balanced robots is not kept.
 struct WithMethod {
   Settings settings;
   SetAside aside;

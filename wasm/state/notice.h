@@ -14,8 +14,8 @@ void emit(AppState& state, Effect effect);
 void announce(AppState& state, std::string text);
 
 // Shows a notice, which screen readers also read. A notice without text removes the last one. A
-// problem stays until it is closed or replaced; other notices end, since they cover part of the
-// drawing.
+// problem stays until it is closed or replaced; other notices end by themselves, since a notice
+// covers part of the drawing.
 void show(AppState& state, Notice notice);
 // Ends the notice, unless it reports a problem.
 void end_notice(AppState& state);

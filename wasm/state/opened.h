@@ -1,5 +1,5 @@
-// Opens documents. Placing a document validates it, so both happen at once. The placement is passed
-// on to where it is shown, so that nothing is computed twice.
+// Opens documents. Placing a document validates it, so both happen at once. Callers pass the
+// placement on (Given), so that nothing is computed twice.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,8 @@ struct Opened {
 // Places the document, or returns why it is refused. Costs as much as place().
 Result<Opened> opened(Document document);
 
-// Places another polygon. The settings and the Shown come from `before`, except the parts that
-// belong to its polygon: the step, the shown lengths and the no-go edges.
+// Places another polygon. The settings and the Shown come from `before`, except those that belong
+// to the polygon of `before`: the step, the shown lengths and the no-go edges.
 Result<Opened> opened_after(Document polygon, const Document& before);
 
 // read_link() reads and places a document from a link, and read_document() from a link or a
@@ -33,28 +33,29 @@ Result<Opened> read_document(std::string_view text);
 // Reads a document from a link or a polygon's text, without placing it.
 Result<Document> parse_document(std::string_view text);
 
-// How urgently a placement is needed. Swaps among all candidates improve teams with the goal
-// *hold*, but can take seconds. If the swaps would take too long, the teams stay as the metric
+// How urgently a placement is needed. With the goal *hold*, swaps among all candidates improve the
+// teams, but can take seconds. If the swaps would take too long, the teams stay as the metric
 // selects them, and the placement's `search_ended` is false. The limit is about a twentieth of a
 // second during a drag, and some seconds at rest.
 enum class Haste : std::uint8_t { at_rest, drag };
 
-// The view computes placements and traces only here. These functions count, so that a test can
-// check that an action computes one placement, and none if it changes only the picture. A known
-// placement `before` of the same object saves checking the object. Balanced robots are the start of
-// a search (search.h), unless the whole search is traced.
+// The view computes placements and traces only here. These functions count their calls, so that a
+// test can check that an action computes one placement, or none if it changes only the picture. A
+// known placement `before` of the same object saves checking the object. Balanced robots are only
+// the start of a search (derive/search.h); compute_trace() may complete this search.
 Result<Placement> compute_placement(const Document& document,
                                     const std::optional<Placement>& before = std::nullopt,
                                     Haste haste = Haste::at_rest);
 
-// Computes the placement with a choice made elsewhere (place_as_chosen()), and without swaps.
+// Computes the placement with a worker's choice of teams (place_as_chosen()), without swaps.
 Result<Placement> compute_as_chosen(const Document& document, const Placement& before,
                                     Choice choice);
 
-// Computes a placement that is only offered, with Haste::drag. It is counted separately.
+// Computes a placement for an offer, with Haste::drag. These calls are counted separately.
 Result<Placement> try_placement(const Document& document, const Placement& before);
 
-// Returns whether the teams have the goal *hold* and are few enough to be swapped in a drag. O(1).
+// Returns whether the teams have the goal *hold*, and teams and candidates are few enough for swaps
+// in a drag. O(1).
 bool swaps_in_a_drag(const Placement& placement);
 
 // Returns whether the teams should be swapped until they hold, but are still as the metric selects

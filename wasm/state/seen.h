@@ -15,11 +15,12 @@ bool centre_is_shown(const AppState& state);
 // O(vertices).
 bool vertices_are_shown(const AppState& state);
 
-// Returns whether all vertices of the outline are on the screen, perhaps under a panel, and are not
-// much smaller than they could be. O(vertices).
+// Returns whether all vertices of the outline are on the screen, perhaps under a panel, and the
+// scale is not much smaller than the fitting camera's. O(vertices).
 bool well_shown(const AppState& state);
 
-// Returns the scale as a percentage of the fitting view's, as "125 %". O(vertices).
+// Returns the scale as a percentage of the fitting camera's scale (layout.h), for instance "125 %".
+// O(vertices).
 std::string zoom_in_words(const AppState& state);
 
 // Returns whether the outline crosses the uncovered part of the canvas. O(vertices).

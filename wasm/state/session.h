@@ -13,7 +13,7 @@ namespace evenlift::view {
 struct Screen {
   // The canvas's size; the ratio is device pixels per CSS pixel.
   double css_width = 1280, css_height = 800, css_ratio = 1;
-  // A pixel is `zoom` CSS pixels large everywhere else in the view, since presentation mode
+  // Everywhere else in the view, a pixel is `zoom` CSS pixels large, since presentation mode
   // enlarges everything.
   double zoom = 1;
   double width = 1280, height = 800;
@@ -23,10 +23,10 @@ struct Screen {
   bool embed = false;   // in an <iframe>, without panels for editing
   bool finger = false;  // the main pointer is a finger, so controls are larger
   bool touch = false;   // the last pointer was a finger, which cannot hover
-  bool asking = false;  // a finger rests, to ask about the part under it: tips are shown
+  bool asking = false;  // a finger rests on a part to ask about it, so tips are shown
   double foot = 0;      // height that a card of the page covers at the drawing's foot, in pixels
   double card = 0;      // that card's height, in pixels
-  // The pixels that a window of the page covers at the left, at the right, or from below over the
+  // The pixels that a window of the page covers at the left, at the right, or at the foot over the
   // whole width.
   double window_left = 0, window_right = 0, window_foot = 0;
   Rect area() const { return {0, 0, width, height}; }
@@ -41,9 +41,9 @@ struct Notice {
 
 struct Session {
   Screen screen;
-  int opened = 0;                    // documents opened since the start
+  int opened = 0;                    // the number of documents opened since the start
   bool list_open = false;            // the last frame showed a list of choices
-  bool close_list = false;           // the next frame closes it
+  bool close_list = false;           // the next frame closes this list
   double closed_sheet_height = 172;  // pixels, measured in the last frame
   double notice_height = 0;          // pixels, measured in the last frame
   Notice notice;

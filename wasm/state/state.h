@@ -36,8 +36,8 @@ inline bool presents_steps(const AppState& state) {
   return state.view.presenting && walkthrough_is_open(state);
 }
 
-// Returns whether the open step knows the last lifting base. The forces and slopes that tip, and
-// the places for a further load, follow from it. O(1).
+// Returns whether the open step shows what follows from the final lifting base: the forces and
+// slopes that tip the object, and the places for a further load. O(1).
 inline bool knows_base(const AppState& state) {
   const StepKind kind = state.view.walkthrough.detail.step.kind;
   return kind == StepKind::coverage || kind == StepKind::result;
@@ -49,15 +49,15 @@ inline bool in_lesson(const AppState& state) {
 }
 
 // Returns the failed robot that the picture shows, or null. The picture shows no failed robot while
-// a walkthrough is open, a shape is drawn, or the document is refused. O(1).
+// a walkthrough is open, a shape is being drawn, or the document is refused. O(1).
 inline const Failure* failing(const AppState& state) {
   const bool shown = state.derived().failure && !state.derived().refusal &&
                      !draws(state.view.tool) && !walkthrough_is_open(state);
   return shown ? &*state.derived().failure : nullptr;
 }
 
-// Returns the placement in one of the two pictures. A failed robot is left out of the first
-// picture's placement. Precondition: the placement exists. O(1).
+// Returns the placement in one of the two pictures. If the first picture shows a failed robot, this
+// is the placement after its failure. Precondition: the placement exists. O(1).
 inline const Placement& shown_placement(const AppState& state, bool second = false) {
   if (second) return *state.derived().second;
   return failing(state) ? failing(state)->placement : *state.derived().placement;
@@ -69,7 +69,7 @@ inline const Outlook& shown_outlook(const AppState& state, bool second = false) 
   return failing(state) ? failing(state)->outlook : state.derived().outlook;
 }
 
-// Returns whether robots of the first picture were moved by hand. O(1).
+// Returns whether any robot of the first picture was moved by hand. O(1).
 inline bool by_hand(const AppState& state) {
   return state.derived().placement && state.derived().placement->moved.any();
 }

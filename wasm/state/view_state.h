@@ -19,9 +19,9 @@ namespace evenlift::view {
 // How far the sheet of a narrow screen is open.
 enum class Sheet : std::uint8_t { closed, half, full };
 
-// The tool says what a press does. In order: it grabs a vertex or the centre of mass, places a
-// vertex, grabs the whole polygon, marks a no-go part, adds a robot, places a hole's vertex, or
-// puts a weight on the object.
+// The tool decides what a press does. In the order of the values, a press grabs a vertex or the
+// centre of mass, places a vertex, grabs the whole polygon, marks a no-go part, adds a robot,
+// places a hole's vertex, or puts a weight on the object.
 enum class Tool : std::uint8_t { parts, draw, transform, mark, robot, hole, weight };
 
 // Returns whether the tool draws a shape or a hole, vertex by vertex.
@@ -33,11 +33,11 @@ constexpr bool adds_by_click(Tool tool) { return tool == Tool::robot || tool == 
 // The polygon or the hole being drawn.
 struct Drawing {
   Points points;
-  Points undone;                          // taken back; redo brings the last of them back first
+  Points undone;                          // points taken back; redo restores the last of them first
   std::optional<Vec2> cursor;             // where the next vertex would go
   std::optional<Vec2> last_cursor;        // the cursor's last place, while the pointer is elsewhere
-  std::optional<Vec2> pointer;            // the pointer's place when it moved the cursor, in pixels
-  bool by_keys = false;                   // keys moved the cursor; it stays until the pointer moves
+  std::optional<Vec2> pointer;            // the pointer's place when moving the cursor, in pixels
+  bool by_keys = false;                   // keys moved the cursor since the pointer last moved
   std::optional<double> length, degrees;  // of the next edge, as typed
   bool checked = false;                   // whether `refusal` is known
   std::optional<InputError> refusal;      // why the shape cannot be closed
@@ -58,8 +58,8 @@ struct Snap {
   bool operator==(const Snap&) const = default;
 };
 
-// A request to show something about a robot or a part. The number distinguishes a repeated request
-// from an old one. A request ends when the robots change.
+// A request to show something about a robot or a part. The number distinguishes a new request from
+// an equal earlier one. A request ends when the robots change.
 template <class What>
 struct Wanted {
   std::optional<What> of;
@@ -71,13 +71,13 @@ struct Wanted {
   }
 };
 
-// A task of a lesson that the learner does.
+// The task that the learner is doing in a lesson.
 struct OpenTask {
   Lesson lesson;
   Exercise exercise;
   std::uint64_t number = 1;  // the task's number, as the learner sees it
   bool preview = false;      // the lesson is being written
-  std::size_t depth = 0;     // edits in the history at the opening; undoing more leaves the task
+  std::size_t depth = 0;     // edits in the history at the opening; with fewer, the task ends
 };
 
 struct View {
@@ -87,8 +87,8 @@ struct View {
   Snap snap;
   std::optional<std::size_t> selected;  // number of a handle (handles.h)
   Pick hover, held;
-  std::optional<LiftingPoint>
-      closed_to;  // where the dragged robot should go, if the others cannot follow
+  // The place on the outline to which the user drags a robot that cannot go there.
+  std::optional<LiftingPoint> closed_to;
   // A support that is held outside the object; meanwhile it is not among the supports.
   struct Away {
     Vec2 at;
@@ -98,7 +98,7 @@ struct View {
   bool erases = false;     // the held brush erases, instead of marking
   bool measuring = false;  // the user chooses two points of the backdrop, to set its scale
 
-  bool challenge = false;  // a challenge or a task is open: the page does not show its own answers
+  bool challenge = false;  // a challenge or a task is open, so the page hides its own answers
   std::optional<OpenTask> task;
 
   LoadModel load_model = LoadModel::plan;  // the load model of the shown loads
@@ -109,7 +109,7 @@ struct View {
 
   Camera camera;
   bool camera_follows = true;  // the camera fits the drawing until the user pans or zooms
-  bool fit_due = true;         // the camera is to be fitted once no drag is under way
+  bool fit_due = true;         // the camera should be fitted once no drag is under way
   Rect fitted;                 // the area of the last fit
   bool motion = true;          // changes are animated, except with reduced motion
 

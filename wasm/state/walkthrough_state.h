@@ -29,8 +29,7 @@ struct Script {
   std::vector<Stop> stops;   // the lesson's steps found in the trace; at least one
   std::size_t position = 0;  // the present or last stop
   Document of;               // the lesson's own document
-  std::size_t depth = 0;     // edits in the history when the lesson was opened; undoing more
-                             // leaves the lesson
+  std::size_t depth = 0;     // edits in the history at the opening; with fewer, the lesson ends
   bool preview = false;      // the lesson is being written
 };
 
@@ -41,7 +40,7 @@ struct Ask {
   Question question;
   std::string text;
   std::vector<std::uint32_t> choices;  // ends of the edge pair, candidates, even chords, or teams
-  std::size_t pointed = 0;             // index of the choice that the buttons point at
+  std::size_t pointed = 0;             // index of the choice that the stepper shows
 };
 
 struct Answered {
@@ -78,7 +77,7 @@ struct Walkthrough {
   std::uint32_t at = 0;                // the present step; kept when the walkthrough is closed
   std::vector<std::uint32_t> main;     // the main steps (evenlift/main_steps.h)
   bool all_steps = false;              // all steps are shown, otherwise only the main steps
-  bool resumes = false;                // the walkthrough is reopened where it was left
+  bool resumes = false;                // the walkthrough reopens at the step where it was closed
   StepDetail detail;
   Progress known;                         // the results known at this step
   std::vector<Figure> figures;            // of the present step
@@ -100,14 +99,14 @@ struct Walkthrough {
   Guesses guesses;
 
   std::optional<Chord> asked;  // the chord of the question "why not this one?"
-  Points asked_places;  // of "why no robot here?": where the robots would go, the asked place first
+  Points asked_places;  // where robots would go ("why no robot here?"); the asked place comes first
   std::string why;      // the answer to either question
   bool why_taken = false;  // the chord belongs to a team, or a robot stands at the place
 
   std::optional<std::size_t> hovered;  // index of the figure under the pointer
   std::optional<Script> script;
-  std::optional<Script> aside;  // the script to return to, while all steps are shown
-  bool of_lesson = false;       // opened as a lesson; valid only while open: see in_lesson()
+  std::optional<Script> aside;  // the script that is set aside while all steps are shown
+  bool of_lesson = false;       // opened as a lesson; valid only while open (in_lesson())
 };
 
 }  // namespace evenlift::view

@@ -20,18 +20,19 @@ struct SetAside {
 struct Work {
   // Returns the present document, which may be refused.
   const Document& document() const { return document_; }
-  // Returns the document for a change that may affect the robots' places: it is placed again.
+  // Returns the document for a change that may affect the robots' places. derive() then places the
+  // document again.
   Document& edit() {
     ++edits_;
     return document_;
   }
-  // Returns the part of the document that can change without placing anything.
+  // Returns the part of the document whose changes need no new placement.
   Shown& show() { return document_.shown; }
   // Returns the number of calls of edit().
   std::uint64_t edits() const { return edits_; }
 
   History history;
-  bool edit_open = false;               // a drag is under way, which becomes one step of undo
+  bool edit_open = false;               // a drag is under way; it becomes one step of undo
   std::optional<Method> second_method;  // compared with the document's method
   SetAside aside;
   std::optional<Backdrop> backdrop;

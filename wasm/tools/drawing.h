@@ -18,8 +18,8 @@ inline constexpr double closing_reach = 14;
 // Returns whether a press would close the polygon. O(1).
 bool closes(const AppState& state, const Vec2& screen);
 
-// Returns the nearest placed vertex within reach of a press, which grabs it; nothing if all are
-// farther away. O(n).
+// Returns the index of the placed vertex that a press grabs: the nearest one within reach; nothing
+// if none is within reach. O(n).
 std::optional<std::size_t> placed_at(const AppState& state, const Vec2& screen);
 
 // The length and direction of an edge from a placed vertex to the next.
@@ -34,8 +34,9 @@ Edge edge_between(const Vec2& from, const Vec2& to);
 std::string edge_in_words(const AppState& state, const Vec2& from, const Vec2& to);
 std::string length_in_words(const AppState& state, double length);
 
-// Returns the next edge's end towards `wanted`, with the typed length and angle, rounded to about a
-// millionth of the edge's length. Precondition: at least one vertex is placed. O(1).
+// Returns the end of the next edge. Its length and angle are as typed or, if not typed, those of an
+// edge to `wanted`. Coordinates are rounded to a millionth of the least power of ten that is at
+// least the edge's length. Precondition: at least one vertex is placed. O(1).
 Vec2 typed_end(const Drawing& drawing, const Vec2& wanted);
 
 // Returns the centroid of the area that the closed chain encloses; nothing if this area is 0. O(n).
@@ -49,8 +50,8 @@ Vec2 next_point(const AppState& state, const Vec2& world);
 // pixels. O(1).
 Vec2 snapped(const AppState& state, const Vec2& to);
 
-// Returns `to` snapped as above and, if points snap to the axes, to the horizontals and verticals
-// through the neighbours `before` and `after` that are near. O(1).
+// Returns `to` snapped as above. If points snap to the axes, `to` also snaps to the horizontals and
+// verticals through the neighbours `before` and `after`, if these lines are near. O(1).
 Vec2 snapped(const AppState& state, const Vec2& to, const Vec2& before, const Vec2& after);
 
 // Returns the pairs of edges of the open chain that cross, touch or overlap; neighbouring edges may
@@ -58,9 +59,9 @@ Vec2 snapped(const AppState& state, const Vec2& to, const Vec2& before, const Ve
 // more than 1,000 points. O(n²).
 std::vector<std::pair<std::size_t, std::size_t>> crossings(const Points& chain);
 
-// The drawing kept as text for storage: drawing_text() writes it, and read_drawing() reads it, or
-// returns nothing if it cannot be read. The text has one line for each vertex; that of a hole
-// begins with the line "hole".
+// The drawing, kept as text for storage. drawing_text() writes the text; read_drawing() reads it,
+// and returns nothing if the text is invalid. The text has one line for each vertex; the text of a
+// hole begins with the line "hole".
 struct KeptDrawing {
   Points points;
   bool is_hole = false;

@@ -1,6 +1,6 @@
 // The handles of a document are the points that the user selects, drags, nudges and removes. They
-// have one numbering: the vertices of the outline, the vertices of each hole, and the weights. An
-// edge has the number of the vertex at which it begins.
+// are numbered in one sequence: the vertices of the outline, then those of each hole, then the
+// weights. An edge has the number of the vertex at which it begins.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace evenlift::view {
 
 struct Handle {
   bool is_weight = false;
-  std::size_t ring = 0;   // 0 is the outline, and k hole k
+  std::size_t ring = 0;   // 0 is the outline; k is hole k, counted from 1
   std::size_t index = 0;  // of the vertex in its ring, or of the weight
 };
 

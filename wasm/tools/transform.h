@@ -27,7 +27,8 @@ struct Transformed {
 };
 Transformed since_grip(const AppState& state);
 
-// Returns the corners of the frame while it is turned, in pixels, in order around it. O(n).
+// Returns the corners of the frame while the polygon is being turned, in pixels, in order around
+// the frame. O(n).
 Points turned_frame(const AppState& state);
 
 // Returns the nearest corner or knob within reach of the pointer, or else `inside` if the pointer

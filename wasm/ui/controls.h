@@ -1,5 +1,5 @@
 // The panels' controls as data. The page mirrors the controls in HTML for keyboards and screen
-// readers; scripts and tests find them by name. Each pass lays them out again.
+// readers; scripts and tests find them by name. Each pass lays all controls out again.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace evenlift::view {
 
-// `text` is not interactive: it is a number of the result, for users who cannot see the panels. The
-// last value counts the kinds, so that each must have a name.
+// `text` is not interactive: it states a value of the result for users who cannot see the panels.
+// The last enumerator counts the kinds, so that each must have a name.
 enum class ControlKind : std::uint8_t {
   button,
   toggle,
@@ -26,12 +26,12 @@ enum class ControlKind : std::uint8_t {
 
 struct Control {
   ControlKind kind = ControlKind::button;
-  std::string name;   // an id; a stepper's ends are "id -" and "id +"
+  std::string name;   // an id; a stepper's buttons are "id -" and "id +"
   std::string label;  // a readable name
   bool enabled = true;
   bool on = false;                   // of a toggle
   std::string value;                 // of a number, slider or text: the value as shown
-  std::string exact;                 // of a number: for typing, if `value` is rounded
+  std::string exact;                 // of a number: the value for typing, if `value` is rounded
   std::string setting;               // of a number: the setting's name (settings.h)
   bool is_length = false;            // of a number: in the document's unit of length
   double low = 0, high = 0, at = 0;  // of a slider
@@ -40,7 +40,7 @@ struct Control {
   std::optional<std::size_t> current;  // the chosen index of `choices`
   std::string card;                    // the name of the card that contains the control
   Rect place;                          // the control's place, in pixels
-  Rect window;  // visible part of the card, in pixels; empty below an open list
+  Rect window;  // the card's window, in pixels; empty if a list or another card covers the control
 };
 
 // Forgets the controls of the last pass.
@@ -49,14 +49,14 @@ void begin_controls();
 // Controls that are listed from now on belong to this card.
 void enter_card(const char* name);
 
-// Begins or ends an open list, which is the window being filled. Controls that are listed meanwhile
-// belong to the list; it covers the controls below it.
+// enter_list(true) notes that the window being filled is an open list. Controls listed from then
+// until enter_list(false) belong to it; while it is open, all other controls count as covered.
 void enter_list(bool on_list);
 // Returns the place of the open list, in pixels; nothing if no list is open.
 const std::optional<Rect>& open_list();
 
-// The requests for a control. list_control() lists the item that Dear ImGui laid out last as this
-// control, and returns each request once.
+// The requests for a control. list_control() lists the control at the place of the item that Dear
+// ImGui laid out last, and returns each request once.
 struct Asked {
   bool pressed = false;
   std::optional<std::size_t> chosen;  // the index, of a choice
@@ -65,11 +65,11 @@ struct Asked {
 };
 Asked list_control(Control control);
 
-// Lists the item that Dear ImGui laid out last as a text.
+// Lists a text at the place of the item that Dear ImGui laid out last.
 void list_text(std::string label, std::string value);
 
-// Marks controls as covered, since the pointer does not reach them: all controls of other cards,
-// listed so far, that overlap this place.
+// Marks as covered all controls of other cards that were listed so far and overlap this place,
+// since the pointer does not reach them.
 void cover_controls(const Rect& place);
 
 // Returns the controls of the last pass, in the order in which they were laid out.

@@ -12,13 +12,11 @@ struct DrawnText {
   bool has_room;     // the text fits its place
 };
 
-// From now on, adds drawn texts to the record; null ends this.
+// From now on, adds drawn texts to the record; null ends the recording.
 void record_texts(std::vector<DrawnText>* record);
 
-// Records a drawn text.
 void note_drawn(std::string_view text);
-// Records a text whose width is greater than the room for it, both in pixels. Other texts are not
-// recorded.
+// Records the text only if its width is greater than the room for it, both in pixels.
 void note_room(std::string_view text, float width, float room);
 
 }  // namespace evenlift::view

@@ -1,5 +1,5 @@
 // The heat map's levels: forces that tip the object, in units of its weight. A band of the heat map
-// is between two levels.
+// is between two levels, below the first or above the last.
 #pragma once
 
 namespace evenlift::view {

@@ -1,7 +1,7 @@
 // Dear ImGui's configuration. imgui.h includes it through IMGUI_USER_CONFIG.
 #pragma once
 
-// Allows only current names, for future versions of Dear ImGui.
+// Allows only current names, since future versions of Dear ImGui may drop the old ones.
 #define IMGUI_DISABLE_OBSOLETE_FUNCTIONS
 #define IMGUI_DISABLE_OBSOLETE_KEYIO
 
@@ -9,7 +9,8 @@
 #define IMGUI_DISABLE_DEMO_WINDOWS
 #define IMGUI_DISABLE_DEBUG_TOOLS
 
-// A comb of 1,000 vertices has 45,000 candidates: more corners than 16 bits can count.
+// A comb of 1,000 vertices has 45,000 candidates, and drawing them takes more corners than 16 bits
+// can count.
 #define ImDrawIdx unsigned int
 
 // The type of OpenGL's texture names.

@@ -1,6 +1,6 @@
 // Finds characters for users' texts, such as lessons and file names. At first the page's fonts have
-// only the few characters that the page itself writes. For other characters the page fetches larger
-// fonts (web/page/bindings.js), from which they are rasterised.
+// only the few characters that the page itself writes. The page fetches larger fonts
+// (web/page/bindings.js), from which other characters are rasterised.
 #pragma once
 
 #include <imgui.h>
@@ -10,13 +10,14 @@
 
 namespace evenlift::view {
 
-// Notes the characters of a text that the font lacks. O(bytes).
+// Notes which characters of the text the font lacks. O(bytes).
 void note_letters(const ImFont& font, std::string_view text);
 
-// Returns whether noted characters were not yet looked up in the fonts.
+// Returns whether any noted characters were not yet looked up in the fonts.
 bool letters_are_due();
 
-// letters_are_here() returns whether the larger fonts arrived. Call have_letters() when they do.
+// letters_are_here() returns whether the larger fonts arrived. Call have_letters() when they
+// arrive.
 bool letters_are_here();
 void have_letters();
 

@@ -35,11 +35,11 @@ struct Theme {
   Colour shadow;
 };
 
-// Returns the light or the dark theme, as the page asks.
+// Returns the light or the dark theme, whichever the page requests.
 const Theme& theme(const AppState& state);
 
-// Returns the colour of the heat map where a press down of `share` times the weight tips the
-// object; `share` is infinite if no press tips it.
+// Returns the colour of the heat map where a downward press of `share` times the weight tips the
+// object; `share` is infinite where no press tips it.
 Colour heat_colour(const Theme& theme, double share);
 
 // The typefaces. Their sizes in pixels are 11 for tiny, 13 for labels, 15 for texts and strong, and
@@ -57,7 +57,7 @@ void pop_face();
 
 // The fonts and sizes for drawing text. All sizes are pixels.
 ImFont* font(Face face);
-float size(Face face);         // the height of a font's line, as Dear ImGui counts
+float size(Face face);         // the height of a font's line, as Dear ImGui measures it
 float line_height(Face face);  // the distance between lines of a text, in whole pixels
 ImVec2 text_size(Face face, std::string_view english, float wrap_width = 0);
 void draw_text(ImDrawList& list, Face face, ImVec2 at, Colour colour, std::string_view english,
@@ -66,8 +66,8 @@ void draw_text(ImDrawList& list, Face face, ImVec2 at, Colour colour, std::strin
 // Applies the theme to Dear ImGui's own widgets.
 void apply_style(const AppState& state, double control_height);
 
-// Makes anti-aliasing one device pixel wide, not one pixel, so that thin lines are as sharp as
-// possible.
+// Makes anti-aliasing one device pixel wide, not one pixel of the view, so that thin lines are as
+// sharp as possible.
 void sharpen(ImDrawList& list, const AppState& state);
 
 }  // namespace evenlift::view

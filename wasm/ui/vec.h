@@ -1,4 +1,4 @@
-// Converts to Dear ImGui's points, which are stored as floats.
+// Converts coordinates and points to Dear ImGui's points, which are stored as floats.
 #pragma once
 
 #include <imgui.h>

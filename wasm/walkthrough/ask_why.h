@@ -5,9 +5,10 @@
 
 namespace evenlift::view {
 
-// Explains why the candidate near the point, or else the chord through the point, was not chosen.
 // For balanced robots, explains why no robot stands at the nearest place of the boundary. For
-// teams, a point outside the polygon and near no candidate asks nothing. O(n + K) for K candidates.
+// teams, explains why the candidate near the point, or else the chord through it, was not chosen.
+// If there is no such candidate and the point is outside the polygon, only calls forget_why().
+// O(n + K) for K candidates.
 void ask_why(AppState& state, const Vec2& at);
 
 // Forgets the question and its answer.

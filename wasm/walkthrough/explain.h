@@ -8,8 +8,8 @@
 
 namespace evenlift::view {
 
-// Returns the explanation of a robot, a chord or a candidate of one of the two pictures. Costs as
-// much as make_trace() and look_at_scores().
+// Returns the explanation of a robot, a chord or a candidate of one of the two pictures. Costs at
+// most as much as make_trace() and look_at_scores().
 Explanation explain(const AppState& state, const Pick& pick);
 
 // Returns the explanation as one text, for users who cannot see the card.

@@ -48,8 +48,9 @@ void begin_script(AppState& state, Script script) {
 
 bool script_is_true(const AppState& state) {
   const std::optional<Script>& script = state.view.walkthrough.script;
-  return script && script->of.vertices == state.work.document().vertices &&
-         script->of.centre_of_mass == state.work.document().centre_of_mass;
+  const Document& document = state.work.document();
+  return script && script->of.vertices == document.vertices && script->of.holes == document.holes &&
+         script->of.centre_of_mass == document.centre_of_mass;
 }
 
 std::string words_of_stop(const AppState& state) {

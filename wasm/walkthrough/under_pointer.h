@@ -10,7 +10,7 @@
 namespace evenlift::view {
 
 // Returns the index of the walkthrough's figure under the pointer, or nothing. Points precede
-// lines, and lines precede areas. O(figures).
+// lines, and lines precede areas. O(points of the figures).
 std::optional<std::size_t> figure_at(const AppState& state, const Vec2& screen);
 
 // Returns the question's choice that is nearest to the pointer, or nothing if all are too far away

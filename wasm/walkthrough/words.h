@@ -9,14 +9,14 @@ namespace evenlift::view {
 
 std::string place_in_words(const AppState& state);  // the position: "3 of 15"
 
-// Returns how many steps like this one the main steps leave out after it, as "There are 208 more
-// pairs like it: …"; empty if no steps are left out, and while all steps, a script or a question is
-// shown.
+// Returns the number of steps like this one that the main steps leave out (further_like()), as
+// "There are 208 more pairs like it: …". Empty if none are left out, and while all steps, a
+// script or a question is shown.
 std::string left_out_in_words(const AppState& state);
 
 // Returns the step's position and chapter, the verdict on the last guess, the teacher's words, the
-// caption, the formula and the question, for users who cannot see the canvas; empty if no
-// walkthrough is open.
+// caption, the formula, left_out_in_words() and the question, for users who cannot see the canvas;
+// empty if no walkthrough is open.
 std::string walkthrough_in_words(const AppState& state);
 
 }  // namespace evenlift::view

@@ -9,7 +9,7 @@
 
 namespace evenlift::view {
 
-// A pressable area at the cursor, in pixels.
+// A pressable area at Dear ImGui's cursor, in pixels.
 struct Area {
   ImVec2 low, high;
   bool pressed, hovered, active;
@@ -20,7 +20,7 @@ struct Area {
 // Lays out the area and lists its control.
 Area area(const Ui& ui, ImVec2 size, Control control);
 
-// Return an entry for the list of controls, by kind.
+// Return an entry of this kind for the list of controls.
 Control button_control(const char* id, const char* label, bool enabled = true);
 Control toggle_control(const char* id, const char* label, bool on);
 Control number_control(const char* id, const char* label, const char* setting,

@@ -1,5 +1,5 @@
-// Buttons return true when pressed. `id` is unique within the window. A disabled button is drawn
-// faintly and does nothing.
+// Buttons return true when pressed. `id` is unique within the window, and `about` is the tip. A
+// disabled button is drawn faintly and does nothing.
 #pragma once
 
 #include <string>
@@ -30,7 +30,7 @@ bool toggle_button(const Ui& ui, const char* id, const char* label, const char* 
 bool switch_chip(const Ui& ui, const char* label, bool on);
 float switch_chip_width(const char* label);
 
-// A pressable row at the cursor; the caller draws the row.
+// A pressable row at Dear ImGui's cursor; the caller draws the row.
 struct PressableRow {
   ImVec2 low, high;
   bool pressed, hovered;

@@ -13,7 +13,7 @@ struct CardOptions {
   bool fixed_width = true;
   float padding = 20;
   bool scrolls = true;
-  bool stays_below = false;  // a press does not bring it to the front
+  bool stays_below = false;  // a press does not bring the card to the front
 };
 void begin_card(const Ui& ui, const char* id, const Rect& place, const CardOptions& options = {});
 void end_card(const Ui& ui);
@@ -31,18 +31,19 @@ void take_way_of_finger();
 void begin_scrolling_box(const Ui& ui, const char* id, float height);
 void end_scrolling_box(const Ui& ui);
 
-// Returns the value `now` of the last frame, by window and id; `at_first` in the first frame.
+// Stores `now` for this window and id. Returns the value stored in the last frame, or `at_first` in
+// the first frame.
 int in_last_frame(const char* id, int now, int at_first);
 
 // Scrolls the card until a section that a button just opened is visible, as far as there is room.
 // Call this after the section. `head` is ImGui::GetCursorPosY() before the section.
 void show_opened(const Ui& ui, const char* id, bool open, float head);
 
-// Returns whether the pointer moved too far since the press for a click.
+// Returns whether the pointer has moved so far since the press that this is not a click.
 bool is_dragged();
 
-// Returns whether a press was a click, and neither the end of scrolling nor a finger that rests to
-// ask.
+// Returns whether a press was a click, not the end of scrolling or a finger that rests on a part to
+// ask about it.
 bool tapped(const Ui& ui, bool pressed);
 
 // Draws the soft shadow under a card or a list.

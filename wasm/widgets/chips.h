@@ -7,7 +7,7 @@
 
 namespace evenlift::view {
 
-// The sample of an overlay on its chip, drawn as in the picture.
+// The samples on the chips. Each shows how the picture draws the overlay.
 enum class Swatch : std::uint8_t {
   hull,
   clockwise,

@@ -11,8 +11,8 @@
 namespace evenlift::view {
 
 // Begins a popup that was opened with ImGui::OpenPopup(id). The popup is below the rectangle from
-// `anchor_low` to `anchor_high`, or above it if there is more room. Returns true while the popup is
-// open; in this case add rows and call end_choices().
+// `anchor_low` to `anchor_high`, or above it if there is little room below and more above. Returns
+// true while the popup is open; in this case add rows and call end_choices().
 bool begin_choices(const Ui& ui, const char* id, ImVec2 anchor_low, ImVec2 anchor_high,
                    float least_width);
 // Adds a row with a short remark `about`. Returns true when the user chooses the row. `name` is the
@@ -22,7 +22,7 @@ bool choice(const Ui& ui, const std::string& label, const char* about, bool curr
 void end_choices(const Ui& ui);
 
 // One choice of a dropdown. dropdown() lays out a setting's button, `width` wide, and the list that
-// a press opens. It returns the index when the user chooses, otherwise nothing.
+// a press opens. Returns the index of the choice that the user makes, or nothing.
 struct Choice {
   const char* label;
   const char* about = nullptr;

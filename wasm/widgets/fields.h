@@ -9,9 +9,9 @@
 
 namespace evenlift::view {
 
-// A stepper is a value between two buttons, as "− 3 +". stepper() returns -1, 0 or +1, and repeats
-// it while a button is held. If `setting` names a setting, the value between the buttons can be
-// typed.
+// A stepper is a value between two buttons, as "− 3 +". stepper() returns -1, 0 or +1, and
+// repeats -1 or +1 while a button is held. If `setting` names a setting, the value between the
+// buttons can be typed.
 struct StepperOptions {
   bool can_lower = true, can_raise = true;
   const char* label = "";
@@ -21,8 +21,9 @@ struct StepperOptions {
 int stepper(const Ui& ui, const char* id, const std::string& value, float width,
             const StepperOptions& options);
 
-// Fields at the cursor. A number is aligned right. A text is aligned left, on its own background,
-// and ends with "…" if it is too long. `exact` is the value for typing, if `value` is rounded.
+// Fields at Dear ImGui's cursor. A number is aligned right. A text is aligned left, on its own
+// background, and ends with "…" if it is too long. `exact` is the value for typing, if `value` is
+// rounded.
 void text_field(const Ui& ui, const char* id, const char* label, const char* setting,
                 const std::string& value, float width, const std::string& exact = {});
 void number_field(const Ui& ui, const char* id, const char* label, const char* setting,
@@ -30,7 +31,7 @@ void number_field(const Ui& ui, const char* id, const char* label, const char* s
                   const std::string& exact = {});
 
 // A field for a number that is not a setting, with a label before it and its own background.
-// typed_field() returns the typed number and whether Enter confirmed it.
+// typed_field() returns the typed number (`moved`), and whether Enter confirmed it (`pressed`).
 struct TypedField {
   const char *id, *label;
   bool is_length = false;  // the number is in the document's unit of length

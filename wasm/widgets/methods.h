@@ -1,4 +1,4 @@
-// Describes the selection methods in readable words.
+// The methods in words.
 #pragma once
 
 #include <algorithm>

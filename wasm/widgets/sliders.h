@@ -32,10 +32,10 @@ struct Track {
 SliderResult slider(const Ui& ui, const char* id, const char* label, double value, double low,
                     double high, double step, float width, const Track& track, bool counts = true);
 
-// A row of places at the cursor; the caller draws the row. A press selects a place, and a held
-// pointer that moves selects one place after another. A press on the selected place clears the
-// selection. In the mirror the row is a slider whose value 0 means no selection; `value` describes
-// the place.
+// A row of places at Dear ImGui's cursor; the caller draws the row. A press selects a place, and a
+// held pointer that moves selects one place after another. A press on the selected place clears the
+// selection; `value` describes the selected place in words. In the page's HTML (web/mirror) the row
+// is a slider, at 0 if no place is selected.
 struct RowOfPlaces {
   ImVec2 low, high;
   std::optional<std::size_t> hovered;

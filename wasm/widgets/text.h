@@ -10,8 +10,8 @@
 
 namespace evenlift::view {
 
-// Draws a label, with a tip, at the left of its control. Moves the cursor to the control's place,
-// and returns the remaining width.
+// Draws a label, with a tip, at the left of its control. Moves Dear ImGui's cursor to the control's
+// place, and returns the remaining width.
 float labelled(const Ui& ui, const char* label, const char* about);
 
 void rule(const Ui& ui);  // a line between two parts of a card
@@ -24,7 +24,6 @@ void text_block(Face face, Colour colour, const std::string& text,
 // O(bytes).
 std::vector<std::string_view> broken_lines(Face face, std::string_view text, float width);
 
-// Draws lines one below the other.
 void draw_lines(ImDrawList& list, Face face, ImVec2 at, Colour colour,
                 const std::vector<std::string_view>& lines);
 float height_of(Face face, const std::vector<std::string_view>& lines);

@@ -1,24 +1,26 @@
 // Balanced robots: m robots whose centroid is C, so that equal forces W / m carry the weight W. The
 // loads are equal if forces are controlled, or if all robots are equally stiff and level and the
-// object does not bend. The loads of three robots that are not on one line are always equal. Two
-// robots with equal arms are the smallest case. Balanced robots go beyond the thesis, which calls
-// for such methods in 6.2. The full definition is in algorithm.md, Balanced robots.
+// object does not bend. Three robots that are not on one line have equal loads even without
+// these conditions. Two robots with equal arms are the smallest case. Balanced robots go beyond the
+// thesis, whose section 6.2 calls for other ways to share the load evenly. The full definition is
+// in algorithm.md, Balanced robots.
 //
 // A local search compares sets by these keys, in order. If all tie, the set found first is better.
-// 1. fewer pairs of robots nearer to each other than `apart`;
-// 2. with survive = F > 0: more robots, counted up to F, that may fail, whichever they are, with C
-//    still at least `clear` inside the hull of the others;
-// 3. for the goal hold: the higher level. The level is the number of thresholds that the margin
-//    reaches, of 0.001, 0.4 mu and mu, where mu is min_margin and the margin is that of the
-//    contacts at least `clear` from every corner;
+// 1. fewer pairs of robots nearer to each other than the setting `apart`;
+// 2. if the setting `survive` is F > 0: a greater number of robots, counted up to F, that may fail,
+//    whichever they are, while C stays at least `clear` inside the hull of the others;
+// 3. for the goal hold: the higher level. The level is the number of thresholds 0.001, 0.4 mu and
+//    mu that the margin reaches. Here mu is min_margin, and only contacts at least `clear` from
+//    every corner count for the margin;
 // 4. the larger coverage, by more than 1e-9;
-// 5. the larger sum of |p - C|^2, by more than 1e-9 of it;
+// 5. the larger sum of |p - C|^2 over the robots' places p, by more than 1e-9 of it;
 // 6. the smaller places along the outline, compared in order: the first that differ by more than
 //    tau Lambda decide. The outline, of length Lambda, runs counter-clockwise from the vertex
 //    farthest from C.
 //
-// Coverage and H presume robots that push back because they are stiff or their height is
-// controlled; constant forces give no righting moment.
+// A downward press inside the lifting base H leaves the object upright only if the robots push back
+// and none is overloaded. Robots push back if they are stiff or a controller holds their height;
+// constant forces give no righting moment.
 #pragma once
 
 #include <array>
@@ -37,10 +39,11 @@ namespace balanced {
 class Rules;
 }
 
-// The object, C, the settings robots, goal, min_margin, apart, clear, survive, robot and no_go, and
-// values computed from them only once. If robots have a size or there are no-go parts, the trial
-// points (the places tried for a third new robot, docs/algorithm.md) are on the usable parts of the
-// outline, and every robot of a set can stand there. A problem is immutable; copies share the data.
+// A problem contains the object, C, the settings robots, goal, min_margin, apart, clear, survive,
+// robot and no_go, and values that are computed from these only once. A trial point is a place that
+// the search tries for the first of three new robots (docs/algorithm.md). If robots have a size or
+// there are no-go parts, the trial points are on the usable parts of the outline, and every robot
+// of a set can stand at its place. A problem is immutable; copies share the data.
 class BalancedProblem {
  public:
   // The settings must be in their ranges. O(n log n), plus the cost of Stands (stands.h).
@@ -55,13 +58,13 @@ class BalancedProblem {
 // The keys of a set. `level` is 0 for the goal cover.
 struct BalancedKeys {
   std::uint32_t near_pairs = 0;  // key 1
-  int steady = 0;                // key 2, -1 .. F
+  int steady = 0;                // key 2, -1 .. F; 0 if `survive` is 0
   std::uint32_t level = 0;       // key 3, 0 .. 3
   double coverage = 0;           // key 4
   double spread = 0;             // key 5, in squared units of length
   std::vector<double> places;    // key 6, ascending, in [0, Lambda)
 };
-// Returns the keys of a set. O(m^2 + m log n), and O(n m) for the coverage at worst.
+// Returns the keys of a set. O(m^2 + m log n), plus O(n m) at worst for the coverage.
 BalancedKeys balanced_keys(const BalancedProblem& problem, const std::vector<LiftingPoint>& robots);
 
 // Whether the set `a` is better than the set `b`. At most the cost of balanced_keys() for each.
@@ -76,27 +79,31 @@ struct BalancedSearch {
   std::uint32_t next = 0;            // the next triple of the round, from 0
   bool changed = false;              // whether this round has had a swap
   bool finished = false;             // whether the search has ended: after a round without a
-                                     // swap, after most_rounds, if cut short, or with two robots
-  bool restarted = false;            // whether a second start was looked for
-  std::uint64_t work = 0;            // the cost of the triples so far, see most_work
+                                     // swap, after most_rounds rounds, because it was cut short,
+                                     // or because there are only two robots
+  bool restarted = false;            // whether the search looked for a second start
+  std::uint64_t work = 0;            // the cost of the triples so far (see most_work)
   bool cut_short = false;            // whether most_work ended the search
 };
 inline constexpr std::uint32_t most_rounds = 8;
 
 // The limit on the work of a search if the boundary (PolygonWithHoles::boundary()) has more than
-// 1,000 vertices. Work is counted, not timed, so that platforms agree. A completion (finding the
-// even candidates about one point) counts 1, plus 1 for every 100 even candidates about C.
+// 1,000 vertices. Work is counted, not timed, so that the limit is the same on all platforms. A
+// completion (finding the even candidates about one point) counts 1, plus 1 for every 100 even
+// candidates about C.
 inline constexpr std::uint64_t most_work = 150'000;
 
-// Starts a search with the set S_m of algorithm.md; returns nothing if S_m does not exist. For s
-// trial points, usually 64 to 128, it takes at most (s + 1) m completions, and s^2 more for m = 4
-// or if S_4 would not exist otherwise. A completion costs O(n) at worst, usually much less.
+// Starts a search with the set S_m of algorithm.md. If there is no S_m, robots with a size may
+// start with another set (algorithm.md, Robots with a size); otherwise the function returns
+// nothing. For s trial points, usually 64 to 128, S_m takes at most (s + 1) m completions, and s^2
+// more if m = 4 or if S_4 would not exist otherwise. A completion costs O(n) at worst, usually much
+// less.
 std::optional<BalancedSearch> start_balanced(const BalancedProblem& problem);
 
 // Whether the start is expected to take less than a few tenths of a second, so that it need not run
-// in the background. The estimate counts completions and even candidates about C, so platforms
-// agree. Combs and spiky stars of a few hundred vertices are slow, and so are four robots on a
-// winding outline. O(n) at worst.
+// in the background. The estimate counts completions and even candidates about C, so it is the same
+// on all platforms. The start is slow for combs and spiky stars of a few hundred vertices, and for
+// four robots on a winding outline. O(n) at worst.
 bool is_quick_to_start(const BalancedProblem& problem);
 
 // The robots that a swap moves. `numbers` are their numbers before the swap.
@@ -105,15 +112,16 @@ struct BalancedSwap {
   std::array<LiftingPoint, 3> from, to;  // the old and the new places
 };
 
-// One step of a search. It takes away a triple i < j < k of robots and completes the others by
-// three in all ways. The best of these sets and of the current set becomes the current set; if
-// several tie, the first does. With more than 12 robots, a triple must contain two neighbours along
-// the outline; with more than 24, its robots must be three in a row. A swap renumbers the robots.
-// If a round ends without a swap, the search ends, and no such swap makes the set better. A triple
-// costs one completion for each trial point.
+// One step of a search. The step takes away a triple i < j < k of robots and forms all sets that
+// complete the others by three new robots. If the best of these sets is better than the current
+// set, it becomes the current set; if several tie, the first does. With more than 12 robots, a
+// triple must contain two neighbours along the outline; with more than 24, its robots must be three
+// in a row. A swap renumbers the robots. A round tries each triple once. If it ends without a swap,
+// no such swap makes the set better, and the search ends. A triple costs one completion for each
+// trial point.
 //
-// A search restarts at most once, if that leads to a better set (algorithm.md, Second start and
-// Robots with a size).
+// A search restarts at most once, under the conditions of algorithm.md (Second start, and Robots
+// with a size).
 struct BalancedStep {
   BalancedSearch search;             // after the step
   std::optional<BalancedSwap> swap;  // empty without a swap
@@ -124,10 +132,10 @@ BalancedStep try_next_triple(const BalancedProblem& problem, BalancedSearch sear
 BalancedSearch finish_search(const BalancedProblem& problem, BalancedSearch search);
 
 // Returns the robots after the user moves one of them to `to` (the place of its contact, if robots
-// have a size). The two neighbours of this robot in the list move to the ends of the even candidate
-// with the least sum of squared moves, so C stays the centroid. Returns nothing if there are fewer
-// than three robots or no such candidate, or if a robot does not fit or collides. O(n) at worst,
-// like a completion.
+// have a size). The two neighbours of this robot in the list move to the ends of an even candidate,
+// so that C stays the centroid; the candidate is the one with the least sum of squared moves.
+// Returns nothing if there are fewer than three robots or no such candidate, or if a robot does not
+// fit or collides. O(n) at worst, like a completion.
 std::optional<std::vector<LiftingPoint>> move_robot(const BalancedProblem& problem,
                                                     std::vector<LiftingPoint> robots,
                                                     std::size_t moved, const LiftingPoint& to);

@@ -1,4 +1,4 @@
-// The sets of a search for balanced robots (balanced.h), for the walkthrough, and why each set was
+// For the walkthrough: the sets of a search for balanced robots (balanced.h), and why each set was
 // better than the one before.
 #pragma once
 
@@ -24,25 +24,26 @@ std::optional<BalancedKey> decided_by(const BalancedProblem& problem,
 // A set, and how it was found.
 struct BalancedSet {
   std::vector<LiftingPoint> robots;  // in their order along the outline
-  std::vector<LiftingPoint> kept;    // the robots that were in the previous set
-  std::vector<LiftingPoint> came;    // the new robots: if there are three, first the one at a trial
-                                     // point; then the ends of an even candidate, which make C the
-                                     // centroid
-  bool at_once = false;  // whether the set was found as a whole, for robots with a size and little
-                         // room: all robots are in `came`, and no chord completes the set
+  std::vector<LiftingPoint> kept;    // the robots that were already in an earlier set
+  // The new robots. The last two are at the ends of an even candidate, so that C is the centroid.
+  // If there are three, the first is at a trial point.
+  std::vector<LiftingPoint> came;
+  // Whether the set was found as a whole, which can happen if robots have a size or if there are
+  // no-go parts. Then all robots are in `came`; none need be at the ends of an even candidate.
+  bool at_once = false;
 };
 
 // A swap of a search.
 struct BalancedMove {
   BalancedSet set;                                 // after the swap
-  std::array<std::uint32_t, 3> numbers{};          // of the robots that left, in ascending order
+  std::array<std::uint32_t, 3> numbers{};          // of the robots that left, ascending
   std::uint32_t round = 0;                         // from 0
-  BalancedKey decided_by = BalancedKey::coverage;  // the key by which the set is better
+  BalancedKey decided_by = BalancedKey::coverage;  // the key that makes the set better
 };
 
 struct BalancedHistory {
   std::vector<BalancedSet> start;   // the sets S_2, S_3 ... that exist
-  bool found = false;               // whether S_m exists; it is the last of `start`
+  bool found = false;               // whether a set of m robots exists; it is the last of `start`
   std::vector<BalancedMove> moves;  // the swaps, in order
   std::uint32_t rounds = 0;         // number of completed rounds
   bool settled = false;             // whether the last round changed nothing
@@ -56,22 +57,24 @@ struct BalancedHistory {
 enum class HistoryLength : std::uint8_t { start, whole };
 BalancedHistory balanced_history(const BalancedProblem& problem, HistoryLength length);
 
-// Whether the whole search is expected to take at most a second or two. The estimate is that of
-// is_quick_to_start(), but for the completions of the start and of three rounds. O(n) at worst.
+// Whether the whole search is expected to take at most a second or two. The estimate is like that
+// of is_quick_to_start(), and also counts the completions of three rounds (of three rounds for each
+// possible start, if robots have a size). O(n) at worst.
 bool is_quick_to_finish(const BalancedProblem& problem);
 
-// The ways to complete robots by two more: the middle of these two, and the even candidates about
-// the middle, in candidate order. There are no chords if the middle is not strictly inside the
-// convex hull of P. O(n) at worst, usually much less.
+// The ways to complete robots by two more: `middle` is the midpoint of the two, and `chords` are
+// the even candidates about it, in candidate order (only some of them if P has more than 1,000
+// vertices). There are no chords if the midpoint is not strictly inside the convex hull of P. O(n)
+// at worst, usually much less.
 struct Completions {
   Vec2 middle = Vec2::Zero();
   std::vector<Chord> chords;
 };
 Completions completions(const BalancedProblem& problem, const std::vector<LiftingPoint>& robots);
 
-// The best set in which three new robots, the first at `place`, replace three of the `robots`;
-// nothing if there is no such set. There must be at least three robots. Costs one completion for
-// each triple.
+// The best set in which three new robots, the first of them at `place`, replace three of the
+// `robots`; nothing if there is no such set. There must be at least three robots. Costs one
+// completion for each triple.
 std::optional<BalancedMove> best_with_robot_at(const BalancedProblem& problem,
                                                const std::vector<LiftingPoint>& robots,
                                                const LiftingPoint& place);

@@ -12,7 +12,7 @@
 
 namespace evenlift {
 
-// The limit in most_teams_tried() for teams that are not swapped.
+// The value of most_teams_tried() if teams are not swapped.
 inline constexpr std::uint32_t most_teams_for_capacity = 512;
 
 // The most teams that a plan tries: most_swapped_teams (swaps.h) if teams are swapped until they
@@ -23,17 +23,17 @@ std::uint32_t most_teams_tried(const Settings& settings);
 // neither is given. Robots are numbered as in find_robot() (loads.h). O(1).
 std::optional<double> capacity_of(const ShownPlacement& of, std::size_t robot);
 
-// Whether a load exceeds the capacity by more than tau (tolerance.h) times the capacity. Rounding
-// alone could add that much. O(1).
+// Whether a load exceeds the capacity by more than tau (tolerance.h) times the capacity. A smaller
+// excess may be due to rounding alone. O(1).
 bool exceeds(double load, double capacity);
 
-// has_capacities() returns whether any robot has a capacity, has_own_capacities() whether given
+// has_capacities() returns whether any robot has a capacity, and has_own_capacities() whether given
 // supports have their own. O(1).
 bool has_capacities(const ShownPlacement& of);
 bool has_own_capacities(const ShownPlacement& of);
 
-// The numbers of the robots whose planned loads, or these `loads`, exceed their capacities.
-// O(robots).
+// The numbers of the robots whose loads exceed their capacities. The first function takes the
+// planned loads, the second the given `loads`. O(robots).
 std::vector<std::size_t> overloaded_robots(const ShownPlacement& of);
 std::vector<std::size_t> overloaded_robots(const ShownPlacement& of,
                                            const std::vector<double>& loads);
@@ -41,15 +41,16 @@ std::vector<std::size_t> overloaded_robots(const ShownPlacement& of,
 // The capacity_of() of each robot. O(robots).
 std::vector<std::optional<double>> capacities_of(const ShownPlacement& of);
 
-// The greatest radius within which C may lie so that no robot exceeds its limit, by springs and
-// under the other given conditions (radius_within_capacity() of uncertainty.h). Costs as much as
-// model_loads().
+// The radius_within_capacity() (uncertainty.h) under the other given conditions, such as a slope:
+// the greatest radius such that no load by springs (load_models.h) exceeds the robot's limit while
+// C is within this radius of its assumed place. Nothing if a load may exceed a limit even at radius
+// 0. Costs as much as model_loads().
 std::optional<double> com_radius_within(const ShownPlacement& of, const ModelLoads& loads,
                                         const std::vector<std::optional<double>>& limits);
 
-// Whether any robot may exceed its capacity after a failure, by springs and within the disturbance
-// that `rest` allows for; false if the other robots do not carry the object. overloads_after()
-// answers this for each failure. O(m) for each failure.
+// Whether the load by springs of any robot may exceed its capacity after a failure, within the
+// disturbance for which `rest` was computed. False if the other robots do not carry the object.
+// overloads_after() answers this for each failure. O(m) for each failure.
 bool overloads(const ShownPlacement& of, const std::optional<RestOfRobots>& rest);
 std::vector<bool> overloads_after(const ShownPlacement& of,
                                   const std::vector<std::optional<RestOfRobots>>& failures);
@@ -58,46 +59,48 @@ struct CapacityPlan {
   bool possible = false;     // whether some number of teams suffices
   std::uint32_t teams = 0;   // if possible, the least such number
   double greatest_load = 0;  // of a robot, if possible
-  std::uint32_t tried = 0;   // the most teams tried. If that is below most_teams_tried() and no
-                             // number of teams of two suffices, there is no place for more, or
-                             // check_swaps() (swaps.h) refuses more
-  // Robots in a team. Balanced robots form one team: of the least number if possible, otherwise of
-  // most_robots.
+  std::uint32_t tried = 0;   // the greatest number of teams tried. If it is below
+                             // most_teams_tried() although no number of teams of two suffices,
+                             // there is no place for more, or check_swaps() (swaps.h) refuses more
+  // The number of robots in a team. All balanced robots form one team; if no number of them
+  // suffices, this is most_robots.
   std::uint32_t team_size = 2;
   bool operator==(const CapacityPlan&) const = default;
 };
 
-// The plan for the object of a placement from place(). It reuses the candidates of the placement.
+// Plans for the object of a placement that place() returned, and uses the placement's candidates.
 // Each robot carries up to `capacity` > 0, in the unit of the weight. The plan depends on the
 // polygon, the holes, the centre of mass, and all settings that affect loads except the number of
 // teams or robots.
 //
-// Area, circle, distance and random choose teams one after another. So the first k teams of a
-// selection are a placement of k teams, and a plan costs as much as selecting the needed teams.
-// Teams at equal angles differ for each number of teams; only their loads are computed, up to the
-// first overloaded robot. Swapped teams also differ for each number, and each number costs its own
-// swaps. The least number of balanced robots follows from the weight, the capacity and the failures
-// to survive; whether such a set exists is not checked. For given supports no plan is possible.
+// Without swaps, area, circle, distance and random choose teams one after another. So the first k
+// teams of a selection are a placement of k teams, and a plan costs as much as selecting the needed
+// teams. With equal angles, each number of teams has other places; the plan computes only the loads
+// of each number, up to the first overloaded robot. If teams are swapped, each number of teams also
+// has other places, and needs its own swaps. The least number of balanced robots follows from the
+// weight, the capacity and the failures to survive; the plan does not check whether such a set
+// exists. For given supports no plan is possible.
 CapacityPlan plan_capacity(const Placement& placement, double capacity);
 
-// The number of robots needed if any one robot may fail. While all work, no planned load exceeds
-// the capacity. After a failure, the others carry the object, and no load by springs
-// (load_models.h) exceeds the capacity. Sudden changes of load are not considered.
+// The number of robots needed if any one robot may fail. While all robots work, no planned load
+// exceeds the capacity. After one has failed, the others carry the object, and no load by springs
+// (load_models.h) exceeds the capacity. exceeds() decides both. The plan does not consider that
+// loads change suddenly.
 struct FailurePlan {
   bool possible = false;
   std::uint32_t robots = 0;  // if possible, the least number found
   double greatest_load = 0;  // of a robot, intact or after any one failure, if possible
-  std::uint32_t tried = 0;   // the most robots tried
+  std::uint32_t tried = 0;   // the greatest number of robots tried
   bool operator==(const FailurePlan&) const = default;
 };
 
 // Finds the least number of robots for the placement's method, at the places where place() would
 // put them. The search begins with the least number that the weight and, for balanced robots,
 // `survive` permit. It ends when there is no place for more teams, when check_swaps() (swaps.h)
-// refuses more, at most_teams_tried() teams (for balanced robots, at most_robots), or before it
-// would compute more than most_loads_planned loads in all; m robots need m^2. For balanced robots
-// it tries at most most_sets_planned numbers, each with a whole search. For given supports no plan
-// is possible.
+// refuses more, or after most_teams_tried() teams (for balanced robots, after most_robots). It also
+// ends before it would compute more than most_loads_planned loads in all; m robots need m^2. At
+// most most_sets_planned numbers of balanced robots are tried, each with a whole search. For given
+// supports no plan is possible.
 inline constexpr std::uint64_t most_loads_planned = std::uint64_t{1} << 21;
 inline constexpr std::uint32_t most_sets_planned = 8;
 FailurePlan plan_for_failures(const Placement& placement, double capacity);

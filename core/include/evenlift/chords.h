@@ -1,5 +1,6 @@
-// How C sees the polygon (section 2 of algorithm.md; thesis 3.3, 4.2). Facing edges and the order
-// in which C sees the vertices are exact; "radial" and "opposite" are within tau L.
+// How C sees the polygon (section 2 of algorithm.md; thesis 3.3, 4.2). Exact tests decide which
+// edges face each other, and in which order C sees the vertices. Edges are radial, and vertices
+// opposite, within tau L.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +19,8 @@ struct LiftingPoint {
   std::uint32_t edge = 0;  // an edge on which it lies, or `beneath`
 };
 
-// This value replaces an edge if the point lies inside the object. There a robot lifts and touches
-// nothing sideways (supports.h).
+// The value of LiftingPoint::edge for a point inside the object. A robot there lifts the object but
+// touches no edge (supports.h).
 inline constexpr std::uint32_t beneath = ~std::uint32_t{0};
 
 // The positions of the points, in the same order. O(points).
@@ -34,14 +35,14 @@ struct Chord {
   double ratio = 1;  // min(arm1, arm2) / max(arm1, arm2), in (0, 1]
 };
 
-// This value replaces a vertex where an edge is met in its interior. A std::optional would make
-// each of up to eight million edge pairs 16 bytes larger.
+// The value of a vertex index if an edge is met in its interior, not at a vertex. With a
+// std::optional instead, each of up to eight million edge pairs would be 16 bytes larger.
 inline constexpr std::uint32_t inside_edge = ~std::uint32_t{0};
 
 // Two non-radial edges that face each other across C: for an open range of directions u, the ray
 // from C along u meets a and the ray along -u meets b. Counter-clockwise, the range begins at the
-// vertices `begin_a` of a and `begin_b` of b, and ends at `end_a` and `end_b`. Each of these is
-// inside_edge where its edge is met in the interior.
+// vertex `begin_a` on a and at `begin_b` on b, and ends at `end_a` and `end_b`. Each of these
+// values is inside_edge if the range begins or ends in the interior of that edge.
 struct EdgePair {
   std::uint32_t a = 0, b = 0;
   std::uint32_t begin_a = inside_edge, begin_b = inside_edge;
@@ -64,14 +65,15 @@ std::vector<bool> radial_edges(const Polygon& polygon, const Vec2& centre);
 // A chord that starts at a vertex.
 struct VertexChord {
   std::uint32_t vertex = 0;                // where it starts
-  std::uint32_t hit_vertex = inside_edge;  // where it ends, or inside_edge
+  std::uint32_t hit_vertex = inside_edge;  // the vertex where it ends, or inside_edge
   Chord chord;
 };
 
-// All chords from a vertex through C. They are in the order in which a line that turns about C
-// meets their first vertices. In each direction, the vertices on the line's forward half come
-// first. A chord between two vertices is listed once, at the forward vertex. Radial edges are met
-// at their ends only. More than max_edge_pairs chords are an error. O(n log n + k) for k chords.
+// All chords from a vertex through C. They are listed as a line turns about C: each vertex that it
+// meets adds the chords that start there. In each direction, vertices on the line's forward half
+// come first. A chord between two vertices is listed once, from the vertex on the forward half.
+// Radial edges are met at their ends only. More than max_edge_pairs chords are an error. O(n log n
+// + k) for k chords.
 Result<std::vector<VertexChord>> vertex_chords(const Polygon& polygon, const Vec2& centre);
 
 // The number of edge pairs. O(n log n).
@@ -83,9 +85,9 @@ Result<std::vector<EdgePair>> edge_pairs(const Polygon& polygon, const Vec2& cen
 
 // All pairs of opposite vertices, in the order in which C sees the nearer vertex of each pair. A
 // vertex within tau L of C belongs to no pair. It is an error if these pairs and the edge pairs
-// together exceed max_edge_pairs. O(n log n), plus the following number for each vertex v: the
-// vertices farther from C whose lines through C make an angle of at most 2 tau L / |C v| with the
-// line of v.
+// together exceed max_edge_pairs. O(n log n + k). Here k is the number of pairs of vertices v and w
+// such that w is farther from C, and the lines of v and w through C make an angle with a sine of at
+// most 2 tau L / |C v|.
 Result<std::vector<OppositeVertices>> opposite_vertices(const Polygon& polygon, const Vec2& centre);
 
 }  // namespace evenlift

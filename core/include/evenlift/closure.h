@@ -2,10 +2,10 @@
 //
 // Reuleaux's method decides first-order form closure (F. Reuleaux, The Kinematics of Machinery,
 // 1876). Each contact leaves a half-plane of rotation centres free for clockwise turns, and another
-// for counter-clockwise turns. In form closure, neither kind of half-planes has a common point, and
-// no translation is free. The margin is a grasp quality (C. Ferrari and J. Canny, Planning optimal
-// grasps, 1992). Second-order immobility follows E. Rimon and J. W. Burdick (Mobility of bodies in
-// contact, 1998).
+// for counter-clockwise turns. In form closure, the half-planes for clockwise turns have no point
+// in common, nor do those for counter-clockwise turns, and no translation is free. The margin is a
+// grasp quality (C. Ferrari and J. Canny, Planning optimal grasps, 1992). Second-order immobility
+// follows E. Rimon and J. W. Burdick (Mobility of bodies in contact, 1998).
 //
 // A hold that needs a robot extremely close to a corner cannot be built, since at the corner the
 // contact is lost. Searches therefore rely only on contacts far enough from corners (algorithm.md,
@@ -27,26 +27,26 @@ struct Contact {
   Vec2 position = Vec2::Zero();
   std::uint32_t edge = 0;
   std::uint32_t point = 0;  // the index of the robot's lifting point
-  // The distance from the nearest corner (Polygon::is_corner) that ends the contact's edge; edges
-  // joined by straight vertices count as one. It is infinite if there is no such corner, and in a
-  // reflex vertex, whose notch keeps the robot in place.
+  // The distance from the nearest corner (Polygon::is_corner) at which the contact's edge ends;
+  // edges joined by straight vertices count as one. It is infinite if there is no such corner, and
+  // also in a reflex vertex, whose notch keeps the robot in place.
   double to_corner = std::numeric_limits<double>::infinity();
-  // The distance from the nearest convex vertex that ends the contact's straight side, however
-  // little the outline turns there: beyond it, a robot touches another side. It is infinite if
-  // there is no such vertex, and in a reflex vertex.
+  // The distance from the nearest convex vertex at which the contact's straight side ends, however
+  // little the outline turns there. A robot beyond that vertex touches another side. The distance
+  // is infinite if there is no such vertex, and also in a reflex vertex.
   double to_end = std::numeric_limits<double>::infinity();
 };
 
-// The unit vector in whose direction a contact with an edge pushes. The second overload takes the
-// vertices of the edge and the polygon's orientation. O(1).
+// The unit vector in whose direction a contact pushes the object: into the object, perpendicular to
+// the edge. The second function takes the ends of the edge and the polygon's orientation. O(1).
 Vec2 inward_normal(const Polygon& polygon, std::uint32_t edge);
 Vec2 inward_normal(const Vec2& from, const Vec2& to, bool counter_clockwise);
 
 // The contacts of lifting points: one inside an edge, two at a reflex vertex, one at a straight
 // vertex, none beneath the object. At a convex vertex the push has no definite direction and is not
-// counted; this can only enlarge the free regions, which is safe. A robot within tau L of a vertex
-// counts as standing at it. O((m + n) log n) for m points, if few vertices lie within tau L of one
-// another.
+// counted. This can only enlarge the free regions, so a hold is never overstated. A robot within
+// tau L of a vertex counts as standing at it. O((m + n) log n) for m points, if few vertices lie
+// within tau L of one another.
 std::vector<Contact> contacts(const Polygon& polygon, const std::vector<LiftingPoint>& points);
 
 // The contacts at least `clear` from every corner, within tau L. O(contacts).
@@ -56,9 +56,9 @@ std::vector<Contact> clear_contacts(const Polygon& polygon, const std::vector<Co
 // The free centres of rotation in one direction: a convex region, perhaps unbounded or far away.
 struct FreeRegion {
   bool exists = false;    // whether any centre is free
-  bool has_area = false;  // otherwise it is a point or a line, up to tolerance
-  Points clipped;         // the part in the square about C with half side 100 diagonal(),
-                          // counter-clockwise; at most two points if it has no area there
+  bool has_area = false;  // a region without area is a point or part of a line, within tolerance
+  Points clipped;         // the part within the square about C whose half side is 100 diagonal()
+                          // (polygon.h), counter-clockwise; at most two points if it has no area
 };
 
 // The free centres of rotation in both directions. O(n + m log m) for m contacts on e edges, plus
@@ -71,18 +71,18 @@ FreeRegions free_regions(const Polygon& polygon, const Vec2& centre,
 
 // How precisely robots must stand, in units of length. Let m(k) be the margin of the contacts at
 // least k from corners, and s(k) the margin of the contacts at least k from the ends of their
-// straight sides.
+// straight sides. R is the greatest distance of a vertex from C.
 struct Clearance {
-  // The supremum of the k with m(k) > 0. It is infinite if no contact on a side that ends at a
-  // corner is needed, and 0 without form closure.
+  // The supremum of the k with m(k) > 0. It is infinite if form closure needs no contact on a side
+  // that ends at a corner, and 0 without form closure.
   double distance = 0;
-  // The lifting point whose contact is at that distance: without this contact and all contacts
-  // nearer to corners, the object is not held. Empty if the distance is 0 or infinite.
+  // The lifting point whose contact is at that distance from a corner. The contacts farther from
+  // corners do not hold the object on their own. Empty if the distance is 0 or infinite.
   std::optional<std::uint32_t> point;
   // The supremum of min(k, R s(k)); 0 without form closure. Form closure persists if all robots are
-  // off by less than that along their sides, in any combination, provided that robots in reflex
-  // vertices stay there. The reason is that no contact that counts leaves its side, and the margin
-  // shrinks by at most the largest displacement divided by R, since no wrench changes by more.
+  // off along their sides by less than that, in any combination, provided that robots in reflex
+  // vertices stay there. The reasons are that no contact that counts leaves its side, and that each
+  // wrench, and so the margin, changes by at most the displacement divided by R.
   double tolerance = 0;
 };
 
@@ -93,20 +93,20 @@ Clearance analyse_clearance(const Polygon& polygon, const Vec2& centre,
 struct Closure {
   bool form_closure = false;  // whether no motion is free to first order
   // The radius of the largest ball about the origin in the convex hull of the contacts' wrenches
-  // (n, (p - C) x n / R), where n is the inward unit normal. If the origin is outside, it is minus
-  // its distance from the hull. The margin is above 0 in form closure, and empty without contacts.
-  // The hull expresses one limit on the sum of all contact forces (the L1 form). The margin depends
-  // on C and R, so it compares placements of one object only.
+  // (n, (p - C) x n / R), where n is the inward unit normal at the contact p. If the origin is
+  // outside, the margin is minus its distance from the hull. It is above 0 in form closure, and
+  // empty without contacts. The hull corresponds to one limit on the sum of all contact forces (the
+  // L1 form). The margin depends on C and R, so compare it only between placements of one object.
   std::optional<double> margin;
-  bool second_order = false;  // whether it is immobile to second order only
+  bool second_order = false;  // whether the object is immobile to second order only
   bool translation_free = true;
   std::optional<Vec2> translation;  // a free direction, of unit length
   FreeRegion clockwise, counterclockwise;
   Clearance clearance;
 };
 
-// Form closure and margin as in Closure, at less cost if the contacts are known: O(n + m log m) for
-// m contacts, and O(e^2) on e edges.
+// Form closure and margin as in Closure, at less cost, above all if the contacts are known. O(n + m
+// log m), plus O(e^2) at worst for the margin, for m contacts on e edges.
 struct Hold {
   bool form_closure = false;
   std::optional<double> margin;
@@ -115,22 +115,23 @@ Hold analyse_hold(const Polygon& polygon, const Vec2& centre, const std::vector<
 Hold analyse_hold(const Polygon& polygon, const Vec2& centre,
                   const std::vector<LiftingPoint>& points);
 
-// The minimum margin, and the distance from corners below which contacts do not count.
+// The minimum margin, and the distance from corners that contacts must have to count.
 struct HoldRequirements {
   double min_margin = 0.05;
   double clear = 0;
 };
 
-// The requirements by the settings; the default of `clear` is usual_clear (document.h) times R.
-// O(n).
+// The requirements in the settings. If the setting `clear` is empty, the distance is usual_clear
+// (document.h) times R. O(n).
 HoldRequirements hold_requirements(const Polygon& polygon, const Vec2& centre,
                                    const Settings& settings);
 
-// Whether the hold needs only contacts at least `clear` from corners, within tau L. O(1).
+// Whether the clearance is at least `clear`, within tau L. Form closure, if there is any, then
+// needs only contacts that far from corners. O(1).
 bool is_clear(const Polygon& polygon, const Clearance& clearance, double clear);
 
-// The form_closure of analyse_closure(), at less cost. Adding points never ends form closure.
-// O(m log m + n log n).
+// The form_closure of analyse_closure(), at less cost. More points never end form closure. O(m log
+// m + n log n).
 bool in_form_closure(const Polygon& polygon, const Vec2& centre,
                      const std::vector<Contact>& contacts);
 bool in_form_closure(const Polygon& polygon, const Vec2& centre,
@@ -143,9 +144,9 @@ bool no_region_has_area(const Polygon& polygon, const Vec2& centre,
 
 // Analyses how robots at these points hold the object. The regions are widened by tau L, and a
 // translation is free within tau; otherwise the tests are exact for the edges' directions and the
-// rounded points. If several contacts are on edges of one direction, only the first and the last of
-// them count. O(n log n + m log m) for m contacts on edges of e directions, at worst O(e^2) for the
-// regions, and O(log m) calls of wrench_margin() for margin, clearance and tolerance.
+// rounded points. Of several contacts on edges of the same direction, only the two outermost count.
+// O(n log n + m log m) for m contacts on edges of e directions, plus at worst O(e^2) for the
+// regions, plus O(log m) calls of wrench_margin() for margin, clearance and tolerance.
 Closure analyse_closure(const Polygon& polygon, const Vec2& centre,
                         const std::vector<LiftingPoint>& points);
 

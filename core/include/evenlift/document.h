@@ -1,4 +1,5 @@
-// The content of a file or a link. Only its numbers have been checked: they are finite.
+// The content of a file or a link. All its numbers are finite, but the polygon and the settings may
+// still be invalid.
 #pragma once
 
 #include <cstddef>
@@ -32,12 +33,12 @@ inline constexpr std::size_t max_link_bytes = 1u << 20;   // bytes of a link
 inline constexpr std::uint32_t max_teams = 1u << 20;      // teams, if given as a number
 inline constexpr std::uint32_t least_robots = 2;          // balanced robots
 inline constexpr std::uint32_t most_robots = 64;          // balanced robots
-inline constexpr std::uint32_t most_survived = 30;        // F failures take 2 F + 3 robots or more
+inline constexpr std::uint32_t most_survived = 30;        // F failures need 2 F + 3 or more robots
 inline constexpr std::size_t most_no_go = 1000;           // no-go parts of edges
 inline constexpr std::size_t most_supports = 1000;        // supports for Method::given
 inline constexpr std::size_t most_moved_teams = 1000;     // teams moved by hand
 
-// How teams are chosen (algorithm.md, Selection; thesis 3.3, 5.2).
+// How places are chosen (algorithm.md, Selection; thesis 3.3, 5.2).
 enum class Method : std::uint8_t { area, circle, distance, distributed, random, balanced, given };
 
 // The methods that find places. The places of Method::given are settings.
@@ -86,7 +87,7 @@ constexpr bool selects_candidates(Method method) { return metric_of(method).has_
 // Whether scores are lengths; otherwise they are areas.
 constexpr bool scores_are_lengths(Metric metric) { return metric == Metric::distance; }
 
-// The first aim of a placement: the widest lifting base, or a hold with the minimum margin.
+// The first aim of a placement: the greatest coverage, or a hold with at least the minimum margin.
 enum class Goal : std::uint8_t { cover, hold };
 inline constexpr Goal all_goals[] = {Goal::cover, Goal::hold};
 std::string_view name(Goal goal);
@@ -100,7 +101,7 @@ std::string_view name(Positions positions);
 std::optional<Positions> positions_from_name(std::string_view text);
 
 // name() returns a method's name in JSON and options, such as "area"; method_from_name() returns
-// the method of a name, if it is known. O(1).
+// the method with a name, or nothing if the name is unknown. O(1).
 std::string_view name(Method method);
 std::optional<Method> method_from_name(std::string_view text);
 
@@ -120,11 +121,11 @@ struct Units {
 std::string_view name(LengthUnit unit);  // such as "mm", or "none"
 std::string_view name(WeightUnit unit);  // such as "kg"
 
-// A length in metres, rounded once if the unit is a decimal fraction of a metre; without a unit,
-// the same number. O(1).
+// A length in metres. It is rounded only once if the unit is a decimal fraction of a metre. If
+// there is no unit, it is the same number. O(1).
 double in_metres(double length, LengthUnit unit);
 
-// The drawings in addition to the polygon and its robots.
+// What the picture shows in addition to the polygon and its robots.
 struct Overlays {
   bool candidates = false;       // chords that are not selected
   bool chords = true;            // chords of the teams
@@ -138,15 +139,15 @@ struct Overlays {
   bool operator==(const Overlays&) const = default;
 };
 
-// The sizes of a robot, each 0 .. max_length (stands.h). If all are 0, a robot is its lifting
-// point.
+// The sizes of a robot, each 0 .. max_length (stands.h). If all are 0, the robot is a point.
 struct RobotSize {
   double radius = 0;  // radius of the round body
   double reach = 0;   // length of the arm, from the body's rim to the contact
   double depth = 0;   // length of the hand, from the contact to the lifting point
   double width = 0;   // width of the hand
   double gap = 0;     // free distance between two bodies
-  // Whether the robot is more than a point. A gap alone also separates points.
+  // Whether the robot is more than a point. Robots that are points also keep the gap from each
+  // other.
   bool has_body() const { return radius > 0 || reach > 0 || depth > 0 || width > 0; }
   bool operator==(const RobotSize&) const = default;
 };
@@ -179,16 +180,16 @@ struct Settings {
   double min_ratio = 0.8;       // minimum load ratio, 0 .. 1
   double weight = 100;          // weight of the object alone, min_weight .. max_weight
   std::uint64_t seed = 1;       // seed of Method::random
-  std::uint32_t robots = 6;     // number for Method::balanced, least_robots .. most_robots
+  std::uint32_t robots = 6;     // number of balanced robots, least_robots .. most_robots
   std::optional<Goal> goal;     // empty means the default of goal_of()
   double min_margin = 0.05;     // minimum margin of a hold, 0 .. 1
   std::optional<double> apart;  // preferred distance between robots, >= 0; empty means 0.12 R
-  std::optional<double>
-      clear;  // contacts nearer than this to a corner do not count, and after a failure C should be
-              // at least this far inside the lifting base; >= 0; empty means usual_clear R
-  std::uint32_t survive = 0;  // number of failures of balanced robots that should leave the object
-                              // steady, for which at least 2 survive + 3 robots are needed
-  Positions positions = Positions::best;  // for teams of two; balanced robots stand anywhere
+  // Searches ignore contacts nearer than this to a corner, and after a failure C should be at least
+  // this far inside the lifting base; >= 0; empty means usual_clear R.
+  std::optional<double> clear;
+  std::uint32_t survive = 0;  // the number of balanced robots whose failure should leave the object
+                              // steady; at least 2 survive + 3 robots are needed
+  Positions positions = Positions::best;  // of teams of two; balanced robots may stand anywhere
   RobotSize robot;
   std::vector<EdgePart> no_go;  // no robot may touch these parts; at most most_no_go, in any order
   std::vector<Cargo> cargo;     // at most max_cargo items
@@ -206,14 +207,15 @@ struct Carrying {
   double acceleration = 0;     // greatest horizontal acceleration in any direction, in g,
                                // 0 .. max_acceleration
   std::optional<double> give;  // how far a robot gives way under the mean load,
-                               // min_length .. max_length; empty means that heights do not matter
+                               // min_length .. max_length; empty means that `uneven` has no effect
   double uneven = 0;  // greatest error of the ground or of a robot's height, 0 .. max_length
   std::optional<double> extra;  // a further weight that may stand on the object, such as a person,
                                 // min_weight .. max_weight
   bool operator==(const Carrying&) const = default;
 };
 
-// Display options and questions about a placement, which never change it and are not stored in it.
+// Display options, and questions about a placement. They never change the placement, which does not
+// store them.
 struct Shown {
   Overlays overlays;
   std::optional<std::uint32_t> step;  // step of the walkthrough, if it is open
@@ -228,8 +230,9 @@ struct Shown {
   bool operator==(const Shown&) const = default;
 };
 
-// The given goal or the default: hold for four or more balanced robots, otherwise cover (for two or
-// three, holding would cost too much lifting base). With Method::given it is always cover. O(1).
+// The given goal, or else the default: hold for four or more balanced robots, otherwise cover. (For
+// two or three balanced robots, a hold would cost too much of the lifting base.) With Method::given
+// the goal is always cover. O(1).
 Goal goal_of(const Settings& settings);
 
 // Whether teams of two are swapped until they hold (swaps.h). O(1).
@@ -250,8 +253,9 @@ struct MovedTeam {
   bool operator==(const MovedTeam&) const = default;
 };
 
-// Robots moved by hand (moved.h). Balanced robots are all listed, by the points that they touch;
-// teams of two are listed only if moved, in ascending order. At most one list has entries.
+// Robots moved by hand (moved.h). If a balanced robot was moved, `robots` has the contact points of
+// all balanced robots. `teams` has only the teams of two that were moved, in ascending order. At
+// most one of the lists has entries.
 struct Moved {
   std::vector<EdgePoint> robots;  // at most most_robots
   std::vector<MovedTeam> teams;   // at most most_moved_teams
@@ -262,9 +266,8 @@ struct Moved {
 // A polygon with all that belongs to it.
 struct Document {
   Points vertices;  // of the outline in the given order, in either orientation
-  std::optional<Vec2>
-      centre_of_mass;  // of the object without cargo; empty means the centroid of the area that
-                       // the holes leave
+  // Of the object without cargo; empty means the centroid of the area that the holes leave.
+  std::optional<Vec2> centre_of_mass;
   Settings settings = {};
   Shown shown = {};
   Moved moved = {};

@@ -1,4 +1,4 @@
-// Whether an object stands on its robots, and over which robots it tips if it does not. C can be
+// Whether an object stands on its robots and, if it does not, over which robots it tips. C can be
 // outside the lifting base H only if the places are given (supports.h).
 #pragma once
 
@@ -10,12 +10,12 @@
 namespace evenlift {
 
 struct Equilibrium {
-  bool stands = false;  // C is in H, within tau L; false without robots
+  bool stands = false;  // whether C is in H, within tau L; false without robots
   // The tipping distance (uncertainty.h) or, if the object falls, minus the distance of C from H.
   double com_margin = 0;
-  // If the object falls, the numbers, in ascending order, of the two robots at the ends of the edge
-  // of H beyond which C lies farthest. There is only one number if H is a point, or if H is a
-  // segment and C lies on its line beyond that robot.
+  // If the object falls, the numbers of the two robots at the ends of the edge of H beyond which C
+  // lies farthest, in ascending order. There is only one number if H is a point, or if H is a
+  // segment and C lies on the line of H beyond that robot.
   std::vector<std::uint32_t> tips_over;
 };
 

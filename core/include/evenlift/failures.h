@@ -1,12 +1,12 @@
 // The effects of failing robots. A robot fails suddenly and then carries nothing. The analysis is
-// static, but a sudden loss can for a moment double the change of a load.
+// static; in fact, the sudden loss of a robot can for a moment double the change of a load.
 //
 // The robots *carry* the object if C lies in their convex hull within tau L: they can balance its
-// weight. The object is *steady* if C lies inside the hull by more than tau L: it also withstands a
-// light downward press anywhere, as long as the robots keep their height and none is overloaded.
-// Without the tolerance, rounding would decide both, since a team's two robots and C are on one
-// line only up to rounding. Far from the origin, where coordinates are rounded by more than tau L,
-// the tolerance is that rounding.
+// weight. The object is *steady* if C lies inside the hull by more than tau L. A steady object also
+// withstands a light downward press anywhere, as long as the robots keep their height and none is
+// overloaded. Without the tolerance, rounding would decide both, since C lies on the line of a
+// team's two robots only up to rounding. Far from the origin, coordinates are rounded by more than
+// tau L; there, the tolerance is that rounding.
 #pragma once
 
 #include <optional>
@@ -23,44 +23,45 @@ namespace evenlift {
 // object; -1 if not even all robots carry it. It is one less than the depth of C. The depth is the
 // least number of robots on one side of a line through C, including those within tolerance of the
 // line (half-space depth; J. W. Tukey, Mathematics and the picturing of data, 1975). t teams of two
-// carry the object after any t - 1 failures, since each side of the line has a robot of each team.
-// `robots` are positions, in any order and perhaps equal; `diameter` > 0 is L. O(m log m).
+// carry the object after any t - 1 failures, since each side of any line through C, the line
+// included, has a robot of each team. `robots` are positions, in any order and perhaps equal;
+// `diameter` > 0 is L. O(m log m).
 int failures_carried(const Points& robots, const Vec2& centre, double diameter);
 
-// The number of robots that may fail at once, whichever they are, while the object stays steady.
-// Here robots within tolerance of the line do not count, nor do those nearer to it than `inside`,
-// within tolerance. The number is at most failures_carried(), and -1 if not even all robots keep
-// the object steady, as with one team of two. O(m log m).
+// The number of robots that may fail at once, whichever they are, while the object stays steady and
+// C lies at least `inside` within the hull of the rest. It is found like failures_carried(), but
+// robots do not count if they are within tolerance of the line, or if `inside` exceeds their
+// distance from it by more than the tolerance. The number is at most failures_carried(), and -1 if
+// not even all robots suffice, as with one team of two. O(m log m).
 int failures_steady(const Points& robots, const Vec2& centre, double diameter, double inside = 0);
 
 // The state of the object on the remaining robots.
 struct RestOfRobots {
   bool steady = false;
-  bool clear = false;           // steady, with C at least `inside` inside their hull
+  bool clear = false;           // steady, and C is at least `inside` inside their hull
   double tipping_distance = 0;  // see uncertainty.h
   double coverage = 0;          // see stability.h
-  bool form_closure = false;    // see closure.h, also for the margin
+  bool form_closure = false;    // see closure.h; also for `margin`
   std::optional<double> margin;
-  std::optional<double> greatest_by_plan;  // the greatest load if the failed robot's team stops
-                                           // carrying and the others carry equal parts; empty if
-                                           // there are no other teams
+  // The greatest load if the failed robot's team stops carrying and the other teams carry equal
+  // parts; empty if there are no other teams.
+  std::optional<double> greatest_by_plan;
   // The greatest loads by the models springs and best (load_models.h).
   double greatest_by_springs = 0, least_greatest = 0;
   std::vector<double> springs;  // the loads by springs; 0 for the failed robot
   std::vector<double> ends;     // the greatest loads by springs within the disturbance
                                 // (uncertainty.h); without a disturbance, `springs`
   double greatest_end = 0;      // the greatest of `ends`
-  bool stays =
-      true;  // whether the reach of the disturbance is at most the tipping distance, within
-             // tolerance
+  // Whether the reach of the disturbance is at most the tipping distance, within tolerance.
+  bool stays = true;
 };
 
 // The effect of each robot's failure, in the order of the robots; an entry is empty if the rest
 // does not carry the object. The teams must be those of a placement on the polygon. `inside` is as
-// for failures_steady(), and the disturbance as for load_changes() (uncertainty.h). For m robots
-// this takes O(n log n + m n + m^2 log m), plus O(h n + m h n') for the coverage (stability.h) and
-// O(m^3) for the margin. The least greatest load takes O(m^4) up to 65 robots; beyond that, it
-// takes O(m^2) for each of about a hundred steps.
+// for failures_steady(), and the disturbance as for load_changes() (uncertainty.h). O(n log n + m n
+// + m^2 log m) for m robots, plus O(h n + m h n') for the coverage (stability.h) and O(m^3) for the
+// margin. The least greatest load takes O(m^4) up to 65 robots; beyond that, it takes O(m^2) for
+// each of about a hundred steps.
 std::vector<std::optional<RestOfRobots>> single_failures(const PolygonWithHoles& object,
                                                          const Vec2& centre, double weight,
                                                          const std::vector<Team>& teams,

@@ -1,5 +1,5 @@
-// Polygons with holes as text: the thesis's format (appendix A.1), WKT and GeoJSON. The syntax of
-// numbers is in numbers.h.
+// Reads and writes polygons with holes as text, in the thesis's format (appendix A.1), WKT and
+// GeoJSON. The syntax of numbers is that of numbers.h or, in GeoJSON, that of JSON.
 #pragma once
 
 #include <string>
@@ -10,20 +10,22 @@
 
 namespace evenlift {
 
-// Reads a text as a polygon. The content of the text determines the format:
-//   thesis   optionally `CoM:(x,y)` on the first line; then the vertices of the outline, a line
-//            `(x,y)` for each; for each hole a line `Hole:` and its vertices; for each item of
-//            cargo a line `Cargo:(x,y) weight name`, perhaps without the name. Blank lines and
-//            spaces are ignored, also around a name
-//   WKT      `POLYGON ((x y, ...), ...)` in upper or lower case, or a MULTIPOLYGON of one. Rings
-//            after the first are holes; closing vertices are dropped
-//   GeoJSON  a `Polygon`, or a `Feature` with one, optionally with a property `centre_of_mass: [x,
-//            y]`; rings as in WKT. Members that are not read are ignored; the others may occur only
-//            once
-// All settings except the cargo have their defaults. Other geometries and third coordinates are
-// unsupported. An error's place is the line and column. Weights and names of cargo are checked
-// here (document.h), but object_of() (polygon_with_holes.h) checks the geometry. The limits are
-// max_text_bytes, max_vertices for all rings together, max_holes and max_cargo. O(bytes).
+// Reads a polygon from a text, whose content determines the format:
+//   thesis   the first line may be `CoM:(x,y)`, the centre of mass. A line `(x,y)` follows for each
+//            vertex of the outline. Each hole has a line `Hole:` and the lines of its vertices.
+//            Each item of cargo has a line `Cargo:(x,y) weight name`, in which the name may be
+//            missing. Blank lines and spaces are ignored, except for spaces within a name
+//   WKT      `POLYGON ((x y, ...), ...)` in upper or lower case, or a MULTIPOLYGON with one
+//            polygon. Rings after the first are holes. The last vertex of a ring is dropped if it
+//            equals the first
+//   GeoJSON  a `Polygon`, or a `Feature` whose geometry is a `Polygon` and which may have a
+//            property `centre_of_mass: [x, y]`. Rings are as in WKT. Other members are ignored; the
+//            members that are read may occur only once
+// The document has the default settings, except for the cargo. Other geometries and third
+// coordinates are errors. The place of an error in the text is a line and a column. The weights and
+// names of cargo are checked here, by the rules of document.h, but the geometry is checked only by
+// object_of() (polygon_with_holes.h). The limits are max_text_bytes, max_vertices for all rings
+// together, max_holes and max_cargo. O(bytes).
 Result<Document> read_polygon(std::string_view text);
 
 // Write the polygon with its holes as text that ends in a newline. A given centre of mass is

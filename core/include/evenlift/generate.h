@@ -1,4 +1,5 @@
-// Polygons from a family, a size and a seed: always valid, and the same on every platform.
+// Generates polygons from a family, a size and a seed. They are always valid, and the same on every
+// platform.
 #pragma once
 
 #include <cstddef>
@@ -24,11 +25,11 @@ inline constexpr Family all_families[] = {Family::regular, Family::convex, Famil
 std::string_view name(Family family);
 std::optional<Family> family_from_name(std::string_view name);
 
-// A polygon of n vertices, counter-clockwise, with coordinates in 0 .. 1000. They have at most
-// three decimals up to n = 1000, otherwise at most nine. regular and convex are strictly convex;
-// random is not star-shaped from n = 6 on. n is 3 (comb and spiral: 8) .. max_vertices; for other
-// n, the error names the option "n". The seed does not affect regular. Expected O(n); convex O(n
-// log n).
+// Returns a polygon of n vertices in counter-clockwise order, with coordinates from 0 to 1000. The
+// coordinates have at most three decimals if n is at most 1000, otherwise at most nine. Polygons of
+// the families regular and convex are strictly convex; those of random are not star-shaped if n is
+// at least 6. If n is below 3 (comb and spiral: below 8) or above max_vertices, the error names the
+// option "n". The seed does not affect regular. Expected O(n); for convex, O(n log n).
 Result<Points> generate(Family family, std::size_t n, std::uint64_t seed);
 
 }  // namespace evenlift

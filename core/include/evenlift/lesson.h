@@ -10,21 +10,23 @@
 //   A sentence or two about this step. Lines are
 //   joined; an empty line begins a new paragraph.
 //
-// The settings come first, one per line. `title` and one of `polygon` (a sample's name), `link` (a
-// share link) and `generate` (a family of generate.h) are required. The options of `evenlift place`
-// (settings.h) and `overlays` override the link; `predict: yes` makes the learner guess, `loads` is
-// the model of the shown loads (load_models.h), and `failed` is the robot that fails. The steps
-// follow in the order in which they are shown. Each consists of an address in brackets, whose
-// numbers count from 1 as in captions, and words.
-//   KIND or KIND N   a step of this kind, as in `evenlift trace --json`, by its number: "team 2"
+// The settings come first, one per line. `title` is required, and so is one of `polygon` (a
+// sample's name), `link` (a share link) and `generate` (a family of generate.h). The options of
+// `evenlift place` (settings.h) and `overlays` may also be set; they override the settings in the
+// link. `predict: yes` makes the learner guess before some choices, `loads` is the model of the
+// shown loads (load_models.h), and `failed` is the robot that fails. The steps follow in the order
+// in which they are shown. Each step consists of an address in brackets and of words. Numbers in an
+// address count from 1, as in captions.
+//   KIND or KIND N   the first or the N-th step of a kind of `evenlift trace --json`: "team 2"
 //   vertex N         the ray from that vertex
 //   pair N           the outcome of that edge pair
 //   edges A B        the outcome of the pair of these edges
 //   step N           a step by its number in the whole trace, which changes with the polygon
 //   end              the last step
-// A task (task.h) may follow the steps or replace them: `[task]` and its words. Its settings
-// `require`, `move`, `place` and `find` say which goal the learner should reach and how. Last,
-// there may be a `[question]` and its `[answer]`, which is shown on request.
+// A task (task.h) may follow the steps or replace them: `[task]` and its words. Four of the
+// settings at the top, `require`, `move`, `place` and `find`, belong to the task; they state the
+// goal and what the learner may change. At the end there may be a `[question]` and its `[answer]`,
+// which is shown on request.
 #pragma once
 
 #include <cstddef>
@@ -54,22 +56,22 @@ inline constexpr std::size_t max_lesson_task = 300;      // bytes
 inline constexpr std::size_t max_lesson_question = 300;  // bytes
 inline constexpr std::size_t max_lesson_answer = 600;    // bytes
 
-// Addresses of steps, with indices from 0.
+// The addresses of steps listed above, with indices from 0.
 namespace at {
 struct Kind {
   StepKind kind = StepKind::polygon;
   std::uint32_t item = 0;
   bool operator==(const Kind&) const = default;
 };
-struct Vertex {  // the ray from this vertex
+struct Vertex {
   std::uint32_t vertex = 0;
   bool operator==(const Vertex&) const = default;
 };
-struct Edges {  // the outcome of the pair of these edges
+struct Edges {
   std::uint32_t a = 0, b = 0;
   bool operator==(const Edges&) const = default;
 };
-struct Number {  // the step with this number in the whole trace
+struct Number {  // `step N`
   std::uint32_t step = 0;
   bool operator==(const Number&) const = default;
 };
@@ -100,10 +102,10 @@ std::string_view name(Movable part);  // "robots"; O(1)
 
 struct Task {
   std::string words;                  // not empty; "\n" separates paragraphs
-  std::vector<Condition> conditions;  // empty only if `find_centre`
+  std::vector<Condition> conditions;  // empty only if `find_centre` is true
   std::vector<Movable> may;           // at least one, in ascending order
   std::size_t place = 0;              // robots to be placed by hand; 0 keeps the lesson's robots
-  bool find_centre = false;           // the centre of mass is hidden, to be found from the loads
+  bool find_centre = false;           // the hidden centre of mass is to be found from the loads
 };
 
 struct LessonStep {
@@ -116,37 +118,39 @@ struct Lesson {
   std::string title;
   std::string polygon;                        // the name of a sample, or empty
   std::string link;                           // a share link, or empty
-  std::optional<GeneratedPolygon> generated;  // exactly one of the three is given
-  std::vector<GivenSetting> settings;         // each at most once; for read_setting()
+  std::optional<GeneratedPolygon> generated;  // exactly one of polygon, link and generated is set
+  std::vector<GivenSetting> settings;         // each at most once; read_setting() reads the texts
   bool predict = false;
   std::optional<LoadModel> loads;     // the model of the shown loads
   std::optional<std::size_t> failed;  // from 0; this robot fails while no step is shown
   std::vector<LessonStep> steps;      // at least one, unless there is a task
   std::optional<Task> task;
-  std::string question, answer;  // formatted like `words`; both empty or neither
+  std::string question, answer;  // formatted like the words of a step; both empty or neither
 };
 
 // Reads a lesson in UTF-8 with lines that end in \n or \r\n. Any bytes give either a lesson or an
-// error whose place is a line. Whether link, polygon and steps exist is not checked. O(bytes).
+// error. The place of an error is a line, unless the text is too long. Does not check whether the
+// link, the polygon and the steps exist. O(bytes).
 Result<Lesson> parse_lesson(std::string_view text);
 
 // Returns the lesson's document with the lesson's own settings, for the learner with this number.
-// The object is that of the lesson's link, or the polygon that the lesson generates, or `sample`,
-// which `polygon` names and the caller has read. Errors are those of decode_link(), generate() and
-// read_setting(). exercise() (task.h) later makes the changes that a task asks for.
+// The object is that of the lesson's link, the polygon that the lesson generates, or `sample`, the
+// sample that the lesson names as its `polygon` and that the caller has read. Errors are those of
+// decode_link(), generate() and read_setting(). exercise() (task.h) later makes the changes that a
+// task asks for.
 Result<Document> lesson_document(const Lesson& lesson, const Document& sample,
                                  std::uint64_t number = 1);
 
-// If an error of lesson_document(), or of placing its result, concerns one of the lesson's own
-// settings, its place becomes the line of that setting. O(settings).
+// Returns `error`, which comes from lesson_document() or from placing its document. If `error` is
+// about one of the lesson's own settings, its place becomes the line of that setting. O(settings).
 InputError at_line(InputError error, const Lesson& lesson);
 
 // Returns the number of the step with this address, from 0, if the trace has such a step. O(K) for
-// edges and vertices, with K edge pairs; otherwise O(1).
+// edges, with K edge pairs, and O(n) for a vertex; otherwise O(1).
 std::optional<std::uint32_t> find_step(const Trace& trace, const StepAddress& address);
 
-// Returns an error at the line of the first step that the trace lacks, if there is one. The message
-// says which steps of that kind exist. The cost is that of find_step() for each step.
+// If the trace lacks any of the lesson's steps, returns an error at the line of the first of these.
+// The message says which steps of that kind exist. The cost is that of find_step() for each step.
 std::optional<InputError> check_lesson(const Lesson& lesson, const Trace& trace);
 
 }  // namespace evenlift

@@ -1,28 +1,30 @@
 // The loads of robots whose forces are not controlled as planned.
 //
-// Vertical forces on a rigid object must add up to its weight and balance about C. More than three
-// robots can meet these conditions with many different loads, depending on how they give way. A
-// placement's own loads, the *plan*, presume controlled forces.
+// Vertical forces on a rigid object must add up to its weight and balance about C. If there are
+// more than three robots, or three on one line, many different loads can meet these conditions; the
+// actual loads depend on how the robots give way. A placement's own loads, the *plan*, presume
+// controlled forces.
 //
 // *Springs* presumes that all robots are equally stiff and level and that the object is rigid (L.
 // Euler, De pressione ponderis in planum cui incumbit, 1773; also used for piles under a rigid
-// cap). Of all possible loads, these have the least sum of squares. A robot that would have to pull
-// goes slack: a robot at p carries max(0, a + b . p), with the same a and b for all robots. If the
-// robots' centroid is C, as with even teams, all loads are equal.
+// cap). Of all possible loads, the loads by springs have the least sum of squares. A robot that
+// would have to pull goes slack: a robot at p carries max(0, a + b . p), with the same a and b for
+// all robots. If the robots' centroid is C, as it is if all teams are even, all loads are equal.
 //
-// *Best* is the least possible greatest load, which an ideal controller would reach.
+// *Best* is the least possible greatest load: an ideal controller would share the weight so that no
+// robot carries more.
 //
-// *Worst* is the greatest load that each robot can get if heights are unequal and some robots carry
-// nothing. Each robot has its own worst case, so the sum can exceed the weight. Equilibrium alone
-// gives these bounds, so they also apply under an object that bends.
+// *Worst* is, for each robot, the greatest load that it can get if heights are unequal and some
+// robots carry nothing. Each robot has its own worst case, so the sum can exceed the weight. These
+// bounds follow from equilibrium alone, so they also apply under an object that bends.
 //
 // No model gives loads if C is outside the robots' convex hull H by more than tau L. If H is a
-// segment or C is on an edge of H, within tau L, the robots on that line share the weight, and all
-// others carry nothing.
+// segment, or if C is within tau L of an edge of H, the robots on the line of this segment or edge
+// share the weight, and all others carry nothing.
 //
-// In all functions, `robots` are positions, in any order and perhaps equal, and `diameter` is L,
-// the size of the polygon. Loads are in the unit of the weight, in the order of the robots, and at
-// least 0. Functions return nothing if the robots do not carry the object.
+// All functions take the positions of the `robots` in any order; several positions may be equal.
+// `diameter` is L, the size of the polygon. Loads are in the unit of the weight, in the order of
+// the robots, and at least 0. The functions return nothing if the robots do not carry the object.
 #pragma once
 
 #include <cstdint>
@@ -38,32 +40,32 @@ enum class LoadModel : std::uint8_t { plan, springs, best, worst };
 inline constexpr LoadModel all_load_models[] = {LoadModel::plan, LoadModel::springs,
                                                 LoadModel::best, LoadModel::worst};
 
-// Return the name of a model in JSON and options, such as "springs", and the model of a name, if
-// the name is known. O(1).
+// name() returns the name of a model in JSON and options, such as "springs"; load_model_from_name()
+// returns the model of a name, if it is known. O(1).
 std::string_view name(LoadModel model);
 std::optional<LoadModel> load_model_from_name(std::string_view text);
 
 struct SpringLoads {
   std::vector<double> loads;
-  // The greatest change of each load per unit of length that C moves (along the robots' line, if
-  // they stand on one), as long as the same robots carry load.
+  // The greatest change of each load per unit of length that C moves, as long as the same robots
+  // carry load. If the robots that share the weight stand on one line, C moves along that line.
   std::vector<double> per_length;
   // The distance that C can move in any direction (or along that line) while the same robots carry
-  // load, so that the loads change linearly.
+  // load. Within this distance, the loads change linearly.
   double same_within = 0;
 };
 
-// Returns the loads of equally stiff robots, by Newton's method for the dual problem; in its steps
-// robots may go slack and take up load again. The cost is seldom more than ten steps of O(m), plus
-// O(m log m) for H.
+// Returns the loads of equally stiff robots, by Newton's method for the dual problem. In a step of
+// this method, robots may go slack or take up load again. For m robots, the cost is seldom more
+// than ten steps of O(m), plus O(m log m) for H.
 std::optional<SpringLoads> spring_loads(const Points& robots, const Vec2& centre, double diameter,
                                         double weight);
 
 // Returns the least possible greatest load. It is the larger of two numbers: weight / m, and the
 // greatest value of weight g(C) / (sum over robots of max(0, g)), over the functions g that measure
-// the distance to the left of a line through two robots. O(m^3) for up to 64 robots. For more
+// the distance to the left of a line through two robots. Up to 64 robots take O(m^3). For more
 // robots, the method of cutting planes through the centroid of the remaining region (A. Yu. Levin
-// and D. J. Newman, both 1965) finds it to 13 digits in about a hundred steps of O(m).
+// and D. J. Newman, both 1965) finds the load to 13 digits in about a hundred steps of O(m).
 std::optional<double> best_load(const Points& robots, const Vec2& centre, double diameter,
                                 double weight);
 
@@ -72,10 +74,10 @@ std::optional<double> best_load(const Points& robots, const Vec2& centre, double
 std::optional<std::vector<double>> worst_loads(const Points& robots, const Vec2& centre,
                                                double diameter, double weight);
 
-// Returns the same if C may be anywhere in H within the distance `reach` >= 0 of its place: for a
-// robot at p, the weight times the greatest t for which t p + (1 - t) H comes within `reach` of C.
-// O(m log m + m h) if H has h corners, with seldom more than six steps of Newton's method for each
-// robot.
+// Returns each robot's greatest possible load if C may be anywhere in H within the distance `reach`
+// >= 0 of its place. For a robot at p it is the weight times the greatest t for which t p + (1 - t)
+// H comes within `reach` of C. For h corners of H, O(m log m + m h), with seldom more than six
+// steps of Newton's method for each robot.
 std::optional<std::vector<double>> worst_loads(const Points& robots, const Vec2& centre,
                                                double diameter, double weight, double reach);
 

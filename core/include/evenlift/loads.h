@@ -12,25 +12,25 @@ namespace evenlift {
 // A robot of a team.
 struct Robot {
   LiftingPoint point;
-  double arm = 0;   // |C p|, more precise than from the rounded position
+  double arm = 0;   // distance from C; for chords, without the rounding error of the position
   double load = 0;  // in the unit of the weight
 };
 
-// Robots that carry a part of the weight together; only a given support may be alone. All teams of
-// a placement have the same number of robots, and the two robots of a team of two stand at the ends
-// of a chord.
+// Robots that carry a part of the weight together. A team has at least two robots, except that a
+// given support may be alone. All teams of a placement have the same number of robots. The robots
+// of a team of two stand at the ends of a chord, unless they are given supports.
 struct Team {
   std::vector<Robot> robots;  // r1 before r2 of a chord
-  // The least load divided by the greatest, in (0, 1]; 0 if a robot carries nothing. Given supports
-  // may carry nothing, and failed robots never carry.
+  // The least load divided by the greatest, 0 .. 1. It is 0 only with given supports or after a
+  // failure, if a robot of the team carries nothing.
   double ratio = 1;
 };
 
 // Returns the chord of a team of two. O(1).
 Chord chord_of(const Team& team);
 
-// Robots are numbered from 0, team after team. find_robot() returns the team of a robot and its
-// index in that team. O(1).
+// Robots are numbered from 0, team after team. find_robot() returns the team of the robot with this
+// number, and the robot's index in the team. O(1).
 struct RobotOfTeam {
   std::size_t team = 0, robot = 0;
 };
@@ -53,7 +53,8 @@ struct LoadSummary {
 // of the lever, r1 carries |C r2| / (|C r1| + |C r2|) of its team's part. O(teams).
 std::vector<Team> distribute_weight(const std::vector<Chord>& chords, double weight);
 
-// Returns one team of these robots, whose centroid must be C, with equal planned loads. O(robots).
+// Returns one team of these robots with equal planned loads. The robots' centroid must be C.
+// O(robots).
 Team share_evenly(const std::vector<LiftingPoint>& robots, const Vec2& centre, double weight);
 
 // Summarizes the loads of all robots; returns nothing if there are no teams. O(robots).

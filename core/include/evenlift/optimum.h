@@ -2,7 +2,7 @@
 // the greedy choice is from it (algorithm.md, The optimum).
 //
 // Dynamic programming ignores collisions between robots with a size. For such robots the bound
-// stays valid, and only choices without collisions count.
+// stays valid, but only a choice without collisions can replace the greedy choice.
 #pragma once
 
 #include <cstdint>
@@ -22,21 +22,21 @@ struct Optimum {
   bool proved = false;               // whether `coverage` reaches the bound, within 1e-9
 };
 
-// A function that is called from time to time. If it returns true, the computation ends, with the
-// coverage of all candidates as the bound.
+// A function that the computation calls from time to time. If it returns true, the computation
+// ends, with the coverage of all candidates as the bound.
 using Stop = std::function<bool()>;
 
 // The greatest number of candidates for which dynamic programming is exact, and the greatest number
 // for which it gives a bound. For more candidates, the bound is the coverage of all candidates.
 inline constexpr std::size_t most_candidates_proved = 160, most_candidates_bounded = 600;
 
-// Returns the choice of `teams` teams (or of all candidates, if there are fewer) with the greatest
-// coverage. `candidates` are in candidate order (algorithm.md, Candidates). `start` is a choice of
-// the same number of teams, and is returned if nothing better is found. With `stands`, choices
-// whose robots collide are excluded, but not from the bound. For K candidates O(n K^2 + K^4 teams)
-// up to most_candidates_proved. With more candidates, O(n K^2 + K^3 teams) gives a bound, and also
-// the best choice if the robots found belong to at most `teams` chords. Beyond
-// most_candidates_bounded the cost is O(n K) at worst.
+// Returns the choice of `teams` teams with the greatest coverage found (or the choice of all
+// candidates, if there are fewer). `candidates` are in candidate order (algorithm.md, Candidates).
+// `start` is a choice of the same number of teams, and is returned if nothing better is found. With
+// `stands`, the bound includes choices whose robots collide, but such a choice is not returned. For
+// K <= most_candidates_proved candidates, O(n K^2 + K^4 teams). Up to most_candidates_bounded,
+// O(n K^2 + K^3 teams); the robots that give the bound are then the best choice if they belong to
+// at most `teams` chords. For more candidates, O(n K) at worst.
 Optimum widest_choice(const PolygonWithHoles& object, const Vec2& centre,
                       const std::vector<Candidate>& candidates, std::size_t teams,
                       const std::vector<std::uint32_t>& start, const Stop& stop = {},
@@ -59,10 +59,11 @@ struct FirmestChoice {
 };
 
 // Returns the best choice by the keys of the goal `hold` (swaps.h), or nothing if `start` has no
-// team or more than most_swapped_teams. If there are more than `most` choices, it is the best
-// choice that swaps reach from `start` and from the widest choice. In that case two bounds are
-// known: the level of all candidates at once, for up to most_candidates_bounded candidates, and the
-// bound of the widest choice. The other parameters are those of widest_choice().
+// team or more than most_swapped_teams. If there are more than `most` choices, they are not all
+// compared; the result is then the best choice that swaps reach from `start` and from `widest`, the
+// result of widest_choice(). In that case most_level is the level that all candidates together
+// reach, computed for up to most_candidates_bounded candidates, and most_coverage is the bound of
+// `widest`. `firm` is as in swap_teams(); the other parameters are those of widest_choice().
 std::optional<FirmestChoice> firmest_choice(
     const PolygonWithHoles& object, const Vec2& centre, const std::vector<Candidate>& candidates,
     std::size_t teams, const std::vector<std::uint32_t>& start, const HoldRequirements& firm,

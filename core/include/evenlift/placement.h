@@ -29,37 +29,39 @@ struct Placement {
   Settings settings;                     // as given
   std::shared_ptr<const Stands> stands;  // null if stands_anywhere()
   std::vector<Candidate> candidates;     // in candidate order, whatever the method
-  std::uint32_t requested_teams = 0;     // the number of candidates for "max"; 1 for balanced
-                                         // robots and supports
+  std::uint32_t requested_teams = 0;     // with "max", the number of candidates; for balanced
+                                         // robots and supports, 1
   std::vector<Team> teams;               // in the order of choice; perhaps fewer than requested.
-                                         // Balanced robots and supports act as one team
+                                         // Balanced robots and supports are one team
   std::vector<std::uint32_t> team_candidates;  // each team's candidate; empty if the method does
                                                // not choose among candidates
   Points lifting_base;  // corners of H, counter-clockwise; empty without teams
   double coverage = 0;  // of the object by H, in [0, 1] (stability.h)
-  std::optional<LoadSummary>
-      loads;  // empty if there are no teams, or if the object falls (equilibrium.h)
+  // Empty if there are no teams, or if the object falls (equilibrium.h).
+  std::optional<LoadSummary> loads;
   Closure closure;
   bool goal_reached = false;  // there are robots and, with the goal `hold`, hold_clearly() is true
   Moved moved = {};           // the robots that the user moved by hand (moved.h)
-  // False if a search or swaps may still find better robots, or if most_work (balanced.h) cut a
+  // False while a search or swaps may still find better robots, and if most_work (balanced.h) cut a
   // search short.
   bool search_ended = true;
 };
 
-// Whether the search for balanced robots runs to its end, or only makes its start (balanced.h). If
-// even the start is not quick, there are no teams, and search_ended is false. Other methods always
-// run to their end.
+// With `whole`, the search for balanced robots runs to its end; with `start`, it only makes its
+// start (balanced.h). If even the start would not be quick, `start` gives no teams, and
+// search_ended is false. Other methods always run to their end.
 enum class Effort : std::uint8_t { whole, start };
 
-// Checks that settings are in their ranges (settings.h) and compatible. `distributed` and `random`
-// do not permit "max" teams, the goal `hold`, a robot's size or no-go edges. Surviving F > 0
-// failures takes at least 2 F + 3 balanced robots. `given` needs supports, and either one capacity
-// for each or no capacities. The error's place names the setting. O(parts of no_go and supports).
+// Checks that settings are in their ranges (settings.h) and compatible. The methods `distributed`
+// and `random` do not permit "max" teams, the goal `hold`, a robot's size or no-go edges. Surviving
+// F > 0 failures takes at least 2 F + 3 balanced robots. The method `given` needs supports, and
+// either no support_capacities or as many as supports. The error's place names the setting.
+// O(parts of no_go, supports and items of cargo).
 std::optional<InputError> check_settings(const Settings& settings, const Shown& shown = {});
 
-// The boundary points that the robots touch, in the order of the robots. They are the lifting
-// points unless robots have hands that reach beneath the object. O(robots).
+// The contacts of the robots, in their order. A contact is the boundary point that a robot touches.
+// It is the lifting point unless the robot has a hand that reaches beneath the object. A support
+// beneath the object is listed with its lifting point. O(robots).
 std::vector<LiftingPoint> contact_points(const Placement& placement);
 
 // The margin and clearance that the settings require (closure.h). O(n).
@@ -69,12 +71,12 @@ HoldRequirements hold_requirements(const Placement& placement);
 // corner than the setting `clear` (closure.h). O(n).
 bool hold_clearly(const Placement& placement);
 
-// Checks the document and computes everything that is reported about it. The same document gives
-// the same bits on every platform. The errors are those of check_settings(), Polygon::create(),
-// PolygonWithHoles::create(), centre_of_mass(), make_stands(), place_supports(), find_candidates()
-// and check_swaps(). O(n log n + K log K) for K edge pairs and O(n h) for the coverage, plus the
-// cost of the stands (stands.h), the selection (selection.h), the swaps (swaps.h) or the search for
-// balanced robots (balanced.h).
+// Checks the document and computes its placement. The same document gives the same bits on every
+// platform. The errors are those of check_settings(), Polygon::create(),
+// PolygonWithHoles::create(), centre_of_mass(), make_stands(), place_supports(), find_candidates(),
+// check_swaps() and, for moved robots, with_moved() (moved.h). O(n log n + K log K) for K edge
+// pairs and O(n h) for the coverage, plus the cost of the stands (stands.h), the selection
+// (selection.h), the swaps (swaps.h) or the search for balanced robots (balanced.h).
 Result<Placement> place(const Document& document, Effort effort = Effort::whole);
 
 // Computes the placement of an object that is already checked, for example after C or the settings
@@ -90,30 +92,32 @@ struct Choice {
   std::vector<std::uint32_t> teams;  // indices of candidates, in the order of choice
 };
 
-// Returns the placement of place(), with the same bits, from a choice that was made elsewhere, for
-// example in another thread, for the same object and settings. The method must choose among
-// candidates, robots must be points that may stand anywhere, and the indices must be valid. The
-// errors are those of check_settings() and centre_of_mass(). O(n log n), plus O(n h) for the
-// coverage.
+// Returns the placement that place() would return, with the same bits, without making the choice
+// again. The choice was made elsewhere, for example in another thread, for the same object and
+// settings. The method must choose among candidates, robots must be points that may stand anywhere,
+// and the indices must be valid. The errors are those of check_settings() and centre_of_mass().
+// O(n log n), plus O(n h) for the coverage.
 Result<Placement> place_as_chosen(PolygonWithHoles object, const std::optional<Vec2>& own_centre,
                                   const Settings& settings, Choice choice);
 
-// The document with its supports moved to the nearest places with equal loads (even_out() of
-// supports.h). It is an error if there are no such places, if there are more than most_evened
-// supports, if the method is not `given`, or if place() refuses the document.
+// The document with its supports moved to the nearest places at which their loads by springs are
+// equal (even_out() of supports.h). It is an error if there are no such places, if there are more
+// than most_evened supports, if the method is not `given`, or if place() refuses the document.
 Result<Document> with_even_supports(const Document& document);
 
 // The candidates for the document's positions, robots and no-go edges, whatever its method.
-// O(n log n + K log K) for K edge pairs.
+// O(n log n + K log K) for K edge pairs; with a robot's size or no-go edges, also the cost of
+// Stands and of standing_candidates() (candidates.h).
 Result<std::vector<Candidate>> candidates_of(const Document& document);
 
-// The placement with its balanced robots replaced by others, from a search or the user. Their
-// centroid must be C. O(n log n) for up to most_robots.
+// The placement with its balanced robots replaced by these robots, which a search or the user has
+// chosen. The centroid of `robots` must be C. O(n log n) for up to most_robots.
 Placement with_robots(Placement placement, const std::vector<LiftingPoint>& robots,
                       bool search_ended);
 
 // A placement and how to show it, for functions that write words, pictures or files. Without `how`,
-// the defaults apply. It refers to both arguments: pass it to functions, do not store it.
+// the defaults apply. A ShownPlacement refers to both arguments: pass it to functions, but do not
+// store it.
 struct ShownPlacement {
   ShownPlacement(const Placement& of) : placement(of), shown(usual) {}
   ShownPlacement(const Placement& of, const Shown& how) : placement(of), shown(how) {}

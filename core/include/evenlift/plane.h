@@ -1,5 +1,5 @@
 // Geometry in plain doubles, for drawing, pointing and placing labels, and for distances compared
-// within the tolerance. predicates.h decides on which side of a line a point lies.
+// within the tolerance. To decide on which side of a line a point lies, use predicates.h.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 namespace evenlift {
 
-// Whether p is inside the polygon, so that a ray from p crosses the boundary an odd number of
-// times. On the boundary the result may be either. O(n).
+// Whether p is inside the polygon, that is, whether a ray from p crosses the boundary an odd number
+// of times. On the boundary the result may be either. O(n).
 inline bool inside(const Points& polygon, const Vec2& p) {
   bool odd = false;
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
@@ -30,15 +30,15 @@ inline Vec2 nearest_on_segment(const Vec2& a, const Vec2& b, const Vec2& p) {
   return a + along * std::clamp(dot(p - a, along) / square, 0.0, 1.0);
 }
 
-// The distance of p from the segment from a to b, which may be a point. O(1).
+// The distance of p from the segment from a to b. The segment may be a point. O(1).
 inline double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& p) {
   return length(p - nearest_on_segment(a, b, p));
 }
 
-// Finds the part of a closed polygon where `depth`, a linear function of the plane, is at least 0:
-// one step of Sutherland and Hodgman's clipping (Reentrant polygon clipping, 1974). If the polygon
-// is not convex, overlapping edges along the line may connect parts of the result. `kept` receives
-// the result, and keeps its memory between calls. O(n).
+// Clips a closed polygon to the half-plane where `depth`, a linear function of the plane, is at
+// least 0: one step of Sutherland and Hodgman's clipping (Reentrant polygon clipping, 1974). If the
+// polygon is not convex, overlapping edges along the half-plane's edge may connect parts of the
+// result. `kept` receives the result, and keeps its memory between calls. O(n).
 template <class Depth>
 void clip(const Points& polygon, Depth depth, Points& kept) {
   kept.clear();

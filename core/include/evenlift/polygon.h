@@ -12,15 +12,15 @@ namespace evenlift {
 
 enum class Turn : std::int8_t { reflex = -1, straight = 0, convex = 1 };
 
-// A simple polygon without holes: n >= 3 distinct vertices in either orientation, straight (180
-// degree) ones allowed. Edge i runs from vertex i to vertex i + 1 (cyclic). Immutable.
+// A simple polygon without holes: n >= 3 distinct vertices in either orientation. Straight vertices
+// (180 degrees) are allowed. Edge i runs from vertex i to vertex i + 1 (cyclic). Immutable.
 class Polygon {
  public:
-  // Creates a polygon. It is an error if vertices are too few or too many, have bad coordinates,
-  // are repeated or span no area; if edges cross, touch or overlap; or if the diagonal of the
-  // bounding box is below min_diagonal. All decisions are exact, up to the rounding of that
-  // diagonal. The error names the one or two vertices, or the two edges, at fault, if there are
-  // such. O(n log n).
+  // Creates a polygon. It is an error if there are too few or too many vertices, if vertices have
+  // bad coordinates, are repeated or span no area, if edges cross, touch or overlap, or if the
+  // diagonal of the bounding box is below min_diagonal. All decisions are exact, up to the rounding
+  // of that diagonal. If one or two vertices or two edges are at fault, the error names them.
+  // O(n log n).
   static Result<Polygon> create(Points vertices);
 
   std::size_t size() const { return vertices_.size(); }
@@ -44,8 +44,8 @@ class Polygon {
   const Vec2& centroid() const { return centroid_; }
 
   // Whether the interior angle at vertex i is below 180 degrees (convex), equal (straight) or above
-  // (reflex). It counts as straight if the sine of the turn is at most tau; otherwise the decision
-  // is exact. O(1).
+  // (reflex). The vertex counts as straight if its turn is below 90 degrees and the sine of the
+  // turn is at most tau; otherwise the decision is exact. O(1).
   Turn turn(std::size_t i) const;
 
   // Whether vertex i is convex with a turn of more than 15 degrees, within tau. The vertices of a
@@ -70,13 +70,13 @@ class Polygon {
   bool convex_ = false;
 };
 
-// Whether the vertices run counter-clockwise; exact. They must be those of a valid polygon. O(n).
+// Whether the vertices, which must be those of a valid polygon, run counter-clockwise. Exact. O(n).
 bool is_counter_clockwise(const Points& vertices);
 
 // The centre of mass of a polygon without cargo: the given one, or else the centroid. It is an
-// error if a coordinate is not finite, if its absolute value exceeds max_coordinate or is below
-// min_coordinate but not 0, or if the point is not strictly inside the polygon's convex hull, which
-// is decided exactly. O(h) for h corners of the hull.
+// error if a coordinate is not finite, if its absolute value exceeds max_coordinate, or if that
+// value is below min_coordinate but not 0. It is also an error if the point is not strictly inside
+// the polygon's convex hull; this decision is exact. O(h) for h corners of the hull.
 Result<Vec2> check_centre_of_mass(const Polygon& polygon, const std::optional<Vec2>& given);
 
 // R, the greatest distance of a vertex from C. O(n).

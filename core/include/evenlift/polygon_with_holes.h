@@ -1,6 +1,6 @@
 // The object: a simple polygon and its holes, valid by construction. Functions that measure the
-// material (area, centroid, coverage) take one of these. Functions about where robots stand and
-// push (chords, candidates, contacts) take its outline, and ignore the holes.
+// material (area, centroid, coverage) take a PolygonWithHoles. Functions about where robots stand
+// and push (chords, candidates, contacts) take its outline, and ignore the holes.
 #pragma once
 
 #include <cstddef>
@@ -19,15 +19,15 @@ class PolygonWithHoles {
  public:
   explicit PolygonWithHoles(Polygon outline) : outline_(std::move(outline)) {}
 
-  // The holes must be at most max_holes simple polygons in either orientation. Each must be
-  // strictly inside the outline, and outside all other holes without touching them. The outline and
-  // the holes must have at most max_vertices vertices in all. All decisions are exact. The error
-  // names the hole, and the vertices or edges, at fault, if there are such. O(n log n) for all
-  // rings, and O(k^2) for k holes.
+  // Creates an object. The holes must be at most max_holes simple polygons in either orientation.
+  // Each hole must be strictly inside the outline, and outside all other holes without touching
+  // them. The outline and the holes must have at most max_vertices vertices in all. All decisions
+  // are exact. The error names the hole, the vertices or the edges at fault, if any. O(n log n) for
+  // all rings, and O(k^2) for k holes.
   static Result<PolygonWithHoles> create(Polygon outline, const std::vector<Points>& holes);
 
   const Polygon& outline() const { return outline_; }
-  // Lets functions that take a polygon take the outline.
+  // Passes the outline to functions that take a Polygon.
   operator const Polygon&() const { return outline_; }
   const std::vector<Polygon>& holes() const { return holes_; }
 
@@ -39,12 +39,12 @@ class PolygonWithHoles {
 
   // The boundary as one closed ring: the outline in its orientation, then each hole the other way
   // round. A path leads from the outline's first vertex to a hole near it, from each hole to
-  // another near it, and back along the same lines. So the ring has the signed area of the object,
-  // also after clipping.
+  // another near it, and back along the same lines. Since the path adds no area, the ring has the
+  // signed area of the object, also after clipping.
   const Points& boundary() const { return holes_.empty() ? outline_.vertices() : boundary_; }
 
-  // The number, from 0, of the hole that has the point strictly inside; empty if there is no such
-  // hole. Exact. O(n).
+  // The number, from 0, of the hole that contains the point strictly inside it; empty if there is
+  // no such hole. Exact. O(n).
   std::optional<std::size_t> hole_around(const Vec2& point) const;
 
   // The vertices of each hole, as given.

@@ -1,7 +1,7 @@
 // Robust predicates: determinants of input coordinates with an exact sign. They are adaptive (J. R.
 // Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates,
-// 1997; algorithm.md, Exact or within τ): doubles with an error bound nearly always decide;
-// otherwise double-double arithmetic decides, and as a last resort exact integers.
+// 1997; algorithm.md, Exact or within τ). Doubles with an error bound nearly always decide the
+// sign; otherwise double-double arithmetic decides it or, as a last resort, exact integers.
 //
 // The result is 0 only if the determinant is 0, and its relative error is below 2^-45. Arguments
 // must be finite. O(1), usually a few multiplications; exact integers are about 100 times slower.
@@ -20,7 +20,8 @@ double cross_of_differences(const Vec2& a0, const Vec2& a1, const Vec2& b0, cons
 // (a1 - a0) . (b1 - b0)
 double dot_of_differences(const Vec2& a0, const Vec2& a1, const Vec2& b0, const Vec2& b1);
 
-// (b - w') x (c - b) for the mirror image w' = 2 centre - w of w; 0 if w' lies on the line b c.
+// (b - w') x (c - b) for the mirror image w' = 2 centre - w of w: positive if w', b, c turn left,
+// and 0 if w' lies on the line b c.
 double orient_mirrored(const Vec2& centre, const Vec2& w, const Vec2& b, const Vec2& c);
 
 }  // namespace evenlift

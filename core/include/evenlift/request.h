@@ -1,4 +1,4 @@
-// Requests and answers as JSON: one function gives other languages all of evenlift. The C library
+// Requests and answers as JSON: one function that other languages can call. The C library
 // (c/include/evenlift/evenlift.h), the Python package over it, and the npm package call this
 // function. docs/requests.md is the manual.
 #pragma once
@@ -14,10 +14,10 @@ namespace evenlift {
 inline constexpr std::size_t max_request_bytes = max_text_bytes;
 inline constexpr std::size_t max_request_polygons = 10000;  // in an experiment
 
-// The answer: one JSON text that ends in a newline. An invalid request, such as bytes that are not
-// JSON or more than max_request_bytes, yields {"error": {"code", "message", "place"}}. The same
-// request gives the same bytes on every platform; the answer to `place` is the output of `evenlift
-// place --json`. O(bytes), plus the cost of the computation requested.
+// Returns the answer to a request: one JSON text that ends in a newline. An invalid request, such
+// as one that is not JSON or has more than max_request_bytes, yields {"error": {"code", "message",
+// "place"}}. The same request gives the same bytes on every platform; the answer to `place` is the
+// output of `evenlift place --json`. O(bytes), plus the cost of the requested computation.
 std::string answer(std::string_view request);
 
 }  // namespace evenlift

@@ -29,12 +29,13 @@ enum class ErrorCode {
   unknown_version,      // written by a newer version
 };
 
-// A place in the input. `index` counts vertices and edges from 0 (edge i runs from vertex i to
-// vertex i + 1). It counts lines, columns and the characters of a link from 1; 0 means the whole
-// link. `other` is the second vertex or edge of a pair (index < other in one ring), or the column
-// in a line, in characters; otherwise it is `index` or 0. `ring` and `other_ring` are the rings of
-// the two: 0 is the outline, and k is hole k, counted from 1. If the two rings differ, the later
-// comes first, whatever the indices.
+// A place in the input. For a vertex or an edge, `index` is its number, from 0 (edge i runs from
+// vertex i to vertex i + 1). If only one is at fault, `other` is `index` or 0. If two are at fault,
+// `other` is the number of the second; if both are in one ring, index < other. For a line, `index`
+// is its number and `other` the column in characters, both from 1; a column of 0 is unknown. For a
+// link, `index` is the character, from 1, or 0 for the whole link. `ring` and `other_ring` are the
+// rings of `index` and `other`: 0 is the outline, and k is hole k, counted from 1. If the two rings
+// differ, the later ring comes first, whatever the indices. For a hole, `ring` is its number.
 struct Place {
   enum class Kind { nowhere, line, vertex, edge, hole, centre_of_mass, option, link };
   Kind kind = Kind::nowhere;
@@ -50,12 +51,12 @@ struct InputError {
   Place place;
 };
 
-// The error for an invalid setting or option, with its name in JSON and the message.
+// The error for an invalid setting or option. `name` is its name in JSON, and `why` is the message.
 InputError bad_setting(std::string name, std::string why);
 
 // The place in words: "vertex 3", "edges 2 and 7", "line 4, column 2", "centre of mass", "link,
-// character 5", "hole 2, edge 3 and the outline's edge 5", or the name of an option; empty for
-// `nowhere`. Here vertices and edges count from 1. O(1).
+// character 5", "hole 2, edge 3 and the outline's edge 5", or the name of an option. The text is
+// empty for `nowhere`. In words, vertices and edges count from 1. O(1).
 std::string describe(const Place& place);
 
 // A value, or the error that prevented it.

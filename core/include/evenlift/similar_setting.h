@@ -1,4 +1,4 @@
-// The setting that a mistyped name may stand for.
+// Finds the setting that the user may mean by a mistyped name.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace evenlift {
 
-// The name of the setting that is closest to the typed one (closest_name()); empty if no name is
+// The name of the setting that is closest to the typed name (closest_name()); empty if no name is
 // close.
 std::string_view similar_setting(std::string_view typed);
 

@@ -16,8 +16,9 @@ namespace evenlift {
 // corners that exist only through rounding (hull.h). O(m log m).
 Points lifting_base(const Polygon& polygon, const std::vector<LiftingPoint>& points);
 
-// The share of the object in H, area(A and H) / area(A), in [0, 1], where A is the polygon minus
-// its holes; 0 if H has no area. `hull` is H and must come from convex_hull. O(n h) for h corners.
+// The share of the object in H, in [0, 1]: area(A and H) / area(A), where A is the polygon minus
+// its holes. It is 0 if H has no area. `hull` is H and must come from convex_hull. O(n h) for h
+// corners.
 double coverage(const PolygonWithHoles& object, const Points& hull);
 
 // Computes the coverage of hulls within one outer hull. Clipping the object by the outer hull first
@@ -27,8 +28,8 @@ class CoverageWithin {
   // `outer` must come from convex_hull and have an area. O(n h).
   CoverageWithin(const PolygonWithHoles& object, const Points& outer);
 
-  // The same as coverage(), up to rounding. O(n' h) for n' vertices of the part within the outer
-  // hull.
+  // Returns the same as coverage(), up to rounding, for a hull within the outer one. O(n' h) for n'
+  // vertices of the part of the object within the outer hull.
   double of(const Points& hull) const;
 
  private:
@@ -37,10 +38,10 @@ class CoverageWithin {
   double area_;  // of the object
 };
 
-// The least downward force at q that tips an object of this weight on the corners of `hull`. It is
-// infinite if q is in H: there no force tips the object, as long as the robots push back and are
-// not overloaded. With two corners, as for a single team, it is 0 if q is off their line, and
-// weight |C r| / |q r| if q is on the line beyond the end r. O(h).
+// The least downward force at q that tips an object of this weight, if robots lift it at the
+// corners of `hull`, push back and are not overloaded. The force is infinite if q is in H. With two
+// corners, as for a single team, it is 0 if q is off their line, and weight |C r| / |q r| if q is
+// on the line beyond the end r. With one corner it is 0 everywhere. O(h).
 double tipping_force(const Points& hull, const Vec2& centre, double weight, const Vec2& q);
 
 }  // namespace evenlift

@@ -20,14 +20,14 @@ namespace evenlift {
 
 // Why a part of an edge is unusable.
 enum class WhyUnusable : std::uint8_t {
-  no_go,       // the user forbids it
-  body,        // it would meet another part of the boundary
-  arm,         // it would cross the object
-  corner,      // the hand would stick out beyond it (Polygon::is_corner)
-  hand,        // the object is too shallow or narrow for it
-  hole,        // the hand would reach into it
+  no_go,       // the robot would touch a no-go part
+  body,        // the body would meet another part of the boundary
+  arm,         // the arm would cross the object
+  corner,      // the hand would stick out beyond a corner (Polygon::is_corner)
+  hand,        // the object is too shallow or narrow for the hand
+  hole,        // the hand would reach into a hole
   near_no_go,  // the hand would reach sideways onto a no-go part
-  narrow,      // the rest between two other parts is below the tolerance; keep this last
+  narrow,      // what other reasons leave usable is shorter than tau L; keep this last
 };
 
 inline constexpr std::size_t why_unusable_count = static_cast<std::size_t>(WhyUnusable::narrow) + 1;
@@ -54,14 +54,14 @@ struct EdgeFrame {
 
 // The boundary that robots of one size can use: where the body, the arm and the hand have room, and
 // the hand's width touches no no-go part. docs/stands.md (Where an edge can be used) states the
-// conditions. A robot without a size (not has_body()) may stand at a vertex outside no-go parts.
-// For a robot with a size, the usable intervals end 2 tau L before a vertex, so that a contact
-// counts as inside the edge.
+// conditions. If a robot has a body (has_body()), every usable interval ends 2 tau L before a
+// vertex, so that a contact counts as inside the edge. A robot without a body may stand at a
+// vertex, unless a no-go part reaches the vertex; then intervals also end 2 tau L before it.
 class Stands {
  public:
-  // The size and the parts must be in their ranges, and the edges must exist. A tree of boxes finds
-  // the other edges near each edge. O(n log n + k log k) for k pairs of edges so close that one may
-  // obstruct a robot at the other, if the outline does not wind much.
+  // The size and the parts must be in their ranges, and the edges of the parts must exist. A tree
+  // of boxes finds the other edges near each edge. O(n log n + k log k), if the outline does not
+  // wind much, for k pairs of edges so close that one may obstruct a robot at the other.
   Stands(const PolygonWithHoles& object, const RobotSize& robot,
          const std::vector<EdgePart>& no_go);
 
@@ -82,19 +82,19 @@ class Stands {
   Stretches usable(std::uint32_t edge) const {
     return {usable_.data() + begins_[edge], usable_.data() + begins_[edge + std::size_t{1}]};
   }
-  // The unusable parts, edge after edge, in ascending order, each with the first reason in the
-  // order of WhyUnusable. The pieces of 2 tau L at vertices are not listed.
+  // The unusable parts, edge after edge, in ascending order. If several reasons apply, a part has
+  // the first in the order of WhyUnusable. The pieces of 2 tau L at vertices are not listed.
   const std::vector<UnusablePart>& unusable() const { return unusable_; }
-  // Why a robot cannot stand at t along an edge; empty if it can, up to tau L. O(log n) plus the
-  // edge's number of usable intervals.
+  // Why a robot cannot stand at the distance t along an edge from its first vertex; empty if it
+  // can, up to tau L. O(log n), plus the edge's number of usable intervals.
   std::optional<WhyUnusable> why_not(std::uint32_t edge, double t) const;
 
-  // The contact and the centre of the body, for the robot with this lifting point. At a vertex,
-  // where only points can stand, and beneath the object, both are the lifting point. O(1).
+  // The contact of the robot with this lifting point, and the centre of the robot's body. Both are
+  // the lifting point itself if the robot is a point or beneath the object. O(1).
   Vec2 contact(const LiftingPoint& point) const;
   Vec2 stand(const LiftingPoint& point) const;
-  // The lifting point of the robot with this contact on an edge; beneath the object, the contact
-  // itself. O(1).
+  // The lifting point of the robot with this contact on an edge. If the robot is beneath the
+  // object, the lifting point is the contact itself. O(1).
   LiftingPoint lifting_point(const LiftingPoint& contact) const;
   // The distance of a lifting point or contact from the first vertex of its edge. O(1).
   double along(const LiftingPoint& point) const;
@@ -121,32 +121,33 @@ class Stands {
   std::vector<UnusablePart> unusable_;
 };
 
-// The contacts of robots with these lifting points; without `stands`, the points themselves.
-// O(points).
+// The contacts of robots with these lifting points. Without `stands` they are the points
+// themselves. O(points).
 std::vector<LiftingPoint> contact_points(const Stands* stands, std::vector<LiftingPoint> points);
 
-// Whether robots are points that may stand anywhere; then Stands is not needed. O(1).
+// Whether robots are points that may stand anywhere, so that Stands is not needed. O(1).
 bool stands_anywhere(const Settings& settings);
 
 // The Stands for these settings; null if stands_anywhere(). It is an error if an edge of no_go does
-// not exist, or if the method must find places and there are no usable ones. Costs as much as
-// Stands.
+// not exist, or if no place is usable and the method is not `given`. Costs as much as the
+// constructor of Stands.
 Result<std::shared_ptr<const Stands>> make_stands(const PolygonWithHoles& object,
                                                   const Settings& settings);
 
-// These functions update the no-go parts when the user marks or edits the outline. Results are in
-// order and do not overlap; `at` is a place on an edge as a fraction of its length.
-// O(parts log parts).
+// These functions update the no-go parts when the user changes them or edits the outline. The
+// resulting parts are in order and do not overlap. `at` is a place on an edge as a fraction of its
+// length. O(parts log parts).
 
-// The no-go parts with one part added, and with everything inside a part removed.
+// with_part() adds a part to the no-go parts; without_part() removes everything inside a part.
 std::vector<EdgePart> with_part(std::vector<EdgePart> no_go, const EdgePart& part);
 std::vector<EdgePart> without_part(std::vector<EdgePart> no_go, const EdgePart& part);
 
 // Whether a place is in a no-go part. O(parts).
 bool is_marked(const std::vector<EdgePart>& no_go, std::uint32_t edge, double at);
 
-// The no-go parts after a vertex was added on an edge; and after one of n > 3 vertices was removed,
-// so that its two edges become one, with the no-go parts of both.
+// after_split() returns the no-go parts after a vertex was added on an edge. after_removal()
+// returns them after one of the n > 3 `vertices` was removed. The two edges at that vertex have
+// become one edge, which has the no-go parts of both.
 std::vector<EdgePart> after_split(const std::vector<EdgePart>& no_go, std::uint32_t edge,
                                   double at);
 std::vector<EdgePart> after_removal(const std::vector<EdgePart>& no_go, const Points& vertices,

@@ -2,22 +2,24 @@
 // (algorithm.md, Choosing teams that hold). This goes beyond the thesis, which considers only the
 // lifting base.
 //
-// A local search begins with the teams that a metric selects. The better of two choices of the same
-// number of teams is ahead in the first key in which they differ:
-// 1. `level`, the number of thresholds (0.001, 0.4 mu and mu, the minimum margin) reached by the
-//    margin of the contacts at least `clear` from every corner;
+// A local search begins with the teams that a metric selects. Of two choices with the same number
+// of teams, the better is ahead in the first of these keys in which they differ:
+// 1. `level`, the number of thresholds that the margin reaches;
 // 2. the coverage, larger by more than 1e-9;
 // 3. the sum of the load ratios, larger by more than tau.
+// The margin is that of the contacts at least `clear` from every corner. The thresholds are 0.001,
+// 0.4 mu and mu, where mu is the minimum margin.
 //
 // A swap moves a team to a candidate that no team has. Each round makes the best of the swaps that
 // make the choice better. If there are two teams and at most most_candidates_for_pairs candidates,
-// the search begins by moving both teams to the best pair, if that is better. The search ends after
-// a round without a swap, after 4 t rounds for t teams, or when more than most_swaps choices have
-// been compared.
+// the search begins by moving both teams to the best pair of candidates, if that makes the choice
+// better. The search ends after a round without a swap, after 4 t rounds for t teams, or after the
+// round in which the number of choices compared exceeds most_swaps.
 //
-// If the level is then below 3, the result for t - 1 teams, with the best further candidate,
-// replaces the t teams if it is better, and swaps continue within the same 4 t rounds. So one more
-// team never lowers the level, unless robots with a size find no room for it.
+// If the level is then below 3, the same search is made for t - 1 teams, and the best further
+// candidate is added to its result. If this choice is better, it replaces the t teams, and swaps
+// continue within the same 4 t rounds. So one more team never lowers the level, unless robots with
+// a size find no room for it.
 #pragma once
 
 #include <cstddef>
@@ -47,20 +49,20 @@ struct HoldKeys {
 };
 enum class HoldKey : std::uint8_t { level, coverage, ratios };
 
-// The first key in which the choice with keys `a` is better than that with keys `b`, which has the
-// same number of teams; empty if it is not better. O(1).
+// The first key in which a choice with the keys `a` is better than a choice with the keys `b` and
+// the same number of teams; empty if it is not better. O(1).
 std::optional<HoldKey> better_by(const HoldKeys& a, const HoldKeys& b);
 
-// The keys of the teams on the candidates `taken`, at most most_swapped_teams. With `stands` the
-// robots have a size, and hold the object where they touch it. O(n log n + K log n), and O(n) for
-// each corner of H at worst.
+// The keys of the teams on the candidates `taken`, at most most_swapped_teams. With `stands`, the
+// contacts of the robots (stands.h), not their lifting points, hold the object.
+// O(n log n + K log n), and O(n) for each corner of H at worst.
 HoldKeys hold_keys(const PolygonWithHoles& object, const Vec2& centre,
                    const std::vector<Candidate>& candidates,
                    const std::vector<std::uint32_t>& taken, const HoldRequirements& firm,
                    const Stands* stands = nullptr);
 
-// The teams that a swap moves: one; two at once; or all, which the result for t - 1 teams and one
-// more team replace.
+// The teams that a swap moves: one team (`single`), two teams at once (`pair`), or all teams
+// (`one_more`: to the result for t - 1 teams and the best further candidate).
 enum class SwapKind : std::uint8_t { single, pair, one_more };
 
 struct Swap {
@@ -72,42 +74,43 @@ struct Swap {
 };
 
 struct SwapHistory {
-  std::vector<std::uint32_t> start;  // the candidates of the teams
-  HoldKeys keys;                     // those of the choice at the start
+  std::vector<std::uint32_t> start;  // the candidates of the teams at the start
+  HoldKeys keys;                     // those of the choice at the start; not computed for more
+                                     // than most_swapped_teams
   std::vector<Swap> swaps;
-  bool settled = false;     // the last round found nothing better
-  std::uint64_t tried = 0;  // choices compared
+  bool settled = false;     // whether the last round found nothing better
+  std::uint64_t tried = 0;  // the number of choices compared
 
   const std::vector<std::uint32_t>& taken() const {
     return swaps.empty() ? start : swaps.back().taken;
   }
 };
 
-// It is an error if there are more than most_swapped_teams teams, or more than most_swaps swaps in
-// a round. If every candidate has a team, there is nothing to swap, and so no error. With `stands`,
-// some teams may find no room, so these limits apply even then. O(1).
+// Checks the limits on swaps. It is an error if there are more than most_swapped_teams teams, or
+// more than most_swaps swaps in a round. If every candidate has a team, there is nothing to swap
+// and no error. With `stands`, however, some teams may find no room, so the limits always apply.
+// O(1).
 std::optional<InputError> check_swaps(std::size_t candidates, std::size_t teams,
                                       const Stands* stands = nullptr);
 
 // Swaps teams, beginning with those on the candidates `start`; the result is never worse. With
 // `stands`, only choices whose robots do not collide are tried. check_swaps() must allow the swaps.
-// For t teams among K candidates, there are at most 4 t rounds of O(t K) swaps, most of which a
-// bound alone rules out. If the level stays below 3, t - 1 teams are swapped in the same way, and
-// so on: O(t^2) rounds at worst.
+// For t teams among K candidates, a round has O(t K) swaps; a bound alone rules out most of them.
+// With the searches for fewer teams, there are O(t^2) rounds at worst.
 SwapHistory swap_teams(const PolygonWithHoles& object, const Vec2& centre,
                        const std::vector<Candidate>& candidates, std::vector<std::uint32_t> start,
                        const HoldRequirements& firm, const Stands* stands = nullptr);
 
-// The best swap of one team, as in a round of swap_teams(); empty if no swap of the team makes the
+// The best swap of this team, as in a round of swap_teams(); empty if no swap of the team makes the
 // choice better.
 std::optional<Swap> best_swap_of(const PolygonWithHoles& object, const Vec2& centre,
                                  const std::vector<Candidate>& candidates,
                                  const std::vector<std::uint32_t>& taken, std::uint32_t team,
                                  const HoldRequirements& firm, const Stands* stands = nullptr);
 
-// The teams for these settings, whose method must choose among candidates, as indices into
-// `candidates`. They are selected (selection.h) and, if the goal is to hold, swapped; in that case
-// check_swaps() must allow the swaps.
+// The teams for these settings, as indices into `candidates`. The method must choose among
+// candidates. The teams are selected (selection.h) and, if the goal is to hold, swapped; in that
+// case check_swaps() must allow the swaps.
 std::vector<std::uint32_t> choose_candidates(const PolygonWithHoles& object, const Vec2& centre,
                                              const std::vector<Candidate>& candidates,
                                              const Settings& settings, std::size_t teams,

@@ -1,12 +1,13 @@
-// The effects of slopes, starts, stops and uneven ground, from the places of the robots, C and the
-// numbers of Carrying (document.h). They do not affect where robots stand.
+// The effects of slopes, starts, stops and uneven ground, computed from the places of the robots, C
+// and the numbers of Carrying (document.h). These numbers do not affect where robots stand.
 //
 // Let k1 be the slope of the ground, as a ratio, k2 the acceleration, in g, and h the height of C
 // above the plane of the lifting points. The resultant of weight and inertia meets that plane at
-// the zero moment point (M. Vukobratovic and B. Borovac, Zero-moment point, 2004), which is at most
-// about h (k1 + k2) from C (exactly, if k1 or k2 is 0). The object tips when that point leaves the
-// lifting base H. This presumes a rigid object, robots that push back, and slow changes of slope
-// and acceleration: it ignores swinging and bumps.
+// the zero moment point (M. Vukobratovic and B. Borovac, Zero-moment point, 2004). This point is at
+// most h (k1 + k2) from C; the bound is exact if k1 or k2 is 0, otherwise approximate. If the
+// object is rigid, the robots push back, none is overloaded, and slope and acceleration change
+// slowly, the object tips when this point leaves the lifting base H. The computation ignores
+// swinging and bumps.
 #pragma once
 
 #include <optional>
@@ -21,24 +22,25 @@ namespace evenlift {
 // `acceleration`, `give` and `uneven`. O(1).
 Disturbance disturbance_of(const Shown& shown);
 
-// When the object tips, in the worst direction.
+// The conditions under which the object tips, in the worst direction.
 struct Tilt {
   double height = 0;        // h > 0
   double reach = 0;         // Disturbance::reach
   bool stays = false;       // reach <= tipping distance, within tolerance (tau L)
   double slope = 0;         // the slope at which it tips, as a ratio, without acceleration
-  double degrees = 0;       // this slope as an angle
+  double degrees = 0;       // `slope` as an angle
   double acceleration = 0;  // the acceleration at which it tips, in g, on level ground
 };
 
-// Computes when the object tips; empty if the height of C is 0. `tipping_distance` is that of
-// uncertainty.h, and `diameter` is L. Slope and acceleration allow for the C uncertainty, and are 0
-// if that alone can tip the object. O(1).
+// Computes when the object tips; returns nothing if the height of C is 0. `tipping_distance` is
+// that of uncertainty.h, and `diameter` is L. The returned slope and acceleration allow for the C
+// uncertainty; both are 0 if the C uncertainty alone can tip the object. O(1).
 std::optional<Tilt> tilt_of(const Shown& shown, double tipping_distance, double diameter);
 
-// The slope, as a ratio, at which the object tips if `direction`, of any length > 0, is downhill; 0
-// if H has no area, or if the C uncertainty alone can tip it that way. `hull` must come from
-// convex_hull, with C inside, at a height above 0. O(h) for h corners.
+// The slope, as a ratio, at which the object tips without acceleration if the ground falls in
+// `direction`, a vector of any length > 0. It is 0 if H has no area, or if the C uncertainty alone
+// can tip the object that way. `hull` must come from convex_hull and contain C, and the height of C
+// must be above 0. O(h) for h corners.
 double tipping_slope(const Points& hull, const Vec2& centre, const Vec2& direction,
                      const Shown& shown);
 

@@ -1,7 +1,7 @@
-// Bounds that hold although conditions are known only roughly. The weight may act anywhere within
-// some distance of C if C is uncertain (in offshore lifting, the "centre of gravity envelope"), if
-// the ground slopes or if the object is braked (tilt.h). The ground may be uneven, or a robot's
-// height wrong.
+// Bounds on loads and stability if conditions are known only roughly. The weight may act anywhere
+// within some distance of C if C is uncertain (in offshore lifting, the "centre of gravity
+// envelope"), if the ground slopes, or if the object is braked (tilt.h). Also, the ground may be
+// uneven, or the height of a robot may be wrong.
 #pragma once
 
 #include <optional>
@@ -12,73 +12,73 @@
 
 namespace evenlift {
 
-// The distance by which C can be off before the object tips: the least distance of C from the line
-// of an edge of H, in units of length. It is 0 if that is within tolerance (tau L), if H has no
-// area, as with a single team of two, or if C is outside H. `hull` must come from convex_hull, and
-// `diameter` is L. O(h) for h corners.
+// The distance by which C can be off before the object tips, if robots push back and none is
+// overloaded: the least distance of C from the line of an edge of H, in units of length. It is 0 if
+// this distance is at most the tolerance tau L, if H has no area, as with a single team of two, or
+// if C is outside H. `hull` must come from convex_hull, and `diameter` is L. O(h) for h corners.
 double tipping_distance(const Points& hull, const Vec2& centre, double diameter);
 
-// How far the weight and the heights of the robots may differ from those assumed.
+// How far the weight and the robots' heights may differ from what the placement assumes.
 struct Disturbance {
   double reach = 0;   // the weight acts anywhere within this distance of C, in units of length
   double uneven = 0;  // heights are off by up to this many times the length by which a robot gives
                       // way under the mean load
   double kept = 1;    // at least this part of the weight acts on the robots, 0 < kept <= 1: on a
                       // slope, the cosine of its angle
-  // Whether there is any such difference, so that loads are ranges. O(1).
+  // Whether anything may differ; then the loads are ranges. O(1).
   bool any() const { return reach > 0 || uneven > 0 || kept < 1; }
   bool operator==(const Disturbance&) const = default;
 };
 
-// Whether the object stays upright wherever the weight acts: reach <= tipping_distance, within
-// tolerance (tau L). O(1).
+// Whether H contains all points within `reach` of C: reach <= tipping_distance, within tolerance
+// (tau L). O(1).
 bool is_within_base(double reach, double tipping_distance, double diameter);
 
 struct LoadRange {
   double least = 0, greatest = 0;
 };
 
-// Whether the model's loads have ranges. O(1).
+// Whether a disturbance turns the loads of this model into ranges. O(1).
 constexpr bool has_ranges(LoadModel model) {
   return model == LoadModel::plan || model == LoadModel::springs;
 }
 
-// How a disturbance may change the loads of robots that give way like springs.
+// The changes that a disturbance may make to the loads of robots that give way like springs.
 struct LoadChanges {
-  double kept = 1;                // as in the disturbance
-  bool others_may_carry = false;  // whether robots to which springs give no load may take some up
-  // The greatest change of each load, as long as the same robots carry load.
+  double kept = 1;                // that of the disturbance
+  bool others_may_carry = false;  // whether robots without load may begin to carry
+  // The greatest possible change of each load, as long as the same robots carry load.
   std::vector<double> by;
-  // The greatest load of each robot, whichever robots go slack: worst_loads() (load_models.h) with
-  // C anywhere within the reach.
+  // The greatest load of each robot, whichever robots go slack: that of worst_loads()
+  // (load_models.h) with C anywhere within the reach.
   std::vector<double> at_worst;
 };
 
-// The changes that a disturbance may make. `springs` must be the loads of the same robots. Heights
-// that are off change the load of robot i by at most W/m * uneven * sum over j of |P_ij|. The
-// matrix P = I - A (A'A)^-1 A' projects onto the heights that no plane fits; for each robot that
-// carries load, A has a row [1, x_j, y_j]. P is 0 if only three robots, not on one line, carry
-// load. O(m h), and O(m^2) if heights are off.
+// The changes that a disturbance may make. `springs` must be the loads of the same robots. Errors
+// of the heights change the load of robot i by at most W/m * uneven * sum over j of |P_ij|. Here P
+// = I - A (A'A)^-1 A', and A has a row [1, x_j, y_j] for each robot j that carries load. P removes
+// from the errors the part that a plane fits. P is 0 if only three robots, not on one line, carry
+// load. O(m log m + m h) for h corners of H, and O(m^2) more if heights are off.
 LoadChanges load_changes(const Points& robots, const Vec2& centre, double diameter, double weight,
                          const SpringLoads& springs, const Disturbance& disturbance);
 
-// Whether the set of robots that carry load may change: a load may fall below 0 by more than the
-// tolerance (tau times the sum of the loads), so that the robot goes slack, or robots without load
-// may take some up. O(m).
+// Whether the set of robots that carry load may change. It may if robots without load may begin to
+// carry, or if a robot may go slack because its load may fall below 0 by more than the tolerance
+// (tau times the sum of the loads). O(m).
 bool may_let_go(const std::vector<double>& loads, const LoadChanges& changes);
 
 // The ranges of the loads of robots that give way like springs. Without the disturbance, the robots
 // must be in equilibrium with `loads`. Each range is kept * load - by .. load + by, but never below
-// 0. If may_let_go(), every greatest load is `at_worst`; the least loads presume that the other
-// robots keep carrying. O(m).
+// 0. If may_let_go() is true, every greatest load is that of `at_worst` instead. The least loads
+// presume that the same robots keep carrying. O(m).
 std::vector<LoadRange> load_ranges(const std::vector<double>& loads, const LoadChanges& changes);
 
-// The greatest radius about the assumed C within which C may lie so that no robot's load, by
-// springs, exceeds its capacity. A robot may have no capacity. The radius is at most
-// springs.same_within minus `reach`, since no bound holds beyond, and at most the tipping distance
-// minus `reach`, but never below 0. `besides` holds the changes of load, and `reach` the distance
-// of the weight from C, that have other causes than the error of C. Nothing if a robot may be
-// overloaded even with C at its assumed place. O(m).
+// The greatest radius around the assumed place of C within which the bounds on loads by springs
+// exceed no robot's capacity. A robot without a capacity has no limit. The bounds are valid only
+// while the same robots carry load, so the radius is at most springs.same_within minus `reach`. It
+// is also at most the tipping distance minus `reach`, but never below 0. `besides` and `reach` are
+// the changes of load and the distance of the weight from C that have other causes than the error
+// of C. Returns nothing if a robot may be overloaded even with C at its assumed place. O(m).
 std::optional<double> radius_within_capacity(const SpringLoads& springs, double tipping_distance,
                                              const std::vector<std::optional<double>>& capacities,
                                              const LoadChanges& besides = {}, double reach = 0);

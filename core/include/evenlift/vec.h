@@ -1,5 +1,5 @@
-// Points and vectors of the plane. x points right and y up; angles and orientations are positive
-// counter-clockwise. Units are those of the input.
+// Points and vectors of the plane. The x axis points right and the y axis up; counter-clockwise
+// angles and orientations are positive. Coordinates are in the units of the input.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,14 +11,14 @@ namespace evenlift {
 using Vec2 = Eigen::Vector2d;
 using Points = std::vector<Vec2>;
 
-// a.x b.y - a.y b.x, positive if b points to the left of a. It is computed in plain doubles;
-// predicates.h makes exact decisions about input coordinates. O(1).
+// a.x b.y - a.y b.x, which is positive if b points to the left of a. The result is rounded; for
+// exact decisions about input coordinates use predicates.h. O(1).
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // The scalar product. O(1).
 inline double dot(const Vec2& a, const Vec2& b) { return a.x() * b.x() + a.y() * b.y(); }
 
-// The length by one square root, since hypot differs between libraries. O(1).
+// The length. It is computed with a square root, since hypot differs between libraries. O(1).
 inline double length(const Vec2& a) { return std::sqrt(a.x() * a.x() + a.y() * a.y()); }
 
 // |a.x| + |a.y|, which is never below the length. O(1).
@@ -35,7 +35,7 @@ struct Box {
   double diagonal() const { return length(size()); }
 };
 
-// The smallest box that contains the points; the origin if there are no points. O(m).
+// The smallest box that contains m points; without points, the origin. O(m).
 inline Box bounding_box(const Points& points) {
   if (points.empty()) return {};
   Box box{points.front(), points.front()};

@@ -1,7 +1,7 @@
-// The reader's language. The code contains each English text where it is used, and this text is the
-// key to its translation. So one file for each language (assets/words) translates the whole page;
-// without it, texts are in English. In a pattern, names in braces stand for values, so that a
-// translation can change their order.
+// The reader's language. The code contains each English text where the text is used, and the
+// English text is the key to its translation. So one file for each language (assets/words)
+// translates the whole page; without this file, texts are in English. In a pattern, names in braces
+// stand for values, so that a translation can change the order of the values.
 #pragma once
 
 #include <concepts>
@@ -12,19 +12,22 @@
 
 namespace evenlift {
 
-// Adds or replaces the translation of an English text or pattern. Call it for all texts before any
-// is used, since sentences already returned do not change. Not thread-safe. O(log n).
+// Adds or replaces the translation of an English text or pattern. Add all translations before you
+// use any text, since sentences already returned do not change. Not thread-safe. O(log n) for n
+// translations.
 void add_translation(std::string english, std::string translated);
 
-// Removes all translations, so texts are in English again. Results of translated() become invalid.
+// Removes all translations, so texts are in English again. Translations that translated() returned
+// become invalid.
 void forget_translations();
 
-// The translation of a text, or the text itself if it has no translation. A translation stays valid
-// until it is replaced or forgotten, the text itself as long as the argument. O(log n).
+// The translation of a text, or the text itself if it has no translation. A returned translation is
+// valid until it is replaced or forgotten; the text itself is valid as long as the argument is.
+// O(log n).
 std::string_view translated(std::string_view english);
 
-// A value in a sentence: a text, which is also translated, or a whole number. It does not own its
-// text, so it must not outlive the call for which it is made.
+// A value in a sentence: a whole number or a text, which is also translated. A Value does not own
+// its text, so use it only in the call for which it is made.
 class Value {
  public:
   Value(const char* text);
@@ -41,13 +44,13 @@ class Value {
   std::size_t size_;            // the length of the text, or the number
 };
 
-// The pattern in the reader's language with the values in their places. Each new {name} of the
-// English pattern takes the next value; a repeated name takes the same value again: "Robot {robot}
-// carries {load}." with 3 and "16.7 kg" becomes "Robot 3 carries 16.7 kg."
+// Returns the pattern in the reader's language, with the values in their places. Each new {name} of
+// the English pattern takes the next value; a repeated name takes the same value again. For
+// example, "Robot {robot} carries {load}." with 3 and "16.7 kg" becomes "Robot 3 carries 16.7 kg."
 // O(bytes of pattern and values).
 std::string say(std::string_view english, std::initializer_list<Value> values = {});
 
-// The same as say(), with `number` values that are texts and are not translated.
+// Returns the same as say(), but the values are `number` texts, which are not translated.
 std::string say_written(std::string_view english, const std::string* values, std::size_t number);
 
 }  // namespace evenlift

@@ -1,5 +1,5 @@
 // An upper bound of the coverage, from the part of the object in each cell of a grid. Nearly all
-// sets lose by it and need no exact coverage.
+// sets lose by this bound and need no exact coverage.
 #pragma once
 
 #include <array>
@@ -12,16 +12,17 @@ namespace evenlift::balanced {
 
 class CoarseCover {
  public:
-  // Finds the part of the object in each cell. O(n) for each row of the grid.
+  // Computes the part of the object in each cell. O(n) for each row of the grid.
   CoarseCover(const PolygonWithHoles& object, const Vec2& centre);
 
-  // The upper bound: each cell that H meets counts in full. O(h), plus the number of rows.
+  // Returns the upper bound, in which every cell that H meets counts in full. O(h), plus the number
+  // of rows.
   double most(const SmallHull& hull) const;
 
  private:
   static constexpr std::size_t cells = 32;  // the number of columns, and of rows
 
-  // The columns in which H meets a row, in cells; empty if first > last.
+  // The part of a row that H meets, from `first` to `last` in columns; empty if first > last.
   struct Stretch {
     double first = cells, last = -1;
   };
@@ -30,7 +31,7 @@ class CoarseCover {
   static void widen(Rows& rows, const Vec2& a, const Vec2& b);
 
   Vec2 low_, scale_;  // the grid's lower left corner relative to C; cells per unit of length
-  // The share of the object in the cells of a row before each column.
+  // For each row and column, the share of the object in the row's cells before this column.
   std::array<std::array<double, cells + 1>, cells> before_{};
 };
 

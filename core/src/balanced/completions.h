@@ -1,4 +1,4 @@
-// The sets that complete given robots so that the centroid of all is C.
+// Sets in which two or three more robots complete given ones, so that the centroid of all is C.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,12 @@
 
 namespace evenlift::balanced {
 
-// The midpoint of two more robots that make C the centroid of all.
+// The point where the midpoint of two more robots must be, so that the centroid of all is C.
 Vec2 middle_of_two_more(const std::vector<LiftingPoint>& robots, const Vec2& centre);
 
-// The even candidates whose two ends, together with the robots, have the centroid C. If the outline
-// has more than 1,000 vertices and there are many, only some of them (EvenChords::some_about).
+// The even candidates whose two ends, together with the robots, have the centroid C; none if
+// middle_of_two_more() is not strictly inside the convex hull of P. If the outline has more than
+// 1,000 vertices and many such candidates, only some are returned (EvenChords::some_about).
 std::vector<Candidate> pairs_to_complete(const Rules& rules,
                                          const std::vector<LiftingPoint>& robots);
 
@@ -21,29 +22,31 @@ std::vector<Candidate> pairs_to_complete(const Rules& rules,
 std::vector<Candidate> all_pairs_to_complete(const Rules& rules,
                                              const std::vector<LiftingPoint>& robots);
 
-// Keeps the best of the offered sets; the first wins a tie.
+// Keeps the best of the offered sets; of sets that tie, the first.
 class Best {
  public:
   explicit Best(const Rules& rules) : rules_(rules) {}
 
-  // Makes a set the best so far, without comparing it.
+  // Makes `set` the best so far, without a comparison.
   void offer(const RatedSet& set) { set_ = set; }
-  // These two offer each completion of the robots by two or three more, in the order of the trial
-  // points and candidates.
+  // Offer each completion of the robots by two or by three more, in the order of the trial points
+  // and then of the candidates.
   void offer_two_more(const std::vector<LiftingPoint>& robots);
   void offer_three_more(const std::vector<LiftingPoint>& robots);
-  // Offers the robots completed by three more, the first at `place`.
+  // Offers each completion of the robots by three more, of which the first is at `place`.
   void offer_three_more(const std::vector<LiftingPoint>& robots, const LiftingPoint& place);
 
   const std::optional<RatedSet>& set() const { return set_; }
   // Whether a completion has become the best set.
   bool completed() const { return completed_; }
-  // The number of robots that the best set had before its completion. They come first in it.
+  // The number of robots that the best set had before two or three more completed it. In the set,
+  // these robots come first.
   std::size_t kept() const { return kept_; }
 
  private:
-  // Offers the robots with the ends of each even candidate that completes them, but skips colliding
-  // sets. The last `added` robots do not count as kept.
+  // Offers the robots together with the ends of each even candidate that completes them, but skips
+  // sets whose robots collide. The last `added` of the `robots` do not count as kept. `near_pairs`
+  // counts the near pairs among the `robots`.
   void complete(const std::vector<LiftingPoint>& robots, std::size_t added,
                 std::uint32_t near_pairs);
 

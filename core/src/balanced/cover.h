@@ -12,12 +12,12 @@ namespace evenlift::balanced {
 
 class Cover {
  public:
-  // The object must outlive it. O(n).
+  // The object must outlive the Cover. O(n).
   Cover(const PolygonWithHoles& object, const Vec2& centre);
 
-  // The coverage, equal to coverage(object, hull) up to rounding; 0 if C is not inside H by more
-  // than rounding, or if H has no area. O(h log n) for each crossing of the boundary with H, O(n h)
-  // at worst.
+  // The coverage, equal to coverage(object, hull) up to rounding. It is 0 if H has no area, if C is
+  // outside H, or if only rounding separates C from a side of H. O(h log n) for each crossing of
+  // the boundary with H, O(n h) at worst.
   double of(const SmallHull& hull) const;
 
  private:
@@ -26,7 +26,7 @@ class Cover {
   const PolygonWithHoles& object_;
   Vec2 centre_;
   EdgeTree tree_;
-  // By edge: twice the signed area of the triangles of C and the preceding edges.
+  // For each edge, twice the sum of the signed areas of the triangles of C and the preceding edges.
   std::vector<double> doubled_areas_;
 };
 

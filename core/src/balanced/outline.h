@@ -1,5 +1,5 @@
-// The outline of P as a walk from v*, and its trial points (algorithm.md, Balanced robots). They do
-// not depend on which vertex is first in the list.
+// The outline of P as a walk from v*, and its trial points (algorithm.md, Balanced robots). Neither
+// depends on which vertex is first in the list.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace evenlift::balanced {
 
 class Outline {
  public:
-  // The polygon must outlive it. O(n).
+  // The polygon must outlive the Outline. O(n).
   Outline(const Polygon& polygon, const Vec2& centre);
 
   // The length of the outline, Lambda.
@@ -22,13 +22,14 @@ class Outline {
   // The edges in the order of the walk. O(n).
   std::vector<std::uint32_t> edges() const;
 
-  // The distance along the outline, counter-clockwise from v* to a point on an edge. It is in
-  // [0, Lambda). A distance within tau Lambda of Lambda counts as 0. O(1).
+  // Returns the distance along the outline, counter-clockwise from v* to a point on an edge. It is
+  // in [0, Lambda); a distance within tau Lambda of Lambda counts as 0. O(1).
   double place(const LiftingPoint& point) const;
 
-  // The trial points, in order. For robots with a size (`room`), these are lifting points spread
-  // over the usable intervals (docs/stands.md), then the ends and the middle of each interval. The
-  // ends and middles are left out if there are more intervals than spread points. O(n).
+  // The trial points, in order. If robots have a size or there are no-go parts, `room` must be
+  // given. Then the trial points are lifting points at equal distances along all usable intervals
+  // (docs/stands.md), followed by the ends and the middle of each interval, unless there are more
+  // intervals than points at equal distances. O(n).
   std::vector<LiftingPoint> stands(const Stands* room = nullptr) const;
 
  private:
@@ -40,8 +41,8 @@ class Outline {
 
   const Polygon& polygon_;
   std::vector<std::uint32_t> vertices_;  // from v* counter-clockwise
-  std::vector<std::uint32_t> steps_;     // by edge: the step of the walk along it
-  std::vector<double> starts_;           // by step: the distance from v* to it; finally Lambda
+  std::vector<std::uint32_t> steps_;     // by edge: the step of the walk along this edge
+  std::vector<double> starts_;           // by step: its distance from v*; the last is Lambda
 };
 
 }  // namespace evenlift::balanced

@@ -1,5 +1,5 @@
-// The swaps of the search for balanced robots, given only its Rules. evenlift/balanced.h explains
-// them; there, the functions of the same names take a BalancedProblem instead.
+// The swaps of the search for balanced robots. evenlift/balanced.h explains the two functions;
+// there they take a BalancedProblem, here its Rules.
 #pragma once
 
 #include "balanced/rules.h"

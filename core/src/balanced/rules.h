@@ -1,6 +1,6 @@
 // The requirements on balanced robots, and the comparison of two sets by the keys of
-// evenlift/balanced.h. A key is computed only when needed, and cheap keys come first. Nearly all
-// sets lose by a bound.
+// evenlift/balanced.h. Rules computes a key only when it is needed, and first tries cheap bounds of
+// the coverage, by which nearly all sets lose.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@
 
 namespace evenlift::balanced {
 
-// A set with those of its keys that have been computed.
+// A set with those of its keys (see BalancedKeys) that have been computed.
 struct RatedSet {
   std::vector<LiftingPoint> robots;
   std::uint32_t near_pairs = 0;
@@ -31,7 +31,8 @@ struct RatedSet {
   std::optional<double> coverage, spread;
   std::optional<std::vector<double>> places;
 
-  // Clears the keys for other robots, which have this number of near pairs.
+  // Clears the keys after `robots` has changed. `pairs` is the number of near pairs of the new
+  // robots.
   void begin(std::uint32_t pairs);
 };
 
@@ -47,40 +48,40 @@ class Rules {
   const EvenChords& chords() const { return chords_; }
   const Outline& outline() const { return outline_; }
   const std::vector<LiftingPoint>& stands() const { return stands_; }
-  // The cost of a completion in units of most_work (balanced.h); 0 for outlines whose work is not
-  // bounded.
+  // The cost of a completion in units of most_work (balanced.h). It is 0 for outlines on which the
+  // work of a search has no limit.
   std::uint64_t work_of_completion() const { return work_of_completion_; }
   const std::vector<Triple>& triples() const { return triples_; }
 
-  // Where robots with a size can stand; null for points that may stand anywhere.
+  // The places where robots can stand; null if robots are points that may stand anywhere.
   const Stands* room() const { return room_.get(); }
   // Whether `other` collides with one of the first `number` robots. O(number).
   bool collides(const std::vector<LiftingPoint>& robots, std::size_t number,
                 const LiftingPoint& other) const;
 
-  // The number of the first `number` robots that are too near to `other`. O(number).
+  // Of the first `number` robots, counts those that are too near to `other`. O(number).
   std::uint32_t near_pairs(const std::vector<LiftingPoint>& robots, std::size_t number,
                            const LiftingPoint& other) const;
 
   // The number of near pairs of all robots. O(m^2).
   std::uint32_t near_pairs(const std::vector<LiftingPoint>& robots) const;
 
-  // Whether the goal is hold, but the margin misses the first level.
+  // Whether the goal is hold, but the set has level 0.
   bool misses_hold(RatedSet& set) const { return holds_ && level(set) == 0; }
-  // Whether a reaches a higher level than b.
+  // Whether the set a reaches a higher level than the set b.
   bool holds_better(RatedSet& a, RatedSet& b) const { return level(a) > level(b); }
 
   bool better(RatedSet& a, RatedSet& b) const;
 
-  // The key that decides between two sets; nothing if they tie in all keys.
+  // Returns the key that decides between two sets; nothing if the sets tie in all keys.
   std::optional<BalancedKey> decided_by(RatedSet& a, RatedSet& b) const;
 
-  // The set of these robots, with its number of near pairs. O(m^2).
+  // Returns the set of these robots, with its number of near pairs. O(m^2).
   RatedSet rated(const std::vector<LiftingPoint>& robots) const;
 
   BalancedKeys keys(RatedSet& set) const;
 
-  // The same set, with its keys, and with its robots in order along the outline.
+  // Returns the same set with its keys, but with its robots in order along the outline.
   RatedSet in_order(const RatedSet& set) const;
 
  private:
@@ -94,7 +95,8 @@ class Rules {
   const std::vector<double>& places(RatedSet& set) const;
   bool surely_loses_by_coverage(RatedSet& a, RatedSet& b) const;
 
-  // The first key in which two sets differ, and the better set: 1 for a, -1 for b, 0 for a tie.
+  // The first key in which two sets differ, and the better set: `order` is 1 for a, -1 for b, and 0
+  // for a tie.
   struct Decision {
     int order = 0;
     BalancedKey key = BalancedKey::near_pairs;

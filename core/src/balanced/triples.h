@@ -11,8 +11,9 @@ namespace evenlift::balanced {
 
 using Triple = std::array<std::uint32_t, 3>;  // increasing
 
-// The triples that may be swapped, in lexicographic order. Up to 12 robots, these are all triples;
-// up to 24, those with two neighbours along the outline; beyond, those of three in a row. O(m^3).
+// The triples that a swap may replace, in lexicographic order. For up to 12 robots, these are all
+// triples; for up to 24, the triples that contain two neighbours along the outline; for more, the
+// triples of three robots in a row. O(m^3).
 std::vector<Triple> triples_of(std::uint32_t robots);
 
 // The robots outside the triple. O(m).

@@ -1,7 +1,7 @@
-// Sets of robots with a size, for objects on which few sets fit. Completing smaller sets
-// (completions.h) may find no set where the usable boundary is short. So this search first chooses
-// how many robots stand on each usable interval, such that their centroid can be at C, and then
-// their places.
+// Sets of robots with a size, for objects on which few sets fit. If the usable boundary is short,
+// completing smaller sets (completions.h) may find no set. So this search first chooses the number
+// of robots on each usable interval such that the centroid of all can be at C, and then the places
+// of the robots.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,11 @@
 
 namespace evenlift::balanced {
 
-// Up to `most` of the best such sets, the best first; empty for points that may stand anywhere.
-// Robots on one interval stand symmetrically about their middle: as close together as possible, as
-// far apart as possible, or in between. At most most_nodes choices of numbers of robots are tried,
-// from the first interval after v* on, so that the work is bounded and the same on every platform.
+// Returns up to `most` of the best such sets, the best first; none if robots are points that may
+// stand anywhere. The robots on one interval stand at equal distances, as close together as
+// possible, as far apart as possible, or in between. The search chooses the numbers of robots one
+// interval after another, from v* on. It makes at most most_nodes partial choices, so that the work
+// is bounded and the same on every platform.
 inline constexpr std::size_t most_nodes = 100'000;
 std::vector<RatedSet> usable_sets(const Rules& rules, std::size_t most);
 

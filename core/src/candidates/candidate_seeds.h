@@ -1,5 +1,6 @@
-// Candidates are made in two steps, to write the large records once and in order: first a short
-// seed and a sort key for each, then candidates from the sorted seeds.
+// Candidates are made in two steps: first a short seed and a sort key for each, then candidates
+// from the sorted seeds. So the large records of the candidates are written only once, and in
+// order.
 #pragma once
 
 #include <cstdint>
@@ -16,14 +17,15 @@ namespace evenlift {
 
 class CandidateSeeds {
  public:
-  // If `traced`, grow() sets the source of each candidate: the number of its call of add(). Range
-  // candidates stand at least `clear` from corners where possible. O(n).
+  // If `traced` is true, grow() sets the source of each candidate, which is the number of the call
+  // of add() that added its seed. Where possible, range candidates are at least `clear` from
+  // corners. The polygon, C and the view must outlive the CandidateSeeds. O(n).
   CandidateSeeds(const Polygon& polygon, const Vec2& centre, const RadialView& view,
                  const std::vector<OppositeVertices>& opposite, double min_ratio,
                  Positions positions, double clear, bool traced);
 
-  // These add at most one seed or, for an edge pair with positions anywhere in the range, three.
-  // Amortized O(1).
+  // Each call adds at most one seed or, for an edge pair with positions anywhere in the range, at
+  // most three. Amortized O(1).
   void add(const EdgePair& pair) {
     const std::size_t before = seeds_.size();
     examine_and_add(pair);
@@ -36,8 +38,8 @@ class CandidateSeeds {
     ++sources_;
   }
 
-  // All candidates, in candidate order and with duplicates. Call it only once. O(m), and O(l log l)
-  // for each line with l of the m candidates.
+  // Returns all m candidates, in candidate order and with duplicates. Call it only once. O(m), plus
+  // O(l log l) for each line with l of the candidates.
   std::vector<Candidate> grow();
 
  private:

@@ -1,5 +1,5 @@
-// The chords between two lines on which robots with a size lift, and the parts of the lines where
-// two robots can stand.
+// The chords between two lines on which robots with a size lift, and the parts of the lines in
+// which two robots can stand at the ends of a chord.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace evenlift {
 
-// The chords through C between two lines a and b. The place t of a chord's end r_a along a
-// determines the chord, and the ratio q = |C r_a| / |C r_b| is linear in t. The lines must outlive
-// the ChordRange, and neither may pass through C.
+// The chords through C between two lines a and b, with ends r_a on a and r_b on b. The place t of
+// r_a along a determines a chord; the ratio q = |C r_a| / |C r_b| is linear in t. The lines must
+// outlive the ChordRange, and neither may pass through C.
 class ChordRange {
  public:
   ChordRange(const StandLine& a, const StandLine& b) : a_(a), b_(b) {
@@ -23,15 +23,15 @@ class ChordRange {
   double slope() const { return slope_; }
   double q0() const { return q0_; }
 
-  // The place along b where the chord at t along a ends. O(1).
+  // The place of r_b along b, for the chord whose end r_a is at t along a. O(1).
   double on_b(double t) const { return dot(-a_.at(t) / q(t) - b_.start, b_.along); }
 
-  // The part of the piece `of_a` of a whose chords end in the piece `of_b` of b, at any load ratio.
-  // O(1).
+  // Returns the part of `of_a` (a piece of a) whose chords end in `of_b` (a piece of b), whatever
+  // their load ratio; nothing if there are no such chords. O(1).
   std::optional<Stretch> common(const Stretch& of_a, const Stretch& of_b) const;
 
-  // The parts of a whose chords have at least the minimum load ratio, within tolerance, and end
-  // where robots can stand on both lines. They are in the order of the usable intervals of a.
+  // The parts of a whose chords have at least the minimum load ratio, within tolerance, and two
+  // ends where robots can stand. These parts are in the order of the usable intervals of a.
   // O(usable intervals of a times those of b).
   std::vector<Stretch> pieces(double min_ratio) const;
 

@@ -1,6 +1,6 @@
-// Even candidates about many centres. An even chord about M ends where the outline meets its mirror
-// image in M. A tree of boxes finds these places without visiting every edge; the candidates there
-// are decided like all others.
+// Even candidates about many centres, one after another. The ends of an even chord about a centre M
+// are where the outline meets its mirror image in M. A tree of boxes finds these places without
+// visiting every edge; the usual rules then decide which candidates are there.
 #pragma once
 
 #include <cstddef>
@@ -14,31 +14,33 @@ namespace evenlift {
 
 class EvenChords {
  public:
-  // The polygon and the stands must outlive it. With stands the candidates are those of
-  // standing_candidates(). O(n).
+  // The polygon and the stands must outlive the EvenChords. With stands, the candidates are those
+  // of standing_candidates(). O(n).
   explicit EvenChords(const Polygon& polygon, const Stands* stands = nullptr);
 
-  // Also prepares for some_about(). `walk` contains all edges in order along the outline, from a
-  // place that does not depend on the vertex list. O(n).
+  // Also prepares for some_about(). `walk` contains all edges in order along the outline, beginning
+  // at a vertex that does not depend on the order of the vertex list. O(n).
   EvenChords(const Polygon& polygon, const Stands* stands, const std::vector<std::uint32_t>& walk);
 
-  // All even candidates about a centre, which may be anywhere: those of find_candidates(polygon,
-  // centre, 1), but without a limit on their number. A chord between two vertices may name the
-  // other edges of these vertices. O(n) at worst; for an outline that hardly winds, O(log n) for
-  // each place where the outline meets its mirror image.
+  // Returns all even candidates about a centre, which may be anywhere. They are those of
+  // find_candidates(polygon, centre, 1), but without a limit on their number. At each end of a
+  // chord between two vertices, the candidate may name the other edge at that vertex. For an
+  // outline that hardly winds, O(log n) for each place where the outline meets its mirror image,
+  // and O(n) at worst.
   std::vector<Candidate> about(const Vec2& centre) const;
 
-  // Even candidates about the centre: those between edges of one sample, or all of them if no
-  // sample has enough_chords candidates. The samples hold a half, a quarter, an eighth and so on of
-  // all edges, and the smallest with enough candidates is used. Only an edge's number in the walk
-  // decides which samples contain it. A strongly winding outline may have a hundred thousand even
-  // chords about one centre, and a search needs only some of them. O(log n) for each place where
+  // Returns even candidates about the centre: those between the edges of one sample, or all of them
+  // if no sample has enough_chords candidates. If the outline has more than 1,000 edges, there are
+  // samples with a half, a quarter, an eighth and so on of the edges, and the smallest one with
+  // enough candidates, duplicates included, is used. Only an edge's number in the walk decides
+  // which samples contain the edge. A strongly winding outline may have a hundred thousand even
+  // chords about one centre, but a search needs only some of them. O(log n) for each place where
   // the sample meets its mirror image.
   static constexpr std::size_t enough_chords = 32;
   std::vector<Candidate> some_about(const Vec2& centre) const;
 
-  // The number of even candidates, including duplicates, or `most` if that is less. A strongly
-  // winding outline soon reaches `most`, so this is fast where about() is slow.
+  // Returns the number of even candidates, duplicates included, but at most `most`. On a strongly
+  // winding outline the count soon reaches `most`, so this function is fast where about() is slow.
   std::size_t count_about(const Vec2& centre, std::size_t most) const;
 
  private:
@@ -47,7 +49,7 @@ class EvenChords {
   // Some edges, in the order of their numbers.
   struct Sample {
     std::vector<std::uint32_t> edges;
-    std::vector<LineEnds> lines;  // moved inward by the depth of the hand, if any
+    std::vector<LineEnds> lines;  // the edges, moved inward by the depth of the hand, if any
     EdgeTree tree;
   };
   static Sample sample_of(const Polygon& polygon, const Stands* stands,

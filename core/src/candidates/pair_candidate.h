@@ -12,7 +12,7 @@
 
 namespace evenlift {
 
-// A non-radial edge, with its ends counter-clockwise as C sees them.
+// A non-radial edge, with its two ends in counter-clockwise order as C sees them.
 struct SeenEdge {
   std::uint32_t edge;
   const Vec2& first;
@@ -20,7 +20,7 @@ struct SeenEdge {
   double doubled_area;  // orient(centre, first, last) > 0
 };
 
-// The edge as C sees it. The polygon must outlive the result. O(1).
+// Returns an edge as C sees it. The polygon must outlive the result. O(1).
 SeenEdge see(const Polygon& polygon, const Vec2& centre, std::uint32_t edge);
 inline SeenEdge see(const Polygon& polygon, const RadialView& view, std::uint32_t edge) {
   return {edge, polygon.vertex(view.first(edge)), polygon.vertex(view.last(edge)),
@@ -30,33 +30,33 @@ inline SeenEdge see(const Polygon& polygon, const RadialView& view, std::uint32_
 // One end of a pair's range, with the vertex-chord there.
 struct SectionEnd {
   std::uint32_t vertex;    // the vertex at which the range ends
-  std::uint32_t opposite;  // the vertex across C if both edges end here, otherwise inside_edge
+  std::uint32_t opposite;  // the vertex across C if the chord ends at one, otherwise inside_edge
   bool on_a;               // whether the vertex belongs to a
-  Across across;           // from the vertex to the other edge
+  Across across;           // the other end of the vertex-chord, on the other edge
   double g;                // |C r_b| / |C r_a|
   int compare_to_one;      // -1, 0, 1: g is below, equal to or above 1; exact
 };
 
-// The end where edge a ends at `vertex_a` and edge b at `vertex_b`. One of the two may be
-// inside_edge. O(1).
+// The end of the range at which the section of edge a ends at `vertex_a` and the section of edge b
+// at `vertex_b`. One of the two may be inside_edge (chords.h). O(1).
 SectionEnd section_end(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                        const SeenEdge& b, std::uint32_t vertex_a, std::uint32_t vertex_b);
 
 // The vector r_a - C at a section end. O(1).
 Vec2 offset_on_a(const Polygon& polygon, const Vec2& centre, const SectionEnd& end);
 
-// Whether edges count as parallel, by g at both ends of the range. O(1).
+// Whether two edges count as parallel; g0 and g1 are g at the ends of their range. O(1).
 inline bool are_parallel(double g0, double g1) {
   return std::fabs(g0 - g1) <= tau * std::max(g0, g1);
 }
 
-// Decides whether the edge pair has a candidate, and which. O(1).
+// Decides whether the edge pair has a candidate, and finds the candidate. O(1).
 PairVerdict examine(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                     const SeenEdge& b, const EdgePair& pair, double min_ratio);
 
-// The decision of examine() where estimates make it certain, otherwise `unsure`. Most pairs have no
-// candidate, or one of two frequent kinds, and need no more than estimates. The pair's range must
-// not end at a vertex that has an opposite vertex. O(1).
+// Returns the decision of examine() if estimates make it certain, otherwise `unsure`. Estimates
+// suffice for most pairs, which have no candidate or one of two frequent kinds. Neither end of the
+// pair's range may be at a vertex that has an opposite vertex. O(1).
 enum class QuickVerdict : std::uint8_t { unsure, none, bisecting, at_begin, at_end };
 QuickVerdict examine_quickly(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                              const SeenEdge& b, const EdgePair& pair, double min_ratio);
@@ -64,16 +64,17 @@ QuickVerdict examine_quickly(const Polygon& polygon, const Vec2& centre, const S
 // The vector r_a - C for the chord that C bisects. O(1).
 Vec2 bisecting_offset(const Vec2& centre, const SeenEdge& a, const SeenEdge& b);
 
-// The candidate on that chord, whose offset is from bisecting_offset(). O(1).
+// The candidate on the chord that C bisects. `offset` must come from bisecting_offset(). O(1).
 Candidate bisecting_candidate(const Vec2& centre, std::uint32_t edge_a, std::uint32_t edge_b,
                               const Vec2& offset);
 
-// The chord from `vertex` of `edge` through C to the edge `other`. It ends there at the vertex
-// `opposite`, unless that is inside_edge. O(1).
+// The candidate on the chord from `vertex`, an end of `edge`, through C to the edge `other`. Unless
+// `opposite` is inside_edge, the chord ends at the vertex `opposite` of `other`. O(1).
 Candidate vertex_candidate(const Polygon& polygon, const Vec2& centre, std::uint32_t vertex,
                            std::uint32_t edge, const SeenEdge& other, std::uint32_t opposite);
 
-// The vertex-chord at one end of a pair's range, and its ends on a and b; see section_end(). O(1).
+// The vertex-chord at one end of a pair's range, and its ends on a and b. The vertices are those of
+// section_end(). O(1).
 struct SectionRim {
   Chord chord;
   Vec2 on_a, on_b;
@@ -81,10 +82,10 @@ struct SectionRim {
 SectionRim section_rim(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                        const SeenEdge& b, std::uint32_t vertex_a, std::uint32_t vertex_b);
 
-// Whether the load ratio is at least the minimum, within tolerance. O(1).
+// Whether the load ratio of the chord is at least the minimum, within tolerance. O(1).
 bool reaches(const Chord& chord, double min_ratio);
 
-// The direction or its opposite, whichever points from r1 to r2 of a chord. O(1).
+// The direction or its opposite: the one that points from a chord's end r1 to its end r2. O(1).
 Vec2 rightward(const Vec2& direction);
 
 }  // namespace evenlift

@@ -1,11 +1,11 @@
-// The polygon as C sees it: its vertices and edges in the exact order of their directions, and the
-// sweep of a line through C over them.
+// The polygon as C sees it: its vertices and edges in the exact order of their directions, and a
+// line through C that sweeps over the edges.
 //
-// Vertices are sorted by direction modulo 180 degrees; equal directions form a group.
-// Position k < direction_count() is group k seen forward (directions in [0, 180)), and
-// position k + direction_count() is the same group seen backward.
-// C sees an edge that is not radial at less than 180 degrees. So the edge covers the positions from
-// its first to its last end, and the sweep only compares integers.
+// Vertices are sorted by direction modulo 180 degrees; vertices with equal directions form a group.
+// Position k < direction_count() is the direction of group k in [0, 180) degrees (forward), and
+// position k + direction_count() is the opposite direction (backward). An edge that is not radial
+// subtends less than 180 degrees at C. So it covers the positions from that of its end first() to
+// that of its end last(), and the sweep compares only integers.
 #pragma once
 
 #include <cstdint>
@@ -31,16 +31,17 @@ class RadialView {
   // The edge's ends, counter-clockwise as C sees them.
   std::uint32_t first(std::uint32_t edge) const { return arms_[edge].first; }
   std::uint32_t last(std::uint32_t edge) const { return arms_[edge].last; }
-  // Twice the area of the triangle of C and the edge: orient(centre, first, last) > 0.
+  // Twice the area of the triangle of C and the edge: orient(centre, first, last), which is above 0
+  // unless the edge is radial.
   double doubled_area(std::uint32_t edge) const { return arms_[edge].doubled_area; }
 
-  // The vertices other than C, by group; forward and backward ones are mixed.
+  // The vertices other than C, sorted by group. A group may contain forward and backward vertices.
   const std::vector<std::uint32_t>& order() const { return order_; }
   std::uint32_t group_begin(std::uint32_t group) const { return group_begins_[group]; }
   std::uint32_t position(std::uint32_t vertex) const { return positions_[vertex]; }
   bool forward(std::uint32_t vertex) const { return positions_[vertex] < direction_count_; }
 
-  // The number of positions from `from` counter-clockwise to `to`.
+  // The number of steps counter-clockwise from position `from` to position `to`.
   std::uint32_t steps(std::uint32_t from, std::uint32_t to) const {
     return to >= from ? to - from : to + 2 * direction_count_ - from;
   }
@@ -56,13 +57,13 @@ class RadialView {
   std::uint32_t direction_count_ = 0;
   std::vector<Arms> arms_;  // by edge
   std::vector<std::uint32_t> order_;
-  std::vector<std::uint32_t> group_begins_;  // indices of order_; one more than there are groups
+  std::vector<std::uint32_t> group_begins_;  // where groups begin in order_, and order_.size()
   std::vector<std::uint32_t> positions_;     // by vertex
 };
 
 // The non-radial edges that a line through C meets, forward and backward, while the line turns from
-// 0 to 180 degrees. At each group, first the edges that end there leave, then those that begin
-// there enter.
+// 0 to 180 degrees. At each group, the edges that end there leave first, and then the edges that
+// begin there enter.
 class RadialSweep {
  public:
   RadialSweep(const Polygon& polygon, const RadialView& view);
@@ -73,8 +74,7 @@ class RadialSweep {
   // Removes the edges that end at the group. Amortized O(1) for each vertex of the group.
   void leave(std::uint32_t group);
 
-  // Adds the edges that begin at the group. Calls visit(edge, is_ahead) just before each one
-  // enters.
+  // Adds the edges that begin at the group. Calls visit(edge, is_ahead) just before each is added.
   template <class Visit>
   void enter(std::uint32_t group, Visit&& visit) {
     for_each_edge_at(group, [&](std::uint32_t edge, std::uint32_t vertex) {
@@ -100,7 +100,7 @@ class RadialSweep {
   const Polygon& polygon_;
   const RadialView& view_;
   std::vector<std::uint32_t> active_[2];
-  std::vector<std::uint32_t> slots_;  // by edge: its index in active_
+  std::vector<std::uint32_t> slots_;  // by edge: its index in the list that contains it
 };
 
 // The number of edge pairs. O(n).

@@ -1,6 +1,6 @@
-// Chords from a vertex through C: the arithmetic that vertex-chords and section ends share. The
-// section of an edge is the part of it on which chords of a pair end (docs/algorithm.md, Edge
-// pairs).
+// The arithmetic of chords from a vertex through C, both for vertex-chords and for the ends of
+// sections. An edge's section in an edge pair is the part of the edge where the pair's chords end
+// (docs/algorithm.md, Edge pairs).
 #pragma once
 
 #include <cstdint>
@@ -17,13 +17,13 @@ struct Across {
   int compare_to_one = 0;  // -1, 0, 1: the factor is below, equal to or above 1; exact
 };
 
-// Looks from w across C to the edge b c, which the ray must meet. The edge is counter-clockwise
-// about C and not radial; `doubled_area` is orient(centre, b, c). O(1).
+// Looks from w across C to the edge b c. The ray from C away from w must meet this edge, which must
+// be counter-clockwise about C and not radial. `doubled_area` must be orient(centre, b, c). O(1).
 Across look_across(const Vec2& centre, const Vec2& w, const Vec2& b, const Vec2& c,
                    double doubled_area);
 
-// The factor with a relative error below 2^-33, by a few multiplications; nothing if plain doubles
-// are not that accurate. O(1).
+// Estimates the factor of look_across() by a few multiplications, with a relative error below
+// 2^-33. Returns nothing if plain doubles are not that accurate. O(1).
 std::optional<double> estimate_across(const Vec2& centre, const Vec2& w, const Vec2& b,
                                       const Vec2& c, double doubled_area);
 
@@ -33,12 +33,13 @@ Chord chord_from_vertex(const Polygon& polygon, const Vec2& centre, std::uint32_
                         std::uint32_t edge_w, const Across& across, std::uint32_t edge_hit,
                         std::uint32_t hit);
 
-// The chord with these ends, in the order that Chord requires. `direction` points from behind to
-// ahead.
+// The chord with these ends, in the order that Chord requires. `direction` points from `behind` to
+// `ahead`.
 Chord order_ends(const LiftingPoint& ahead, double arm_ahead, const LiftingPoint& behind,
                  double arm_behind, const Vec2& direction);
 
-// Whether a direction points from r1 to r2: to the right, or upward if it counts as vertical.
+// Whether a direction points from r1 to r2, that is, to the right, or upward if the direction
+// counts as vertical.
 bool points_right(const Vec2& direction);
 
 // The shorter of two positive lengths divided by the longer.

@@ -22,9 +22,10 @@ struct Affine {
 };
 
 // A line or curve from the end of the preceding piece to `end`. A conic is a rational quadratic
-// Bézier curve with end points of weight 1: a parabola if its control point has the weight 1, an
-// arc if that weight is the cosine of half the angle. So arcs are conics of at most 90 degrees, and
-// affine maps move their control points.
+// Bézier curve whose end points have the weight 1. It is a parabola if its control point also has
+// the weight 1. An arc of at most 90 degrees is a conic: its control point is where the tangents at
+// its ends meet, and the weight of that point is the cosine of half the arc's angle. An affine map
+// of a piece moves its ends and control points, and keeps its weight.
 struct CurvePiece {
   enum class Kind : std::uint8_t { line, conic, cubic };
   Kind kind;
@@ -47,41 +48,43 @@ struct Outline {
   void line_to(const Vec2& to);
   void quadratic_to(const Vec2& control, const Vec2& to);
   void cubic_to(const Vec2& first, const Vec2& second, const Vec2& to);
-  // Adds a quarter of an ellipse; its tangents at the two ends meet at the corner.
+  // Adds a quarter of an ellipse whose tangents at the two ends meet at `corner`.
   void quarter_to(const Vec2& corner, const Vec2& to);
-  // Adds an arc as in DXF: `bulge`, which must be finite, is the tangent of a quarter of the arc's
-  // angle, positive if the arc turns counter-clockwise. If it is 0, adds a line.
+  // Adds an arc as in DXF, or a line if `bulge` is 0. `bulge` must be finite. It is the tangent of
+  // a quarter of the arc's angle, with a positive sign if the arc turns counter-clockwise.
   void bulge_to(const Vec2& to, double bulge);
   // Adds the image under `frame` of the arc of the unit circle from `from` to `to`. If `large`, the
   // arc has more than 180 degrees. The image ends exactly at `last`.
   void arc_to(const Affine& frame, const Vec2& from, const Vec2& to, bool counterclockwise,
               bool large, const Vec2& last);
-  // The image under `frame` of the whole unit circle, which runs counter-clockwise before the map.
+  // The image under `frame` of the whole unit circle, taken counter-clockwise.
   static Outline ellipse(const Affine& frame);
   // The B-spline curve of degree 1 to max_spline_degree or, with weights, the NURBS curve. Knots
-  // must be finite and in order, and their number must be that of the control points + degree + 1.
-  // Weights must be finite and above 0, one for each control point. Returns nothing if these
-  // conditions are not met, if the curve has no length, or if it has a gap of more than 1e-6 of s,
-  // the larger side of the box around the control points. Lines, parabolas and cubics without
-  // weights are exact, and so are conics with weights of at most 1. Other curves deviate by at most
-  // 1e-7 s, unless weights differ so much that 10 halvings of a span do not suffice. The outline
-  // ends once it has more than `most` pieces. O(points degree^3 + pieces degree^2).
+  // and weights must be finite. For p control points, the degree must be below p, and there must be
+  // p + degree + 1 knots, which never decrease, and no weights or p weights above 0. Otherwise
+  // returns nothing; also if no span between knots has a length, or if the curve has a gap of more
+  // than 1e-6 s, where s is the larger side of the box around the control points. Lines are exact,
+  // and so are parabolas and cubics without weights. A conic is exact if its control point has a
+  // weight of at most 1 once its ends are given the weight 1. Other curves deviate by at most 1e-7
+  // s, unless weights differ so much that 10 halvings of a span do not suffice. The outline ends
+  // once it has more than `most` pieces. O(p degree^3 + pieces degree^2).
   static std::optional<Outline> b_spline(const Points& control, const std::vector<double>& knots,
                                          std::size_t degree,
                                          const std::vector<double>& weights = {},
                                          std::size_t most = max_spline_pieces);
 };
 
-// The same outline from its end to its start, and its image under a map. O(pieces).
+// reversed() returns the outline from its end to its start, and transformed() its image under a
+// map. O(pieces).
 Outline reversed(const Outline& outline);
 Outline transformed(const Outline& outline, const Affine& map);
 
-// The box of the ends and control points, which contains the outline. O(pieces).
+// The box around all ends and control points. It contains the outline. O(pieces).
 Box control_box(const Outline& outline);
 
-// The ends of the edges that replace the outline, from start to end, without consecutive repeated
-// points. Each curve stays within `tolerance` (> 0) of its edges, and the edges within `tolerance`
-// of the curve. Nothing if there would be more than `most` points. O(points).
+// The ends of the edges that replace the outline, in order; successive points differ. No point of a
+// curve is farther than `tolerance` (> 0) from the curve's edges, nor any point of these edges from
+// the curve. Returns nothing if there would be more than `most` points. O(points).
 std::optional<Points> flatten(const Outline& outline, double tolerance, std::size_t most);
 
 }  // namespace evenlift

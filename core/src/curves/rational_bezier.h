@@ -5,7 +5,7 @@
 
 namespace evenlift {
 
-// The coordinates of a control point times its weight (above 0), and then the weight.
+// A control point (x, y) of weight w > 0, as (x w, y w, w).
 using WeightedPoint = Eigen::Vector3d;
 
 struct RationalBezier {
@@ -13,11 +13,12 @@ struct RationalBezier {
   WeightedPoint points[max_spline_degree + 1];
 };
 
-// Appends the curve, which begins where the outline ends. Lines and conics with a weight of at most
-// 1 are exact. Any other curve is halved until each part is near the cubic with the same ends and
-// the same derivatives there: no point may be farther than `tolerance` (>= 0) from the cubic's
-// point at the same parameter. These cubics are appended; a part that is still farther away after
-// 10 halvings becomes a line. Control points are relative to `origin`, which should be near them.
+// Appends the curve, which begins where the outline ends. Lines are exact. A conic is exact if its
+// control point has a weight of at most 1 once its ends are given the weight 1. Any other curve is
+// halved until each part is near its cubic, which has the same ends and the same derivatives there:
+// no point of the part may be farther than `tolerance` (>= 0) from the cubic's point at the same
+// parameter. Then the cubics are appended. A part that is still too far from its cubic after 10
+// halvings becomes a line. Control points are relative to `origin`, which should be near them.
 // Stops when the outline has more than `most` pieces. O(pieces degree^2).
 void add_rational(Outline& outline, const RationalBezier& curve, const Vec2& origin,
                   double tolerance, std::size_t most);

@@ -1,4 +1,4 @@
-// The cargo, from text and to text (cargo_text() of settings.h).
+// Reads cargo from text and checks it. cargo_text() (settings.h) writes it.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace evenlift {
 
-// Reads a list (list_text.h) such as "8,8:24 2,3:1.5:motor 0,0:3:\"a box\"", or "none". A quote
-// within quotes is doubled. Returns whether the text is valid, and changes the cargo only then.
-// O(bytes).
+// Reads "none" or a list (list_text.h) of items x,y:weight or x,y:weight:name, such as "8,8:24
+// 0,0:3:\"a box\"". A quotation mark within a quoted name is doubled. Returns whether the text is
+// valid, and changes the cargo only if it is. O(bytes).
 bool read_cargo(std::string_view text, std::vector<Cargo>& cargo);
 
-// The first item that read_cargo() cannot read, as from refused_item() (list_text.h). O(bytes).
+// The first item that is not valid cargo, as refused_item() (list_text.h) returns it. O(bytes).
 std::string_view refused_cargo(std::string_view text);
 
-// Why the weight or the name of cargo is refused; nullptr if it is valid. A name must be UTF-8
-// without control characters and have at most max_name_characters. O(bytes).
+// The reason why a weight or a name of cargo is refused; nullptr if it is valid. A name must be
+// UTF-8 without control characters and have at most max_name_characters. O(bytes).
 const char* fault_of_cargo_weight(double weight);
 const char* fault_of_cargo_name(std::string_view name);
 

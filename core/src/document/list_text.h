@@ -1,4 +1,4 @@
-// Lists of items in text, with spaces, tabs and line ends between them.
+// Reads lists of items, which spaces, tabs and line ends separate.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace evenlift {
 
-// Calls read(item) for one item after another until it refuses one. Between quotes, spaces, tabs
-// and line ends are part of an item. Returns whether all items were accepted. O(bytes).
+// Calls read(item) for each item in order until a call returns false. Spaces, tabs and line ends
+// between quotation marks are part of an item. Returns whether all items were accepted. O(bytes).
 template <class Read>
 bool for_each_item(std::string_view text, Read read) {
   constexpr std::string_view spaces = " \t\r\n";
@@ -28,7 +28,7 @@ bool for_each_item(std::string_view text, Read read) {
 }
 
 // The first item that cannot be read; empty if all can be read, or if that item is not quotable
-// (is_quotable()). `read` returns the meaning of an item, or nothing. O(bytes).
+// (is_quotable() of stand_settings.h). `read` returns the meaning of an item, or nothing. O(bytes).
 template <class Read>
 std::string_view refused_item(std::string_view text, Read read) {
   std::string_view refused;

@@ -1,6 +1,5 @@
 // Reads the values of settings from text, writes them as text, and checks their ranges. The type of
-// a value determines its syntax, so a row of the table in settings.cpp names only its member and
-// range.
+// a value determines its syntax, so few rows of the table in settings.cpp need their own functions.
 #pragma once
 
 #include <cstdint>
@@ -48,7 +47,7 @@ inline std::string text_of(std::uint64_t value, const SettingRange&) {
   return std::to_string(value);
 }
 
-// --- A choice of several, by name
+// --- Enumerations, by the names of their values
 
 inline const auto& all_of(Method) { return named_methods; }
 inline const auto& all_of(Goal) { return all_goals; }
@@ -78,7 +77,7 @@ std::string text_of(Name value, const SettingRange&) {
   return std::string(name(value));
 }
 
-// --- A value of one of these types, or nothing
+// --- Optional values of the types above
 
 template <class Value>
 bool is_within(const std::optional<Value>& value, const SettingRange& range) {
@@ -90,7 +89,7 @@ std::string text_of(const std::optional<Value>& value, const SettingRange& range
   return value ? text_of(*value, range) : std::string(range.unset);
 }
 
-// Stores the parsed value if it is valid and in range. Returns whether it is.
+// Returns whether the text is valid and its value in range. If so, stores the value.
 template <class Value>
 bool take(std::string_view text, const SettingRange& range, Value& value) {
   const std::optional<Value> read = parsed(text, range, Value{});
@@ -158,7 +157,7 @@ std::string kind_in_words(const SettingRange& range) {
   } else {
     const auto& all = all_of(Value{});
     const std::size_t first = name(all[0]) == "none" ? 1 : 0;  // "none" comes last
-    std::string names[2];                                      // all but the last, and the last
+    std::string names[2];                                      // all but the last name; the last
     for (std::size_t i = 0; i < std::size(all); ++i) {
       if (i > 0) names[0] += (i > 1 ? ", " : "") + names[1];
       names[1] = name(all[(i + first) % std::size(all)]);

@@ -1,4 +1,4 @@
-// The settings for the stands of robots, from text.
+// Reads the sizes of robots and the no-go edges and parts from text, and checks them.
 #pragma once
 
 #include <string_view>
@@ -8,8 +8,8 @@
 
 namespace evenlift {
 
-// Calls read(word) for the words between commas until it refuses one. Returns whether all words
-// were accepted.
+// Commas separate the words of the text. Calls read(word) for each word in order until a call
+// returns false. Returns whether all words were accepted.
 template <class Read>
 bool for_each_word(std::string_view text, Read read) {
   while (true) {
@@ -20,7 +20,7 @@ bool for_each_word(std::string_view text, Read read) {
   }
 }
 
-// Each of these returns whether the text is valid, and changes the setting only then. O(bytes).
+// Each function returns whether the text is valid, and changes the setting only if it is. O(bytes).
 bool read_size(std::string_view text, double& size);
 bool read_robot(std::string_view text, RobotSize& robot);
 bool read_no_go(std::string_view text, std::vector<EdgePart>& no_go);
@@ -29,11 +29,13 @@ bool read_no_go(std::string_view text, std::vector<EdgePart>& no_go);
 // is not quotable. O(bytes).
 std::string_view refused_part(std::string_view text);
 
-// Whether a part is short and plain enough to quote in a message. O(bytes).
+// Whether a part of a text can be quoted in a message: at most 40 printable ASCII characters.
+// O(bytes).
 bool is_quotable(std::string_view part);
 
-// Whether the sizes, or the parts, are in their ranges. O(1) for sizes, O(parts) for parts.
+// Whether all sizes are in range. O(1).
 bool is_robot_size(const RobotSize& robot);
+// Whether all parts and their number are in range. O(parts).
 bool is_no_go(const std::vector<EdgePart>& no_go);
 
 }  // namespace evenlift

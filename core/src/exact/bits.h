@@ -1,4 +1,5 @@
-// Doubles and their bits, without std::bit_cast, which older Emscripten lacks.
+// Converts doubles to their bits and back, without std::bit_cast, which older versions of
+// Emscripten lack.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +22,7 @@ inline double from_bits(std::uint64_t bits) {
   return value;
 }
 
-// Whether every bit is equal; so -0 and 0 differ. O(1).
+// Whether all bits of a and b are equal. So -0 and 0 differ. O(1).
 inline bool same_bits(double a, double b) { return to_bits(a) == to_bits(b); }
 
 }  // namespace evenlift

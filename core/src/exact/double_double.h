@@ -1,7 +1,7 @@
 // Double-double arithmetic: the unevaluated sum hi + lo of two doubles has about 106 bits (T. J.
-// Dekker, A floating-point technique for extending the available precision, 1971). It needs strict
-// IEEE arithmetic without contraction, which the build guarantees. Callers must avoid products
-// below 2^-969, which lose bits.
+// Dekker, A floating-point technique for extending the available precision, 1971). The operations
+// need strict IEEE arithmetic without fused multiply-add, which the build guarantees. Callers must
+// avoid products that are below 2^-969 in size but not 0, since these lose bits.
 #pragma once
 
 namespace evenlift {
@@ -34,7 +34,7 @@ inline DoubleDouble two_sum(double a, double b) {
 // a - b exactly.
 inline DoubleDouble two_difference(double a, double b) { return two_sum(a, -b); }
 
-// a b exactly, for |a|, |b| < 2^996.
+// The product a b, exactly, for |a|, |b| < 2^996.
 inline DoubleDouble two_product(double a, double b) {
   constexpr double splitter = 134217729.0;  // 2^27 + 1
   const double product = a * b;

@@ -1,5 +1,6 @@
-// Exact arithmetic on dyadic rationals m 2^e, which include all finite doubles: the last and slow
-// stage of the predicates. They are closed under + - x but not under division.
+// Exact arithmetic on dyadic rationals, the numbers m 2^e with whole m and e, which include all
+// finite doubles. It is the last and slowest stage of the predicates. Sums, differences and
+// products of dyadic rationals are dyadic rationals, but quotients may not be.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +15,9 @@ class Dyadic {
 
   int sign() const { return sign_; }
 
-  // The number as a double: 0 for 0, otherwise a double with the same sign and a relative error of
-  // at most 2^-52. A number beyond the range of doubles becomes the nearest one that is not 0.
+  // The number as a double with the same sign (0 for 0). The relative error is at most 2^-52 unless
+  // the result is subnormal. A number too large or too small for a double becomes the nearest
+  // finite double of its sign that is not 0.
   double to_double() const;
 
   friend Dyadic operator+(const Dyadic& a, const Dyadic& b);
@@ -27,8 +29,8 @@ class Dyadic {
   Dyadic operator-() const;
 
  private:
-  using Limbs = std::vector<std::uint32_t>;  // magnitude, least significant first, no leading zeros
-  // The magnitude, not 0, as a double in [1, 2^96) times a power of two.
+  using Limbs = std::vector<std::uint32_t>;  // digits of a magnitude, lowest first, no leading 0
+  // A magnitude above 0 as value 2^exponent, with the value in [1, 2^96).
   struct Scaled {
     double value;
     std::int64_t exponent;

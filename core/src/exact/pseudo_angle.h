@@ -1,4 +1,4 @@
-// Pseudo-angles: numbers that order directions as their angles do, without trigonometry.
+// Pseudo-angles are numbers that order directions as angles do, but need no trigonometry.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace evenlift {
 
 // The diamond angle: the position of a direction along the diamond |x| + |y| = 1, in [0, 4),
 // counter-clockwise from the positive x axis; 0 for the zero vector. Opposite directions differ by
-// 2. Rounding is far below the tolerance of agreeing directions. O(1).
+// 2. Rounding errors are far below tau, the tolerance within which directions agree. O(1).
 inline double pseudo_angle(const Vec2& u) {
   const double size = one_norm(u);
   if (size == 0) return 0;
@@ -21,10 +21,11 @@ inline double pseudo_angle(const Vec2& u) {
   if (u.x() < 0) return 2 - part;
   if (u.y() >= 0) return part;
   const double angle = 4 + part;
-  return angle < 4 ? angle : 0;  // a part below the last place of 4 rounds up to the full turn
+  return angle < 4 ? angle : 0;  // a part just below 0 rounds to 4, the full turn
 }
 
-// `angle` measured from `origin`, in [-1, 3): negative a little before the origin.
+// The pseudo-angle from `origin` counter-clockwise to `angle`, in [-1, 3). It is negative for
+// angles up to a quarter turn before the origin.
 inline double pseudo_angle_from(double origin, double angle) {
   double difference = angle - origin;
   if (difference < -1) difference += 4;
@@ -32,10 +33,10 @@ inline double pseudo_angle_from(double origin, double angle) {
   return difference;
 }
 
-// A pseudo-angle of the line along u, which must not be 0: its position along the square
-// max(|x|, |y|) = 1. It grows from -2 to 2 while u turns from -90 to 90 degrees, and on to 3 at 135
-// degrees, where it drops to -1. Elsewhere it never decreases, since each operation rounds
-// correctly. O(1).
+// A pseudo-angle of the line along u, which must not be 0: a position along the square max(|x|,
+// |y|) = 1. The values for u and -u are equal or differ by 4. While u turns from -90 to 135
+// degrees, the value grows from -2 to 3, where it drops to -1. Elsewhere between -90 and 180
+// degrees it never decreases, since each operation rounds correctly. O(1).
 inline double line_pseudo_angle(const Vec2& u) {
   if (std::fabs(u.y()) <= std::fabs(u.x())) return u.y() / u.x();
   return (u.y() > 0 ? 2.0 : -2.0) - u.x() / u.y();
@@ -44,9 +45,10 @@ inline double line_pseudo_angle(const Vec2& u) {
 // The direction in which C sees an item of for_each_between(), relative to the two corners.
 enum class SeenAt : std::uint8_t { first_corner, between, second_corner };
 
-// Calls visit(item, seen_at) counter-clockwise for the items that C sees between two corners of H
-// or, within tolerance, in the direction of one. `items` must be sorted by pseudo-angle; seen(item)
-// has `position` (relative to C) and `pseudo_angle`. O(log m) and the visits.
+// Calls visit(item, seen_at), counter-clockwise, for the items that C sees between the corners h1
+// and h2 of H or, within tolerance, in the direction of one of them. h1 and h2 are relative to C.
+// `items` must be sorted by pseudo-angle; seen(item) must return a struct with the item's
+// `position` (relative to C) and `pseudo_angle`. O(log m + visits) for m items.
 template <class Items, class See, class Visit>
 void for_each_between(const Items& items, See seen, const Vec2& h1, const Vec2& h2, Visit visit) {
   const double margin = 4 * tau;  // pseudo-angles of directions that agree differ by less

@@ -1,6 +1,6 @@
-// Sorting by index, with type erasure: one std::stable_sort instantiation serves all orders, since
-// six of them added 9 KB to the compressed page. Code that mostly sorts (candidates, the selector)
-// has sorts of its own.
+// Sorts indices. All orders share one instantiation of std::stable_sort by type erasure, since six
+// instantiations added 9 KB to the compressed web page. The code for candidates and selection,
+// where most of the sorting is done, has sorts of its own.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +14,11 @@ namespace evenlift {
 
 using SortedIndices = std::vector<std::uint32_t>;
 
-// Whether element i comes before element j in the order at `order`.
+// Whether element i comes before element j in the order to which `order` points.
 using IsBefore = bool (*)(const void* order, std::uint32_t i, std::uint32_t j);
 void sort_indices(std::span<std::uint32_t> indices, const void* order, IsBefore is_before);
 
-// Sorts stably by before(i, j), a strict weak order. O(n log n) calls.
+// Sorts stably by before(i, j), which must be a strict weak order. O(n log n) calls.
 template <class Before>
 void sort_indices(std::span<std::uint32_t> indices, const Before& before) {
   sort_indices(indices, &before, [](const void* order, std::uint32_t i, std::uint32_t j) {
@@ -29,8 +29,7 @@ void sort_indices(std::span<std::uint32_t> indices, const Before& before) {
 // The indices 0 ... n - 1. O(n).
 SortedIndices indices_below(std::size_t n);
 
-// The indices 0 ... n - 1, n below 2^32, sorted stably by before(i, j), a strict weak order.
-// O(n log n) calls.
+// The indices 0 ... n - 1, sorted by sort_indices(). n must be below 2^32. O(n log n) calls.
 template <class Before>
 SortedIndices sorted_indices(std::size_t n, const Before& before) {
   SortedIndices indices = indices_below(n);
@@ -42,8 +41,7 @@ inline bool lexicographically_before(const Vec2& a, const Vec2& b) {
   return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
 }
 
-// The indices of the points from left to right, with equal x from bottom to top; equal points are
-// in order of index. O(n log n).
+// The indices of the points, sorted by x, then by y, then by index. O(n log n).
 SortedIndices lexicographic_order(const Points& points);
 
 }  // namespace evenlift

@@ -1,6 +1,6 @@
 // Ties within a tolerance are not transitive, so a sort cannot use them. Candidate order
 // (algorithm.md, Order and duplicates) therefore sorts by the key, then cuts the list into classes
-// whose members all tie with the best one.
+// whose members all tie with the best of their class.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,9 @@
 
 namespace evenlift {
 
-// Sorts indices by key, largest first, and calls visit(class) for each class. `ties(best, key)`
-// returns whether a key that is not larger than the best ties with it. O(m log m).
+// Sorts indices by key, largest first, and calls visit(span) with the indices of each class.
+// ties(best, key) must return whether a key that is not larger than the best key ties with it. O(m
+// log m) for m indices.
 template <class Key, class Ties, class Visit>
 void for_each_tie_class(std::span<std::uint32_t> indices, Key key, Ties ties, Visit visit) {
   if (indices.size() == 1) return visit(indices);  // the most frequent case; sorting would allocate

@@ -1,5 +1,6 @@
-// The readers of the three formats, and their shared parts. Each reads a whole text without a
-// byte-order mark; read_polygon() in formats.cpp chooses one.
+// The readers of the thesis's format, WKT and GeoJSON, and the parts that they share. Each reader
+// reads a whole text, which must not begin with a byte-order mark. read_polygon() in formats.cpp
+// chooses the reader.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +27,7 @@ inline constexpr char no_more_cargo[] = "there are more than 1000 items of cargo
 static_assert(max_vertices == 1048576 && max_holes == 1000 && max_cargo == 1000,
               "the messages name the numbers");
 
-// Whether the word is WKT's name for another geometry than a polygon, in either case. O(1).
+// Whether the word is WKT's name for a geometry other than POLYGON, in upper or lower case. O(1).
 bool names_other_geometry(std::string_view word);
 
 // Reads the parentheses and rings of a WKT polygon: the outline and at most `most_holes` holes. A

@@ -1,5 +1,5 @@
-// The families behind generate(). Their vertices are on an integer grid, where turns and orders are
-// exact; generate() turns them into decimals.
+// The families of polygons that generate() offers. Their vertices are on an integer grid, where
+// turns and comparisons are exact; generate() converts them to decimal coordinates.
 #pragma once
 
 #include <cstddef>
@@ -21,15 +21,15 @@ struct GridPolygon {
   int decimals = 3;                 // 0 .. 9
 };
 
-// Positive if c is to the left of a -> b; exact for coordinates up to 1e9 in size.
+// Positive if c is to the left of the line from a to b. Exact for coordinates up to 1e9 in size.
 inline std::int64_t turn(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Twice the signed area, rounded; positive for counter-clockwise vertices.
+// Twice the signed area, with rounding errors; positive for counter-clockwise vertices.
 double doubled_area(const std::vector<GridPoint>& vertices);
 
-// Returns 10^decimals, exactly.
+// 10^decimals, exactly.
 double units(int decimals);
 
 // The nearest integer. Halves round away from zero, so that symmetric shapes stay symmetric.

@@ -1,4 +1,4 @@
-// The contacts of robots with an object, and their distances from corners.
+// Finds the contacts of robots with an object, and the distances of these contacts from corners.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// The object and the contacts of its robots, as form closure and margin need them.
+// The object and its robots' contacts in the form that the tests of form closure and the margin
+// need.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +10,11 @@
 
 namespace evenlift {
 
-// The edge of each contact is directed with the interior on its left. So the inward normal is the
-// edge's direction turned by +90 degrees.
+// A touch is a contact with its edge, directed with the interior on its left. So the inward normal
+// is the edge's direction turned by +90 degrees.
 struct Grasp {
   struct Touch {
-    Vec2 from, to;  // the ends of the edge, as directed
+    Vec2 from, to;  // the ends of the edge, in this direction
     Vec2 position;
     std::uint32_t edge;
     Vec2 direction() const { return to - from; }
@@ -22,19 +23,20 @@ struct Grasp {
   Vec2 centre;
   double diagonal = 0;  // the diagonal of the bounding box
   double diameter = 0;  // L
-  double near = 0;
-  double radius = 0;  // R: the largest distance of a vertex from C
+  double near = 0;      // tau L
+  double radius = 0;    // R: the largest distance of a vertex from C
   std::vector<Touch> touches;
 };
 
-// Returns the grasp with these contacts. If several are on edges of the same direction, it keeps
-// only the first and the last: the wrenches and normal lines of the others lie between those of
-// these two and add nothing. `radius` is R. O(m log e) for m contacts on e edges.
+// Returns the grasp with these contacts. Of several contacts on edges of the same direction, the
+// grasp keeps only the first and the last in this direction. The wrenches and normal lines of the
+// others lie between the wrenches and normal lines of these two and add nothing. `radius` is R. O(m
+// log e) for m contacts on e edges.
 Grasp make_grasp(const Polygon& polygon, const Vec2& centre, double radius,
                  const std::vector<Contact>& contacts);
 
-// The touch's position along its edge, measured from the foot of the perpendicular from C, times
-// the edge's length. O(1).
+// The touch's position along its edge, measured from the foot of the perpendicular from C to the
+// edge's line, times the edge's length. O(1).
 double along(const Grasp& grasp, const Grasp::Touch& touch);
 
 // The wrenches of the touches, with torques in units of R. They are sorted by edge and torque, so

@@ -1,5 +1,5 @@
 // With the goal hold, choices of teams and sets of balanced robots are compared by the level of
-// their margin (algorithm.md).
+// their margin (algorithm.md, Choosing teams that hold).
 #pragma once
 
 #include <algorithm>

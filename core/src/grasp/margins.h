@@ -1,4 +1,4 @@
-// The margins of many grasps of one object. Only contacts far enough from corners count.
+// Computes the margins of many placements on one object.
 #pragma once
 
 #include <optional>
@@ -16,12 +16,13 @@ class Margins {
   // O(n log n).
   Margins(const Polygon& polygon, const Vec2& centre, double clear);
 
-  // Returns the margin of analyse_hold() for the clear_contacts() of these points. O(m log n), and
-  // the cost of wrench_margin().
+  // Returns the margin of robots at these points, as analyse_hold() computes it from those of their
+  // contacts that count; nothing if no contact counts. O(m log n) for m points, plus the cost of
+  // wrench_margin().
   std::optional<double> of(const std::vector<LiftingPoint>& points) const;
 
-  // The wrenches that the margin needs: for contacts on parallel edges, the first and the last.
-  // O(m log n).
+  // The wrenches that the margin needs. For contacts on edges of the same direction, these are the
+  // wrenches of the first and the last (grasp.h). O(m log n).
   std::vector<Wrench> wrenches_of(const std::vector<LiftingPoint>& points) const;
 
  private:

@@ -1,5 +1,6 @@
-// The quality of a grasp (C. Ferrari and J. Canny, Planning optimal grasps, 1992; their measure is
-// often called epsilon or Q1: one limit for the sum of all contact forces, the L1 form).
+// The margin of a grasp, by C. Ferrari and J. Canny (Planning optimal grasps, 1992). Their measure
+// is often called epsilon or Q1. This is the L1 form, with one limit for the sum of all contact
+// forces.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,12 +13,13 @@ using Wrench = Eigen::Vector3d;  // force x, force y, torque
 // The minimum over all unit vectors u of the maximum of u . w over the wrenches w. This is the
 // radius of the largest ball about the origin in their convex hull; if the origin is outside, it is
 // minus the hull's distance from the origin. There must be at least one wrench. O(m^2) for up to 32
-// wrenches. For more, only a hull of the wrenches that bound the ball is made, usually a few dozen,
-// and finding each takes O(m).
+// wrenches. For more, the hull is built only from the wrenches that bound the ball, usually a few
+// dozen; finding each of these takes O(m).
 double wrench_margin(const std::vector<Wrench>& wrenches);
 
-// The margin, and a unit vector u that nearly attains it. For any other wrenches w, the maximum of
-// u . w is an upper bound of their margin. The bound is good if they are similar to the given ones.
+// The margin, and a unit vector u for which the maximum of u . w is nearly the margin. For any
+// other set of wrenches w, the maximum of u . w is an upper bound of that set's margin. The bound
+// is close if the set is similar to the given one.
 struct WeakestDirection {
   double margin = 0;
   Wrench direction = Wrench::UnitX();

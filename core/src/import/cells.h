@@ -1,4 +1,5 @@
-// A table's lines and cells: CSV, cells copied from a spreadsheet, or lines "x, y".
+// Splits a table into lines and cells. The table may be CSV, cells copied from a spreadsheet, or
+// lines "x, y".
 #pragma once
 
 #include <optional>
@@ -11,7 +12,8 @@ namespace evenlift {
 
 using Fields = std::vector<std::string_view>;
 
-// A line that is not blank. Comments are skipped, unless Comments::returned asks for them.
+// A line that has more than separators and spaces. Comments, which are lines that begin with #, are
+// skipped unless Comments::returned asks for them.
 struct Line {
   std::string_view text;
   bool after_blank = false;
@@ -34,27 +36,28 @@ class Lines {
   std::size_t at_ = 0, number_ = 0;
 };
 
-// The separator of cells: the first of tab, semicolon, bar and comma that the line has outside
-// quotes, or a space if it has none of them.
+// The separator of cells: a tab if the line contains one, else a semicolon, else a bar, else a
+// comma, else a space. Separators in quotation marks do not count.
 char separator_of(std::string_view line);
 
-// Splits a line into at most 1000 cells, without the quotes and spaces around them, and without
-// empty cells at the end. A quoted cell may contain the separator, and quotes as "". O(line).
+// Splits a line into cells and returns at most the first 1000, without empty cells at the end. The
+// quotation marks and spaces around each cell are left out. A quoted cell may contain the
+// separator, and quotation marks that are doubled (""). O(line).
 Fields split_cells(std::string_view line, char separator);
 
-// The cell's number; nullopt if the cell is not a number. With `decimal_comma` a comma may precede
+// The cell's number; nullopt if the cell is not a number. With `decimal_comma`, a comma may precede
 // the decimals. O(cell).
 std::optional<double> cell_number(std::string_view cell, bool decimal_comma);
 
-// Whether the heading names this coordinate: "x", "X", "x_mm", "x (m)", but not "xml" or
-// "share_of_x".
+// Whether the heading names the coordinate `name`. If `name` is x, this is true of "x", "X", "x_mm"
+// and "x (m)", but not of "xml" or "share_of_x".
 bool names_column(std::string_view heading, char name);
 
 // The unit at the end of a heading that names a coordinate, such as "x (mm)", "x_cm" or "X [m]";
 // LengthUnit::none if there is no unit.
 LengthUnit unit_of_column(std::string_view heading);
 
-// Whether one of the cells is this word, in any case.
+// Whether one of the cells is this word, in upper or lower case.
 bool has_field(const Fields& fields, std::string_view name);
 
 }  // namespace evenlift

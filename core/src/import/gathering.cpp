@@ -93,9 +93,12 @@ void LeftOut::add(std::string_view one, std::string_view many) {
     ++kind.count;
     return;
   }
-  // A text may contain any number of names.
-  if (counts_.size() < 20)
+  // A text may contain any number of names; the last entry counts all that follow.
+  constexpr std::size_t most_names = 19;
+  if (counts_.size() < most_names)
     counts_.push_back({std::string(one), std::string(many), 1});
+  else if (counts_.size() == most_names)
+    counts_.push_back({"thing of another kind", "things of other kinds", 1});
   else
     ++counts_.back().count;
 }

@@ -14,24 +14,24 @@
 
 namespace evenlift {
 
-// Points closer than this share of the larger side count as one: drawings repeat points, and ends
-// that should meet differ a little.
+// Points count as one if they are closer than this share of their shape's larger side, since
+// drawings repeat points, and ends that should meet differ a little.
 inline constexpr double same_point = 1e-5;
 
 double larger_side(const Box& box);
 
-// Writes the value rounded to at most four digits, such as 12.35 or 120.
+// Writes the value, rounded to at most four significant digits, such as 12.35 or 120.
 std::string short_number(double value);
 
 std::string counted(std::size_t count, std::string_view one, std::string_view many);
 
-// Puts the user's text in quotation marks. It is never translated.
+// Puts the user's text in quotation marks. The text itself is never translated.
 std::string in_quotes(std::string_view text);
 
 // The name as valid UTF-8 of at most 80 characters, on one line.
 std::string clean_name(std::string_view name);
 
-// Counts objects by name.
+// Counts objects by name. The 20th name and all further ones count as one.
 class LeftOut {
  public:
   void add(std::string_view one, std::string_view many);
@@ -64,30 +64,32 @@ class Gathering {
   LeftOut left_out;
 
   // Adds the shapes that the fill makes of the closed parts. Without a fill, each part is added as
-  // an outline, and finish() makes shapes and holes of the outlines. A part with a problem is left
-  // out; the others remain.
+  // an outline, and finish() decides which outlines are shapes and which are holes. A part with a
+  // problem is left out; the other parts remain.
   void add(const DrawnShape& drawn);
-  // Joins open pieces. If `closes_alone`, a straight edge closes a piece that meets no other. Notes
-  // tell which pieces were joined, dropped and left open.
+  // Joins open pieces into outlines and adds these. If `closes_alone`, a straight edge closes a
+  // piece that meets no other. Notes give the widest gap that was joined, and the numbers of pieces
+  // that were dropped or do not close.
   void add_joined(const std::vector<DrawnPiece>& pieces, bool closes_alone);
-  // A part of a sentence that says where two ends stayed open; empty if no ends did.
+  // A clause that names the two nearest of the ends that stayed open; empty if they are unknown.
   const std::string& gap() const { return gap_; }
-  // Adds vertices and holes unchanged.
+  // Adds a shape with the document's vertices and holes. If the last vertex of a ring equals the
+  // first, it is dropped.
   void add(Document document, std::string_view name, std::string_view kind);
-  // Leaves out the shape with this error.
+  // Counts a shape that is left out because of this error.
   void add_problem(InputError error);
   // Whether the limit of shapes or vertices is reached, so that a reader may stop.
   bool full() const { return full_.has_value(); }
-  // The most holes kept for a shape; max_vertices, in effect unlimited, if holes are left out
-  // later.
+  // The greatest number of holes that a shape keeps. If holes are left out later, it is
+  // max_vertices, in effect no limit.
   std::size_t most_holes() const { return options_.holes ? max_holes : max_vertices; }
-  // Whether degrees are converted after reading, so that they need no note.
+  // Whether degrees are converted to metres after reading, so that they need no note.
   bool projects() const { return options_.project; }
-  // Adds the sentence, translated.
+  // Adds the sentence to the notes, translated, unless there are already 20.
   void note(std::string_view sentence);
 
-  // Finishes and returns the import. If it has no shape, returns the first problem, or `nothing` if
-  // there were no problems.
+  // Finishes and returns the import, or an error if a limit is exceeded. If there is no shape,
+  // returns the first problem, or `nothing` if there were no problems.
   Result<Import> finish(InputError nothing);
 
  private:
@@ -112,7 +114,7 @@ class Gathering {
   std::size_t open_points_ = 0;
   std::vector<Drawn> drawn_;  // by shape, if the shapes are outlines of a drawing
   std::size_t paths_ = 0;
-  std::size_t outlines_ = 0;  // shapes, and holes that came with an outline of a drawing
+  std::size_t outlines_ = 0;  // all shapes and, in a drawing, all holes
   std::size_t without_area_ = 0, problems_ = 0;
   std::optional<InputError> first_problem_, full_;
 };

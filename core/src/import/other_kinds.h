@@ -1,12 +1,13 @@
-// Files of other kinds, which are refused by name.
+// Recognizes known kinds of files that evenlift does not read.
 #pragma once
 
 #include <string_view>
 
 namespace evenlift {
 
-// A sentence that says which kind of file the text is and what to do instead; null if the text is
-// of no such kind. The text may contain any bytes. O(the first lines).
+// A sentence that names the kind of the file and says what the user can do instead; null if the
+// file is of none of these kinds. The text may contain any bytes. Looks only at the first 65536
+// bytes.
 const char* refusal_of_other_kind(std::string_view text);
 
 }  // namespace evenlift

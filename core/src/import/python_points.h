@@ -1,4 +1,5 @@
-// Points in Python: lists and tuples, "[(0, 0), (1, 0)]", and numpy's arrays.
+// Reads points as Python writes them: lists and tuples, such as "[(0, 0), (1, 0)]", and numpy's
+// arrays.
 #pragma once
 
 #include <string_view>
@@ -7,9 +8,9 @@
 
 namespace evenlift {
 
-// Whether the text has only numbers, commas, brackets and parentheses, and either begins with "((",
-// "[(" or "[[", or has a comma after its first "(x, y)". The thesis's text has no such comma.
-// O(bytes).
+// Whether the text has only numbers, commas, brackets and parentheses, and either begins with two
+// brackets or parentheses, such as "[(", or has a comma after its first "(x, y)". The thesis's
+// format has no such comma. O(bytes).
 bool looks_like_python(std::string_view text);
 
 // Reads each list of points as a shape. O(bytes).

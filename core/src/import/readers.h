@@ -1,5 +1,5 @@
-// read_shapes() chooses one of the readers. Each reads a whole text without a byte-order mark and
-// without bytes 0.
+// The readers from which read_shapes() chooses. Each reads a whole text, which must contain neither
+// a byte-order mark nor bytes of value 0.
 #pragma once
 
 #include <string_view>
@@ -14,8 +14,8 @@ Result<Import> read_columns(std::string_view text, const ImportOptions& options)
 // Reads GeoJSON, arrays of points, and evenlift's results.
 Result<Import> read_json_shapes(std::string_view text, const ImportOptions& options);
 
-// Whether the text begins, after any comments, with a DXF section: pairs of lines, a code and a
-// value, of which the first are 0 and SECTION. O(bytes until there).
+// Whether the text begins, after any comments, with a DXF section, that is, with the code 0 on one
+// line and the value SECTION on the next. O(bytes up to there).
 bool looks_like_dxf(std::string_view text);
 
 // A part of the message about a text in no known format.

@@ -1,5 +1,6 @@
-// Counts of the vertices and heights that readers of rings leave out, and notes about them and
-// about degrees. WKT, GeoJSON, other JSON and tables share this rule.
+// Counts the vertices and heights that readers leave out of rings, and writes notes about these and
+// about coordinates in degrees. The readers of WKT, GeoJSON, other JSON, Python and tables use
+// RingNotes.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +13,14 @@
 namespace evenlift {
 
 struct RingNotes {
-  std::size_t repeated = 0;  // vertices at the place of the one before
+  std::size_t repeated = 0;  // vertices at the place of the preceding one
   std::size_t heights = 0;   // positions with coordinates beyond x and y
   bool are_degrees = false;  // the text says that its coordinates are degrees
   // The note about degrees.
   std::string_view in_degrees =
       "the coordinates are degrees of longitude and latitude, not lengths";
 
-  // Drops and counts vertices that equal the one before; the last may equal the first. O(n).
+  // Drops and counts the vertices that equal the preceding one; the last may equal the first. O(n).
   void drop_repeated(Points& ring);
   // Adds the notes to the import, which must already have all its shapes. O(vertices).
   void add_to(Gathering& gathering) const;
@@ -28,8 +29,8 @@ struct RingNotes {
 // The box around all vertices. O(vertices).
 Box box_of(const std::vector<ImportedShape>& shapes);
 
-// Whether the reference system with this code is one in degrees. It knows WGS 84 and the national
-// systems most common in files. O(1).
+// Whether the reference system with this EPSG code has coordinates in degrees. The function knows
+// only WGS 84 and the other such systems that are most common in files. O(1).
 bool is_in_degrees(double code);
 
 }  // namespace evenlift

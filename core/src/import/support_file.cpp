@@ -16,6 +16,13 @@ using Kind = JsonTree::Kind;
 using Index = JsonTree::Index;
 using Problem = std::optional<InputError>;
 
+// Such as "mm"; nullopt for other words.
+std::optional<LengthUnit> unit_named(std::string_view word) {
+  for (const LengthUnit unit : all_length_units)
+    if (same_word(word, name(unit))) return unit;
+  return std::nullopt;
+}
+
 // Supports within the bounds of all formats.
 class Gathered {
  public:
@@ -59,11 +66,17 @@ class JsonSupports {
 
   Result<SupportFile> read() {
     std::optional<Index> list = tree_.root();
+    LengthUnit unit = LengthUnit::none;
     if (tree_.kind(*list) == Kind::object) {
       if (tree_.is_string(tree_.member(0, "origin"), "com"))
         return gathered_.error(tree_.offset(0),
                                "these poses are relative to the centre of mass; "
                                "save them with the origin of the file");
+      if (const auto named = tree_.member(0, "unit"); named && tree_.kind(*named) == Kind::string) {
+        const auto known = unit_named(tree_.text(*named));
+        if (!known) return gathered_.error(tree_.offset(*named), requirement(Setting::unit));
+        unit = *known;
+      }
       list = tree_.member(0, "robots");
     }
     if (!list || tree_.kind(*list) != Kind::array)
@@ -74,7 +87,7 @@ class JsonSupports {
       gathered_.add_contact(contact(i).value_or(*at));
       if (auto wrong = gathered_.add(*at, capacity(i), tree_.offset(i))) return *wrong;
     }
-    return gathered_.finish();
+    return gathered_.finish(unit);
   }
 
  private:
@@ -139,7 +152,7 @@ Result<SupportFile> read_poses(std::string_view text) {
 // --- A table with a heading
 
 struct Columns {
-  std::optional<std::size_t> x, y, capacity;
+  std::optional<std::size_t> x, y, capacity, unit;
 };
 
 // "capacity", "Rated capacity (kg)", "Cap.", "SWL", "max. load".
@@ -157,6 +170,7 @@ Columns columns_of(const Fields& heading) {
     if (names_column(heading[i], 'x')) columns.x = i;
     if (names_column(heading[i], 'y')) columns.y = i;
     if (names_capacity(heading[i])) columns.capacity = i;
+    if (same_word(heading[i], "unit")) columns.unit = i;
   }
   return columns;
 }
@@ -171,9 +185,10 @@ Result<SupportFile> read_table(std::string_view text) {
   const Columns columns = columns_of(headings);
   if (!columns.x || !columns.y)
     return gathered.error(0, "the first line must name the columns x and y, and perhaps capacity");
-  const LengthUnit unit = unit_of_column(headings[*columns.x]);
+  std::optional<LengthUnit> unit = unit_of_column(headings[*columns.x]);
   if (unit != unit_of_column(headings[*columns.y]))
     return gathered.error(0, "x and y are in different units");
+  if (unit == LengthUnit::none) unit.reset();
   for (auto line = lines.next(); line; line = lines.next()) {
     const Fields cells = split_cells(line->text, separator);
     const auto offset = static_cast<std::size_t>(line->text.data() - text.data());
@@ -190,9 +205,16 @@ Result<SupportFile> read_table(std::string_view text) {
     const bool has_cell =
         columns.capacity && *columns.capacity < cells.size() && !cells[*columns.capacity].empty();
     if (has_cell && !capacity) return gathered.error(offset, "the capacity is not a number");
+    if (columns.unit && *columns.unit < cells.size()) {
+      // A column of evenlift's own poses; in another table, its words may mean something else.
+      const std::optional<LengthUnit> own = unit_named(cells[*columns.unit]);
+      if (own && unit.value_or(*own) != *own)
+        return gathered.error(offset, "the robots are in different units");
+      if (own) unit = own;
+    }
     if (auto wrong = gathered.add(Vec2(*x, *y), capacity, offset)) return *wrong;
   }
-  return gathered.finish(unit);
+  return gathered.finish(unit.value_or(LengthUnit::none));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Finds x and y without headings.
+// Finds the columns of x and y in a table whose headings do not name them.
 #pragma once
 
 #include <cstddef>
@@ -15,21 +15,23 @@ struct CellStyle {
   bool decimal_comma = false;  // decimal commas are allowed
 };
 
-// The numbers of the columns whose cells are numbers. O(cells).
+// The indices of the columns whose cells in this row are numbers. O(cells).
 std::vector<std::size_t> number_columns(const Fields& cells, const CellStyle& style);
 
-// Whether each cell is empty, or has a digit and only characters of numbers. O(cells).
+// Whether each cell is empty, or has a digit and otherwise only characters that numbers can have.
+// O(cells).
 bool has_only_digits(const Fields& cells);
 
-// The style of the first line that begins with a number and has two numbers, even before headings.
-// If there is no such line, it is the style of the first line with two numbers, such as after a
-// name; without one, of the first line with a digit. Where commas part cells, decimal commas are
-// allowed if the commas in quoted cells of the first lines can be nothing else. O(first lines).
+// The style of the first line that begins with a number and has two numbers. Without such a line it
+// is that of the first line with two numbers, even after a name; without either, that of the first
+// line with a digit. Decimal commas are allowed if tabs, semicolons or bars separate cells, or if
+// commas do and a quoted cell has a comma that cannot separate thousands. Only the first 200 lines
+// count. O(first lines).
 CellStyle style_of_table(std::string_view text);
 
-// The numbers of those `columns` that consist of two or more runs, each of at least three equal
-// cells. Numbers and names of shapes do. Coordinates do not: three vertices in a row would be on
-// one line. O(bytes).
+// Returns those of `columns` that consist of two or more runs, each of at least three equal cells.
+// Columns that number or name the shapes have such runs. Columns of coordinates do not, since the
+// vertices of each run would be on one line. O(bytes).
 std::vector<std::size_t> columns_of_shapes(std::string_view rows, const CellStyle& style,
                                            const std::vector<std::size_t>& columns);
 
@@ -39,10 +41,11 @@ struct ChosenColumns {
   std::string note;                 // empty if no other columns have numbers
 };
 
-// Chooses two of the columns with numbers in the first row. It drops a first column that numbers
-// the shapes, columns whose headings name numbers of points or heights, columns that stay the same,
-// and columns that number the lines, as long as two others remain. `rows` begins with the first
-// row. There may be fewer headings than columns. At least two columns must have numbers. O(bytes).
+// Chooses x and y among the columns with a number in the first row. As long as more than two of
+// these remain, it drops the first column if it numbers the shapes, columns whose headings mean
+// numbers of points or heights, columns that are the same in every line, and columns that number
+// the points. The first two of the remaining columns are x and y. `rows` begins with the first row.
+// There may be fewer headings than columns. At least two columns must have numbers. O(bytes).
 ChosenColumns choose_columns(std::string_view rows, const CellStyle& style, const Fields& first_row,
                              const Fields& headings);
 

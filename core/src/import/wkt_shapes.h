@@ -1,5 +1,5 @@
-// Reads well-known text, alone or in a column of a table. It leaves out the same kinds of
-// geometries as the reader of GeoJSON.
+// Reads polygons, multipolygons and collections in well-known text, alone or in a column of a
+// table. Other geometries, such as points, are left out.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@
 
 namespace evenlift {
 
-// Whether the text begins with the name of a geometry and a valid continuation, such as a
-// parenthesis: a table's heading may also begin with such a name. O(1).
+// Whether the cursor is at a geometry's name or at "SRID", with a valid continuation such as a
+// parenthesis. The name alone is not enough, since a table's heading may also begin with it. O(1).
 bool begins_wkt(TextCursor cursor);
 
 // A cell's place in its line, without quotation marks: bytes `from` .. `to` - 1.
@@ -21,18 +21,18 @@ struct GeometryCell {
   std::size_t from = 0, to = 0;
 };
 
-// The first cell of WKT in the line, up to its closing parenthesis or the end of the line; nullopt
-// if the line has no such cell. O(line).
+// The first cell of WKT in the line; nullopt if there is no such cell. It ends at its closing
+// parenthesis, or at a quotation mark before any parenthesis, or at the end of the line. O(line).
 std::optional<GeometryCell> find_geometry(std::string_view line);
 
 class WktReader {
  public:
   explicit WktReader(Gathering& gathering) : gathering_(gathering) {}
 
-  // Reads a geometry, perhaps after a reference system, and adds its polygons. The cursor reads
-  // `text`. Returns an error if the text breaks off or is not WKT.
+  // Reads a geometry, perhaps after a reference system, and adds its polygons. The cursor must read
+  // `text`. Returns an error if the text breaks off, is not WKT or nests collections too deep.
   std::optional<InputError> take(std::string_view text, TextCursor& cursor, std::string_view name);
-  // Adds the notes; called after the last geometry.
+  // Adds the notes on what was left out. Call it after the last geometry.
   void finish();
 
  private:
@@ -47,14 +47,14 @@ class WktReader {
   std::string system_;  // the first reference system
 };
 
-// Reads one geometry after another.
+// Reads a text of one or more geometries, each perhaps followed by ';'.
 Result<Import> read_wkt_shapes(std::string_view text, const ImportOptions& options);
 
-// Reads a table in which each line has a geometry, named by a column of names or numbers.
+// Reads a table of geometries, one per line. A column of names or numbers, if any, names them.
 Result<Import> read_wkt_table(std::string_view text, const ImportOptions& options);
 
-// Whether one of the first lines has WKT. Points do not count beside columns of their x and y.
-// O(first lines).
+// Whether one of the first 100 lines of a table has WKT. But if the first WKT is a point and a line
+// above names columns of coordinates, returns false: the columns repeat the points. O(100 lines).
 bool has_wkt_cells(std::string_view text);
 
 }  // namespace evenlift

@@ -13,8 +13,8 @@ struct QuantizedPolygon {
   QuantizedVertices quantized;
 };
 
-// Returns at least one encoding, and several for a small polygon. It compares only integers, so
-// every platform chooses the same. O(n).
+// Returns at least one encoding, and several for a small polygon. The choice depends only on
+// integers, so every platform makes the same one. O(n).
 std::vector<QuantizedPolygon> likely_encodings(const Points& vertices);
 
 }  // namespace evenlift

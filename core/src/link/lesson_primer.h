@@ -1,5 +1,6 @@
-// From this text both ends of a link learn what lessons look like. It is part of the format and
-// never changes. docs/lesson-primer.txt repeats it for other readers.
+// The text on which the model for lesson links (lesson_link.cpp) is trained before it writes or
+// reads a lesson. The text is part of the format and never changes. docs/lesson-primer.txt repeats
+// it for other programs.
 #pragma once
 
 #include <string_view>

@@ -15,25 +15,26 @@ namespace evenlift {
 bool is_decimal_digit(char c);
 bool is_white_space(char c);
 
-// The end of the link that starts at `begin` in a text that ends at `end`. The link ends before an
-// '&' in an address, after which parameters of visit counters may follow. Punctuation and closing
-// brackets around the link are not part of it, but the full stop after the version is.
+// The end of the link that starts at `begin` in a text that ends at `end`. An '&' ends the link,
+// since visit counters may add parameters to an address. Punctuation, quotation marks and closing
+// brackets after the link are not part of it, but the full stop after the version is.
 std::size_t end_of_link(std::string_view text, std::size_t begin, std::size_t end);
 
 // The value 0 .. 63 of a digit; nullopt if the character is not a digit.
 std::optional<std::uint8_t> digit_of(char c);
 
-// Makes an error whose place is the link, and the character's number from 1 unless it is 0.
+// Makes an error in a link. Its place is the character with this number, counted from 1, or the
+// whole link if the number is 0.
 InputError link_error(ErrorCode code, std::string message, std::size_t character = 0);
 
-// The error that a link cannot contain the character at `at`.
+// Makes the error that says that a link cannot contain the character at `at`.
 InputError bad_character(std::string_view text, std::size_t at);
 
 // Appends the digits and the checksum to `link`, which so far holds the version. O(digits).
 void append_digits(std::string& link, const Digits& digits);
 
-// The digits from `payload` to the checksum of the link [begin, end), or an error that says why
-// they cannot be right. O(end - begin).
+// Returns the digits from `payload` to the checksum of the link [begin, end). Returns an error if
+// the link has other characters, is too short or does not match its checksum. O(end - begin).
 Result<Digits> read_digits(std::string_view text, std::size_t begin, std::size_t payload,
                            std::size_t end);
 

@@ -14,16 +14,16 @@ namespace evenlift {
 // Version 2 is version 1, followed by records (records.h).
 enum class LinkVersion : std::uint8_t { one = 1, two = 2 };
 
-// The least version for the document. O(1).
+// The least version that can represent the document. O(bytes of the records).
 LinkVersion version_for(const Document& document);
 
-// Returns the shortest of a few encodings. All numbers must be finite, the settings within their
-// ranges, and the vertices at most max_link_vertices in number. O(n).
+// Returns the shortest of a few encodings. All numbers must be finite and all settings within their
+// ranges, and there must be at most max_link_vertices vertices. O(n).
 Digits encode_payload(const Document& document);
 
-// The two reasons why digits are not a document: no encoding gives them, or a later program wrote a
-// record with this unknown tag.
+// Digits that do not encode any document.
 struct NoPayload {};
+// Digits with a record whose tag is unknown; presumably a later program wrote it.
 struct UnknownRecord {
   unsigned tag = 0;
 };

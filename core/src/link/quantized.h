@@ -1,4 +1,4 @@
-// Coordinates in share links as integers, and their predictors.
+// Coordinates in share links as integers, called numbers (quantizer.h), and their predictors.
 #pragma once
 
 #include <array>
@@ -16,13 +16,12 @@ enum class Predictor : std::uint8_t {
   nothing,   // always 0
   previous,  // the last vertex's number
   line,      // extrapolates the last two linearly
-  repeat     // adds the step four vertices ago to the last number, for combs
+  repeat     // adds the step of four vertices ago to the last number; good for combs
 };
 inline constexpr Predictor all_predictors[] = {Predictor::nothing, Predictor::previous,
                                                Predictor::line, Predictor::repeat};
 
-// The settings with which vertices are coded. The writer tries several encodings and keeps the
-// shortest.
+// The way in which vertices are coded. The writer tries several and keeps the shortest.
 struct Encoding {
   Scale scale{0};
   Predictor predictor = Predictor::nothing;

@@ -3,8 +3,8 @@
 // on a whole link. Programs that read links must follow docs/link-format.md, "Coder".
 //
 // Encoder and Decoder have the same members, which take the value to write and return the value
-// read: the encoder returns its argument, the decoder ignores it. So one template with the coder as
-// its parameter describes the format in both directions. For example,
+// read. An encoder returns the value that it takes; a decoder ignores that value. So one template
+// with the coder as its parameter describes the format in both directions. For example,
 //
 //   settings.seed = code_integer(coder, settings.seed, 64);
 //
@@ -23,7 +23,7 @@ using Digits = std::vector<std::uint8_t>;  // each 0 .. 63
 
 // One adaptive binary decision. The more frequent value takes fewer bits.
 struct BitModel {
-  std::uint16_t count[2];   // how often false and true came so far
+  std::uint16_t count[2];   // how often false and true have occurred
   void update(bool value);  // counts one more value; O(1)
 };
 
@@ -46,7 +46,7 @@ class Encoder {
   void narrow(std::uint32_t offset, std::uint32_t range);
   void carry();
 
-  std::uint32_t low_ = 0;  // below 2^30: digits that may still change
+  std::uint32_t low_ = 0;  // the lower end of the range, without digits_; below 2^30
   std::uint32_t range_ = std::uint32_t{1} << 30;
   Digits digits_;
 };
@@ -61,7 +61,7 @@ class Decoder {
   std::uint32_t code_uniform(std::uint32_t, std::uint32_t count);
   bool code_bit(bool, BitModel& model);
 
-  // Whether the digits end too early, or no encoder writes them.
+  // Whether the digits end too early, or no encoder writes such digits.
   bool failed() const { return failed_; }
   void fail() { failed_ = true; }
 
@@ -71,7 +71,7 @@ class Decoder {
 
   std::span<const std::uint8_t> digits_;
   std::size_t read_ = 0;
-  std::uint32_t code_ = 0;  // the digits' number minus the encoder's low_; < range_
+  std::uint32_t code_ = 0;  // the next digits as a number, less the encoder's low_; below range_
   std::uint32_t range_ = std::uint32_t{1} << 30;
   bool failed_ = false;
 };
@@ -91,7 +91,7 @@ std::uint64_t code_bits(Coder& coder, std::uint64_t value, int count) {
   return result;
 }
 
-// Codes a value of 0 .. greatest; all are about equally likely.
+// Codes a value from 0 to `greatest`, as if all values were about equally likely.
 template <class Coder>
 std::uint64_t code_up_to(Coder& coder, std::uint64_t value, std::uint64_t greatest) {
   const int width = static_cast<int>(std::bit_width(greatest));
@@ -103,8 +103,8 @@ std::uint64_t code_up_to(Coder& coder, std::uint64_t value, std::uint64_t greate
   return result;
 }
 
-// Codes an integer below 2^widest: its width, then the bits below its leading 1 (an Elias code with
-// a uniform width).
+// Codes an integer below 2^widest: first its width, then the bits below its leading 1. This is an
+// Elias code whose widths are equally likely.
 template <class Coder>
 std::uint64_t code_integer(Coder& coder, std::uint64_t value, int widest) {
   const auto width = static_cast<int>(coder.code_uniform(

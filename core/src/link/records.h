@@ -1,7 +1,8 @@
-// The records of share links of version 2: settings added after version 1. A record is a tag, the
-// number of bytes of its payload, and the payload: a setting's text as for read_setting(). The
-// records of supports and holes instead hold numbers of points, and the points' coordinates coded
-// like the vertices. Records are in order of tag, and tag 0 ends them.
+// The records of share links of version 2. They hold what was added after version 1. A record
+// consists of a tag, the number of bytes of its payload, and the payload: a text, for most tags a
+// setting as read_setting() takes it. After their tags, the records of supports and holes have the
+// number of supports, or the number of holes and of the vertices of each, and then the points,
+// coded like the vertices. Records are in order of tag, and tag 0 ends them.
 #pragma once
 
 #include <cstddef>
@@ -16,15 +17,15 @@
 
 namespace evenlift {
 
-// The number of a kind of record, which never changes. The numbers of settings are in the settings'
-// rows (settings.h), the others here. docs/link-format.md lists all of them and the reserved ones,
+// The number of a kind of record, which never changes. The settings' numbers are in their rows
+// (settings.h); the others are here. docs/link-format.md lists all of them and the reserved ones,
 // so that no two later versions use a number differently.
 using Tag = std::uint8_t;
 namespace tag {
 inline constexpr Tag end = 0;
 inline constexpr Tag units = 11;  // the unit of lengths, a comma, and the unit of weights
 inline constexpr Tag holes = 13;
-inline constexpr Tag halo = 18;   // the overlays that have no settings of their own
+inline constexpr Tag halo = 18;   // halo, tilt and load: overlays added after version 1
 inline constexpr Tag moved = 19;  // robots moved by hand
 inline constexpr Tag supports = 21;
 inline constexpr Tag tilt = 28;
@@ -48,22 +49,20 @@ struct CodedLists {
   std::vector<std::size_t> hole_sizes;
 };
 
-// The document's records; empty if version 1 can represent the document. O(robots moved by hand).
+// The document's records; empty if version 1 can represent the document. O(bytes of the records).
 Records records_of(const Document& document);
 
 // Sets the document's settings from the records, whose tags must be known. Returns whether each
 // value is valid for its setting. O(bytes).
 bool take_records(const Records& records, Document& document);
 
-// Widths in bits of the numbers that code_records() codes in O(bytes). A decoder fills the records.
-// It fails at a payload longer than any value of its setting, and stops at an unknown tag, which
-// remains the last record.
+// The greatest widths in bits of the numbers that code_records() codes.
 inline constexpr int widest_tag = 8, widest_length = 20, widest_supports = 10, widest_holes = 10,
                      widest_hole = 16;
 static_assert(most_supports < 1u << widest_supports && max_holes < 1u << widest_holes);
 bool is_known(Tag tag);
 
-// The most bytes of a value of this record; a number has at most 24. O(1).
+// The greatest number of bytes in the payload of this record. O(1).
 std::size_t longest_value(Tag tag);
 
 template <class Coder>
@@ -92,8 +91,8 @@ void code_holes(Coder& coder, CodedPoints& holes, std::vector<std::size_t>& size
   if (!coder.failed()) code_points(coder, holes, all);
 }
 
-// Codes the record if it holds points, and returns whether it does. A decoder refuses a repeated
-// record, which would add to the points.
+// Codes the record if it consists of points, and returns whether it does. A decoder refuses a
+// second record of the same kind, whose points would be added to those of the first.
 template <class Coder>
 bool code_points_of(Coder& coder, Tag number, CodedLists& lists) {
   if (number != tag::supports && number != tag::holes) return false;
@@ -107,6 +106,9 @@ bool code_points_of(Coder& coder, Tag number, CodedLists& lists) {
   return true;
 }
 
+// Codes the records; a decoder fills `records` and `lists`. A decoder fails if a payload is longer
+// than any value of its setting, and stops after an unknown tag, which is then the last record's.
+// O(bytes).
 template <class Coder>
 void code_records(Coder& coder, Records& records, CodedLists& lists) {
   for (std::size_t i = 0; !coder.failed(); ++i) {

@@ -1,4 +1,5 @@
-// Codes the settings at the start of share links since version 1, and numbers other than vertices.
+// Codes the settings of version 1, with which every share link begins, and separate numbers
+// (docs/link-format.md).
 #pragma once
 
 #include <algorithm>
@@ -13,11 +14,11 @@
 namespace evenlift {
 
 // The defaults of version 1.0.0, which a link omits. They are still the defaults. If a default
-// changes, set the old value here (test_link.cpp).
+// changes, set the old value here; until then, a test in test_link.cpp fails.
 inline Document defaults_of_links() { return {}; }
 
-// The settings of version 1. Settings added later keep their defaults here, and have records where
-// needed (records.h).
+// The document's settings of version 1. Settings added later have their defaults here; a link holds
+// them in records if they differ (records.h).
 inline Document settings_of_link_1(const Document& document) {
   Document first = defaults_of_links();
   const Settings& settings = document.settings;
@@ -32,7 +33,7 @@ inline Document settings_of_link_1(const Document& document) {
   return first;
 }
 
-// Codes a finite number as a short decimal if it has one, otherwise as 64 bits. O(1).
+// Codes a finite number as a decimal if decimals_of() finds one, otherwise as 64 bits. O(1).
 template <class Coder>
 double code_number(Coder& coder, double value) {
   int kind = 0;
@@ -50,7 +51,7 @@ double code_number(Coder& coder, double value) {
   return Scale(kind).value_of(negative ? -number : number);
 }
 
-// The overlays of version 1 as bits. Version 1 has no bit for tipping.
+// The overlays of version 1 as bits, except tipping, which has no bit (code_settings()).
 inline std::uint32_t overlay_mask(const Overlays& shown) {
   return (shown.candidates ? 1u : 0u) | (shown.chords ? 2u : 0u) | (shown.lifting_base ? 4u : 0u) |
          (shown.clockwise ? 8u : 0u) | (shown.counterclockwise ? 16u : 0u);
@@ -70,8 +71,8 @@ std::optional<std::uint32_t> code_teams(Coder& coder, std::optional<std::uint32_
   return static_cast<std::uint32_t>(code_integer(coder, teams.value_or(0), widest));
 }
 
-// Codes settings that differ from their defaults. A decoder's document must have the defaults.
-// O(1).
+// Codes the settings that differ from their defaults. If the coder is a decoder, the document must
+// have the defaults before the call. O(1).
 template <class Coder>
 void code_settings(Coder& coder, Document& document) {
   const Document defaults = defaults_of_links();
@@ -80,7 +81,7 @@ void code_settings(Coder& coder, Document& document) {
   Settings& settings = document.settings;
   Overlays& overlays = document.shown.overlays;
   std::optional<std::uint32_t>& step = document.shown.step;
-  // These comparisons are of bits: -0 and 0 differ.
+  // These two comparisons are of bits, so -0 and 0 differ.
   const bool ratio = !same_bits(settings.min_ratio, usual.min_ratio);
   const bool weight = !same_bits(settings.weight, usual.weight);
   const auto differs = [&](bool different) {
@@ -94,15 +95,15 @@ void code_settings(Coder& coder, Document& document) {
   if (differs(settings.teams != usual.teams)) settings.teams = code_teams(coder, settings.teams);
   if (differs(settings.method != usual.method)) {
     const auto index =
-        std::max(1u, static_cast<unsigned>(settings.method)) - 1;  // area, the default
+        std::max(1u, static_cast<unsigned>(settings.method)) - 1;  // a decoder begins with area
     settings.method = static_cast<Method>(1 + coder.code_uniform(index, 4));
   }
   if (differs(ratio)) settings.min_ratio = code_number(coder, settings.min_ratio);
   if (differs(weight)) settings.weight = code_number(coder, settings.weight);
   if (differs(settings.seed != usual.seed)) settings.seed = code_integer(coder, settings.seed, 64);
   if (differs(!(overlays == defaults.shown.overlays))) {
-    // Default overlays are not written, so here the default mask can mean that tipping is shown. If
-    // it does, the mask itself follows.
+    // Default overlays are not written, so the default mask is free to mean something else here:
+    // that tipping is shown, and that the mask of the other overlays follows.
     const std::uint32_t sign = overlay_mask(defaults.shown.overlays),
                         shown = overlay_mask(overlays);
     std::uint32_t mask = coder.code_uniform(overlays.tipping ? sign : shown, 32);

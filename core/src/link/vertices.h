@@ -1,6 +1,6 @@
-// The vertices in share links of version 1. Each coordinate is quantized to an integer and
-// predicted from earlier vertices. The residual is the difference from the prediction and is mostly
-// small. Adaptive models code whether it is zero, its size and its sign.
+// Codes the vertices of share links, and the points of their records. Each coordinate is quantized
+// to an integer, which is predicted from earlier vertices. The residual is the integer less its
+// prediction, and is mostly small. Adaptive models code whether it is zero, its size and its sign.
 #pragma once
 
 #include <algorithm>
@@ -15,15 +15,15 @@
 
 namespace evenlift {
 
-// A residual, as its sign, its class of sizes, and its place within that class. Class 0 is 0
-// itself.
+// A residual as its sign, its size class, and its place within that class. Class 0 holds only the
+// residual 0.
 struct Residual {
   bool negative = false;
   unsigned size_class = 0;
   std::uint64_t place = 0;
 };
 
-// Classes of residuals of similar size, like the exponent of a floating-point number.
+// Groups residuals of similar size into classes, as the exponent of a double does with doubles.
 class ResidualClasses {
  public:
   explicit ResidualClasses(const Encoding& encoding)
@@ -32,13 +32,13 @@ class ResidualClasses {
 
   unsigned last() const { return exponents_ ? 2047 : 64; }
 
-  // The bits of a place, for a class above 0.
+  // The number of bits of a place in this class, which must be above 0.
   int place_bits(unsigned size_class) const {
     return exponents_ ? fraction_bits_ : static_cast<int>(size_class) - 1;
   }
 
-  // The residual with this number. Class c holds the sizes of c bits; for unpredicted doubles, it
-  // holds the sizes with the exponent field c - 1.
+  // The residual for this difference modulo 2^64. Class c holds the sizes of c bits or, for doubles
+  // without a predictor, those whose exponent field is c - 1.
   Residual residual_of(std::uint64_t number) const {
     Residual residual;
     residual.negative = (number >> 63) != 0;
@@ -71,15 +71,15 @@ class ResidualClasses {
   int fraction_bits_;
 };
 
-// Bounds on all residuals of a polygon. A link holds them before the vertices, so impossible cases
-// take no bits.
+// Bounds on all residuals of a polygon. In a link the bounds precede the vertices, so impossible
+// cases take no bits.
 struct Limits {
   unsigned greatest_class = 0;
   bool negatives = false;
   bool escaped = false;
 };
 
-// Whether no vertex precedes vertex i to predict it.
+// Whether a predictor is used but has no vertex before vertex i.
 inline bool has_no_prediction(Predictor predictor, std::size_t i) {
   return i == 0 && predictor != Predictor::nothing;
 }
@@ -106,7 +106,7 @@ inline Limits limits_of(const Encoding& encoding, QuantizedVertices& quantized) 
   return limits;
 }
 
-// Codes residuals with models that adapt to the earlier residuals.
+// Codes residuals with models that adapt to earlier residuals.
 template <class Coder>
 class ResidualCoder {
  public:
@@ -137,8 +137,8 @@ class ResidualCoder {
  private:
   static constexpr unsigned steps = 16;
 
-  // Codes one decision per class, from the greatest down. After 16 decisions the class itself
-  // follows.
+  // Codes for each class, from the greatest down, whether it is the residual's. After 16 such
+  // decisions it codes the class itself.
   unsigned code_class(unsigned size_class) {
     for (unsigned step = 0; step < steps; ++step) {
       const unsigned asked = limits_.greatest_class - step;
@@ -174,8 +174,8 @@ class ResidualCoder {
   std::array<BitModel, steps> class_models_ = all_alike(2);
   std::array<BitModel, steps> high_bit_models_ = all_alike(8);
   std::array<BitModel, 3> sign_models_{BitModel{{4, 4}}, BitModel{{4, 4}}, BitModel{{4, 4}}};
-  unsigned zeros_before_ = 0;              // the zero flags of the last two residuals
-  std::array<unsigned, 2> sign_before_{};  // per axis: 0 none, 1 positive, 2 negative
+  unsigned zeros_before_ = 0;              // a bit for each of the last two residuals, 1 for 0
+  std::array<unsigned, 2> sign_before_{};  // per axis: 0 zero, 1 positive, 2 negative
 };
 
 template <class Coder>
@@ -220,9 +220,9 @@ std::int64_t code_unpredicted(Coder& coder, std::int64_t number) {
   return static_cast<std::int64_t>(negative ? 0 - size : size);
 }
 
-// Codes the vertices' encoding and the vertices. Returns the encoding. Both coders must know
-// `count`. For an encoder, `quantized` must hold numbers on the encoding's scale. A decoder fills
-// `quantized`, and stops early if it fails. O(count).
+// Codes the vertices' encoding and `count` vertices. Returns the encoding. For an encoder,
+// `quantized` must hold numbers on the encoding's scale. A decoder fills `quantized`, and stops
+// early if it fails. O(count).
 template <class Coder>
 Encoding code_vertices(Coder& coder, Encoding encoding, QuantizedVertices& quantized,
                        std::size_t count) {

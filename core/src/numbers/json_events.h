@@ -1,6 +1,5 @@
-// Reads a JSON text as events: values with their places, numbers as the nearest doubles, and errors
-// as InputError. It wraps the event reader of nlohmann-json, which neither recurses nor builds a
-// tree.
+// Reads a JSON text as a sequence of events, each with its place. It wraps the event reader of
+// nlohmann-json, which neither recurses nor builds a tree.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +16,7 @@ struct JsonValue {
   enum class Kind : std::uint8_t { object, array, string, number, boolean, null };
   Kind kind;
   std::size_t offset;     // the first byte of an object or array, the last byte of other values
-  double number;          // the nearest double, finite
+  double number;          // for a number: the nearest double, finite
   std::string_view text;  // for a string
 };
 
@@ -33,8 +32,8 @@ class JsonSink {
   ~JsonSink() = default;
 };
 
-// Reads the text and calls the sink. Returns an error if the text is not valid JSON or nests more
-// than 64 arrays and objects; nullopt if it is valid or the sink stopped first. O(bytes).
+// Reads the text and calls the sink. Returns an error if the text is not valid JSON or nests arrays
+// and objects more than 64 deep; nullopt if it is valid or the sink stopped first. O(bytes).
 std::optional<InputError> read_json(std::string_view text, JsonSink& sink);
 
 }  // namespace evenlift

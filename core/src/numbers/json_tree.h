@@ -1,4 +1,4 @@
-// A JSON text as a tree. Two arrays hold it, with 32 bytes for each value.
+// A JSON text as a tree in two arrays: one of values, with 32 bytes each, and one of strings.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +32,7 @@ class JsonTree {
   std::string_view text(Index i) const { return strings_[nodes_[i].string]; }
   std::string_view name(Index i) const { return strings_[nodes_[i].name]; }
 
-  // These make loops over the contents: for (Index i = first(at); i != end(at); i = next(i)).
+  // Loop over the contents with these: for (Index i = first(at); i != end(at); i = next(i)).
   Index first(Index i) const { return i + 1; }
   Index end(Index i) const { return nodes_[i].next; }
   Index next(Index i) const { return nodes_[i].next; }

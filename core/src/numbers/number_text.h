@@ -16,7 +16,7 @@ struct Decimal {
 };
 
 // The decimal with the fewest digits that reads back as the same double. If there are several, it
-// is the nearest. The value must be finite. O(1).
+// is the one nearest to the value. The value must be finite. O(1).
 Decimal shortest_decimal(double value);
 
 // Appends the text of shortest() (numbers.h). The value must be finite. O(1).
@@ -31,8 +31,8 @@ struct ScannedNumber {
 };
 
 // Reads the longest prefix of the text that is a number: an optional sign, one or more digits with
-// at most one decimal point, and an optional exponent ("-1.5e3", ".5", "5."). Spaces, hexadecimal,
-// infinity and NaN are not numbers. O(bytes).
+// at most one decimal point, and an optional exponent ("-1.5e3", ".5", "5."). Spaces, hexadecimal
+// digits, infinity and NaN are not part of a number. O(bytes).
 ScannedNumber scan_number(std::string_view text);
 
 }  // namespace evenlift

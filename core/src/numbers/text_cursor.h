@@ -1,4 +1,4 @@
-// Reads texts, and tells the places of errors.
+// Reads texts, and finds the places of errors in them.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +18,8 @@ Place place_in_text(std::string_view text, std::size_t offset);
 InputError text_error(ErrorCode code, std::string message, std::string_view text,
                       std::size_t offset);
 
-// Names the character at `offset`: "'x'", "the end of the line" or "the end of the text". Put the
-// name into a sentence by say(). O(1).
+// Names the character at `offset`: "'x'", "a tab", "the byte 0xc3", "the end of the line" or "the
+// end of the text". Put the name into a sentence by say(). O(1).
 std::string found_in_text(std::string_view text, std::size_t offset);
 
 bool is_letter(char c);         // a letter of ASCII, in any locale
@@ -46,7 +46,7 @@ class TextCursor {
   bool take(char c);
   void skip_spaces_in_line();
   void skip_white_space();
-  // The letters that follow, perhaps none, as a view of the text. take_word() also skips them.
+  // The letters at the cursor, perhaps none, as a view of the text. take_word() also skips them.
   std::string_view word() const;
   std::string_view take_word();
   std::string_view take_rest_of_line();

@@ -9,23 +9,24 @@
 
 namespace evenlift::optimum {
 
-// Ends of chords in order about C, and the share of P that they cover.
+// A ring's ends, and the share of P's area in the triangles of C with successive ends.
 struct Ring {
   double share = 0;
-  std::vector<std::uint32_t> ends;
+  std::vector<std::uint32_t> ends;  // in order about C, except from best_ring_by_sides()
 };
 
-// The best ring of at most `most` ends of any chords. It calls `stop` for each possible first end,
-// and returns nullopt if `stop` returned true. O(K^3 most).
+// The best ring of at most `most` ends of any chords. All three functions call `stop` for each
+// first end or chord that they try, and return nullopt if `stop` returns true. O(K^3 most).
 std::optional<Ring> best_ring(const Triangles& triangles, std::uint32_t most, const Stop& stop);
 
-// The best ring of ends of at most `teams` chords that has both ends of at least one chord. Among
-// rings without both ends of any chord, best_ring() with `teams` ends finds the best. O(K^4 teams).
+// The best ring that has both ends of some chord, and ends of at most `teams` chords. Any other
+// ring of `teams` chords has at most `teams` ends, so best_ring() covers it. O(K^4 teams).
 std::optional<Ring> best_ring_of_chords(const Triangles& triangles, std::uint32_t teams,
                                         const Stop& stop);
 
-// A ring whose share is at least that of best_ring_of_chords(): on each side of a chord, up to
-// teams - 1 ends are chosen separately. O(K^3 teams).
+// A ring whose share is at least that of best_ring_of_chords(). It has both ends of one chord, and
+// up to teams - 1 other ends on each side of it, each side as if it had chords of its own.
+// O(K^3 teams).
 std::optional<Ring> best_ring_by_sides(const Triangles& triangles, std::uint32_t teams,
                                        const Stop& stop);
 

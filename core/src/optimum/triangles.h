@@ -10,7 +10,7 @@
 namespace evenlift::optimum {
 
 // The shares of P in the triangles of K chords in candidate order. End i < K is the right end of
-// chord i, and end K + i is its left end. So the ends are in order about C.
+// chord i, and end K + i is its left end. So ends are numbered in order about C.
 class Triangles {
  public:
   // O(n K^2).

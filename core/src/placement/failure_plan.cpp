@@ -6,6 +6,7 @@
 #include "evenlift/load_models.h"
 #include "evenlift/selection.h"
 #include "evenlift/swaps.h"
+#include "evenlift/tolerance.h"
 
 namespace evenlift {
 namespace {
@@ -76,7 +77,7 @@ std::optional<double> greatest_of_all(const Placement& placement, const std::vec
   const Points all = positions(lifting_points(teams));
   const std::vector<double> planned = planned_loads(teams);
   double greatest = *std::max_element(planned.begin(), planned.end());
-  for (std::size_t failed = 0; failed < all.size() && greatest <= capacity; ++failed) {
+  for (std::size_t failed = 0; failed < all.size() && !exceeds(greatest, capacity); ++failed) {
     Points others = all;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(failed));
     const auto springs = spring_loads(others, placement.centre_of_mass,
@@ -84,12 +85,12 @@ std::optional<double> greatest_of_all(const Placement& placement, const std::vec
     if (!springs) return std::nullopt;
     greatest = std::max(greatest, *std::max_element(springs->loads.begin(), springs->loads.end()));
   }
-  return greatest <= capacity ? std::optional(greatest) : std::nullopt;
+  return exceeds(greatest, capacity) ? std::nullopt : std::optional(greatest);
 }
 
 // After one failure, equal loads are weight / (robots - 1).
 std::uint32_t least_that_may_do(const Settings& settings, double capacity, std::uint32_t most) {
-  const double number = std::ceil(total_weight(settings) / capacity) + 1;
+  const double number = std::ceil(total_weight(settings) / (capacity * (1 + tau))) + 1;
   const auto by_weight = static_cast<std::uint32_t>(std::clamp(number, 3.0, most + 1.0));
   const bool balanced = settings.method == Method::balanced;
   if (balanced && settings.survive > 0) return std::max(by_weight, 2 * settings.survive + 3);

@@ -18,7 +18,7 @@ class EdgeTree {
   struct Node {
     Box box;
     std::uint32_t begin = 0, end = 0;   // edges begin .. end - 1
-    std::uint32_t left = 0, right = 0;  // children; 0 in a leaf, since the root is no child
+    std::uint32_t left = 0, right = 0;  // children; 0 in a leaf, as the root is never a child
     bool is_leaf() const { return left == 0; }
   };
 

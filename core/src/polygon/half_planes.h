@@ -8,8 +8,8 @@
 
 namespace evenlift {
 
-// All points q with (to - from) . q <= bound. The normal is the exact difference of `to` and
-// `from`.
+// All points q with (to - from) . q <= bound. Predicates use the exact difference of `to` and
+// `from`, which normal() rounds.
 struct HalfPlane {
   Vec2 from, to;
   double bound = 0;
@@ -22,10 +22,10 @@ struct NormalGap {
   int compare_to_half_turn = 0;       // -1, 0, 1: below, equal to or above 180 degrees
 };
 
-// The widest gap between the normals of one or more half-planes; 360 degrees if all normals have
-// the same direction. If several gaps are 180 degrees or more, it is one of them. A gap below 180
-// degrees counts as 180 if the sine of the difference is at most `sine`; otherwise the comparison
-// is exact. O(m log m).
+// The gap above 180 degrees between the normals of one or more half-planes; 360 degrees if all
+// normals have the same direction. Without such a gap, returns one that counts as 180 degrees, or
+// else any gap. A gap below 180 degrees counts as 180 if the sine of the difference is at most
+// `sine`; otherwise the comparison is exact. O(m log m).
 NormalGap widest_gap(const std::vector<HalfPlane>& planes, double sine);
 
 // Whether all the closed half-planes have a point in common. The answer is exact for the given

@@ -1,4 +1,5 @@
-// Finds edges of rings that cross or touch, and the ring around each ring. All decisions are exact.
+// Finds edges of rings that cross or touch, and for each ring the innermost ring around it. All
+// decisions are exact.
 #pragma once
 
 #include <cstddef>
@@ -25,13 +26,13 @@ struct RingSweep {
   // Two edges with a common point, the smaller index first; nullopt if there are no such edges. The
   // vertex that neighbours share does not count.
   std::optional<std::pair<std::size_t, std::size_t>> crossing;
-  // By ring, the innermost ring around it; nullopt if there is no ring around it. It is filled only
+  // For each ring, the innermost ring around it; nullopt if there is none. The list is filled only
   // if there is no crossing.
   std::vector<std::optional<std::size_t>> around;
 };
 
 // The sweep of M. I. Shamos and D. Hoey (Geometric intersection problems, 1976) with exact
-// predicates. The vertices must be distinct, and `order` their lexicographic_order. O(n log n).
+// predicates. The vertices must be distinct. `order` is their lexicographic_order(). O(n log n).
 RingSweep sweep(const Rings& rings, const SortedIndices& order);
 
 }  // namespace evenlift

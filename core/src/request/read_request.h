@@ -17,8 +17,8 @@ namespace evenlift {
 
 enum class Command : std::uint8_t { place, candidates, svg, poses, link, experiment, version };
 
-// A polygon of an experiment. A text that is not a polygon does not count in the averages; the
-// answer gives the reason.
+// A polygon of an experiment. If `document` is an error, the polygon does not count in the
+// averages, and the answer gives the reason.
 struct NamedPolygon {
   std::string set, name;
   Result<Document> document;
@@ -35,7 +35,7 @@ struct Request {
   experiment::ExperimentSettings experiment;
 };
 
-// Members that the command does not have are errors, so no mistyped name goes unnoticed. The
+// Members that the command does not have are errors, so that no mistyped name goes unnoticed. The
 // geometry is not checked. O(bytes).
 Result<Request> read_request(std::string_view text);
 

@@ -9,12 +9,12 @@ namespace evenlift {
 // at least one robot, and C must be inside the lifting base. O(m^3).
 double best_share_by_pairs(const Points& robots);
 
-// Uses cutting planes. With g(q) = 1 + b . q, the share is the greatest value over all b of 1 /
-// (sum of max(0, g(q)) over the robots q), and this sum is convex in b. `hull` is the lifting base,
-// counter-clockwise, with C inside. O(m) for each of about a hundred steps.
+// Uses cutting planes. Let S(b) be the sum of max(0, 1 + b . q) over the robots q. It is convex in
+// b, and the share is 1 / (the least S(b)). `hull` is the lifting base, counter-clockwise, with C
+// inside. O(m) for each of about a hundred steps.
 double best_share_by_cuts(const Points& robots, const Points& hull);
 
-// Finds the share for robots (t, 0), which are on one line with C. O(m log m).
+// Finds the share for robots at points (t, 0), on one line with C. O(m log m).
 double best_share_on_line(const Points& robots);
 
 }  // namespace evenlift

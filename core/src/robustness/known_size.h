@@ -9,8 +9,8 @@
 namespace evenlift {
 
 // Returns L, or more if rounding of large coordinates moves a robot by more than tau L, as for an
-// object of size 10 at 1e9. In that case the two robots of a team and C are collinear only up to
-// this rounding, and tau times the returned size allows for it. O(m).
+// object of size 10 at coordinates of 1e9. In that case the two robots of a team and C are
+// collinear only up to this rounding, and tau times the returned size allows for it. O(m).
 inline double known_size(const Points& robots, const Vec2& centre, double diameter) {
   double reach = centre.cwiseAbs().maxCoeff();
   for (const Vec2& robot : robots) reach = std::max(reach, robot.cwiseAbs().maxCoeff());

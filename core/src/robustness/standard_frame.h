@@ -1,6 +1,6 @@
 // Coordinates in which points have their centroid at the origin and the same mean square along
-// every direction. The loads of springs are the same in all linear coordinates, but in these a
-// long, thin set is as well conditioned as a round one.
+// every direction. Linear changes of coordinates do not change the loads of springs, but in
+// these coordinates a long, thin set is as well conditioned as a round one.
 #pragma once
 
 #include <vector>
@@ -19,8 +19,8 @@ struct StandardFrame {
   Vec2 operator()(const Vec2& p) const { return {dot(axis[0], p - mean), dot(axis[1], p - mean)}; }
 };
 
-// Returns the frame of at least one point, in units of L. Its first axis points to the point
-// farthest from the centroid. O(m).
+// Returns the frame of one or more points, whose coordinates are in units of L. Its first axis has
+// the direction from the centroid to the farthest point. O(m).
 StandardFrame standard_frame(const Points& points);
 
 }  // namespace evenlift

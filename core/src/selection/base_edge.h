@@ -33,7 +33,7 @@ struct Gain {
   bool exact() const { return certainty == Certainty::exact; }
 };
 
-// The wedge between C and an edge of H, and the parts of P in it beyond the edge.
+// The wedge in which C sees an edge of H, and the parts of P in the wedge beyond the edge.
 class Wedge {
  public:
   // The edge's ends h1 and h2 are relative to C and in counter-clockwise order. If H is a segment,
@@ -49,9 +49,10 @@ class Wedge {
   // Returns f(p) or an upper bound of it, for p in the wedge beyond the edge. O(log n).
   Gain estimate(const Vec2& p) const;
 
-  // Returns a better value than `known`: a close bound if `known` is an estimate, otherwise f(p).
-  // The first few calls return f(p), until close bounds are likely to pay. The first close bound
-  // costs a few evaluations, each later one O(sqrt(m) log m).
+  // Returns a better value than `known`: a close bound if `known` is a bound from estimate(),
+  // otherwise f(p). As long as close bounds are unlikely to save time, as in the first few calls,
+  // the result is always f(p). The first close bound costs a few evaluations, each later one
+  // O(sqrt(m) log m).
   Gain sharpen(const Vec2& p, const Gain& known);
 
   // Returns f(p). O(m) for the m vertices and crossings of P in the wedge beyond the edge.
@@ -60,15 +61,15 @@ class Wedge {
   // A vertex in the sum f(p) of the metric distance. arms(p) returns all of them, in O(m).
   struct Arm {
     Vec2 vertex;
-    double before, after;  // distances outside the edge and the new one
-    bool up_to_p;          // the new edge is h1 p, not p h2
+    double before, after;  // distances outside the present edge and outside the new one
+    bool up_to_p;          // whether the new edge is h1 p rather than p h2
   };
   std::vector<Arm> arms(const Vec2& p) const;
 
  private:
   void collect_area();
-  // Whether C sees the edge under at most 180 degrees. The angle is greater only if the edge is the
-  // first team's chord between opposite vertices and C is outside it, by less than tau L.
+  // Whether the edge subtends at most 180 degrees at C. The angle is greater only if the edge is
+  // the first team's chord between opposite vertices and C is outside it, by less than tau L.
   bool is_convex() const;
   void collect_outer_vertices();
   double area_gain(const Vec2& p) const;
@@ -91,19 +92,19 @@ class Wedge {
   Vec2 h1_, h2_;
   double pseudo_angle1_ = 0;  // that of h1
 
-  Points outside_;  // for area: P beyond the edge; if the wedge is convex, not far outside it
+  Points outside_;  // for area: P beyond the edge, cut off near the wedge if is_convex()
   double outside_area_ = 0;
 
   struct Outer {
     Vec2 position;
-    double pseudo_angle;  // from that of h1
+    double pseudo_angle;  // measured from that of h1
     double distance;      // outside the edge's line; not negative
   };
   std::vector<Outer> outer_;  // for distance: vertices of P in the wedge beyond the edge
   Points sums_;               // sums_[k] is the sum of the first k positions
   double distance_sum_ = 0;
 
-  int evaluations_ = 0;  // counted until the close bounds exist
+  int evaluations_ = 0;  // calls of evaluate() by sharpen() before close bounds exist
   std::optional<AreaBins> area_bins_;
   std::optional<DistanceBlocks> distance_blocks_;
 };

@@ -1,5 +1,6 @@
-// Close upper bounds of gains by area and distance, which cost less than the gains. They use sums
-// over a wedge, in bins by direction, and in each bin by distance outward.
+// Close upper bounds of gains by area and distance, which cost less than the gains. A wedge is
+// divided into bins or blocks by direction, and each of these into levels by distance outward. The
+// bounds use sums over these parts.
 #pragma once
 
 #include <array>
@@ -10,8 +11,8 @@
 
 namespace evenlift {
 
-// Bounds areas of a region that is beyond the line h1 h2, and in the wedge from h1 to h2 or hardly
-// outside it.
+// Bounds areas of a region that lies beyond the line h1 h2, and in the wedge from h1 to h2 or
+// slightly outside it.
 class AreaBins {
  public:
   // `region` is a counter-clockwise ring, which may touch itself. All points are relative to C, and
@@ -25,8 +26,8 @@ class AreaBins {
  private:
   static constexpr int levels = 16;
   struct Bin {
-    Vec2 outward = Vec2::Zero();  // the level of v is outward . v; it is 1 on the segment between
-                                  // the vectors of the bin's two rims
+    // The level of v is outward . v. It is 1 on the segment between the vectors of the bin's rims.
+    Vec2 outward = Vec2::Zero();
     double unit = 0;              // area between C and level 1
     double base = 0;              // area between C and h1 h2
     double lowest = 0, step = 0;  // levels are lowest + j step; step is 0 in an empty bin
@@ -41,7 +42,7 @@ class AreaBins {
   double level_at_rim(const Vec2& a, const Vec2& b, std::size_t rim) const;
 
   Vec2 h1_, h2_;
-  double pseudo_angle1_ = 0, width_ = 0;  // pseudo-angles of h1, and from h1 to h2
+  double pseudo_angle1_ = 0, width_ = 0;  // the pseudo-angle of h1, and that from h1 to h2
   Points rims_;                           // directions from h1 to h2, with |x| + |y| = 1
   std::vector<Bin> bins_;
   double error_bound_ = 0;  // of the rounding in bound()
@@ -62,10 +63,10 @@ class DistanceBlocks {
   double least_sum_of_block(const Line& line, std::size_t block) const;
 
   Points points_;
-  std::size_t size_;            // points in a block; the last may have fewer
-  Points aheads_;               // the middle direction of each block
-  std::vector<double> levels_;  // ahead . v for each block's points v, ascending
-  Points sums_;                 // of the block's points from each level up
+  std::size_t size_;            // points in a block; the last block may have fewer
+  Points aheads_;               // `ahead`, the middle point, of each block
+  std::vector<double> levels_;  // ahead . v for the points v of each block, ascending
+  Points sums_;                 // the sums of the block's points at or above each level
 };
 
 }  // namespace evenlift

@@ -18,17 +18,17 @@ namespace evenlift {
 // functions, 1978). Each end of a candidate has an upper bound of its gain. The bound is refined,
 // and finally replaced by the gain, only while the candidate can still win. Gains do not always
 // diminish here, so an end gets a new bound when the edge of H in front of it changes. While H
-// stays the same, so do all gains, and the candidates that tie for the best score wait in line.
+// stays the same, so do all gains; the candidates that tie for the best score then wait in a line.
 class Selector {
  public:
   // The caller takes at most `most_teams`. The candidates and `stands` must outlive the selector.
-  // With `stands`, candidates that collide with a taken team drop out.
+  // With `stands`, candidates whose robots collide with a taken team drop out.
   Selector(const PolygonWithHoles& object, const Vec2& centre,
            const std::vector<Candidate>& candidates, Metric metric,
            std::size_t most_teams = ~std::size_t{0}, FirstTeam first = FirstTeam::even,
            const Stands* stands = nullptr);
 
-  // Takes the best candidate left. Returns false if all are taken or dropped out.
+  // Takes the best candidate left. Returns false if every candidate is taken or has dropped out.
   bool take_next();
 
   // Takes this candidate, whatever its score.
@@ -39,7 +39,7 @@ class Selector {
   // Whether the candidate dropped out because it collides with a taken team.
   bool dropped_out(std::uint32_t candidate) const { return states_[candidate] == State::dropped; }
 
-  // The candidate's score after the teams taken so far. There must be at least one.
+  // The candidate's score after the teams taken so far, of which there must be at least one.
   double score(std::uint32_t candidate);
 
   // Evaluates candidates like take_next(), but takes none.
@@ -60,7 +60,7 @@ class Selector {
   // The corners of H, relative to C.
   const Points& base() const { return hull_; }
 
-  // Scores that differ by at most the floor always tie. For the metric distance it depends on H.
+  // Scores that differ by at most the floor always tie. For distance, the floor depends on H.
   double floor() const { return floor_; }
 
  private:
@@ -112,14 +112,14 @@ class Selector {
   Indices by_direction_;       // the ends by pseudo-angle
   Points hull_;                // corners of H relative to C, counter-clockwise
   Indices edges_;              // the wedge of each edge, from corner i to i + 1
-  std::vector<Wedge> wedges_;  // including past ones, so that indices stay valid
+  std::vector<Wedge> wedges_;  // also those of past edges, so that indices stay valid
 
   const Stands* stands_;
   std::size_t out_ = 0;        // candidates taken or dropped
   std::vector<State> states_;  // of the candidates
   std::vector<std::uint32_t> taken_;
-  Indices line_;                  // next candidates while H does not change, last first
-  std::size_t best_in_line_ = 0;  // how many in the line have exactly the best score
+  Indices line_;                  // candidates to take while H stays the same, in reverse order
+  std::size_t best_in_line_ = 0;  // the number of those with exactly the best score
   double best_score_ = 0;
 };
 

@@ -20,8 +20,9 @@ class Losses {
     lost_[static_cast<std::size_t>(why)].push_back(lost);
   }
 
-  // The parts of an edge of this length, in order. Each has the first reason why it is lost, or
-  // nullopt if it is usable. Neighbours differ. O(k log k) for k ranges.
+  // The parts of an edge of this length, in order. `why` is the first of the part's reasons in the
+  // order of WhyUnusable, or nullopt if the part is usable; neighbours differ in it. O(k log k) for
+  // k ranges.
   struct Part {
     Stretch part;
     std::optional<WhyUnusable> why;

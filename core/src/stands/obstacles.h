@@ -20,8 +20,8 @@ struct SeenObstacle {
 std::optional<Stretch> lost_to_body(const SeenObstacle& other, const RobotSize& robot, double near);
 std::optional<Stretch> lost_to_arm(const SeenObstacle& other, const RobotSize& robot);
 std::optional<Stretch> lost_to_hand(const SeenObstacle& other, const RobotSize& robot, double near);
-// The range in which the hand would reach onto a no-go part of the other edge: beside the contact's
-// edge, and at most a tenth of the hand's width beneath that edge. O(1).
+// The range in which the hand would reach onto a no-go part of the other edge. The part counts only
+// where y is from minus a tenth of the hand's width to 0, within `near`. O(1).
 std::optional<Stretch> lost_to_mark(const SeenObstacle& other, const EdgePart& part,
                                     const RobotSize& robot, double near);
 // The range in which the other edge separates the contact from the hand. O(1).

@@ -1,4 +1,4 @@
-// Finds the ranges that edges lose to no-go parts, corners and other edges.
+// Finds the ranges that edges lose to no-go parts, corners and other edges, including holes' edges.
 #pragma once
 
 #include <cstdint>

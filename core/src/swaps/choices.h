@@ -13,15 +13,15 @@
 
 namespace evenlift::swaps {
 
-// A candidate, or the teams that stay while another team is swapped.
+// The robots of a candidate, or of the teams that stay while another team is swapped.
 struct Part {
   std::vector<LiftingPoint> robots;
   std::vector<Wrench> wrenches;
   double ratios = 0;
 };
 
-// A choice on trial: a candidate, and the part to which it is added. Parts are numbered: first the
-// candidates, then the parts that stay.
+// A choice on trial: a candidate, and the part `other` to which it is added. The numbers of parts
+// count first the candidates, then the parts that stay.
 struct Trial {
   std::uint32_t candidate = 0, other = 0;
   double coverage = 0;           // of the choice, or its upper bound
@@ -32,12 +32,12 @@ struct Trial {
 
 class Choices {
  public:
-  // The object, candidates and stands must outlive it. O(K log n) for K candidates.
+  // The object, candidates and stands must outlive this object. O(K log n) for K candidates.
   Choices(const PolygonWithHoles& object, const Vec2& centre,
           const std::vector<Candidate>& candidates, const HoldRequirements& firm,
           const Stands* stands = nullptr);
 
-  // The teams on these candidates, without the team that has the number `without`, from 0.
+  // The part of the teams on these candidates, except team number `without`, counted from 0.
   Part part_of(const std::vector<std::uint32_t>& taken,
                std::optional<std::size_t> without = std::nullopt) const;
 
@@ -58,7 +58,7 @@ class Choices {
   // Bounds the coverage more closely; the second call computes it exactly.
   void sharpen(Trial& trial) const;
 
-  // Whether a known direction proves that the margin does not reach `level` (> 0).
+  // Whether a known direction proves that the margin is below `level`, which must be above 0.
   bool surely_below(const Trial& trial, std::uint32_t level);
 
   // Whether the margin reaches the level. If not, the direction of the weakest hold becomes known.
@@ -86,7 +86,7 @@ class Choices {
   Margins margins_;
   std::vector<Part> parts_;                   // of the candidates
   std::vector<Part> staying_;                 // parts that stay
-  std::vector<Wrench> directions_;            // in which choices are weak, latest success first
+  std::vector<Wrench> directions_;            // in which choices were weak, the last useful first
   mutable std::vector<LiftingPoint> robots_;  // reused by all trials
 };
 

@@ -1,4 +1,4 @@
-// One round of swaps: it finds the best of the choices tried.
+// A round of swaps, which finds the best of the choices on trial.
 #pragma once
 
 #include <optional>

@@ -85,7 +85,7 @@ class StepFigures : LookedAtStep {
   void add_body(const LiftingPoint& contact, std::optional<std::uint32_t> part);
 
   std::vector<Figure> figures_;
-  std::optional<Vec2> centre_;  // drawn in place of C
+  std::optional<Vec2> centre_;  // if set, drawn in place of C
 };
 
 }  // namespace evenlift

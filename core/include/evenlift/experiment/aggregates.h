@@ -18,8 +18,8 @@ struct Statistics {
 // The statistics of one or more values, added in order. O(n).
 Statistics statistics(const std::vector<double>& values);
 
-// The averages for a method and a number of robots, over all polygons measured with both. For teams
-// of two, these are the polygons on which the algorithm can also place that number of teams.
+// The averages for a method and a number of robots, over all polygons measured with both. Teams of
+// two are measured only on polygons where the algorithm can place that number of teams.
 struct Aggregate {
   Method method = Method::area;
   std::uint32_t robots = 0;
@@ -29,10 +29,10 @@ struct Aggregate {
   Statistics max_share;        // 0.5 .. 1 (figures 5.5, 5.6)
   Statistics coverage;         // 0 .. 1 (figures 5.7, 5.8)
   double closed = 0;           // share of polygons in form closure, 0 .. 1
-  double held_clear = 0;       // the same if only contacts clear of corners count
-  // `closable` polygons have form closure in a placement of teams of two by any method;
-  // `form_closure` is the share of them with form closure by this method (figure 5.11).
-  // `no_area_possible` and `no_area` are the same by the thesis's own, weaker test.
+  double held_clear = 0;       // `closed` if only contacts far enough from corners count
+  // For `closable` of these polygons, can_close() is true for form closure. Of those, the share
+  // `form_closure` is in form closure with this method and number of robots (figure 5.11).
+  // `no_area_possible` and `no_area` are the same for the thesis's own, weaker test.
   std::uint32_t closable = 0, no_area_possible = 0;
   std::optional<double> form_closure, no_area;
 };
@@ -40,8 +40,8 @@ struct Aggregate {
 // Selects one of two tests: form closure, or the thesis's own test.
 using Closed = double Measurement::*;
 
-// Whether some placement of teams of two passes the test. Balanced robots do not count, so the same
-// polygons are left out as in the thesis. O(rows).
+// Whether teams of two, by any method and in any number, pass the test. Balanced robots do not
+// count, so figure 5.11 leaves out the same polygons as in the thesis. O(rows).
 bool can_close(const PolygonResult& result, Closed closed);
 
 // The aggregates, sorted by method, then by number of robots. O(rows).

@@ -9,7 +9,7 @@
 
 namespace evenlift::experiment {
 
-// Returns a value of an aggregate; nothing if the aggregate lacks it.
+// A function that returns a value of an aggregate, or nothing if the aggregate lacks it.
 using Pick = std::optional<double> (*)(const Aggregate&);
 std::optional<double> pick_spread(const Aggregate& a);
 std::optional<double> pick_share(const Aggregate& a);
@@ -21,9 +21,9 @@ std::optional<double> pick_closure(const Aggregate& a);
 std::optional<double> algorithm_average(const std::vector<Aggregate>& aggregates,
                                         std::uint32_t robots, Pick pick);
 
-// The method's spread of loads divided by the algorithm's, for objects of experiment_weight.
-// Nothing if either is missing, or if the algorithm's spread is at most τ times the mean load.
-// O(rows).
+// The method's spread of loads divided by the algorithm_average() of the spreads, for objects of
+// experiment_weight. Nothing if either is missing, or if the divisor is at most τ times the mean
+// load. O(rows).
 std::optional<double> spread_times(const std::vector<Aggregate>& aggregates, Method method,
                                    std::uint32_t robots);
 
@@ -36,9 +36,9 @@ struct Range {
 std::optional<Range> spread_ratio(const std::vector<Aggregate>& aggregates, Method method,
                                   std::uint32_t most_robots);
 
-// The algorithm's coverage minus the method's, averaged over those of 4, 6, .. most_robots robots
-// with which both were measured; nothing if there are no such numbers. Two robots are left out,
-// since their coverage is 0. O(rows most_robots).
+// The algorithm_average() of coverage minus the method's coverage, averaged over 4, 6, ..
+// most_robots robots. Numbers without both values are left out; nothing if all are. Two robots do
+// not count, since their coverage is 0. O(rows most_robots).
 std::optional<double> coverage_lead(const std::vector<Aggregate>& aggregates, Method method,
                                     std::uint32_t most_robots);
 

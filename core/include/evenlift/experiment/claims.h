@@ -1,5 +1,5 @@
-// Every number in the text of chapter 5 of the thesis (and in 6.1), with the same number for the
-// measured polygons.
+// Every number in the text of the thesis's chapter 5 (and of its section 6.1), beside the same
+// number for the measured polygons.
 #pragma once
 
 #include <string>
@@ -26,7 +26,7 @@ struct SetClaims {
   std::vector<Claim> claims;
 };
 
-// A Markdown table with a column for each set, ending in a newline. O(claims).
+// A Markdown table with a column for each set. It ends with a newline. O(claims).
 std::string claims_markdown(const std::vector<SetClaims>& sets);
 
 // The claims as JSON: {"sets": [names], "rows": [{"section", "what", "thesis", "ours": [one for

@@ -1,6 +1,6 @@
-// Tables of coverage, form closure, clear holds, spread of loads and number of polygons for every
-// method with few robots, including odd numbers. They go beyond the thesis, whose robots form teams
-// of two.
+// Tables for every method with few robots, including odd numbers of them: coverage, form closure,
+// form closure by contacts far enough from corners, spread of loads, and number of polygons. They
+// go beyond the thesis, whose robots form teams of two.
 #pragma once
 
 #include <cstdint>
@@ -20,9 +20,9 @@ struct FewRobotsRow {
   std::vector<std::string> cells;  // for each of all_methods; "–" if not measured
 };
 
-// The table of one set, averaged over the polygons on which the method was measured with that
-// number of robots. Unlike in figure 5.11, form closure includes polygons on which teams of two
-// cannot reach it.
+// The table of one set. Each value is an average over the polygons on which the method was measured
+// with that number of robots. For form closure these include polygons on which teams of two cannot
+// reach it, unlike in figure 5.11.
 struct FewRobots {
   std::string set;
   std::vector<FewRobotsRow> rows;  // sorted by quantity, then by number of robots
@@ -31,7 +31,7 @@ struct FewRobots {
 // The table of a set. Every set has the same rows in the same order. O(rows).
 FewRobots few_robots(const SetAggregates& set);
 
-// The tables in Markdown. Each has the name of its set as its first heading. O(rows).
+// The tables in Markdown. The first column of each is headed by the name of its set. O(rows).
 std::string few_robots_markdown(const std::vector<FewRobots>& sets);
 
 // The tables as JSON: [{"set", "rows": [{"what", "robots", "cells": [by method]}]}]. O(rows).

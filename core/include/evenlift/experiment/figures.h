@@ -1,4 +1,5 @@
-// The thesis's figures. Each has the points of a chart and a sentence about them.
+// The thesis's figures, and figures of one polygon. Each has the points of a chart and a sentence
+// about its main result.
 #pragma once
 
 #include <cstdint>
@@ -23,25 +24,25 @@ struct FigureSeries {
 
 struct Figure {
   std::string set;       // the averaged set; empty for a single polygon
-  std::string id;        // number of the thesis's figure, such as "5.3"
+  std::string id;        // number of the thesis's figure, such as "5.3"; `column` for one polygon
   std::string title;     // the quantity, in words
-  std::string unit;      // "kg" or another weight unit, or "%" for shares, shown times 100
-  std::string column;    // the column of the CSV file that has the values
-  std::string sentence;  // the main result, made from the data
+  std::string unit;      // a unit of weight such as "kg", or "%" for shares (shown times 100)
+  std::string column;    // the column of aggregates_csv(), or of measurements_csv() for one polygon
+  std::string sentence;  // the main result in words
   std::vector<FigureSeries> series;  // one for each method that has values
 };
 
-// The greatest number of robots measured on at least a fifth of the method's polygons, so that no
-// point averages only a few; 0 without polygons. O(rows).
+// The greatest number of robots measured on at least a fifth of the method's polygons; 0 without
+// polygons. Beyond it, a point would be the average of only a few polygons. O(rows).
 std::uint32_t most_robots_shown(const std::vector<Aggregate>& aggregates, Method method);
 
-// Figures 5.3 to 5.8 and 5.11 of one set. They show teams of two up to most_robots_shown() of area,
-// and balanced robots up to most_robots_shown() of balanced. O(rows).
+// Figures 5.3 to 5.8 and 5.11 of one set. They show teams of two by every method up to
+// most_robots_shown() of area, and balanced robots up to most_robots_shown() of balanced. O(rows).
 std::vector<Figure> make_figures(const SetAggregates& set);
 
 // The quantities of section 5.1 for one polygon with every method, by number of robots: greatest
-// load, spread of loads, coverage, and form closure (for random, the share of samples). `settings`
-// are those of the measurements. O(rows).
+// load, spread of loads, coverage, and form closure (for random placements, the share in form
+// closure). `settings` are those of the measurements. O(rows).
 std::vector<Figure> make_polygon_figures(const PolygonResult& result,
                                          const ExperimentSettings& settings);
 

@@ -26,14 +26,14 @@ struct ExperimentSettings {
   // The greatest number of teams, 1 .. max_experiment_teams. The time grows with its square.
   std::uint32_t most_teams = 1000;
   // The greatest number of balanced robots, least_robots .. most_robots. The search for them takes
-  // most of the time, more with more robots.
+  // most of the time, and longer for more robots.
   std::uint32_t most_balanced = 12;
   double weight = experiment_weight;        // of the object; above 0
   WeightUnit weight_unit = WeightUnit::kg;  // in the figures of a single polygon
   bool operator==(const ExperimentSettings&) const = default;
 };
 
-// An error if a setting is out of range. Its place names the option. O(1).
+// Returns an error, whose place names the option, if a setting is out of range. O(1).
 std::optional<InputError> check_settings(const ExperimentSettings& settings);
 
 // A polygon ready to be measured.
@@ -43,16 +43,16 @@ struct Subject {
   std::vector<Candidate> candidates;  // their number is the greatest number of teams
 };
 
-// Validates a document and finds its candidates. Only weight and cargo matter among the document's
-// settings, since C depends on them. The errors are those of place(). O(n log n + K log K) for K
-// edge pairs.
+// Validates a document and finds its candidates. Of the document's settings, only weight and cargo
+// matter, since C depends on them. The errors are those of place() about the polygon, C and the
+// candidates. O(n log n + K log K) for K edge pairs.
 Result<Subject> prepare(const Document& document, double min_ratio);
 
-// The values of one method with one number of robots. Those of random placements are averages.
+// The values of one method with one number of robots. For random placements they are averages.
 struct Measurement {
   Method method = Method::area;
-  std::uint32_t robots = 0;   // 2, 4, .. twice the number of candidates; balanced 2, 3, ..
-  std::uint32_t samples = 1;  // averaged placements; 1 for all methods but random
+  std::uint32_t robots = 0;   // for teams of two 2, 4, 6, ..; for balanced 2, 3, 4, ..
+  std::uint32_t samples = 1;  // number of averaged placements; 1 except for random
   double coverage = 0;        // 0 .. 1
   double form_closure = 0;    // share of placements in form closure, 0 .. 1
   double no_area = 0;         // the same by the thesis's own test: no region of free rotation
@@ -60,8 +60,8 @@ struct Measurement {
   double held_clear = 0;      // form_closure without contacts nearer than usual_clear R to a corner
   double load_min = 0, load_mean = 0, load_max = 0;  // over the robots, in the unit of the weight
   double spread = 0;                                 // load_max - load_min (figure 5.3)
-  double max_share = 0.5;  // greatest share of a team's load on one robot (figure 5.5); any two
-                           // balanced robots count as a team
+  double max_share = 0.5;  // greatest share of a team's load on one robot (figure 5.5); 0.5 for
+                           // balanced, as if any two of the robots were a team
   std::optional<std::uint32_t> chosen;  // the candidate of the last team, from 0; empty for methods
                                         // that do not choose among candidates
   bool operator==(const Measurement&) const = default;
@@ -70,15 +70,15 @@ struct Measurement {
 // The number of teams: one for balanced, otherwise one for every two robots. O(1).
 std::uint32_t teams_of(Method method, std::uint32_t robots);
 
-// Measures one method with 1, 2, ... teams, up to the number of candidates (also for equal angles
-// and random) and `most_teams`. Numbers of teams that a method cannot place are omitted (by equal
-// angles and random, if C is on the boundary). The random sample k = 1 .. samples is random_teams()
-// with seed k; its first t teams are the placement of t teams. For t teams this computes O(t^2)
-// loads, and coverage and form closure once for each number of teams.
+// Measures one method with 1, 2, ... teams, up to the smaller of `most_teams` and the number of
+// candidates (also for equal angles and random). A number of teams that the method cannot place is
+// omitted; with equal angles and random this may happen if C is on the boundary. Sample k = 1 ..
+// samples of random is random_teams() with seed k; its first t teams are the placement of t teams.
+// Costs O(t^2) loads for t teams, and at most one coverage and form closure for each number.
 //
-// Balanced robots are measured with 2, 3, ... robots, even without candidates, wherever place()
-// finds a placement with the other settings at their defaults. Each number costs the search of
-// balanced.h.
+// Balanced robots are measured with 2, 3, ... up to `most_balanced` robots, even without
+// candidates. A number is omitted if place() finds no placement with the other settings at their
+// defaults. Each number costs the search of balanced.h.
 //
 // The values are those of place(), except for the max_share of balanced robots.
 std::vector<Measurement> measure(const Subject& subject, Method method,

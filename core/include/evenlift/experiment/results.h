@@ -1,5 +1,5 @@
-// The measurements of many polygons as CSV, and the part files from which an interrupted or shared
-// run is assembled.
+// The measurements of many polygons as CSV, and the part files from which a run that was
+// interrupted or divided is assembled.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@
 namespace evenlift::experiment {
 
 struct PolygonResult {
-  std::string set;      // the set of polygons with which it is averaged
+  std::string set;      // the set of polygons with which this one is averaged
   std::string polygon;  // unique in its set
-  std::string problem;  // the reason why it could not be measured, or empty
+  std::string problem;  // the reason why the polygon was refused, or empty
   std::uint32_t vertices = 0;
   bool convex = false;
   std::uint32_t candidates = 0;           // the most teams that the algorithm can place
@@ -23,17 +23,18 @@ struct PolygonResult {
   bool operator==(const PolygonResult&) const = default;
 };
 
-// The seconds of each stage, "candidates" or a method's name.
+// The seconds that each stage of a polygon took. A stage is "candidates" or a method's name.
 using Times = std::vector<std::pair<std::string, double>>;
 
-// 16 hexadecimal digits that distinguish texts (FNV-1a, 64 bits). O(bytes).
+// 16 hexadecimal digits that differ for different texts, except by chance (FNV-1a, 64 bits).
+// O(bytes).
 std::string fingerprint(std::string_view bytes);
 
-// The fingerprint of the settings and the document: its outline, holes, centre of mass and cargo.
+// The fingerprint of the settings and of the document's outline, holes, centre of mass and cargo.
 // O(n).
 std::string fingerprint(const Document& document, const ExperimentSettings& settings);
 
-// Replaces the fingerprint of a file that could not be read.
+// Replaces the fingerprint of a polygon that was refused or could not be read.
 inline constexpr const char* refused_fingerprint = "refused";
 
 // The result of a polygon that has no measurements yet. O(1).
@@ -51,7 +52,8 @@ struct ResultSet {
 // Divides sorted results into sets and keeps their order. O(n).
 std::vector<ResultSet> group_by_set(std::vector<PolygonResult> results);
 
-// A finished polygon. write_part() returns its text, which ends with a newline. O(rows).
+// A polygon that is finished: measured or refused. write_part() returns it as a text, which ends
+// with a newline. O(rows).
 struct Part {
   ExperimentSettings settings;
   std::string fingerprint;  // of the polygon's input
@@ -65,12 +67,13 @@ std::string write_part(const Part& part);
 std::optional<Part> read_part(std::string_view text);
 
 // One row for each set, polygon, method and number of robots, in that order, under a heading. The
-// columns are the fields of Measurement; numbers have the fewest digits that read back to the same
-// double, and `chosen` may be empty. O(rows).
+// columns are the set, the polygon, the number of teams and the fields of Measurement, of which
+// `chosen` may be empty. Numbers have the fewest digits that read back to the same double. O(rows).
 std::string measurements_csv(const std::vector<ResultSet>& sets);
 
 // One row for each polygon: its number of vertices, whether it is convex, and the number of teams
-// that the algorithm can place, or the reason why the polygon was refused. O(polygons).
+// that the algorithm can place. If the polygon was refused, its row has the reason instead.
+// O(polygons).
 std::string polygons_csv(const std::vector<ResultSet>& sets);
 
 // One row for each polygon and stage, with its seconds.

@@ -1,4 +1,4 @@
-// The polygons of a finished shard of an experiment, for the merge.
+// The list of the polygons in a finished shard of an experiment. The merge of shards reads it.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +27,8 @@ struct ShardList {
   std::vector<Entry> entries;
 };
 
-// Write and read a list as text. read_shard_list() returns nothing for a text that
-// write_shard_list() did not write. O(entries).
+// Write and read a list as text. read_shard_list() returns nothing for a text that is not such a
+// list. O(entries).
 std::string write_shard_list(const ShardList& list);
 std::optional<ShardList> read_shard_list(std::string_view text);
 

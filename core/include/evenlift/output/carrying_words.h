@@ -15,9 +15,9 @@ namespace evenlift {
 std::string slope_in_words(double ratio);
 std::string degrees_in_words(double degrees);
 
-// Returns the disturbance as an addition to a sentence: "with a C uncertainty of 3 cm, on slopes up
-// to 8 %, braked at up to 0.1 g, with heights off by up to 2 mm". The text is empty if there is no
-// disturbance. O(1).
+// Returns the disturbance (uncertainty.h) as an addition to a sentence: "with a C uncertainty of 3
+// cm, on slopes up to 8 %, braked at up to 0.1 g, with heights off by up to 2 mm". The text is
+// empty if there is no disturbance. O(1).
 std::string disturbance_in_words(const Shown& shown);
 
 // Returns the disturbance as a clause: "C is off by up to 3 cm, the ground slopes by up to 8 % and
@@ -29,13 +29,13 @@ std::string disturbance_as_clause(const Shown& shown);
 // conditions have an effect. O(1).
 std::string without_effect_in_words(const Shown& shown);
 
-// Says whether the object can tip under the given conditions: "It can tip: the centre of mass may
-// be off by 200 mm, and 177 mm in one direction is enough.", or "On a slope of 8 % it tips." The
-// text is empty if the object stays upright. O(1).
+// Says that the object can tip under the given conditions: "It can tip: the centre of mass may be
+// off by 200 mm, and 177 mm in one direction is enough.", or "On a slope of 8 % it tips." The text
+// is empty if the object cannot tip under them. O(1).
 std::string tipping_in_words(const Robustness& robustness, const ShownPlacement& of);
 
-// Says when the object tips: "In the worst direction it tips at a slope of 14° (25 %) or when it is
-// braked at 0.25 g." The text is empty if the height of C is 0. O(1).
+// Says when the object tips: "In the worst direction it tips at a slope of 14° (25 %) or when it
+// is braked at 0.25 g." The text is empty if the height of C is 0. O(1).
 std::string tilt_in_words(const Robustness& robustness, const ShownPlacement& of);
 
 // Says where a further load may stand: "Another 80 kg may stand on 62 % of the object without
@@ -43,18 +43,18 @@ std::string tilt_in_words(const Robustness& robustness, const ShownPlacement& of
 // anywhere on it." O(1).
 std::string extra_in_words(const ExtraLoad& extra, const ShownPlacement& of);
 
-// Describes a further load at a place: "80 kg here: robots carry 12.1–54.2 kg", or "80 kg here tips
-// it". The load is fine if, under all given conditions, no robot goes slack or is overloaded;
-// otherwise the text gives the reason. O(m log m).
+// Describes a further load at a place, if robots are equally stiff: "80 kg here: robots carry
+// 12.1–54.2 kg", or "80 kg here tips it". `is_fine` is true if, under all given conditions, no
+// robot goes slack or is overloaded; otherwise the text gives the reason. O(m log m).
 struct LoadHere {
   std::string words;
   bool is_fine = false;
 };
 LoadHere extra_here_in_words(const ExtraLoad& extra, const Vec2& at, const ShownPlacement& of);
 
-// Gives the slope at which the object tips if downhill is from C towards `at`: "Downhill this way
-// it tips at 14° (25 %)". The text is empty if `at` is C, the height of C is 0, H has no area, or
-// the object falls. O(h) for h corners of H.
+// Gives the slope at which the object tips if the ground falls from C towards `at`: "Downhill this
+// way it tips at 14° (25 %)". The text is empty if `at` is C, the height of C is 0, H has no area,
+// or the object falls. O(h) for h corners of H.
 std::string tilt_towards_in_words(const Vec2& at, const ShownPlacement& of);
 
 }  // namespace evenlift

@@ -1,4 +1,5 @@
-// Writes JSON in this project's layout, from the inside out.
+// Writes JSON in this project's layout. The caller writes inner values first and passes them to the
+// functions that write outer ones.
 #pragma once
 
 #include <initializer_list>
@@ -25,13 +26,13 @@ std::string numbers(const std::vector<double>& values);
 std::string object(const std::vector<Member>& members);  // on one line
 std::string object(std::initializer_list<Member> members);
 
-// Write one item or member per line, indented by 2 (depth + 1) spaces. Values of several lines must
-// have been made for depth + 1. Without items the text is [] or {}.
+// Write one item or member per line, indented by 2 (depth + 1) spaces. A value of several lines
+// must have been written with depth + 1. Without items the text is [] or {}.
 std::string long_array(const std::vector<std::string>& items, int depth);
 std::string long_object(const std::vector<Member>& members, int depth);
 
-// Joins the lines of a JSON text into one. It may have line breaks only between items; text()
-// escapes those within strings. O(bytes).
+// Joins the lines of a JSON text into one. The text may have line breaks only between items; text()
+// escapes line breaks within strings. O(bytes).
 std::string on_one_line(std::string_view text);
 
 // Writes an array of points, one [x, y] per line, like long_array().

@@ -1,5 +1,5 @@
-// Finds a free place for each label of a picture, beside its owner, and outside the object if there
-// is space. Coordinates are in pixels, or in a unit of about that size.
+// Finds a free place for each label of a picture, beside the thing that the label names, and
+// outside the object if there is space. Coordinates are in pixels, or in a unit of about that size.
 #pragma once
 
 #include <optional>
@@ -22,16 +22,16 @@ struct Request {
 
 struct Surroundings {
   Box frame;                       // labels stay inside
-  Points outline;                  // of the object: its inside is avoided, its edges even more
+  Points outline;                  // labels avoid its inside, and its edges even more
   std::vector<Segment> chords;     // avoided if possible
   std::vector<Box> marks;          // never covered; may include owners
-  std::vector<Points> holes = {};  // of the object: free ground, whose edges are avoided
+  std::vector<Points> holes = {};  // of the object; labels may be inside, but avoid the edges
 };
 
 // Returns a box for each label, or nothing for a label if every place would leave the frame or
 // cover a mark, an owner or another label. For each label it tries 24 directions and three
-// distances and takes the place with the fewest drawbacks. It does so twice, the second time with
-// all other labels in place. O(labels (n + labels + chords)).
+// distances and takes the place with the fewest drawbacks. Then it places each label again, with
+// all other labels in place. O(labels (n + labels + chords + marks)).
 std::vector<std::optional<Box>> place(const std::vector<Request>& requests,
                                       const Surroundings& around);
 

@@ -1,5 +1,5 @@
-// Turns a placement into shapes with roles, in polygon coordinates, without colours or pixels, for
-// the SVG writer and the page's canvas.
+// Turns a placement into shapes, each with a role, for the SVG writer and the page's canvas. The
+// shapes are in polygon coordinates, and have no colours or pixels.
 #pragma once
 
 #include <cstddef>
@@ -18,17 +18,17 @@ enum class Role : std::uint8_t {
   clockwise,         // filled region of the centres of free clockwise rotations
   counterclockwise,  // filled region of the centres of free counter-clockwise rotations
   candidate,         // a chord that no team took
-  chord,             // joins the robots of a team
+  chord,             // a line of joining_lines()
   robot,             // a lifting point
   centre_of_mass,
-  cargo,        // a disc whose area tells an item's weight
+  cargo,        // a disc whose area is in proportion to an item's weight
   cargo_lever,  // from C0, the object's own centre of mass, to C; only with cargo
   own_centre,   // C0; only with cargo
 };
 
 struct Shape {
   Role role = Role::object;
-  Points points;                      // closed area (3 or more), segment (2) or spot (1)
+  Points points;                      // an area (3 points or more), a segment (2) or a spot (1)
   std::optional<std::uint32_t> team;  // set for chords and robots
   double load = 0;                    // of a robot; for cargo, its weight
   std::vector<Points> holes = {};     // of the object
@@ -50,7 +50,7 @@ inline constexpr double largest_cargo_disc = 0.06;
 std::vector<double> cargo_radii(const Placement& placement);
 
 // Returns a mark that shows which robots form a team: strokes side by side that add up to the
-// team's number (from 1), where a broad stroke counts five. `at` is the robot's place on the
+// team's number, counted from 1. A broad stroke counts five. `at` is the robot's place on the
 // picture, in pixels, and `outward` is the direction away from C, as a vector of any length. The
 // strokes begin at the distance `radius` from `at`. O(team).
 struct TallyStroke {
@@ -61,8 +61,8 @@ std::vector<TallyStroke> tally(std::size_t team, const Vec2& at, const Vec2& out
                                double radius);
 
 // Returns the object, cargo, centre of mass and robots, and the shapes that the overlays select,
-// from back to front. If there are more than `most_lines` candidates or teams, only every second
-// (or third, and so on) of them gets lines, since more lines would be indistinguishable. O(output).
+// from back to front. If there are more than `most_lines` candidates or teams, lines are drawn only
+// for every second (or third, and so on), since more lines would be indistinguishable. O(output).
 std::vector<Shape> make_picture(const Placement& placement, const Overlays& overlays,
                                 std::size_t most_lines = SIZE_MAX);
 

@@ -16,7 +16,7 @@ enum class PoseFormat : std::uint8_t { csv, json, yaml };
 // O(1).
 std::optional<PoseFormat> pose_format_of_file(std::string_view file_name);
 
-// The origin of the coordinates: that of the polygon's file, or the centre of mass.
+// The origin of the coordinates: either that of the polygon's file, or the centre of mass.
 enum class PoseOrigin : std::uint8_t { file, com };
 std::optional<PoseOrigin> pose_origin_from_name(std::string_view text);  // "file" or "com"
 inline constexpr const char* pose_origin_requirement = "the origin of poses must be file or com";
@@ -33,17 +33,18 @@ struct PoseOptions {
 };
 
 // Returns the position, heading, load and team of each robot, team after team. Robots and teams are
-// counted from 1. The position is the centre of the body of a robot with a size, otherwise the
-// lifting point; the heading is that of PlacedRobot (placed_robots.h).
+// counted from 1. The position of a robot with a size is the centre of its body; otherwise it is
+// the lifting point. The heading is that of PlacedRobot (placed_robots.h).
 //   csv   a row for each robot: robot,team,x,y,heading_deg,load,unit,weight_unit
 //   json  {"frame", "origin", "unit", "weight_unit", "robots": [{"robot", "team", "x", "y",
 //         "heading_deg", "direction": [x, y], "load"}]}; `direction` is the heading as a vector of
 //         length 1
-//   yaml  a geometry_msgs/msg/PoseArray that `ros2 topic pub` accepts: positions in metres, z = 0;
-//         the rotation is about z and turns x into the heading; loads and teams are in comments
+//   yaml  a geometry_msgs/msg/PoseArray that `ros2 topic pub` accepts, with positions in metres and
+//         z = 0. A rotation about the z axis turns the x axis to the heading. Loads and teams are
+//         in comments
 // Tables and JSON are in the placement's units. Numbers have the fewest digits that read back to
-// the same double. YAML takes the coordinates of an object without a unit for metres, and its first
-// lines state this. The bytes are the same on every platform. O(n + m).
+// the same double. If the object has no unit, YAML takes its coordinates to be in metres, and the
+// first lines of the YAML state this. The bytes are the same on every platform. O(n + m).
 std::string poses_text(const ShownPlacement& of, PoseFormat format,
                        const PoseOptions& options = {});
 

@@ -15,41 +15,43 @@ namespace evenlift {
 // A condition on a quantity:
 //
 //   held               the robots hold the object (is_held() of words.h)
-//   stands             C is in the lifting base (equilibrium.h)
-//   steady             after any one failure the object does not tip (failures_clear), on level
-//                      ground and under the given conditions
+//   stands             C is in the lifting base, within tau L (equilibrium.h)
+//   steady             the object does not tip after any one failure, both on level ground
+//                      (failures_clear) and under the given conditions
 //   capacity           no robot carries more than its capacity
-//   coverage           0 to 1
+//   coverage           the coverage, from 0 to 1
 //   max, min           the greatest and the least planned load
 //   spread             max - min, with C at its assumed place
-//   max_after_failure  the greatest load by springs after any one failure
+//   max_after_failure  the greatest load by springs after any one failure, under the given
+//                      conditions
 //   margin             the margin of form closure
-//   tipping_distance   the distance that C may be off before the object tips
+//   tipping_distance   the distance by which C may be off before the object tips
 //   tip                the slope, in degrees, at which the object tips in the worst direction
 //                      (tilt.h)
 //   robots             the number of robots
 //
-// The first four are true or false. `capacity`, `max` and `min` use the planned loads as ranges
-// within the given disturbance (loads_when_disturbed()). If the object falls, or can tip within the
-// disturbance, these conditions are not kept.
+// The first four are true or false. `capacity`, `max` and `min` refer to the planned loads or,
+// under a disturbance, to the ends of their ranges (loads_when_disturbed()). If the object falls,
+// or can tip under the disturbance, conditions on these three quantities are not kept.
 struct Condition {
   std::string_view quantity;  // one of these names
   bool at_least = true;       // for numbers: >= or <=
   double limit = 0;           // for numbers
-  std::string text;           // without spaces
+  std::string text;           // as written, but without spaces
 };
 
 inline constexpr std::size_t most_conditions = 100;
 
-// Reads the conditions in a text, separated by commas. Each is one of the first four words, or a
-// quantity, >= or <=, and a number. Spaces do not matter. The error, at the place "require", quotes
-// the wrong condition if it is short, and lists all words. O(bytes).
+// Reads the conditions in a text, separated by commas; there may be at most most_conditions. Each
+// is one of the first four words, or a quantity, >= or <=, and a number. Spaces do not matter. The
+// error, at the place "require", lists all words, and quotes the wrong condition if that is short.
+// O(bytes).
 Result<std::vector<Condition>> read_conditions(std::string_view text);
 
-// A condition and the value of its quantity: a number, or 0 or 1. If there is no value, as for a
-// load of an object that falls, the condition is not kept. Numbers are compared within tolerance:
-// tau of the weight for loads, tau L for distances, tau for coverage and margin, and 90 tau for
-// degrees.
+// A condition and the value of its quantity: a number, or 1 for true and 0 for false. If there is
+// no value, as for a load of an object that falls, the condition is not kept. Numbers are compared
+// within tolerance: tau of the weight for loads, tau L for distances, tau for coverage and margin,
+// and 90 tau for degrees.
 struct Requirement {
   Condition condition;
   std::optional<double> value;
@@ -65,8 +67,9 @@ std::vector<Requirement> check_conditions(const ShownPlacement& of,
 // Returns whether the condition's quantity is true or false, not a number. O(1).
 bool is_yes_or_no(const Condition& condition);
 
-// Return a condition in words, as "The greatest load is at most 30 kg" or "The robots hold the
-// object", and its value, as "33.3 kg" or "no"; empty if the requirement has no value. O(1).
+// condition_in_words() returns a condition, as "The greatest load is at most 30 kg" or "The robots
+// hold the object". value_in_words() returns its value, as "33.3 kg" or "no"; the text is empty if
+// the requirement has no value. O(1).
 std::string condition_in_words(const Condition& condition, const Units& units);
 std::string value_in_words(const Requirement& requirement, const Units& units);
 

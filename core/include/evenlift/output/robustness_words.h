@@ -12,42 +12,44 @@
 namespace evenlift {
 
 // Describes the loads by a model: "If all robots are equally stiff and level and the object does
-// not bend, they carry 15.9–17.5 kg each. Robots 2 and 5 go slack." The text is empty for the plan,
-// which loads_in_words() describes. Robots are counted from 1.
+// not bend, they carry 15.9–17.5 kg each. Robots 2 and 5 go slack." The text is empty for the
+// plan, which loads_in_words() describes. Robots are counted from 1.
 std::string model_in_words(LoadModel model, const ModelLoads& loads, const Units& units = {});
 
 // Says how the loads of equally stiff robots change within the disturbance of `loads`, which must
-// be that of `shown`: "If C is off by up to 3 cm and the ground slopes by up to 8 %, …". If only C
-// is uncertain, and its uncertainty reaches the tipping distance, the text gives that distance;
-// otherwise it says whether robots may go slack. It is empty without a disturbance. O(m).
+// be that of `shown`: "If C is off by up to 3 cm and the ground slopes by up to 8 %, …". If a
+// robot may go slack, the text says this too. But if only C is uncertain, and its uncertainty
+// reaches the tipping distance, the text gives that distance instead. Without a disturbance the
+// text is empty. O(m).
 std::string uncertainty_in_words(const ModelLoads& loads, const Robustness& robustness,
                                  const Shown& shown);
 
-// Says how far C may be off before a robot exceeds its capacity by springs, under the other given
-// conditions. Some robot must have a capacity. The cost is that of model_loads().
+// Says how far C may be off before some robot's load by springs exceeds its capacity, under the
+// other given conditions. Some robot must have a capacity. The cost is that of model_loads().
 std::string uncertainty_for_capacity_in_words(const ModelLoads& loads, const ShownPlacement& of);
 
 // Names the robots without which the object falls, the greatest load if another robot fails, and
-// the failures after which the object can tip or a robot is overloaded (`overloads`, from
-// overloads_after() of capacity.h). `limit` is the capacity in words: "20 kg" or "its capacity".
+// the failures after which the object can tip or a robot is overloaded. `overloads` comes from
+// overloads_after() (capacity.h). `limit` is the capacity in words: "20 kg" or "its capacity".
 std::string failures_in_words(const std::vector<std::optional<RestOfRobots>>& failures,
                               const Units& units = {}, const std::vector<bool>& overloads = {},
                               const std::string& limit = {});
 
 // Describes one failure: "Robot 3 fails: the other five carry the object, at most 21.3 kg each."
-// Loads are by springs; if they exceed the capacity, the text adds it.
+// The loads are by springs; if one exceeds the capacity, the text also gives the capacity. `robot`
+// counts from 0.
 std::string failure_in_words(std::size_t robot, std::size_t robots,
                              const std::optional<RestOfRobots>& rest,
                              const std::optional<double>& capacity = std::nullopt,
                              const Units& units = {});
 
-// Returns the text that follows failure_in_words(): coverage and closure, or the reason why the
-// others cannot carry the object. `failing` comes from with_failure().
+// Returns the text that follows failure_in_words(): coverage and form closure, or the reason why
+// the others cannot carry the object. `failing` comes from with_failure().
 std::string rest_in_words(const ShownPlacement& failing);
 
-// Returns the number of robots that may fail, the tipping distance and, if C has a height, the
-// slope at which the object tips. While a robot fails (`failing`), `robustness` must be that of the
-// others, and the first fact only says that one fails.
+// Returns the number of robots that may fail, the tipping distance and, if the height of C is above
+// 0, the slope at which the object tips. While a robot fails (`failing`), `robustness` must be that
+// of the others, and the first fact only says that one robot fails.
 std::vector<Fact> robustness_facts(const ShownPlacement& of, const Robustness& robustness,
                                    bool failing = false);
 

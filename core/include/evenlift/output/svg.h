@@ -1,4 +1,4 @@
-// Draws a placement as an SVG picture for reports, without scripts or fonts to load.
+// Draws a placement as an SVG picture for reports. The picture has no scripts and loads no fonts.
 #pragma once
 
 #include <string>
@@ -8,15 +8,16 @@
 
 namespace evenlift {
 
-// Draws the polygon, H, chords, robots with their loads, the centre of mass and the two regions of
-// free rotation centres (hatched, so that they differ without colour), fitted with a margin. A
-// caption and a <title>/<desc> describe them in words. The bytes are the same on every platform. If
-// `link` is the link of the document (link.h), evenlift can open the picture as that document.
-// O(output).
+// Draws the object, the robots with their loads, the centre of mass, and the chosen overlays
+// (document.h) except the heat map and the tipping distance. By default the overlays are H, the
+// chords and the two regions of free rotation centres. The regions are hatched, so that they differ
+// without colour. A caption and a <title>/<desc> describe the placement in words. The bytes are the
+// same on every platform. If `link` is the link of the document (link.h), evenlift can open the
+// picture as that document. O(output).
 std::string placement_svg(const ShownPlacement& of, std::string_view link = {});
 
-// Draws the same at half the size, for pictures side by side. Letters and robots keep their size,
-// and there is no caption or link. O(output).
+// Draws the same picture at half the size, to be shown beside others. Letters and the robots' discs
+// keep their size, and there is no caption or link. O(output).
 std::string placement_sketch(const ShownPlacement& of);
 
 }  // namespace evenlift

@@ -1,5 +1,5 @@
-// Judges a placement: whether it is good and, if it is not, each reason why. The program, the page
-// and JSON show the same judgement.
+// Judges whether a placement is good, and gives each reason if it is not. The program, the page and
+// JSON show the same judgement.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@
 namespace evenlift {
 
 enum class VerdictKind : std::uint8_t {
-  good,     // nothing against it
-  warning,  // it stands, but something is amiss
+  good,     // there is no reason against the placement
+  warning,  // there is a reason against it, but the object stands
   bad       // there are no robots, or the object falls
 };
 std::string_view name(VerdictKind kind);
@@ -22,18 +22,19 @@ struct Judgement {
   std::vector<std::string> reasons;  // sentences, the most serious first
 };
 
-// Returns a sentence for each of the first three misfits of given supports (supports.h), and one
-// for the number of the other misfits. O(m log n + m^2).
+// Describes the misfits of given supports (supports.h): returns a sentence for each of the first
+// three and, if there are more, one with the number of the others. O(m log n + m^2).
 std::vector<std::string> misfits_in_words(const ShownPlacement& of);
 
 // Judges a placement. It is good if all requested teams are placed, every robot fits (misfits() of
-// placed_robots.h), none exceeds its capacity, the object does not tip within the disturbance
-// (disturbance_of()), the coverage is at least good_coverage (words.h), and the object is held
-// (is_held()). The loads are as planned, as ranges if there is a disturbance. O(m log n + m^2) for
-// supports of a size, otherwise O(m log m).
+// placed_robots.h), none carries more than its capacity, the object does not tip within the
+// disturbance (disturbance_of()), the coverage is at least good_coverage (words.h), and the object
+// is held (is_held()). The capacities are compared with loads_when_disturbed() (placed_robots.h).
+// O(m log n + m^2) for given supports, otherwise O(m log m); with a disturbance, also the cost of
+// model_loads().
 Judgement judge(const ShownPlacement& of);
 
-// Judges the same with known robustness and with the loads to compare with the capacities: those of
+// Judges a placement whose robustness is known. The capacities are compared with `loads`, those of
 // the load model that is shown (loads_by()). O(m log n + m^2).
 Judgement judge(const ShownPlacement& of, const Robustness& robustness,
                 const std::vector<LoadRange>& loads);

@@ -2,10 +2,9 @@
 // experiments. Texts are in plain English or the reader's language (wording.h), in UTF-8, with the
 // same bytes on every platform.
 //
-// Numbers are rounded from the decimal that shortest() (numbers.h) prints, to the nearest, with a
-// half rounded away from zero: 2.345 is 2.35 with two decimals, although its double is slightly
-// less. The minus sign is "−", and zero never has one. A no-break space (U+00A0) separates a number
-// from its unit.
+// Numbers are rounded from the decimal that shortest() (numbers.h) prints, a half away from zero.
+// So 2.345 is 2.35 with two decimals, although its double is slightly less. The minus sign is
+// "−", and zero never has one. A no-break space (U+00A0) separates a number from its unit.
 #pragma once
 
 #include <string>
@@ -19,26 +18,26 @@ namespace evenlift {
 
 // --- Numbers. All O(1).
 
-// Writes a number with exactly `decimals` (0 .. 9) digits after the point; from 1e15 on, like
-// plain().
+// Writes a number with exactly `decimals` (0 .. 9) digits after the point. Numbers of 1e15 or more
+// in size are written as by plain().
 std::string fixed(double value, int decimals);
 
 // Writes a number with the fewest digits that read back to the same number: "100", "0.8".
 std::string plain(double value);
 
-// Writes a number with `digits` significant digits, without trailing zeros: "0.00167", "1.67e−21".
+// Writes a number with `digits` significant digits and no trailing zeros: "0.00167", "1.67e−21".
 std::string significant(double value, int digits);
 
-// Returns the number of decimals, at most 9, that shows `largest` with three significant digits;
-// use it also for smaller values of the same kind.
+// Returns the number of decimals, 0 to 9, with which `largest` shows three significant digits, or
+// as close to three as possible. Use this number also for smaller values of the same kind.
 int decimals_for(double largest);
 
-// Writes a number with decimals_for(largest), where `largest` is the largest value of a column, so
-// that the column lines up. If `largest` is below 1e-6, or 1e12 or more, it writes three
+// Writes a number with decimals_for(largest) decimals. The numbers of a column line up if `largest`
+// is the largest of them. If `largest` is below 1e-6, or 1e12 or more, the number has three
 // significant digits instead of a long row of digits.
 std::string amount(double value, double largest);
 
-// Writes a range, as "15.2–18.1", or one number if both ends look the same.
+// Writes a range, as "15.2–18.1", or one number if both ends look the same after rounding.
 std::string amounts(double low, double high, double largest);
 
 // Write a load, or a range of loads, with its unit: "16.7 kg", "15.2–18.1 kg".
@@ -46,8 +45,8 @@ std::string load_in_words(double value, double largest, const Units& units);
 
 std::string load_in_words(double low, double high, double largest, const Units& units);
 
-// Write a load by a model, without and with its unit: as a range, or as "≤ 18.1" if the model gives
-// only an upper bound (best and worst).
+// Write a load by a model like a range above: amounts() without a unit, load_in_words() with it. If
+// the model gives only an upper bound (best and worst), the text is like "≤ 18.1".
 std::string amounts(LoadModel model, const LoadRange& load, double largest);
 std::string load_in_words(LoadModel model, const LoadRange& load, double largest,
                           const Units& units);
@@ -55,9 +54,9 @@ std::string load_in_words(LoadModel model, const LoadRange& load, double largest
 // Adds the unit of weights to a number that is already text: "100 kg".
 std::string with_weight_unit(const std::string& number, const Units& units);
 
-// Writes a weight or capacity that the user gave: "100 kg", "22.6796 kg". It has at most six
-// significant digits, since a value converted from another unit has many; a whole part of more
-// digits is written in full.
+// Writes a weight or capacity that the user gave: "100 kg", "22.6796 kg". The text has at most six
+// significant digits, since a value converted from another unit may have many more. A whole part of
+// more than six digits is written in full.
 std::string given_weight(double weight, const Units& units);
 
 // Adds the unit of lengths, if any, to a number that is already text: "2.5 mm", or "2.5".
@@ -66,15 +65,16 @@ std::string with_length_unit(const std::string& number, const Units& units);
 // Writes a guaranteed length, rounded down to two significant digits: "12" for 12.9.
 std::string promised_length(double length, const Units& units);
 
-// Writes a share as "81 %". Only 0 is "0 %" and only 1 is "100 %", both within tolerance (tau).
-// Other shares that would round to these are "< 1 %" or "> 99 %" (with one decimal, "< 0.1 %").
+// Writes a share as "81 %". Only a share of 0 is "0 %" and only 1 is "100 %", both within tolerance
+// (tau). Other shares that would round to these are "< 1 %" or "> 99 %" or, with one decimal,
+// "< 0.1 %".
 std::string percentage(double share, int decimals = 0);
 
-// Writes the lead of a share over another in percentage points: the difference of the two
+// Writes by how much `share` exceeds `other`, in percentage points: the difference of the two
 // percentages, each rounded to two decimals.
 std::string points_ahead(double share, double other);
 
-// Writes a number of things: "1 team", "3 teams".
+// Writes a number with its noun: "1 team", "3 teams".
 std::string count_of(std::size_t n, const char* one, const char* many);
 
 // Returns the name of a method in words: "area", "equal angles", "by hand".
@@ -86,21 +86,24 @@ std::string ratio_in_words(double ratio);
 // Writes a point that the user gave, to six significant digits: "(3.5, −2)".
 std::string given_point(const Vec2& point);
 
-// Writes a point with a fixed number of decimals: "(3.5, −2.0)". coordinate_decimals() returns the
-// number, at most 9, that shows the larger side of the polygon's box with four significant digits.
+// Writes a point with a fixed number of decimals: "(3.5, −2.0)". coordinate_decimals() returns
+// the number of decimals, 1 to 9, with which the longer side of the polygon's bounding box shows
+// four significant digits, or as close to four as possible.
 std::string point_in_words(const Vec2& point, int decimals);
 int coordinate_decimals(const Points& vertices);  // O(n)
 
 // --- A placement. O(1) unless stated otherwise.
 
-// Describes the loads: "6 robots carry 15.2–18.1 kg each (100 kg in all).", for balanced robots "6
-// robots carry equal loads of 16.7 kg (100 kg in all).", with cargo "… (120 kg with its cargo of 24
-// kg).", or "No team can be placed." The loads are as planned; if another model is `shown`, the
-// text says "As planned". With a disturbance and the `ranges` of the planned loads (loads_by): "6
-// robots carry 14.9–18.4 kg each, with a C uncertainty of 3 cm, on slopes up to 8 % (100 kg in
-// all)." For given supports the text says that the loads are those of equally stiff robots, unless
-// equilibrium alone determines them. If the object falls: "It falls: the centre of mass is 12 mm
-// outside the lifting base, beyond robots 2 and 3." O(m log m).
+// Describes the planned loads: "6 robots carry 15.2–18.1 kg each (100 kg in all)." For balanced
+// robots the text is "6 robots carry equal loads of 16.7 kg (100 kg in all)." With cargo the text
+// ends in "(120 kg with its cargo of 24 kg)." Without robots the text is like "No team can be
+// placed." If a model other than the plan is `shown`, the text begins with "As planned" or, for
+// given supports, with "If equally stiff". If there is a disturbance, `ranges` may be the ranges of
+// the planned loads (loads_by()). Then the text is "6 robots carry 14.9–18.4 kg each, with a C
+// uncertainty of 3 cm, on slopes up to 8 % (100 kg in all)." For given supports the text calls the
+// robots equally stiff, unless equilibrium alone determines the loads. If the object falls, the
+// text is "It falls: the centre of mass is 12 mm outside the lifting base, beyond robots 2 and 3."
+// O(m log m).
 std::string loads_in_words(const ShownPlacement& of, LoadModel shown = LoadModel::plan,
                            const std::vector<LoadRange>& ranges = {});
 
@@ -112,30 +115,31 @@ std::string weight_in_words(const ShownPlacement& of);
 std::string outline_in_words(const PolygonWithHoles& object);
 
 // Says why there are no teams and what could help, or that there are fewer teams than requested.
-// The text is empty if all are placed or the search still runs.
+// The text is empty if all teams are placed, or if the search has found no team yet.
 std::string shortage_in_words(const Placement& placement);
 
 // Describes the coverage: "81 % of the object can be pressed down on without tipping it." The text
 // is empty if there are no teams, or if the object falls.
 std::string coverage_in_words(const Placement& placement);
 
-// Describes the hold: "It can still turn clockwise."; or what holds the object and how far robots
-// may be off; or which robot must stand exactly in place near a corner. The text is empty if there
-// are no teams.
+// Describes the hold. In form closure, the text says by how much robots may be off or, if the hold
+// depends on a contact near a corner, which robot must be placed accurately. Otherwise the text
+// says that the object is held to second order, that no contact counts, or which motions are free:
+// "It can still turn clockwise." The text is empty if there are no teams.
 std::string closure_in_words(const ShownPlacement& of);
 
-// Names the free motions: "turn either way and slide"; empty if no motion is free.
+// Names the free motions: "turn either way and slide". The text is empty if no motion is free.
 std::string free_motions_in_words(const Closure& closure);
 
-// Returns whether the robots hold the object at least to second order; in form closure, only if
-// they also hold_clearly() (placement.h).
+// Returns whether the robots hold the object. In form closure, the result is that of
+// hold_clearly() (placement.h); otherwise, it is true if they hold it to second order.
 bool is_held(const Placement& placement);
 
 // The least coverage of a good result.
 inline constexpr double good_coverage = 0.5;
 
-// Returns the text that follows loads_in_words(): shortage, coverage and closure, with problems
-// first.
+// Returns the text that follows loads_in_words(): the shortage, the coverage and the hold. The hold
+// comes before the coverage if only the hold is a problem.
 std::string detail_in_words(const ShownPlacement& of);
 
 // Returns loads_in_words() followed by detail_in_words().
@@ -146,30 +150,31 @@ std::string verdict(const ShownPlacement& of, LoadModel shown = LoadModel::plan,
 // does not fit here".
 std::string unusable_in_words(WhyUnusable why, const RobotSize& robot, const Units& units);
 
-// Names the forbidden parts of the boundary: "No robot touches edge 1 between 31 % and 76 % of its
-// length, nor edge 3." Of more than three parts it gives only the number. The text is empty if the
-// whole boundary is allowed. O(1).
+// Names the no-go parts of the boundary: "No robot touches edge 1 between 31 % and 76 % of its
+// length, nor edge 3." If there are more than three parts, the text gives only their number. It is
+// empty if there are none. O(1).
 std::string no_go_in_words(const std::vector<EdgePart>& no_go);
 
-// Names the capacity of each robot: "20 kg", or "its capacity" if robots have their own. Some robot
-// must have a capacity.
+// Names the capacity of each robot: "20 kg", or "its capacity" if robots have their own. At least
+// one robot must have a capacity.
 std::string limit_in_words(const ShownPlacement& of);
 
-// Names the overloaded robots. If `plan` is given, the text adds the number of robots needed; if
-// `if_one_fails` is given, also the number needed so that any one may fail. O(teams).
+// Names the robots whose planned loads exceed their capacities, or says that there are none. If
+// `plan` is given, the text adds the number of robots needed. If `if_one_fails` is given, the text
+// adds the number needed so that any one robot may fail. O(teams).
 std::string capacity_in_words(const ShownPlacement& of, const CapacityPlan* plan,
                               const FailurePlan* if_one_fails = nullptr);
 
-// Says the same for robots that are overloaded by this load model, or while the robot `failed`
-// (from 0) fails. `plan` assumes planned loads and no failures, and the text states this where it
-// matters.
+// Says the same for the robots that are `overloaded` by this load model. If `failed` is given, the
+// loads are those after that robot (numbered from 0) has failed. `plan` assumes planned loads
+// without failures or a disturbance; the text says so if `overloaded` refers to other loads.
 std::string capacity_in_words(const ShownPlacement& of, const CapacityPlan* plan,
                               const std::vector<std::size_t>& overloaded, LoadModel model,
                               const std::optional<std::size_t>& failed = std::nullopt,
                               const FailurePlan* if_one_fails = nullptr);
 
 // A label, a value and a sentence that explains them. facts_in_words() returns the facts about
-// candidates, coverage, loads and closure.
+// candidates, coverage, loads and form closure.
 struct Fact {
   const char* label;
   std::string value;
@@ -177,7 +182,7 @@ struct Fact {
 };
 std::vector<Fact> facts_in_words(const ShownPlacement& of);
 
-// A team and its robots, in order, in words. O(robots of the team).
+// A team and its robots in words. The robots are in the order of the team. O(robots of the team).
 struct TeamInWords {
   std::string ratio;
   std::string length;                  // of the chord of a team of two, or empty
@@ -188,13 +193,14 @@ TeamInWords team_in_words(const Placement& placement, std::size_t team, int coor
 // Returns "yes", "second order" or "no".
 std::string form_closure_in_words(const Closure& closure);
 
-// Writes a margin with three decimals, or more if it is small, or none if it is 0 within tau.
-// margin_decimals() returns their number.
+// Writes a margin with three decimals, with more if it is small, or with none if it is 0 within
+// tau. margin_decimals() returns this number of decimals.
 std::string margin_in_words(double margin);
 int margin_decimals(double margin);
 
-// Returns the error without a full stop: "Edges 2 and 7 cross, touch or overlap". The text begins
-// with the name of a setting only if the message does not identify the setting.
+// Returns the error and its place as a sentence without a full stop: "Edges 2 and 7 cross, touch or
+// overlap". The text begins with the name of a setting only if the message does not identify the
+// setting.
 std::string sentence(const InputError& error);
 
 }  // namespace evenlift

@@ -1,4 +1,4 @@
-// Comma-separated values (RFC 4180) with line feeds.
+// Writes and reads comma-separated values (RFC 4180) whose rows end in line feeds.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,8 @@ std::string field(std::string_view text);
 // The text of a row, with its line feed. O(bytes).
 std::string line(const Row& row);
 
-// The rows of a text. Nothing if a quote is open at the end, text follows a closing quote, or the
-// last line does not end in a line feed. O(bytes).
+// The rows of a text. Returns nothing if a quotation mark is still open at the end, if text follows
+// a closing one, or if the last row does not end in a line feed. O(bytes).
 std::optional<std::vector<Row>> read(std::string_view text);
 
 }  // namespace evenlift::experiment::csv

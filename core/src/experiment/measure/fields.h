@@ -1,5 +1,5 @@
-// Reads the fields of a row one after another. Parts and shard lists contain the settings as
-// fields.
+// Reads the fields of a row one after another. Part files (results.h) and shard lists contain
+// the experiment's settings as fields.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ class Fields {
     return good_ ? static_cast<std::uint32_t>(*value) : 0;
   }
 
-  // Whether all fields were read and valid.
+  // Whether all fields were read and were valid.
   bool done() const { return good_ && at_ == row_.size(); }
 
  private:

@@ -9,12 +9,12 @@
 
 namespace evenlift::experiment {
 
-// Whether robots at these points hold the object in form closure by contacts at least the default
-// `clear` (usual_clear R) from every corner (closure.h).
+// Whether robots at these points keep the object in form closure even without the contacts that are
+// nearer to a corner (closure.h) than usual_clear times R, the default of the setting `clear`.
 bool holds_clearly(const Polygon& polygon, const Vec2& centre,
                    const std::vector<LiftingPoint>& points);
 
-// Fills in the results of three tests: form closure (in_form_closure), the thesis's own test
+// Sets the results of three tests in `m`: form closure (in_form_closure), the thesis's own test
 // (no_region_has_area), and form closure by clear contacts (holds_clearly).
 void test_closure(const Subject& subject, const std::vector<LiftingPoint>& points, Measurement& m);
 

@@ -1,4 +1,4 @@
-// Tables in Markdown.
+// Writes tables in Markdown.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace evenlift::experiment::markdown {
 
-// Returns a cell that shows the text. Names may contain anything, so HTML and Markdown are escaped,
-// and control characters become spaces.
+// A cell that shows the text. Since names may contain any characters, the special characters of
+// HTML and Markdown are escaped, and control characters become spaces.
 inline std::string cell(std::string_view text) {
   std::string out;
   for (const char c : text) {

@@ -1,4 +1,4 @@
-// A sentence or two about each figure, made from its data.
+// Writes a sentence or two about each figure from the figure's data.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace evenlift::experiment {
 
-// The sentence is about teams of two with up to most_robots robots; most_robots is 0 if there are
-// no teams. O(rows most_robots).
+// `most_robots` is the largest number of robots in teams of two, or 0 if there are no such teams.
+// O(rows most_robots).
 using Sentence = std::string (*)(const std::vector<Aggregate>& aggregates,
                                  std::uint32_t most_robots);
 
@@ -22,7 +22,8 @@ std::string coverage_sentence(const std::vector<Aggregate>&, std::uint32_t);
 std::string coverage_deviation_sentence(const std::vector<Aggregate>&, std::uint32_t);
 std::string closure_sentence(const std::vector<Aggregate>&, std::uint32_t);
 
-// These functions write parts of such sentences. A value and its unit stay on one line.
+// These functions write parts of such sentences. A no-break space keeps a value and its unit on one
+// line.
 std::string in_unit(double value, const std::string& unit);
 std::string in_kg(double value);
 std::string in_percent(double share);

@@ -1,4 +1,4 @@
-// Directions in degrees.
+// Converts directions in degrees to vectors.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace evenlift {
 
 // The unit vector at this angle, counter-clockwise from the x axis. It is exact for multiples of 90
-// degrees, so that a block turned by such an angle keeps its right angles. O(1).
+// degrees, so a block that is turned by such an angle keeps its right angles. O(1).
 inline Vec2 direction_of(double degrees) {
   const double turn = std::fmod(degrees, 360);
   const double quarters = std::floor(turn / 90 + 0.5);

@@ -12,8 +12,8 @@
 
 namespace evenlift {
 
-// The unit that $INSUNITS gives: evenlift's label, or the name of a unit without a label. Both are
-// empty if the drawing gives no unit.
+// The unit that $INSUNITS gives: its label if evenlift has one, otherwise its name in `other`. Both
+// are empty if the drawing gives no unit.
 struct DxfUnit {
   LengthUnit label = LengthUnit::none;
   const char* other = "";
@@ -32,19 +32,20 @@ struct DxfBlock {
 
 struct DxfDrawing {
   DxfUnit unit;
-  std::vector<std::size_t> entities;  // the places where ENTITIES sections begin, after their names
+  std::vector<std::size_t> entities;  // the places after the names of ENTITIES sections
 
   // The layer or block with this name; nullptr if there is none. The case of ASCII letters does not
-  // matter. If two have the same name, the first counts. O(log n).
+  // matter. If two layers, or two blocks, have the same name, the first counts. O(log n).
   const DxfLayer* layer(std::string_view name) const;
   const DxfBlock* block(std::string_view name) const;
 
-  std::map<std::string, DxfLayer> layers;  // both maps have names in lower case
+  std::map<std::string, DxfLayer> layers;  // the keys of both maps are names in lower case
   std::map<std::string, DxfBlock> blocks;
 };
 
-// Reads the drawing without its objects, and checks that the text consists of pairs of lines up to
-// EOF. The views are of the text. O(bytes log n).
+// Reads the unit, the layers and the blocks, but no objects, and checks that the text consists of
+// pairs of lines up to EOF. The text must outlive the drawing, which refers to it. O(bytes log n)
+// for n layers and blocks.
 Result<DxfDrawing> read_dxf_drawing(std::string_view text);
 
 }  // namespace evenlift

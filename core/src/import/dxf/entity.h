@@ -10,7 +10,7 @@
 
 namespace evenlift {
 
-inline constexpr std::size_t max_dxf_groups = std::size_t{1} << 22;  // most groups of an object
+inline constexpr std::size_t max_dxf_groups = std::size_t{1} << 22;  // limit for a single object
 
 struct DxfVertex {
   Vec2 point = Vec2::Zero();
@@ -18,8 +18,8 @@ struct DxfVertex {
   int flags = 0;
 };
 
-// An object of the drawing. The values are views of the text. A group that should be a number but
-// is not counts as 0; bad_number() returns the place of the first such group.
+// An object of the drawing. Its texts are views of the drawing's text. If a group should be a
+// number but is not, it counts as 0, and bad_number() returns the place of the first such group.
 class DxfEntity {
  public:
   std::string_view type;
@@ -34,10 +34,10 @@ class DxfEntity {
   Vec2 point_of(int code) { return {number_of(code, 0), number_of(code + 10, 0)}; }
   // The bits of the flags; most objects have them in group 70.
   int flags_of(int code = 70);
-  // Whether the object is seen from behind: the x axis of its own coordinates points to the left.
+  // Whether the object is seen from behind, so that the x axis of its own coordinates points left.
   bool seen_from_behind() { return number_of(230, 1) < 0; }
-  // The larger size of the x and y components of the plane's normal, at most 1; 0 for a plane seen
-  // straight on.
+  // The tilt of the object's plane: the larger of |x| and |y| for its unit normal. It is 0 if the
+  // plane is seen straight on, and at most 1.
   double tilt();
   const std::optional<std::size_t>& bad_number() const { return bad_number_; }
   void add_bad_number(std::size_t offset) {
@@ -48,8 +48,8 @@ class DxfEntity {
   std::optional<std::size_t> bad_number_;
 };
 
-// Reads the objects of a section or block one after another. The groups of the section or block
-// must be complete.
+// Reads the objects of a section or block one after another. read_dxf_drawing() must have accepted
+// the text before.
 class DxfEntities {
  public:
   DxfEntities(std::string_view text, std::size_t from)
@@ -58,7 +58,7 @@ class DxfEntities {
   // The next object, valid until the next call; nullptr at the end or after an error. O(bytes of
   // the object).
   DxfEntity* next();
-  std::size_t bytes_read() const { return groups_.offset() - from_; }  // number of bytes so far
+  std::size_t bytes_read() const { return groups_.offset() - from_; }  // so far
   std::optional<InputError> error() const;
 
  private:
@@ -73,7 +73,7 @@ class DxfEntities {
   DxfEntity entity_, vertex_;
   std::optional<DxfGroup> pending_;  // the first group of the next object
   bool begun_ = false;
-  std::optional<std::size_t> too_long_;  // the place where an object has too many groups
+  std::optional<std::size_t> too_long_;  // where an object has too many groups or vertices
 };
 
 }  // namespace evenlift

@@ -18,10 +18,12 @@ class DxfGroups {
  public:
   explicit DxfGroups(std::string_view text, std::size_t from = 0) : text_(text), at_(from) {}
 
-  // The next group; nullopt at the end, or if the code is not an integer. O(bytes of the pair).
+  // The next group; nullopt at the end, or if the code is not a whole number from -9999 to 9999:
+  // then broken() is true. O(bytes of the group).
   std::optional<DxfGroup> next();
   bool broken() const { return broken_; }
-  // The places where the last pair and the next pair begin.
+  // code_offset() is the place where the group last read begins, and offset() where the next one
+  // begins.
   std::size_t code_offset() const { return code_at_; }
   std::size_t offset() const { return at_; }
 

@@ -5,11 +5,12 @@
 
 namespace evenlift {
 
-// Reads curves of degree 1 to 10 with positive weights whose knots fit the control points. In two
-// cases, a closed curve's first control points are repeated after its last. In the first, the
-// number of knots includes those for this repetition. In the second, the curve is marked as
-// periodic, its knots are the even knots of an open curve, and its first and last control points
-// differ. Each cause of refusal has a reason of its own.
+// Reads a curve of degree 1 to 10 if its weights are positive and its knots fit the control points.
+// If the curve is marked as closed, the function repeats the first control points after the last
+// one in two cases: if the number of knots includes those for the repetition; or if the curve is
+// also marked as periodic, has the even knots of an open curve, and its first and last control
+// points differ by more than `same_point` (outlines.h) allows. If a curve is refused, the result
+// gives the reason.
 DxfDrawn draw_spline(DxfEntity& entity, double same_point);
 
 }  // namespace evenlift

@@ -9,15 +9,16 @@
 namespace evenlift {
 
 struct GraphEdge {
-  std::size_t from, to;  // nodes
+  std::size_t from, to;  // indices of nodes
   CurvePiece curve;      // its end is the node `to`
   std::size_t line;      // edges of one straight line have the same number
-  std::size_t piece;     // the number of the drawing's piece
+  std::size_t piece;     // the index of the piece that contains it
 };
 
-// Drops edges that lie on another with the same ends: lines, and curves whose control points are
-// within `near`. The line with the least number stays. The order does not matter. O(edges log
-// edges).
+// Drops each edge that repeats another between the same nodes. A straight line repeats any other
+// straight line there, and a curve repeats a curve of its kind if their control points are within
+// `near` of each other. Of repeated lines, the one with the least `line` stays. The order of the
+// edges does not matter. O(edges log edges) if few curves join the same two nodes.
 void drop_repeated(std::vector<GraphEdge>& edges, double near);
 
 struct HalfEdge {
@@ -25,13 +26,14 @@ struct HalfEdge {
   bool back;  // runs from `to` to `from`
 };
 
-// A bounded face as a simple cycle, counter-clockwise, from its least node by x, then y.
+// A bounded face as a simple cycle, counter-clockwise, from its least corner by x, then y.
 struct Face {
   std::vector<HalfEdge> boundary;
 };
 
-// The bounded faces, in the order of their boundaries. Edges that lead nowhere, or that alone join
-// two parts, bound no face. O(edges log edges).
+// The bounded faces, in the order of the first nodes of their boundaries. `nodes` must be in order
+// of x, then y. Edges that lead nowhere, and edges that are the only link between two parts of the
+// graph, bound no face. O(edges log edges).
 std::vector<Face> faces_of(const std::vector<GraphEdge>& edges, const Points& nodes);
 
 // The face's outline. Parts of one straight line become one edge. O(edges of the face).

@@ -1,4 +1,4 @@
-// A square grid of points.
+// Finds the points near a place or a segment by means of a square grid.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace evenlift {
 
 class PointGrid {
  public:
-  // The points must outlive the grid. Cells are `cell` wide, above 0. O(n log n).
+  // The points must outlive the grid. `cell` is the side of a cell and must be above 0. O(n log n).
   PointGrid(const Points& points, double cell) : points_(points), cell_(cell) {
     low_ = bounding_box(points).low;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -26,8 +26,9 @@ class PointGrid {
     });
   }
 
-  // Visits the points i within `near` of `at`, including a point at `at` itself. If very many are
-  // that near, it visits only some of them. O(log n + visits) if `near` is about a cell.
+  // Visits the points i within `near` of `at`, including a point at `at` itself. It looks at no
+  // more than most_visited points in each column of cells, so it may miss some points where very
+  // many are near. O(log n + visits) if `near` is about `cell`.
   template <class Visit>
   void for_each_near(const Vec2& at, double near, Visit visit) const {
     const auto [x0, y0] = cell_of(at - Vec2(near, near));
@@ -38,8 +39,8 @@ class PointGrid {
       });
   }
 
-  // Visits the points i within `near` of the segment, and perhaps others close to the segment.
-  // O((cells along the segment + visits) log n).
+  // Visits the points i within `near` of the segment from a to b, and perhaps others close to the
+  // segment. O(c log n + visits) for c columns of cells.
   template <class Visit>
   void for_each_along(const Vec2& a, const Vec2& b, double near, Visit visit) const {
     const Vec2 &left = a.x() <= b.x() ? a : b, &right = a.x() <= b.x() ? b : a;
@@ -47,7 +48,7 @@ class PointGrid {
                        x1 = cell_of(right + Vec2(near, near)).first;
     const double width = right.x() - left.x();
     for (std::int64_t x = x0; x <= x1; ++x) {
-      // The segment's heights above this column.
+      // The column's range of x, widened by `near`, and the segment's y at a given x.
       const double from = low_.x() + static_cast<double>(x) * cell_ - near,
                    to = from + cell_ + 2 * near;
       const auto height = [&](double at) {
@@ -63,7 +64,7 @@ class PointGrid {
   }
 
  private:
-  static constexpr std::size_t most_visited = 256;  // most points visited in a column of cells
+  static constexpr std::size_t most_visited = 256;  // points in a column of cells
   struct Entry {
     std::int64_t x, y;
     std::size_t point;

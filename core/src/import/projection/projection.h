@@ -7,19 +7,20 @@
 
 namespace evenlift {
 
-// In degrees. Nearer to a pole, widths vary too much with the latitude.
+// The greatest latitude, in degrees. Nearer to a pole, widths vary too much with the latitude.
 inline constexpr double greatest_latitude = 85;
 
-// Compared with the geodesic, the relative error of a length is at most that of a width at the
-// latitude farthest from the origin. In a square of 1 km about the origin this error is 0.005 % at
-// latitude 30, 0.014 % at 60 and 0.05 % at 80; in a square of 10 km it is ten times larger. All
-// platforms compute the same bits, since sines and cosines come from angles.h.
+// The relative error of a length, compared with the geodesic, is at most the error of a width (from
+// west to east) at the latitude farthest from the origin. If the places lie in a square with a side
+// of 1 km about the origin, this error is 0.005 % at latitude 30, 0.014 % at 60 and 0.05 % at 80;
+// in a square with a side of 10 km it is ten times larger. All platforms compute the same bits,
+// since sines and cosines come from angles.h.
 class Projection {
  public:
   // The box has longitudes (x) and latitudes (y) in degrees. The origin is the middle of the box,
-  // rounded to four decimals so that words can name it. Returns an error if a longitude is beyond
-  // 180, if a latitude is beyond 90 or greatest_latitude, or if the box is wider than 180 and so
-  // spans the 180th meridian. O(1).
+  // rounded to four decimals so that a message can state it. Returns an error if a longitude is
+  // beyond 180 degrees, if a latitude is beyond greatest_latitude, or if the box is wider than 180
+  // degrees: then the places are probably on both sides of the 180th meridian. O(1).
   static Result<Projection> about_middle(const Box& box);
 
   // Metres east (x) and north (y) of the origin. O(1).

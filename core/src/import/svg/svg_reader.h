@@ -28,14 +28,14 @@ class SvgReader {
   // The properties that an element inherits from the elements around it.
   struct Context {
     Affine matrix;
-    std::string_view layer;         // label of the nearest layer or group with a label
+    std::string_view layer;         // the nearest group's label, else the name of its <use>
     std::string_view name_of_copy;  // the name of the <use> that copies this element
     SvgViewport viewport;
     SvgLook look;
     bool in_copy = false;
   };
-  // The most bytes in all copies together, so that copies of copies cannot multiply without end. An
-  // element counts as 64 bytes, plus its attributes' values.
+  // The greatest number of bytes in all copies together. Without a limit, copies of copies could
+  // multiply almost without end. An element counts as 64 bytes, plus its attributes' values.
   static constexpr std::size_t most_copied_bytes = std::size_t{1} << 26;
 
   // A path with a fill and without a stroke.
@@ -47,8 +47,8 @@ class SvgReader {
   // svg.cpp defines these functions, which read the document.
   InputError error_at(const pugi::xml_node& node, ErrorCode code, std::string message) const;
   void problem(const pugi::xml_node& node, const std::string& what);
-  // Returns the value, or reports the problem and returns nullopt; the shape is left out in that
-  // case.
+  // Returns the value, or reports the problem and returns nullopt; the caller then leaves out the
+  // shape.
   template <class T>
   std::optional<T> checked(const pugi::xml_node& node, const char* what, SvgResult<T> result) {
     if (auto* wrong = std::get_if<SvgProblem>(&result)) {
@@ -72,8 +72,8 @@ class SvgReader {
   std::optional<InputError> chosen_child(const pugi::xml_node& node, const Context& context,
                                          int depth);
   std::optional<InputError> copy(const pugi::xml_node& node, Context& inside, int depth);
-  // Enters an element that has its own viewport. `sized` gives its size: it is the <use> that
-  // copies the element, or the element itself.
+  // Reads an element that has its own viewport. `sized` is the element whose width and height take
+  // precedence: the <use> that copies `node`, or `node` itself.
   std::optional<InputError> nested(const pugi::xml_node& node, const pugi::xml_node& sized,
                                    Context& inside, int depth);
   bool enter(const pugi::xml_node& node, std::string_view name, Context& inside);
@@ -97,7 +97,8 @@ class SvgReader {
                bool circle);
   void line(const pugi::xml_node& node, const Context& context);
   std::string called(const pugi::xml_node& node, const Context& context) const;
-  // The length that the attribute gives, where the context's viewport is 100 per cent.
+  // The length that the attribute gives, in user units; per cent refer to the context's viewport.
+  // The inner optional is empty if no length is given, the outer one if there is a problem.
   std::optional<std::optional<double>> length(const pugi::xml_node& node, const Context& context,
                                               const char* attribute);
   void add(const Outline& outline, const Context& context, const std::string& called,
@@ -110,11 +111,11 @@ class SvgReader {
   ImportOptions options_;
   pugi::xml_document document_;
   SvgStyles styles_;
-  std::vector<std::pair<std::string_view, pugi::xml_node>> by_id_;  // sorted once needed
+  std::vector<std::pair<std::string_view, pugi::xml_node>> by_id_;  // sorted by id when needed
   bool has_ids_ = false;
 
-  // A walk through the document gathers the following members. A second walk also takes shapes
-  // without paint.
+  // A walk through the document fills the following members. If it finds only shapes without paint,
+  // a second walk takes these.
   Gathering gathering_;
   std::vector<DrawnPiece> pieces_;
   std::size_t piece_points_ = 0;
@@ -122,7 +123,7 @@ class SvgReader {
   std::size_t copied_bytes_ = 0;
   std::size_t hidden_ = 0, unpainted_ = 0, hairs_ = 0;
   std::vector<std::string> hidden_names_;
-  FilledPath filled_;  // the shape before, if it was a filled path
+  FilledPath filled_;  // the preceding shape, if it was such a path
   bool takes_unpainted_ = false, has_problem_ = false, has_texts_ = false;
 };
 
@@ -131,9 +132,10 @@ std::string_view label_of(const pugi::xml_node& node);
 // The element's name for people: its label, title or id.
 std::string_view own_name(const pugi::xml_node& node);
 
-// Drops hairs and returns their number. A hair is a part of the outline, with a curve, that returns
-// to within `meet` of its beginning; its control points stay within `reach` of that beginning.
-// Programs draw hairs at corners, where they would double a vertex. O(pieces).
+// Drops hairs and returns their number. A hair is a part of the outline that ends within `meet` of
+// its beginning. It has at most 8 pieces, at least one of them a curve. All its ends and control
+// points are within `reach` of its beginning, but not all within `meet`. Some programs draw hairs
+// at corners, where a hair would become a second vertex. O(pieces).
 std::size_t drop_hairs(Outline& outline, double reach, double meet);
 
 }  // namespace evenlift

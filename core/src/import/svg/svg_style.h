@@ -1,4 +1,4 @@
-// Finds how an SVG's elements look from their attributes, the style attribute, style sheets and
+// Finds out how the elements of an SVG look, from attributes, style attributes, style sheets and
 // inheritance.
 #pragma once
 
@@ -36,7 +36,7 @@ enum class SvgProperty : std::uint8_t {
 };
 inline constexpr auto svg_property_count = static_cast<std::size_t>(SvgProperty::count);
 
-// The values declared for one element; a value is empty if it is not declared.
+// The values declared for one element; the value of a property that is not declared is empty.
 struct SvgDeclared {
   std::array<std::string_view, svg_property_count> values;
   std::string_view operator[](SvgProperty property) const {
@@ -44,41 +44,42 @@ struct SvgDeclared {
   }
 };
 
-// The look that an element inherits.
+// The look of an element, which the elements in it inherit.
 struct SvgLook {
   bool visible = true;
   bool fill = true, fill_opaque = true;
-  bool nonzero = true;  // the fill-rule; otherwise evenodd
+  bool nonzero = true;  // the fill-rule is nonzero, not evenodd
   bool stroke = false, stroke_opaque = true, stroke_wide = true;
   bool is_filled() const { return fill && fill_opaque; }
   bool is_stroked() const { return stroke && stroke_opaque && stroke_wide; }
 };
 
-// Whether the element and all in it are unseen: display is none, or opacity is 0.
+// Whether the element and all elements in it are hidden, because display is none or opacity is 0.
 bool hides_all(const SvgDeclared& declared);
 SvgLook inherited(SvgLook look, const SvgDeclared& declared);
 
-// A drawing's style sheets. They read the selectors `tag`, `.class`, `#id`, `tag.class`, `tag#id`
-// and `*`, and lists of these; others and at-rules are skipped. The last declaration of the highest
-// specificity wins. `!important` declarations win over all others. The drawing must outlive the
-// sheets, which may not be copied.
+// A drawing's style sheets. The selectors `tag`, `.class`, `#id`, `tag.class`, `tag#id`, `*` and
+// lists of these are read; other selectors and at-rules are skipped. A declaration with
+// `!important` wins over all without it; otherwise the highest specificity wins, and then the last
+// declaration. Style sheets cannot be copied, since they contain views of their own text.
 class SvgStyles {
  public:
   SvgStyles() = default;
   SvgStyles(const SvgStyles&) = delete;
   SvgStyles& operator=(const SvgStyles&) = delete;
 
-  // Reads all <style> elements below the root. Returns false if there are more than
-  // most_declarations declarations. O(bytes log bytes).
+  // Reads all <style> elements below the root that apply to screens. Returns false if there are
+  // more than most_declarations declarations. O(bytes log bytes).
   static constexpr std::size_t most_declarations = std::size_t{1} << 18;
   bool read(const pugi::xml_node& root);
 
-  // The values declared for this element. O(bytes of its attributes, times the logarithm of the
-  // number of declarations).
+  // The values declared for this element, as views of the document and of these sheets, which must
+  // outlive the result. O(bytes of its attributes, times the logarithm of the number of
+  // declarations).
   SvgDeclared of(const pugi::xml_node& node) const;
 
-  // Whether a skipped rule sets a fill or stroke. If so, shapes that seem to have no paint may have
-  // some.
+  // Whether a rule with a skipped selector sets a fill or stroke. If so, shapes that seem to have
+  // no paint may have some.
   bool skipped_paint() const { return skipped_paint_; }
 
  private:
@@ -104,7 +105,7 @@ class SvgStyles {
   void apply(const Selector& selector, Cascade& cascade) const;
 
   std::string text_;                       // without comments
-  std::vector<Declaration> declarations_;  // by selector; only the winner for each property
+  std::vector<Declaration> declarations_;  // sorted; one for each selector and property
   bool skipped_paint_ = false;
 };
 

@@ -1,4 +1,5 @@
-// Writes loads and robustness for a placement's JSON, at nesting level `depth`.
+// Writes loads and robustness for a placement's JSON, at nesting level `depth`. uncertainty.h
+// defines disturbances.
 #pragma once
 
 #include <optional>
@@ -21,7 +22,8 @@ std::string ranges(const std::vector<LoadRange>& ranges);
 std::string robustness(const ShownPlacement& of, const std::optional<ModelLoads>& models,
                        int depth);
 
-// With a disturbance, includes the greatest loads within it and whether the object stays upright.
+// If there is a disturbance, includes for each failure the greatest load within the disturbance and
+// RestOfRobots::stays. `overloads` is empty if the robots have no capacity.
 std::string failures(const std::vector<std::optional<RestOfRobots>>& failures,
                      const std::vector<bool>& overloads, bool with_disturbance, int depth);
 

@@ -8,8 +8,8 @@
 
 namespace evenlift::json {
 
-// Adds the settings from `first` to `last` that are in the list (SettingRow::in_document or
-// in_result) and affect the document's method, in the order of Setting. O(output).
+// Adds the settings from `first` to `last` that the document's method uses and that `list` selects
+// (SettingRow::in_document or in_result), in the order of Setting. O(output).
 void add_settings(std::vector<Member>& members, const Document& document, Listed SettingRow::*list,
                   Setting first, Setting last);
 

@@ -14,11 +14,11 @@ namespace evenlift::svg {
 // The robots of all teams in turn; empty if the robots have no size. O(n + robots).
 std::vector<PlacedRobot> robots_with_size(const Placement& placement);
 
-// Points of all objects that must fit on the paper: the vertices, the bodies of these robots, and
-// the discs of cargo. O(n + robots + items).
+// Points that must fit on the paper: the vertices, and corners of the boxes around these robots'
+// bodies and the discs of cargo. O(n + robots + items).
 Points extent(const Placement& placement, const std::vector<PlacedRobot>& robots);
 
-// Draws the unusable boundary; empty if points may stand anywhere. O(parts).
+// Draws the unusable boundary; empty if robots may stand anywhere. O(parts).
 std::string unusable_boundary(const Placement& placement, const Paper& paper);
 
 // Draws the robots to scale. O(robots).

@@ -25,8 +25,9 @@ struct Caption {
 // `top` and `width` are in pixels.
 Caption make_caption(const ShownPlacement& of, const Seen& seen, double top, double width);
 
-// Names the fill of a region, which is hatched at +45 degrees (clockwise) or -45. So the two
-// regions differ without colour and where they overlap. fills() defines both fills.
+// The fill of a region of free rotations: hatching that rises to the right if they are clockwise,
+// otherwise to the left. So the regions can be told apart without colour, even where they overlap.
+// fills() defines both fills.
 std::string region_fill(bool clockwise);
 std::string fills();
 

@@ -8,11 +8,11 @@
 
 namespace evenlift::svg {
 
-// Adds the corners of the discs' boxes, except for items that overhang so far that the object would
-// become small. O(n + items).
+// Adds corners of the boxes around the discs. Leaves out items whose middle is more than L/2
+// outside the object's box, since the picture would otherwise show a small object. O(n + items).
 void add_discs_of_cargo(const Placement& placement, Points& points);
 
-// Draws the disc of an item and the mark of the object's own centre, which is hollow. O(1).
+// Draw the disc of an item, and the hollow mark of the centre of mass without cargo. O(1).
 std::string cargo_disc(const Vec2& at, double radius);
 std::string own_centre_mark(const Vec2& at, double radius);
 

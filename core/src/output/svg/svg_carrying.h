@@ -9,12 +9,12 @@
 
 namespace evenlift::svg {
 
-// Draws the region green, and the rest of the object striped. Both are in pixels.
+// Fills the region where the load may stand with green, and the rest of the object with stripes.
+// `rings`, the object's boundary, and `region` are in pixels.
 std::string load_region(const std::vector<Points>& rings, const Points& region);
 std::string load_swatch();
 
-// Draws circles about C, up to the farthest corner of the lifting base. Empty if C has no height or
-// the object falls.
+// Draws the circles of tilt_circles() (placed_robots.h) with their slopes. Empty if there are none.
 std::string tilt_marks(const ShownPlacement& of, const Paper& paper);
 std::string tilt_swatch();
 

@@ -27,11 +27,11 @@ std::string arrow(const Vec2& tail, const Vec2& head, std::string_view colour);
 std::string text(const Vec2& at, double size, std::string_view words,
                  std::string_view attributes = "");
 
-// A generous estimate of the text's width, since the reader's font is unknown. `average` is a
-// character's width in units of the size.
+// A generous estimate of the text's width, since the reader's font is unknown. `average` is the
+// average width of a character in units of the size.
 double text_width(std::string_view words, double size, double average = 0.56);
 
-// Breaks words at blanks into lines of at most `width`. A longer word has its own line.
+// Breaks words at blanks into lines of at most `width`. A longer word gets a line of its own.
 std::vector<std::string> wrapped(std::string_view words, double size, double width);
 
 }  // namespace evenlift::svg

@@ -5,9 +5,10 @@
 
 namespace evenlift::svg {
 
-// Maps polygon coordinates (y up) to pixels. The object's box is in the middle of the ground.
+// Maps polygon coordinates (y up) to pixels. The ground is the coloured area behind the object, and
+// the object's box is in its middle.
 struct Paper {
-  // The object gets at most `share` times the usual size.
+  // The object has `share` times its usual size (svg_style.h).
   Paper(const Points& vertices, double share);
 
   double width = 0, height = 0;  // the size of the ground
@@ -18,10 +19,10 @@ struct Paper {
   Points operator()(const Points& points) const;
 };
 
-// The part of a convex area, segment or spot that is on the ground, in pixels. O(points).
+// The part of a convex area, segment or point that is on the ground. All are in pixels. O(points).
 Points clipped(Points area, const Paper& paper);
 
-// The outline, in pixels, without vertices that look the same as the vertex before. O(n).
+// The outline, in pixels, without vertices too near the one before to be told apart from it. O(n).
 Points visible(const Points& outline);
 
 }  // namespace evenlift::svg

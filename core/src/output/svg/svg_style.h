@@ -7,8 +7,8 @@ namespace evenlift::svg {
 
 inline constexpr double largest_width = 720, largest_height = 520;    // of the object
 inline constexpr double smallest_width = 680, smallest_height = 300;  // of the ground around it
-inline constexpr double margin = 72;          // width of ground around the object, for the loads
-inline constexpr double caption_margin = 24;  // width of panel around the caption
+inline constexpr double margin = 72;          // width of ground around the object; loads fit there
+inline constexpr double caption_margin = 24;  // width of the panel around the caption
 
 inline constexpr std::string_view ground_colour = "#EEF1F4";
 inline constexpr std::string_view panel_colour = "#FFFFFF";

@@ -1,4 +1,6 @@
-// The statements of the pseudo-code. Each step of the walkthrough executes one of them.
+// The statements of the pseudo-code. Each step of the walkthrough executes one of them. In the
+// list, a comment on its own line names the methods that have the statements below it; a comment
+// beside a statement refers to that statement only.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +12,7 @@ namespace evenlift {
 enum class Statement : std::uint8_t {
   centre,
   cargo,
-  stands,  // robots with a size
+  stands,  // if robots have a size or there are no-go edges
   // area, circle and distance
   each_vertex,
   each_hit,
@@ -29,9 +31,9 @@ enum class Statement : std::uint8_t {
   each_team,  // also distributed and random
   scores,
   next_team,
-  wider_base,  // all
+  wider_base,  // all but balanced
   range,
-  exchange,
+  exchange,  // balanced
   // distributed
   open_directions,
   direction,
@@ -44,7 +46,7 @@ enum class Statement : std::uint8_t {
   middle,
   even_chords,
   best_set,
-  swap,
+  swap,  // area, circle and distance
   rounds,
   equal_loads,
   failures,
@@ -53,7 +55,7 @@ enum class Statement : std::uint8_t {
   equations,
   springs,
   // all
-  loads,
+  loads,  // all but balanced and given
   coverage,
   cut,
   slide,

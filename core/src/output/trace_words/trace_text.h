@@ -1,5 +1,6 @@
-// Writes the walkthrough's sentences. A piece stays a few numbers until one function, written(),
-// makes it text: strings at each place took a third of the walkthrough's code.
+// Writes the walkthrough's sentences. A piece of a sentence holds a few numbers until one function,
+// written(), turns them into text. Building strings at each place took a third of the walkthrough's
+// code.
 #pragma once
 
 #include <cstdint>
@@ -50,8 +51,8 @@ Piece whole(std::size_t number);
 Piece counted_from_1(std::size_t index);
 Piece counted(std::size_t number, std::string_view noun);
 
-// A number rounded to about four significant digits of `scale`. number_unlike() adds decimals, up
-// to nine, if the number would look like `other` but does not tie with it.
+// A number with as many decimals as give `scale` about four significant digits. number_unlike()
+// adds decimals, up to nine, if the number would look like `other` but does not tie with it.
 Piece number(double value, double scale);
 Piece number_unlike(double value, double other, double scale);
 
@@ -66,13 +67,13 @@ Piece percent(double share);
 // A ratio with three decimals, or with more if it would look like 1 or `other` but is neither.
 Piece ratio_text(double ratio, double other = 1);
 
-// Lengths and areas of a trace's object.
+// A length, an area and a point, with decimals that suit the size of the trace's object.
 Piece length_text(const Trace& trace, double value);
 Piece area_text(const Trace& trace, double value);
 Piece point_text(const Trace& trace, const Vec2& point);
 
-// Loads as in loads_in_words(): load_text() without unit, weight_text() with unit. The trace must
-// have teams.
+// Loads as in loads_in_words(): load_text() writes no unit, weight_text() does. The decimals suit
+// `largest` or, without it, the greatest load; the trace's placement must then have loads.
 Piece load_text(const Trace& trace, double value);
 Piece weight_text(const Trace& trace, double value);
 Piece weight_text(const Trace& trace, double value, double largest);
@@ -81,15 +82,16 @@ Piece margin_text(double value);
 // Names the item by its number, and by its name if it has one: "Cargo 2, “motor”,".
 std::string cargo_text(const Trace& trace, std::uint32_t item);
 
-// Sentences about a metric. `score` says what the score measures. `asked` and `wins` say why the
-// winning candidate wins, as an answer to a question and as part of a sentence. `chord` says which
-// chord a team takes, and `gains` compares this chord with the next best.
+// Sentences about a metric. `score` says what the score measures. `asked` follows a question about
+// the winning candidate and names its merit. `wins`, a part of a sentence, says that it has this
+// merit. `chord` says which chord a team takes, and `gains` compares this chord with the next best.
 struct MetricWords {
   const char *score, *asked, *wins, *chord, *gains;
 };
 MetricWords words_of(Metric metric);
 
-// A score in the unit of the trace's metric and rule, with enough decimals to differ from `other`.
+// A score by this rule and the trace's metric: a ratio, a length or an area. It has enough decimals
+// to differ from `other`, as in number_unlike() or ratio_text().
 Piece score_text(const Trace& trace, Rule rule, double value, double other);
 
 // Writes the score, with "at most" before it if it is only an upper bound.

@@ -203,7 +203,10 @@ Result<std::vector<Condition>> read_conditions(std::string_view text) {
     const std::size_t comma = text.find(',');
     const std::string word = without_spaces(text.substr(0, comma));
     const auto condition = read_condition(word);
-    if (!condition || conditions.size() == most_conditions) return refused(word);
+    if (!condition) return refused(word);
+    if (conditions.size() == most_conditions)
+      return bad_setting("require",
+                         say("there are more than {most} conditions", {most_conditions}));
     conditions.push_back(*condition);
     if (comma == std::string_view::npos) return conditions;
     text.remove_prefix(comma + 1);

@@ -6,7 +6,7 @@
 namespace evenlift {
 
 // Writes exactly `decimals` (0 .. 9) digits after the point, and never "-0". From 1e15 on, it
-// writes the same as shortest().
+// writes the same as shortest() (numbers.h).
 std::string ascii_fixed(double value, int decimals);
 
 }  // namespace evenlift
