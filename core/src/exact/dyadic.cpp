@@ -7,9 +7,44 @@
 namespace evenlift {
 namespace {
 
-using Limbs = std::vector<std::uint32_t>;
+// ldexp for any exponent; beyond the range of doubles the result is 0 or infinity.
+double shifted(double value, std::int64_t exponent) {
+  return std::ldexp(value, static_cast<int>(std::clamp<std::int64_t>(exponent, -5000, 5000)));
+}
 
-int compare_magnitude(const Limbs& a, const Limbs& b) {
+}  // namespace
+
+Dyadic::Limbs::Limbs(std::size_t size) : size_(size) {
+  if (size > few_.size()) many_.resize(size);
+}
+
+void Dyadic::Limbs::drop_leading_zeros() {
+  const std::uint32_t* all = digits();
+  while (size_ > 0 && all[size_ - 1] == 0) --size_;
+}
+
+void Dyadic::Limbs::drop_lowest(std::size_t number) {
+  size_ -= number;
+  for (std::size_t i = 0; i < size_; ++i) (*this)[i] = (*this)[i + number];
+}
+
+// The digits of a magnitude above `number` lower zeros.
+class Dyadic::Aligned {
+ public:
+  Aligned(const Dyadic& of, std::int64_t lowest)
+      : limbs_(of.limbs_), zeros_(static_cast<std::size_t>((of.exponent_ - lowest) / 32)) {}
+
+  std::size_t size() const { return limbs_.size() + zeros_; }
+  std::uint32_t operator[](std::size_t i) const {
+    return i >= zeros_ && i < size() ? limbs_[i - zeros_] : 0;
+  }
+
+ private:
+  const Limbs& limbs_;
+  std::size_t zeros_;
+};
+
+int Dyadic::compare_magnitudes(const Aligned& a, const Aligned& b) {
   if (a.size() != b.size()) return a.size() < b.size() ? -1 : 1;
   for (std::size_t i = a.size(); i-- > 0;) {
     if (a[i] != b[i]) return a[i] < b[i] ? -1 : 1;
@@ -17,37 +52,30 @@ int compare_magnitude(const Limbs& a, const Limbs& b) {
   return 0;
 }
 
-void trim(Limbs& limbs) {
-  while (!limbs.empty() && limbs.back() == 0) limbs.pop_back();
-}
-
-Limbs add_magnitude(const Limbs& a, const Limbs& b) {
+Dyadic::Limbs Dyadic::sum_of_magnitudes(const Aligned& a, const Aligned& b) {
   Limbs result(std::max(a.size(), b.size()) + 1);
   std::uint64_t carry = 0;
   for (std::size_t i = 0; i < result.size(); ++i) {
-    carry += (i < a.size() ? a[i] : 0);
-    carry += (i < b.size() ? b[i] : 0);
+    carry += std::uint64_t{a[i]} + b[i];
     result[i] = static_cast<std::uint32_t>(carry);
     carry >>= 32;
   }
-  trim(result);
   return result;
 }
 
-// a - b for a >= b.
-Limbs subtract_magnitude(const Limbs& a, const Limbs& b) {
+// For a >= b.
+Dyadic::Limbs Dyadic::difference_of_magnitudes(const Aligned& a, const Aligned& b) {
   Limbs result(a.size());
   std::int64_t borrow = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::int64_t digit = std::int64_t{a[i]} - (i < b.size() ? b[i] : 0) - borrow;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const std::int64_t digit = std::int64_t{a[i]} - b[i] - borrow;
     borrow = digit < 0 ? 1 : 0;
     result[i] = static_cast<std::uint32_t>(digit + (borrow << 32));
   }
-  trim(result);
   return result;
 }
 
-Limbs multiply_magnitude(const Limbs& a, const Limbs& b) {
+Dyadic::Limbs Dyadic::product_of_magnitudes(const Limbs& a, const Limbs& b) {
   Limbs result(a.size() + b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     std::uint64_t carry = 0;
@@ -58,16 +86,8 @@ Limbs multiply_magnitude(const Limbs& a, const Limbs& b) {
     }
     result[i + b.size()] = static_cast<std::uint32_t>(carry);
   }
-  trim(result);
   return result;
 }
-
-// ldexp for any exponent; beyond the range of doubles the result is 0 or infinity.
-double shifted(double value, std::int64_t exponent) {
-  return std::ldexp(value, static_cast<int>(std::clamp<std::int64_t>(exponent, -5000, 5000)));
-}
-
-}  // namespace
 
 Dyadic::Dyadic(double value) {
   if (value == 0) return;
@@ -80,20 +100,20 @@ Dyadic::Dyadic(double value) {
   exponent_ = lowest - shift;
   const std::uint64_t low = mantissa << shift;
   const std::uint64_t high = shift == 0 ? 0 : mantissa >> (64 - shift);
-  limbs_ = {static_cast<std::uint32_t>(low), static_cast<std::uint32_t>(low >> 32),
-            static_cast<std::uint32_t>(high)};
+  limbs_ = Limbs(3);
+  limbs_[0] = static_cast<std::uint32_t>(low);
+  limbs_[1] = static_cast<std::uint32_t>(low >> 32);
+  limbs_[2] = static_cast<std::uint32_t>(high);
   normalize();
 }
 
 void Dyadic::normalize() {
-  trim(limbs_);
+  limbs_.drop_leading_zeros();
   std::size_t zeros = 0;
   while (zeros < limbs_.size() && limbs_[zeros] == 0) ++zeros;
-  if (zeros > 0) {
-    limbs_.erase(limbs_.begin(), limbs_.begin() + static_cast<std::ptrdiff_t>(zeros));
-    exponent_ += 32 * static_cast<std::int64_t>(zeros);
-  }
-  if (limbs_.empty()) *this = Dyadic();
+  if (zeros == 0) return;
+  limbs_.drop_lowest(zeros);
+  exponent_ += 32 * static_cast<std::int64_t>(zeros);
 }
 
 Dyadic::Scaled Dyadic::scaled() const {
@@ -121,27 +141,20 @@ Dyadic Dyadic::operator-() const {
 
 Dyadic Dyadic::sum(const Dyadic& a, const Dyadic& b, int sign_of_b) {
   if (b.sign_ == 0) return a;
-  Dyadic second = b;
-  second.sign_ *= sign_of_b;
-  if (a.sign_ == 0) return second;
-  Dyadic first = a;
-  Dyadic& higher = first.exponent_ > second.exponent_ ? first : second;
-  const std::int64_t lowest = std::min(first.exponent_, second.exponent_);
-  higher.limbs_.insert(higher.limbs_.begin(),
-                       static_cast<std::size_t>((higher.exponent_ - lowest) / 32), 0u);
-  higher.exponent_ = lowest;
-
+  const int sign = b.sign_ * sign_of_b;
+  if (a.sign_ == 0) return sign_of_b < 0 ? -b : b;
   Dyadic result;
-  result.exponent_ = lowest;
-  if (first.sign_ == second.sign_) {
-    result.sign_ = first.sign_;
-    result.limbs_ = add_magnitude(first.limbs_, second.limbs_);
+  result.exponent_ = std::min(a.exponent_, b.exponent_);
+  const Aligned first(a, result.exponent_), second(b, result.exponent_);
+  if (a.sign_ == sign) {
+    result.sign_ = sign;
+    result.limbs_ = sum_of_magnitudes(first, second);
   } else {
-    const int order = compare_magnitude(first.limbs_, second.limbs_);
+    const int order = compare_magnitudes(first, second);
     if (order == 0) return Dyadic();
-    result.sign_ = order > 0 ? first.sign_ : second.sign_;
-    result.limbs_ = order > 0 ? subtract_magnitude(first.limbs_, second.limbs_)
-                              : subtract_magnitude(second.limbs_, first.limbs_);
+    result.sign_ = order > 0 ? a.sign_ : sign;
+    result.limbs_ = order > 0 ? difference_of_magnitudes(first, second)
+                              : difference_of_magnitudes(second, first);
   }
   result.normalize();
   return result;
@@ -161,7 +174,7 @@ Dyadic operator*(const Dyadic& a, const Dyadic& b) {
   if (a.sign_ == 0 || b.sign_ == 0) return result;
   result.sign_ = a.sign_ * b.sign_;
   result.exponent_ = a.exponent_ + b.exponent_;
-  result.limbs_ = multiply_magnitude(a.limbs_, b.limbs_);
+  result.limbs_ = Dyadic::product_of_magnitudes(a.limbs_, b.limbs_);
   result.normalize();
   return result;
 }

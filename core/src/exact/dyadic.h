@@ -3,6 +3,8 @@
 // products of dyadic rationals are dyadic rationals, but quotients may not be.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -29,7 +31,27 @@ class Dyadic {
   Dyadic operator-() const;
 
  private:
-  using Limbs = std::vector<std::uint32_t>;  // digits of a magnitude, lowest first, no leading 0
+  // The digits of a magnitude, lowest first, without leading zeros. A few are stored in place,
+  // since allocating memory would take most of the time.
+  class Limbs {
+   public:
+    Limbs() = default;
+    explicit Limbs(std::size_t size);  // all 0
+
+    std::size_t size() const { return size_; }
+    std::uint32_t operator[](std::size_t i) const { return digits()[i]; }
+    std::uint32_t& operator[](std::size_t i) { return many_.empty() ? few_[i] : many_[i]; }
+    void drop_leading_zeros();
+    void drop_lowest(std::size_t number);
+
+   private:
+    const std::uint32_t* digits() const { return many_.empty() ? few_.data() : many_.data(); }
+
+    std::array<std::uint32_t, 16> few_{};
+    std::vector<std::uint32_t> many_;  // all digits if `few_` is too small, otherwise empty
+    std::size_t size_ = 0;
+  };
+  class Aligned;
   // A magnitude above 0 as value 2^exponent, with the value in [1, 2^96).
   struct Scaled {
     double value;
@@ -37,6 +59,10 @@ class Dyadic {
   };
   Scaled scaled() const;
   void normalize();
+  static int compare_magnitudes(const Aligned& a, const Aligned& b);
+  static Limbs sum_of_magnitudes(const Aligned& a, const Aligned& b);
+  static Limbs difference_of_magnitudes(const Aligned& a, const Aligned& b);
+  static Limbs product_of_magnitudes(const Limbs& a, const Limbs& b);
   static Dyadic sum(const Dyadic& a, const Dyadic& b, int sign_of_b);
 
   int sign_ = 0;

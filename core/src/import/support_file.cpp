@@ -185,10 +185,9 @@ Result<SupportFile> read_table(std::string_view text) {
   const Columns columns = columns_of(headings);
   if (!columns.x || !columns.y)
     return gathered.error(0, "the first line must name the columns x and y, and perhaps capacity");
-  std::optional<LengthUnit> unit = unit_of_column(headings[*columns.x]);
+  LengthUnit unit = unit_of_column(headings[*columns.x]);
   if (unit != unit_of_column(headings[*columns.y]))
     return gathered.error(0, "x and y are in different units");
-  if (unit == LengthUnit::none) unit.reset();
   for (auto line = lines.next(); line; line = lines.next()) {
     const Fields cells = split_cells(line->text, separator);
     const auto offset = static_cast<std::size_t>(line->text.data() - text.data());
@@ -207,14 +206,14 @@ Result<SupportFile> read_table(std::string_view text) {
     if (has_cell && !capacity) return gathered.error(offset, "the capacity is not a number");
     if (columns.unit && *columns.unit < cells.size()) {
       // A column of evenlift's own poses; in another table, its words may mean something else.
-      const std::optional<LengthUnit> own = unit_named(cells[*columns.unit]);
-      if (own && unit.value_or(*own) != *own)
+      const LengthUnit own = unit_named(cells[*columns.unit]).value_or(LengthUnit::none);
+      if (own != LengthUnit::none && unit != LengthUnit::none && own != unit)
         return gathered.error(offset, "the robots are in different units");
-      if (own) unit = own;
+      if (own != LengthUnit::none) unit = own;
     }
     if (auto wrong = gathered.add(Vec2(*x, *y), capacity, offset)) return *wrong;
   }
-  return gathered.finish(unit.value_or(LengthUnit::none));
+  return gathered.finish(unit);
 }
 
 }  // namespace

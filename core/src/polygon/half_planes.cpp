@@ -59,14 +59,27 @@ Dyadic exact_size(const HalfPlane& a) {
   return (n.x.sign() < 0 ? -n.x : n.x) + (n.y.sign() < 0 ? -n.y : n.y);
 }
 
+// The sign of a.bound |b| + sign b.bound |a|, where |a| is the normal's 1-norm.
+int compare_scaled_bounds(const HalfPlane& a, const HalfPlane& b, int sign) {
+  const auto rough_size = [](const HalfPlane& c) {
+    return std::fabs(c.to.x() - c.from.x()) + std::fabs(c.to.y() - c.from.y());
+  };
+  const double first = a.bound * rough_size(b), second = sign * (b.bound * rough_size(a));
+  const double sum = first + second, size = std::fabs(first) + std::fabs(second);
+  if (std::fabs(sum) > filter_threshold * size && size > smallest_safe) return sum > 0 ? 1 : -1;
+  const Dyadic exact_first = Dyadic(a.bound) * exact_size(b),
+               exact_second = Dyadic(b.bound) * exact_size(a);
+  return (sign > 0 ? exact_first + exact_second : exact_first - exact_second).sign();
+}
+
 // Whether a's line is farther out than b's, for normals of one direction: -1, 0 or 1.
 int compare_bounds(const HalfPlane& a, const HalfPlane& b) {
-  return (Dyadic(a.bound) * exact_size(b) - Dyadic(b.bound) * exact_size(a)).sign();
+  return compare_scaled_bounds(a, b, -1);
 }
 
 // For half-planes with opposite normals.
 int strip_width_sign(const HalfPlane& a, const HalfPlane& b) {
-  return (Dyadic(a.bound) * exact_size(b) + Dyadic(b.bound) * exact_size(a)).sign();
+  return compare_scaled_bounds(a, b, 1);
 }
 
 // Sorted by normal; of each direction only the tightest half-plane.
