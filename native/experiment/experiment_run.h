@@ -14,10 +14,10 @@ struct RunOutcome {
   std::vector<Failure> refused;  // why polygons were refused
 };
 
-// Measures the files of this shard, every n-th of all if there are n shards, in `jobs` threads (one
-// shape after another in WebAssembly). The largest shapes come first. Skips unchanged polygons that
-// the folder contains, measured with the same settings. Finally writes the shard's list. Throws
-// Failure if the folder cannot be written.
+// Measures the files of this shard in `jobs` threads (one shape after another in WebAssembly). If
+// there are n shards, each has every n-th file. The largest shapes come first. Skips unchanged
+// polygons whose measurements with the same settings are already in the folder. Finally writes the
+// shard's list. Throws Failure if the folder cannot be written.
 RunOutcome run_experiment(const std::vector<PolygonFile>& all, const experiment::Shard& shard,
                           const experiment::ExperimentSettings& settings, unsigned jobs,
                           const ExperimentFolder& folder);

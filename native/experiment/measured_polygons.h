@@ -12,7 +12,7 @@ namespace evenlift::native {
 
 struct MeasuredPolygon {
   std::string set;
-  std::string name;    // the file's name; if it has several shapes, with their number: "gear 2"
+  std::string name;    // PolygonFile::name, and the shape's number if there are several: "gear 2"
   std::string source;  // names the shape in errors: the file's path, and the shape's number
   Document document;
   std::optional<Failure> refused;  // why the file cannot be read; the document is then empty

@@ -1,5 +1,5 @@
 // An experiment's report as one HTML file, which works without a network. It contains the thesis's
-// figures redrawn, the results of few robots, and a table of the thesis's claims with our results.
+// figures redrawn, results for few robots, and a table of the thesis's claims with our results.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace evenlift::native {
 
 // Returns the report. The same data gives the same bytes. If the program was built without charts,
-// tables and a notice replace them.
+// the report has tables and a notice instead of charts.
 std::string report_html(const std::vector<experiment::ResultSet>& sets,
                         const experiment::Outputs& outputs,
                         const experiment::ExperimentSettings& settings);

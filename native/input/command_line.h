@@ -1,5 +1,5 @@
-// A command's arguments. CLI11 parses them. Every error becomes a Failure, which the program
-// reports as cli.md, "Exit status and errors", describes.
+// A command's arguments. CLI11 parses them. Every error becomes a Failure; "Exit status and errors"
+// in cli.md describes how the program reports it.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ class App;
 
 namespace evenlift::native {
 
-// Values stay text, so that evenlift's own messages refuse invalid values (options.h).
+// Values stay text, because evenlift checks them itself, with its own messages (options.h).
 class CommandLine {
  public:
   // `command` is the command as typed ("evenlift place"); `purpose` is a sentence.
@@ -32,8 +32,8 @@ class CommandLine {
   void flag(bool& into, const std::string& option, const std::string& help);
 
   // Fills the declared variables. Returns false after printing help on request. Throws Failure on
-  // an unknown option, a missing or surplus argument, and an option that is given twice, without
-  // its value, or with a value that it does not take.
+  // an unknown option, a missing or surplus argument, an option that is given twice or without its
+  // value, and a flag that is given a value.
   bool parse(const std::vector<std::string>& arguments);
 
  private:

@@ -9,7 +9,7 @@
 namespace evenlift::native {
 
 inline constexpr int bad_input_status = 2;  // wrong usage or input
-inline constexpr int not_kept_status = 3;   // a requirement that is not kept
+inline constexpr int not_kept_status = 3;   // a condition is not met, or a task is not done
 inline constexpr int other_status = 1;      // anything else, such as a file that cannot be written
 
 // The error that a command throws. main() then prints `evenlift: WHERE: WHAT` on standard error.
@@ -21,8 +21,8 @@ struct Failure {
   bool silent = false;                 // print nothing: the user already knows, or no one reads
 };
 
-// Prints the message on one line, with "?" for control characters and two quotation marks for an
-// empty `where`, and the list below it. Prints nothing if the failure is silent.
+// Prints the message on one line, and the list below it. Control characters appear as "?", and an
+// empty `where` as two quotation marks. Prints nothing if the failure is silent.
 void print_failure(const Failure& failure);
 
 // The error's message as a part of a sentence: "no such file or directory".

@@ -122,10 +122,15 @@ void check_output_file(const std::string& option, const std::string& path,
 void write_file(const std::string& path, std::string_view text) {
   struct stat info;
   const bool replaceable = lstat(path.c_str(), &info) != 0 || S_ISREG(info.st_mode);
-  const std::string target = replaceable ? path + ".part" : path;
+  std::string target = replaceable ? path + ".part" : path;
+  File file(std::fopen(target.c_str(), replaceable ? "wbx" : "wb"));
+  // Another program, or the user, may have a file of this name.
+  for (int i = 2; !file && replaceable && errno == EEXIST && i < 100; ++i) {
+    target = path + ".part" + std::to_string(i);
+    file.reset(std::fopen(target.c_str(), "wbx"));
+  }
+  if (!file) throw Failure{other_status, path, system_error()};
   try {
-    File file(std::fopen(target.c_str(), "wb"));
-    if (!file) throw Failure{other_status, path, system_error()};
     write_all(file.get(), text, path);
     if (std::fclose(file.release()) != 0) throw Failure{other_status, path, system_error()};
     if (replaceable && std::rename(target.c_str(), path.c_str()) != 0)

@@ -16,7 +16,7 @@ struct HandedIn {
   std::size_t line = 0;                 // the number of its line, from 1
 };
 
-// Returns the given link, or the links in a file ("-": on standard input). Each line has one link.
+// Returns the given link, or the links in a file ("-" for standard input). Each line has one link.
 // Before the link there may be a name, followed by spaces, a tab, a comma or a semicolon. Skips
 // empty lines and lines that begin with #. Throws Failure for an unreadable file, or one without
 // links.

@@ -19,8 +19,8 @@ struct PoseFileOptions {
 
   void declare(CommandLine& line);
 
-  // The typed values; nullopt if no file is requested. Throws Failure with the name of an invalid
-  // option.
+  // The typed values; nullopt if no file is requested. Throws Failure with the option's name if a
+  // value is invalid or does not apply.
   std::optional<PosesAsked> asked() const;
 };
 

@@ -24,9 +24,9 @@ struct ShapeOptions {
 };
 
 // Returns the selected shape, or the only one. Reports on standard error what was left out and how
-// the text was read, one line each. Throws Failure if the text or an option is invalid. If the user
-// must first select a shape, because there are several or open lines left out span more than any
-// shape, the Failure lists the shapes.
+// the text was read, one line each. Throws Failure if the text or an option is invalid. The user
+// must select a shape if there are several, or if open lines that were left out span more than any
+// shape; without a selection, throws a Failure that lists the shapes.
 Document choose_shape(const std::string& text, const std::string& source,
                       const ShapeOptions& options);
 

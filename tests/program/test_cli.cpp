@@ -230,6 +230,20 @@ TEST_CASE("several shapes are listed, and one is taken by its number or name", "
   }
 }
 
+TEST_CASE("a file is written at once, beside files of the user that are called alike", "[cli]") {
+  const Folder folder("parts");
+  corpus::write_file(folder.path() / "square.txt", square);
+  corpus::write_file(folder.path() / "a.svg.part", "mine");
+  run(folder, "evenlift place square.txt --svg a.svg --poses b.csv");
+  CHECK(corpus::read_file(folder.path() / "a.svg.part") == "mine");
+  CHECK(corpus::read_file(folder.path() / "a.svg").starts_with("<"));
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder.path()))
+    if (entry.path().stem() != "script") names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  CHECK(names == std::vector<std::string>{"a.svg", "a.svg.part", "b.csv", "square.txt"});
+}
+
 TEST_CASE("tables name the overloaded robot, and have all columns in every row", "[cli][slow]") {
   const Folder folder("tables");
   corpus::write_file(folder.path() / "square.txt", square);

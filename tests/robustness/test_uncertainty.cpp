@@ -202,4 +202,9 @@ TEST_CASE("a capacity allows as much uncertainty as its first robot has room for
   CHECK(radius_within_capacity(springs, 30, twelve, {1, false, {1, 0}, {}}, 2) == 2.0);
   CHECK(radius_within_capacity(springs, 3, twelve, {1, false, {0, 0}, {}}, 2) == 1.0);
   CHECK_FALSE(radius_within_capacity(springs, 30, twelve, {1, false, {2.5, 0}, {}}, 0));
+  // Rounding alone overloads no robot.
+  CHECK(within(30, 10 * (1 - 1e-12)) == 0.0);
+  // If another robot may begin to carry, only the worst loads are known, and only for this C.
+  CHECK(radius_within_capacity(springs, 30, twelve, {1, true, {0, 0}, {12, 12}}) == 0.0);
+  CHECK_FALSE(radius_within_capacity(springs, 30, twelve, {1, true, {0, 0}, {12, 12.1}}));
 }

@@ -462,6 +462,12 @@ TEST_CASE("DXF: ellipses and elliptical arcs", "[import][dxf]") {
     const double along = dot(q, Vec2(3, 4)) / 25, across = cross(Vec2(3, 4), q) / 12.5;
     CHECK(std::abs(along * along + across * across - 1) < 1e-6);
   }
+  // Its end is 2 pi with eight decimals, a little beyond the whole turn.
+  const Import rounded = read(dxf(ellipse + "41\n0\n42\n6.28318531\n"), {1e-3});
+  CHECK(rounded.shapes[0].document.vertices == whole.shapes[0].document.vertices);
+  const std::string circle = "10\n1\n20\n2\n40\n5\n";
+  CHECK(only(dxf("0\nARC\n" + circle + "50\n90\n51\n450.0000001\n")) ==
+        only(dxf("0\nCIRCLE\n" + circle)));
   // Half of it, closed by a line.
   const Import half = read(
       dxf(ellipse + "41\n0\n42\n3.141592653589793\n" + "0\nLINE\n10\n4\n20\n6\n11\n-2\n21\n-2\n"));

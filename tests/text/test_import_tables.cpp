@@ -89,6 +89,14 @@ TEST_CASE("columns: a heading may be a comment, be parted in its own way, or hav
   CHECK(notes("sep=;\nx;y\n0;0\n30;0\n30;20,5\n").empty());
 }
 
+TEST_CASE("columns: headings may follow a comment of any length", "[import][columns]") {
+  std::string text;
+  for (int line = 0; line < 150; ++line)
+    text += "# Measured in the hall, " + std::to_string(line) + "\n";
+  text += "no;y;x\n1;0;0\n2;0;30\n3;20.5;30\n";
+  CHECK(same_vertices(only(text), corner));
+}
+
 TEST_CASE("columns: heights are left out with a note", "[import][columns]") {
   CHECK(notes("Point,Northing,Easting,Elevation\n1,0,0,7\n2,0,30,7\n3,20.5,30,8\n") ==
         Notes{"the column \"Elevation\" was left out"});

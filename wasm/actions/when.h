@@ -21,7 +21,7 @@ bool can_even_out(const AppState& s);  // the robots are placed by hand, but not
 bool on_own_robot(const AppState& s);  // the robots are placed by hand, and the card of one is open
 bool can_nudge(const AppState& s);
 
-// While a polygon is drawn, undo removes one vertex.
+// While a polygon is being drawn, undo removes one vertex.
 bool has_no_cursor(const AppState& s);  // nothing is drawn, and the cursor has no place yet
 bool keys_place(const AppState& s);     // keys moved the cursor to a place where a vertex can go
 bool can_place(const AppState& s);

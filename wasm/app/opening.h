@@ -15,10 +15,10 @@ struct LastVisit {
   std::string_view draft;  // a link to a document that was refused while it was being edited
 };
 
-// Opens the link if it can be read; otherwise the last work and then its draft, as one step of
-// undo; otherwise the sample. After a link has opened, undo opens the last work, which is placed
-// only then. Returns why the link could not be read, or an empty text. Costs one placement, or two
-// with a draft.
+// Opens the link if it can be read; otherwise opens the last work and then, as one step of undo,
+// the draft; opens the sample if neither link nor work can be read. After a link has opened, undo
+// opens the last work, which is placed only then. Returns why the link could not be read, or an
+// empty text. Costs one placement, or two with a draft.
 std::string open_page(AppState& state, const LastVisit& visit, std::string_view sample);
 
 }  // namespace evenlift::view

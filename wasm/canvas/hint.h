@@ -10,9 +10,9 @@ namespace evenlift::view {
 // Empty if there is no hint.
 std::string hint(const AppState& state);
 
-// The hint as the canvas shows it: without the last parts that have no room beside the view tools.
-// It is empty if no part has room, on a narrow, low or touch screen, and while a notice, a card or
-// a window of the page appears.
+// The hint as the canvas shows it: the last phrases are left out if they have no room beside the
+// view tools. Empty if no phrase has room. Also empty if the screen is narrow, low or used with
+// fingers, or while a notice, a card or a window of the page is open.
 std::string shown_hint(const AppState& state, const Layout& layout);
 
 void draw_hint(ImDrawList& list, const AppState& state, const Layout& layout, const Theme& theme);

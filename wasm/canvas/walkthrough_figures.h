@@ -6,7 +6,7 @@ namespace evenlift::view {
 
 void draw_figure(const Painter& painter, const CanvasView& view, const Figure& figure);
 
-// Draws a ring around a place that a step or a question marks.
+// Draws a ring around a place, to mark it for a step or for a question.
 void draw_ring(const Painter& painter, const Vec2& at, Colour colour);
 
 // Draws the point M of the search for balanced robots, with its name.

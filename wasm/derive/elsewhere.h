@@ -12,10 +12,10 @@
 
 namespace evenlift::view {
 
-// Whether a worker should choose the teams during a drag. It should if there are many vertices and
-// candidates; if `before`, the placement on the screen, has as many vertices and holes as the
-// document; if the method chooses among candidates; and if the robots are points that may stand
-// anywhere and were not moved by hand. O(holes).
+// Whether a worker should choose the teams during a drag. All of these conditions must hold: there
+// are many vertices and candidates; `before`, the placement on the screen, has the document's
+// numbers of vertices and holes; the method chooses among candidates; and the robots are points
+// that may stand anywhere and were not moved by hand. O(holes).
 bool is_for_a_worker(const Document& document, const Placement& before);
 
 // Returns the number of rings, the number of vertices of each ring, and all coordinates, in this

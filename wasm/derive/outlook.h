@@ -20,9 +20,9 @@ void renew_outlooks(Derived& facts, LoadModel model, const Shown& shown);
 inline constexpr std::size_t most_failures_known = 128;
 void renew_failures(Derived& facts, const Shown& shown, bool move);
 
-// Lets the robot with this number fail; if there is no such robot, none fails. The other robots
-// stay where they are. If the effects of failures are not known, this costs as much as computing
-// one of them.
+// Marks the robot with this number, from 0, as failed; if there is no such robot, marks none. The
+// other robots stay where they are. If the effects of failures are not known, this costs as much as
+// computing one of them.
 void let_fail(Derived& facts, std::size_t robot, const Shown& shown);
 
 }  // namespace evenlift::view

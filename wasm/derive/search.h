@@ -16,8 +16,8 @@ void end_search(Derived& facts, Effects& effects);
 void begin_search(Derived& facts, Effects& effects);
 
 // Begins to count the balanced robots of this capacity that are needed if any one robot may fail
-// (FailurePlan). Does nothing, at a cost of O(1), without a capacity, before the search for the
-// robots on the screen has ended, or if the count is known or under way.
+// (FailurePlan). Does nothing, in O(1), if there is no capacity, if the search for the robots on
+// the screen has not ended, or if the count is known or under way.
 void begin_count(Derived& facts, const std::optional<double>& capacity, Effects& effects);
 
 // Forgets the count, and ends the counting if it is under way.

@@ -30,8 +30,8 @@ void type_edge(AppState& state, const TypeEdge& typed);
 // pointer, it has no length.
 void withdraw_edge(AppState& state);
 
-// Closes the drawn shape: opens the polygon with the settings that opened_after() keeps, or adds
-// the hole. If the shape is refused, shows a notice instead.
+// Closes the drawn shape: opens the polygon with the settings that opened_after() (state/opened.h)
+// keeps, or adds the hole. If the shape is refused, shows a notice instead.
 void finish_drawing(AppState& state);
 
 }  // namespace evenlift::view

@@ -6,7 +6,7 @@
 
 namespace evenlift::view {
 
-// Records the work for undo. Consecutive live edits are one step.
+// Records the work for undo. Consecutive live edits, such as those of a drag, are one step.
 void begin_edit(AppState& state, bool live, Edit edit);
 
 // Begins an edit, and returns the document to change, which will be placed again. The last notice

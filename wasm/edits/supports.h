@@ -22,8 +22,8 @@ bool stands_freely(const Placement& placement);
 // robot stays where it last could stand. O(m + n), plus a placement.
 void move_support(AppState& state, std::size_t robot, const Vec2& to);
 
-// Puts robots beneath the object for the user to move (supports_to_place() of supports.h). This is
-// one step of undo.
+// Puts robots beneath the object for the user to move, where supports_to_place()
+// (evenlift/supports.h) finds places. This is one step of undo.
 inline constexpr std::size_t usual_robots_to_place = 4;
 void place_yourself(AppState& state, std::size_t robots = usual_robots_to_place);
 

@@ -10,7 +10,7 @@
 
 namespace evenlift::view {
 
-// Draws the text beside a spot, moved so that the text is inside the window.
+// Draws the text beside a spot, and moves it if necessary to keep it inside the window.
 void draw_word(ImDrawList& list, const Vec2& spot, const Rect& window, const Theme& theme,
                Colour colour, const std::string& text);
 

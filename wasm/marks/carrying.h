@@ -5,8 +5,8 @@
 
 namespace evenlift::view {
 
-// Fills the region where a further load may stand with green, and the rest of the object with
-// stripes. Draws nothing if the overlay is hidden, or if the user does not ask about a load.
+// Shows in green the region where a further load may stand, and draws stripes over the rest of the
+// object. Draws nothing if the overlay is hidden, or if the user does not ask about a load.
 void draw_load_region(const Painter& painter, const CanvasView& view);
 
 // Draws circles about C, each for one slope. On that slope, under the assumptions of tilt.h, the

@@ -10,8 +10,8 @@ namespace evenlift::view {
 // if there is room.
 void draw_slide(const Painter& painter, const CanvasView& view, Occupied* occupied);
 
-// For each shown region of free rotation that lies outside the window, draws an arrow towards the
-// region at the window's edge, with a label if there is room. O(corners of the regions).
+// For each shown region of free rotation that lies outside the window, draws an arrow at the
+// window's edge, towards the region, with a label if there is room. O(corners of the regions).
 void draw_far_regions(const Painter& painter, const CanvasView& view, Occupied* occupied);
 
 }  // namespace evenlift::view

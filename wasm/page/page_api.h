@@ -16,7 +16,7 @@ bool settle();
 void carry_out(Commands commands);
 
 // Does everything that follows a command. A function that must return a refusal changes the state
-// without a command; call carried_out() after it.
+// without a command, and then calls carried_out().
 void carried_out();
 
 }  // namespace evenlift::view

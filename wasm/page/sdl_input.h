@@ -1,5 +1,5 @@
-// Converts SDL's events to one pointer and two-finger gestures. Only this file and main.cpp use
-// SDL.
+// Converts SDL's events to the state of one pointer, a mouse or a finger, and to pinches. Only this
+// file and main.cpp use SDL.
 #pragma once
 
 #include <SDL.h>
@@ -18,7 +18,7 @@ class SdlInput {
 
   // Passes the pointer's next events to Dear ImGui in order, up to and including the next press,
   // release or turn of the wheel: in one pass, Dear ImGui would lose a second such event. A press
-  // waits until the panels are `laid_out`. Dear ImGui's pixels are `zoom` CSS pixels large. Call it
+  // waits until the panels are `laid_out`. One Dear ImGui pixel is `zoom` CSS pixels wide. Call it
   // before ImGui::NewFrame().
   void feed(bool laid_out, double zoom);
 
@@ -67,7 +67,7 @@ class SdlInput {
   bool down_ = false, touch_ = false, asks_ = false;
   Vec2 pressed_at_ = Vec2::Zero();
   std::optional<Uint32> pressed_time_;  // nullopt if a finger's next press cannot be a second one
-  bool two_fingers_ = false;  // until all are lifted, so that the last finger drags nothing
+  bool two_fingers_ = false;  // stays true until all are lifted; the last finger drags nothing
   Vec2 pinch_middle_ = Vec2::Zero();
   double pinch_spread_ = 1;
 

@@ -19,7 +19,7 @@ struct LengthRow {
 };
 void draw_length(const Ui& ui, const LengthRow& row);
 
-// The row of a length or a weight that may be missing.
+// The row of a length or a weight that may have no value.
 struct OptionalRow {
   Setting setting;
   const char *label, *about;
@@ -31,8 +31,8 @@ struct OptionalRow {
 bool draw_optional(const Ui& ui, const OptionalRow& row);
 
 // size_of_object() returns the diagonal of the polygon's bounding box, or 100 before the first
-// placement. first_length() returns the first step of a length above 0: a power of ten, from 1/500
-// to 1/50 of the size.
+// placement. first_length() returns the length to which a step up from 0 leads: a power of ten,
+// from 1/500 to 1/50 of the size.
 double size_of_object(const AppState& state);
 double first_length(double size_of_object);
 

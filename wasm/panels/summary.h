@@ -26,7 +26,7 @@ std::string presumed_in_words(const AppState& state);
 // `not_quite` if the object may tip or a robot is overloaded, and otherwise `good`.
 Mood mood_of(const AppState& state, const std::optional<RestOfRobots>& rest);
 
-// The effect in words of the failure of the robot with this number, from 0; empty if unknown.
+// Describes what happens if the robot with this number, from 0, fails; empty if unknown.
 std::string failure_words(const AppState& state, std::size_t robot);
 
 // Texts like "4", "29.1 kg", "8.2 kg", "61 %", "held". The loads are empty if the object falls.
@@ -35,8 +35,8 @@ struct ScoreInWords {
 };
 ScoreInWords score_of(const Placement& placement, const Units& units);
 
-// Whether some robot, or the robot with this number, carries more than its capacity, by the shown
-// loads.
+// Whether some robot carries more than its capacity if none fails, or whether the robot with this
+// number, from 0, does so according to the shown loads.
 bool is_overloaded(const AppState& state);
 bool is_overloaded(const AppState& state, std::size_t robot);
 

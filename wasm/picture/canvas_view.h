@@ -1,5 +1,5 @@
-// A picture on the canvas. It shows the placement or, beside it, the placement of the second
-// method.
+// A picture on the canvas. The first picture shows the placement; the second, if any, shows the
+// placement by the second method.
 #pragma once
 
 #include <algorithm>

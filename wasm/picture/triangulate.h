@@ -14,8 +14,8 @@ namespace evenlift::view {
 
 // Returns three indices for each triangle, in either orientation. Indices number the vertices of
 // the polygon and then of each hole. This function is for drawing only: it computes in plain
-// doubles, always ends, and returns some triangles even for a polygon that is not simple, which
-// edits may pass through. To test an ear, it examines only nearby vertices, which it finds by
+// doubles, always ends, and returns some triangles even for a polygon that is not simple, as can
+// occur during edits. To test an ear, it examines only nearby vertices, which it finds by
 // Z-order. The function costs little more than O(n) for most shapes, but O(n²) for some, so large
 // polygons are filled by rows (fill_rows.h). The holes cost O(holes n).
 std::vector<std::uint32_t> triangulate(const Points& vertices,

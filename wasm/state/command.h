@@ -133,8 +133,8 @@ struct SetDrawCursor {
   std::optional<Vec2> pointer;  // the pointer in pixels, if it moved the cursor
   bool by_keys = false;
 };
-// Sets the next edge's typed length and angle in degrees; a missing value stays. With `place`, this
-// command also places the edge's end.
+// Sets the next edge's typed length, and its angle in degrees; a missing value changes nothing.
+// With `place`, this command also places the edge's end.
 struct TypeEdge {
   std::optional<double> length, degrees;
   bool place = false;
@@ -241,7 +241,7 @@ struct SetSectionOpen {
 struct SetErases {
   bool erases;
 };
-// Reports from the panels whether a list of choices is open.
+// Reports whether a list of choices is open in the panels.
 struct ListIsOpen {
   bool open;
 };
@@ -256,7 +256,7 @@ struct MeasureNotice {
   double height;
 };
 struct CopyLink {};
-// Asks for a typed value in the field of a control.
+// Moves the keyboard focus to a control's field, so that the user can type a value.
 struct TypeValue {
   const char* control;
 };
@@ -324,7 +324,7 @@ using AnyCommand = std::variant<
     TakeChoice, ShowNotice, EndNotice, SetCanvas, SetPreferences, SetTouch, CoverScreen, MakeRoom,
     LayPicture, TakePictureAway, SetMeasuring, KeepMotion, KeepComparison, ForgetSteps, AddStep>;
 // One command. The special members of this class are compiled only once, in command.cpp. Compiled
-// in every file that makes a command, they took half of the time of compiling the panels.
+// in every file that makes a command, they took half of the panels' compile time.
 class Command {
  public:
   template <class Kind>

@@ -95,7 +95,7 @@ struct Derived {
   Outlook outlook, second_outlook;   // of the first and the second placement
   std::vector<std::optional<RestOfRobots>> failures;  // one for each robot; empty while unknown
   bool failures_due = true;                           // `failures` must be computed
-  std::optional<Failure> failure;                     // the robot that the user let fail
+  std::optional<Failure> failure;                     // the simulated failure of a robot
   std::optional<Explanation> explanation;             // the card about a robot, chord or candidate
   Search search;
   Elsewhere elsewhere;

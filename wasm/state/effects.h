@@ -26,7 +26,7 @@ enum class Dialog : std::uint8_t {
   welcome,
   optimum,
   language,
-  end_of_dialogs  // not a dialog; stays last and counts the dialogs, which all must have a name
+  end_of_dialogs  // not a dialog; stays last and counts the dialogs, all of which must have names
 };
 
 // The shapes of the mouse pointer over the canvas.
@@ -85,8 +85,8 @@ struct ShowPage {};
 
 // Continues this search for balanced robots in the background, and ends any earlier one. The input
 // is a polygon in the thesis's format, settings as lines `name=value`, and the starting robots
-// (robots_text.h). Results arrive through page_take_robots(). With a capacity in the settings, the
-// search only counts the robots needed if any one robot may fail.
+// (robots_text.h). Results arrive through page_take_robots(). If the settings include a capacity,
+// `robots` is empty, and the search instead finds the number of robots needed if any one may fail.
 struct BeginSearch {
   std::uint64_t number;
   std::string polygon, settings, robots;

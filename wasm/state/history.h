@@ -16,7 +16,7 @@
 namespace evenlift::view {
 
 // The kinds of edits. The browser keeps their numbers, so a new kind goes at the end. For a setting
-// without a kind, the number is `edit_of_records` plus that of its record in links (SettingRow).
+// without a kind, the number is `edit_of_records` + SettingRow::record of this setting.
 enum class Edit : std::uint32_t {
   opened,
   drawn,
@@ -53,7 +53,7 @@ enum class Edit : std::uint32_t {
 };
 inline constexpr std::size_t edit_count = 32, edit_of_records = 100;
 
-// Returns the edit in words, as "moved a vertex". O(settings).
+// Returns the edit in words, such as "moved a vertex". O(settings).
 std::string in_words(Edit edit);
 
 // Returns the kind of a change of this setting. O(settings).
@@ -112,8 +112,8 @@ class History {
   // lesson is another step, which can be undone.
   std::optional<Recalled> leave_lesson(const Document& now, const Beside& beside = {});
 
-  // Returns the index (as for kept()) of the step that opened the lesson that was open before the
-  // newest `later` steps; nothing if no lesson was open. 0 means the present lesson. O(steps).
+  // Looks for the lesson that was open before the newest `later` steps (0: the present lesson).
+  // Returns the index, as for kept(), of the step that opened it; nothing without one. O(steps).
   std::optional<std::size_t> lesson_opened(std::size_t later = 0) const;
 
   // A step in the form that the browser stores. For index i, kept() returns the step that i + 1
@@ -144,7 +144,7 @@ class History {
                 const Beside& beside);
 
   std::vector<Entry> past_, future_;
-  std::vector<Entry> future_before_lesson_;  // the steps to redo when the last lesson was opened
+  std::vector<Entry> future_before_lesson_;  // `future_` when the last lesson was opened
 };
 
 }  // namespace evenlift::view

@@ -22,9 +22,9 @@ inline std::uint32_t placed_teams(const AppState& state) {
 // Returns whether the method considers the robots' size. For the other methods, robots are points.
 inline bool takes_sizes(Method method) { return is_one_team(method) || selects_candidates(method); }
 
-// Returns the settings with another method. Of the settings that the method does not support,
-// `teams` replaces "max" teams, and supports, the goal, the robots' size and the no-go edges are
-// reset. The goal is also reset if the method changes from balanced robots to teams.
+// Returns the settings with another method. If the method does not support "max" teams, `teams`
+// replaces "max". Supports, goal, robots' size and no-go edges are reset unless the method supports
+// them. The goal is also reset if the method changes from balanced robots to teams.
 inline Settings with_method(Settings settings, Method method, std::uint32_t teams) {
   const bool balanced = method == Method::balanced;
   if (method != Method::given) settings.supports.clear();

@@ -1,4 +1,4 @@
-// Opens documents. Placing a document validates it, so both happen at once. Callers pass the
+// Opens documents. Opening a document also places it, since this validates it. Callers pass the
 // placement on (Given), so that nothing is computed twice.
 #pragma once
 
@@ -21,7 +21,7 @@ struct Opened {
 // Places the document, or returns why it is refused. Costs as much as place().
 Result<Opened> opened(Document document);
 
-// Places another polygon. The settings and the Shown come from `before`, except those that belong
+// Places another polygon. The settings and `shown` come from `before`, except those that belong
 // to the polygon of `before`: the step, the shown lengths and the no-go edges.
 Result<Opened> opened_after(Document polygon, const Document& before);
 
@@ -36,7 +36,7 @@ Result<Document> parse_document(std::string_view text);
 // How urgently a placement is needed. With the goal *hold*, swaps among all candidates improve the
 // teams, but can take seconds. If the swaps would take too long, the teams stay as the metric
 // selects them, and the placement's `search_ended` is false. The limit is about a twentieth of a
-// second during a drag, and some seconds at rest.
+// second during a drag, and a few seconds at rest.
 enum class Haste : std::uint8_t { at_rest, drag };
 
 // The view computes placements and traces only here. These functions count their calls, so that a
@@ -51,7 +51,7 @@ Result<Placement> compute_placement(const Document& document,
 Result<Placement> compute_as_chosen(const Document& document, const Placement& before,
                                     Choice choice);
 
-// Computes a placement for an offer, with Haste::drag. These calls are counted separately.
+// Computes a placement for an offer (derive/offer.h) with Haste::drag, and counts it in `tries`.
 Result<Placement> try_placement(const Document& document, const Placement& before);
 
 // Returns whether the teams have the goal *hold*, and teams and candidates are few enough for swaps

@@ -13,7 +13,7 @@ namespace evenlift::view {
 struct Screen {
   // The canvas's size; the ratio is device pixels per CSS pixel.
   double css_width = 1280, css_height = 800, css_ratio = 1;
-  // Everywhere else in the view, a pixel is `zoom` CSS pixels large, since presentation mode
+  // Everywhere else in the view, a pixel is `zoom` CSS pixels wide, since presentation mode
   // enlarges everything.
   double zoom = 1;
   double width = 1280, height = 800;
@@ -24,8 +24,8 @@ struct Screen {
   bool finger = false;  // the main pointer is a finger, so controls are larger
   bool touch = false;   // the last pointer was a finger, which cannot hover
   bool asking = false;  // a finger rests on a part to ask about it, so tips are shown
-  double foot = 0;      // height that a card of the page covers at the drawing's foot, in pixels
-  double card = 0;      // that card's height, in pixels
+  double foot = 0;      // pixels from the top of the page's card to the drawing's foot, or 0
+  double card = 0;      // the height of this card itself, in pixels, or 0
   // The pixels that a window of the page covers at the left, at the right, or at the foot over the
   // whole width.
   double window_left = 0, window_right = 0, window_foot = 0;

@@ -74,7 +74,7 @@ inline bool by_hand(const AppState& state) {
   return state.derived().placement && state.derived().placement->moved.any();
 }
 
-// Return the settings and the Shown of the present document. O(1).
+// Return the members `settings` and `shown` of the present document. O(1).
 inline const Settings& settings(const AppState& state) { return state.work.document().settings; }
 inline const Shown& shown(const AppState& state) { return state.work.document().shown; }
 
@@ -84,7 +84,7 @@ inline bool lags(const AppState& state) {
   return state.derived().elsewhere.under_way && !state.derived().refusal;
 }
 
-// Returns the last placed document with the present Shown, for links, files and storage. During a
+// Returns the last placed document with the present `shown`, for links, files and storage. During a
 // drag it may be older than the present document (lags()). O(n).
 inline Document last_good(const AppState& state) {
   Document document = state.derived().placed;

@@ -36,7 +36,7 @@ struct Drawing {
   Points undone;                          // points taken back; redo restores the last of them first
   std::optional<Vec2> cursor;             // where the next vertex would go
   std::optional<Vec2> last_cursor;        // the cursor's last place, while the pointer is elsewhere
-  std::optional<Vec2> pointer;            // the pointer's place when moving the cursor, in pixels
+  std::optional<Vec2> pointer;            // the pointer's place in pixels when it moved the cursor
   bool by_keys = false;                   // keys moved the cursor since the pointer last moved
   std::optional<double> length, degrees;  // of the next edge, as typed
   bool checked = false;                   // whether `refusal` is known
@@ -77,7 +77,7 @@ struct OpenTask {
   Exercise exercise;
   std::uint64_t number = 1;  // the task's number, as the learner sees it
   bool preview = false;      // the lesson is being written
-  std::size_t depth = 0;     // edits in the history at the opening; with fewer, the task ends
+  std::size_t depth = 0;     // History::depth() at the opening; below this, the task ends
 };
 
 struct View {
@@ -115,7 +115,7 @@ struct View {
 
   bool panel_open = true;
   bool carrying_open = false;  // the section about slopes, uneven ground and a further load
-  bool formal_open = false;    // the section with a step's formula, and the algorithm
+  bool formal_open = false;    // the section with the algorithm and a step's formula
   bool more_open = false;      // the section of seldom-used settings
   bool robot_open = false;     // the section about the robots' size
   Sheet sheet = Sheet::closed;

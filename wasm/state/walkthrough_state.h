@@ -29,7 +29,7 @@ struct Script {
   std::vector<Stop> stops;   // the lesson's steps found in the trace; at least one
   std::size_t position = 0;  // the present or last stop
   Document of;               // the lesson's own document
-  std::size_t depth = 0;     // edits in the history at the opening; with fewer, the lesson ends
+  std::size_t depth = 0;     // History::depth() at the opening; below this, the lesson ends
   bool preview = false;      // the lesson is being written
 };
 
@@ -39,7 +39,7 @@ struct Ask {
   StepDetail detail;
   Question question;
   std::string text;
-  std::vector<std::uint32_t> choices;  // ends of the edge pair, candidates, even chords, or teams
+  std::vector<std::uint32_t> choices;  // candidates, even chords, teams, or ends of the edge pair
   std::size_t pointed = 0;             // index of the choice that the stepper shows
 };
 
@@ -99,8 +99,8 @@ struct Walkthrough {
   Guesses guesses;
 
   std::optional<Chord> asked;  // the chord of the question "why not this one?"
-  Points asked_places;  // where robots would go ("why no robot here?"); the asked place comes first
-  std::string why;      // the answer to either question
+  Points asked_places;     // the place of "why no robot here?", then places where robots would go
+  std::string why;         // the answer to either question
   bool why_taken = false;  // the chord belongs to a team, or a robot stands at the place
 
   std::optional<std::size_t> hovered;  // index of the figure under the pointer

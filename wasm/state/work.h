@@ -1,4 +1,4 @@
-// The work: the document with its undo, and the values that undo restores with it.
+// The work: the document, its history, and the values that undo restores with the document.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace evenlift::view {
 
-// Settings of a former method that the present one does not support (method.h).
+// Settings kept from a former method because the present method does not support them (method.h).
 struct SetAside {
   std::optional<RobotSize> robot;
   std::optional<std::vector<EdgePart>> no_go;

@@ -46,17 +46,17 @@ std::optional<Vec2> centroid_of(const Points& chain);
 // pointer's place after snapping. O(1).
 Vec2 next_point(const AppState& state, const Vec2& world);
 
-// Returns the nearest dot of the grid, if points snap to the grid; otherwise `to` rounded to the
-// pixels. O(1).
+// Returns the nearest dot of the grid, if points snap to the grid; otherwise `to`, rounded by
+// rounded_to_pixels(). O(1).
 Vec2 snapped(const AppState& state, const Vec2& to);
 
 // Returns `to` snapped as above. If points snap to the axes, `to` also snaps to the horizontals and
 // verticals through the neighbours `before` and `after`, if these lines are near. O(1).
 Vec2 snapped(const AppState& state, const Vec2& to, const Vec2& before, const Vec2& after);
 
-// Returns the pairs of edges of the open chain that cross, touch or overlap; neighbouring edges may
-// share their common point. Edge i begins at point i. The result is exact, but always empty for
-// more than 1,000 points. O(n²).
+// Returns the pairs of edges of the chain that cross, touch or overlap; neighbouring edges may
+// share their common point. Edge i begins at point i. The result is exact, but never pairs the
+// first and last edges of a closed chain, and is empty for more than 1,000 points. O(n²).
 std::vector<std::pair<std::size_t, std::size_t>> crossings(const Points& chain);
 
 // The drawing, kept as text for storage. drawing_text() writes the text; read_drawing() reads it,

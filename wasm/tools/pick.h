@@ -8,13 +8,13 @@ namespace evenlift::view {
 
 // Returns the part at `screen`, in pixels. The nearest vertex, weight, centre of mass, uncertainty
 // grip or robot has priority. Among these, a movable robot comes first if it was placed by hand or
-// its card is open. Edges, chords and shown candidates follow, and last the object. In the second
-// method's picture, robots, chords and candidates are that method's. O(vertices + teams +
-// candidates).
+// its card is open. Next come edges, chords and shown candidates, and the object comes last. In the
+// second method's picture, robots, chords and candidates are that method's.
+// O(vertices + teams + candidates).
 Pick pick(const AppState& state, const Vec2& screen, bool second = false);
 
-// Returns the object, whatever other part is at `screen`; the kind is none outside the object and
-// in a hole. O(vertices).
+// Returns the object, whatever other part is at `screen`; the kind is `none` outside the object, in
+// a hole, and while the document is refused. O(vertices).
 Pick object_at(const AppState& state, const Vec2& screen, bool second = false);
 
 // Returns whether the part is a robot that the user can move. This is any robot of the first
@@ -27,7 +27,7 @@ bool can_take_robot(const AppState& state, const Pick& pick);
 Pick pick_to_hold(const AppState& state, const Vec2& screen, bool second = false);
 
 // Returns the robot, team's chord or shown candidate at `screen`, whatever other part is there. The
-// kind is none if none of these is there. O(teams + candidates).
+// kind is `none` if there is no such part. O(teams + candidates).
 Pick pick_explained(const AppState& state, const Vec2& screen, bool second = false);
 
 // Returns the place, in pixels, of the grip that sets the C uncertainty. Returns nothing while no
@@ -60,7 +60,7 @@ Vec2 centre_of_mass(const AppState& state);
 // O(1).
 std::optional<Vec2> own_centroid(const AppState& state);
 
-// Returns the weight at `screen`; the kind is none if no weight is there. O(items).
+// Returns the weight at `screen`; the kind is `none` if no weight is there. O(items).
 Pick weight_at(const AppState& state, const Vec2& screen);
 
 // Returns the shown placement of the first or the second method; null if it does not exist or the

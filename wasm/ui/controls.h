@@ -13,7 +13,7 @@
 namespace evenlift::view {
 
 // `text` is not interactive: it states a value of the result for users who cannot see the panels.
-// The last enumerator counts the kinds, so that each must have a name.
+// The last enumerator counts the kinds; controls.cpp uses it to check that each has a name.
 enum class ControlKind : std::uint8_t {
   button,
   toggle,

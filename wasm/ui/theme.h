@@ -24,7 +24,7 @@ struct Theme {
   Colour panel, panel_line, well;   // well: a control's background
   Colour text, second_text, quiet;  // quiet: lines, and icons that are off
   Colour hull, hull_outline, hull_text;
-  Colour heat[7];  // from parts where a light press tips the object to parts where no press does
+  Colour heat[7];  // from where a light press tips the object to where no press tips it
   Colour clockwise, clockwise_line, counter, counter_line;
   Colour robot, robot_ring, robot_track, robot_text;
   Colour chord, candidate;
@@ -38,13 +38,13 @@ struct Theme {
 // Returns the light or the dark theme, whichever the page requests.
 const Theme& theme(const AppState& state);
 
-// Returns the colour of the heat map where a downward press of `share` times the weight tips the
-// object; `share` is infinite where no press tips it.
+// Returns the heat map's colour where only a downward press of at least `share` times the weight
+// tips the object. `share` is 0, one of `heat_levels`, or infinite where no press tips it.
 Colour heat_colour(const Theme& theme, double share);
 
-// The typefaces. Their sizes in pixels are 11 for tiny, 13 for labels, 15 for texts and strong, and
-// 20 for verdict and large. All but label, text and large are semibold. The last value counts the
-// faces.
+// The typefaces. Their sizes in pixels are 11 for `tiny`, 13 for both labels, 15 for `text` and
+// `strong`, and 20 for `verdict` and `large`. All but `label`, `text` and `large` are semibold. The
+// last value counts the faces.
 enum class Face { tiny, label, strong_label, text, strong, verdict, large, end_of_faces };
 
 // Loads the fonts for a device-pixel ratio. Call this before a frame, and upload the font texture

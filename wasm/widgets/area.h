@@ -28,7 +28,7 @@ Control number_control(const char* id, const char* label, const char* setting,
 Control slider_control(const char* id, const char* label, double at, double low, double high,
                        double step);
 
-// Whether a button stays down; nothing for a button that never stays down.
+// Whether a toggle is down; nothing for a button that is not a toggle.
 using Pressed = std::optional<bool>;
 
 // Returns a toggle if `on` has a value, otherwise a button.

@@ -39,7 +39,7 @@ int in_last_frame(const char* id, int now, int at_first);
 // Call this after the section. `head` is ImGui::GetCursorPosY() before the section.
 void show_opened(const Ui& ui, const char* id, bool open, float head);
 
-// Returns whether the pointer has moved so far since the press that this is not a click.
+// Returns whether the pointer has moved too far since the press for this to be a click.
 bool is_dragged();
 
 // Returns whether a press was a click, not the end of scrolling or a finger that rests on a part to

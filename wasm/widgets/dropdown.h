@@ -16,7 +16,7 @@ namespace evenlift::view {
 bool begin_choices(const Ui& ui, const char* id, ImVec2 anchor_low, ImVec2 anchor_high,
                    float least_width);
 // Adds a row with a short remark `about`. Returns true when the user chooses the row. `name` is the
-// name for scripts, in English in every language; "" if the label is the name.
+// name for scripts, which is always English; "" if the label is this name.
 bool choice(const Ui& ui, const std::string& label, const char* about, bool current,
             Icon icon = Icon::none, bool enabled = true, const std::string& name = {});
 void end_choices(const Ui& ui);

@@ -9,7 +9,7 @@
 
 namespace evenlift::view {
 
-// A stepper is a value between two buttons, as "− 3 +". stepper() returns -1, 0 or +1, and
+// A stepper is a value between two buttons, such as "− 3 +". stepper() returns -1, 0 or +1, and
 // repeats -1 or +1 while a button is held. If `setting` names a setting, the value between the
 // buttons can be typed.
 struct StepperOptions {

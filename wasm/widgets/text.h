@@ -28,8 +28,8 @@ void draw_lines(ImDrawList& list, Face face, ImVec2 at, Colour colour,
                 const std::vector<std::string_view>& lines);
 float height_of(Face face, const std::vector<std::string_view>& lines);
 
-// Draws a text in a constant height of `lines` lines. If the text has more lines, the last one
-// shown ends with "…".
+// Draws a text in a block that is always `lines` lines high. If the text has more lines, the last
+// one shown ends with "…".
 void text_block_of(Face face, Colour colour, const std::string& text, float width,
                    std::size_t lines);
 

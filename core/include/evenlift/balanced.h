@@ -7,9 +7,9 @@
 //
 // A local search compares sets by these keys, in order. If all tie, the set found first is better.
 // 1. fewer pairs of robots nearer to each other than the setting `apart`;
-// 2. if the setting `survive` is F > 0: a greater number of robots, counted up to F, that may fail,
-//    whichever they are, while C stays at least `clear` inside the hull of the others;
-// 3. for the goal hold: the higher level. The level is the number of thresholds 0.001, 0.4 mu and
+// 2. if the setting `survive` is F > 0: the larger number of failures, counted up to F, after which
+//    C is at least `clear` inside the hull of the other robots, whichever robots fail;
+// 3. for the goal `hold`: the higher level. The level is the number of thresholds 0.001, 0.4 mu and
 //    mu that the margin reaches. Here mu is min_margin, and only contacts at least `clear` from
 //    every corner count for the margin;
 // 4. the larger coverage, by more than 1e-9;
@@ -39,11 +39,11 @@ namespace balanced {
 class Rules;
 }
 
-// A problem contains the object, C, the settings robots, goal, min_margin, apart, clear, survive,
-// robot and no_go, and values that are computed from these only once. A trial point is a place that
-// the search tries for the first of three new robots (docs/algorithm.md). If robots have a size or
-// there are no-go parts, the trial points are on the usable parts of the outline, and every robot
-// of a set can stand at its place. A problem is immutable; copies share the data.
+// A problem contains the object, C, the settings `robots`, `goal`, `min_margin`, `apart`, `clear`,
+// `survive`, `robot` and `no_go`, and values computed once from all of these. A trial point is a
+// place that the search tries for the first of three new robots (docs/algorithm.md). If robots have
+// a size or there are no-go parts, the trial points are on the usable parts of the outline, and
+// every robot of a set can stand at its place. A problem is immutable; copies share the data.
 class BalancedProblem {
  public:
   // The settings must be in their ranges. O(n log n), plus the cost of Stands (stands.h).
@@ -55,7 +55,7 @@ class BalancedProblem {
   std::shared_ptr<const balanced::Rules> rules_;
 };
 
-// The keys of a set. `level` is 0 for the goal cover.
+// The keys of a set. `level` is 0 for the goal `cover`.
 struct BalancedKeys {
   std::uint32_t near_pairs = 0;  // key 1
   int steady = 0;                // key 2, -1 .. F; 0 if `survive` is 0
@@ -113,7 +113,7 @@ struct BalancedSwap {
 };
 
 // One step of a search. The step takes away a triple i < j < k of robots and forms all sets that
-// complete the others by three new robots. If the best of these sets is better than the current
+// complete the others with three new robots. If the best of these sets is better than the current
 // set, it becomes the current set; if several tie, the first does. With more than 12 robots, a
 // triple must contain two neighbours along the outline; with more than 24, its robots must be three
 // in a row. A swap renumbers the robots. A round tries each triple once. If it ends without a swap,

@@ -62,10 +62,10 @@ BalancedHistory balanced_history(const BalancedProblem& problem, HistoryLength l
 // possible start, if robots have a size). O(n) at worst.
 bool is_quick_to_finish(const BalancedProblem& problem);
 
-// The ways to complete robots by two more: `middle` is the midpoint of the two, and `chords` are
-// the even candidates about it, in candidate order (only some of them if P has more than 1,000
-// vertices). There are no chords if the midpoint is not strictly inside the convex hull of P. O(n)
-// at worst, usually much less.
+// The ways to complete a set of robots with two more: `middle` is the midpoint of the two, and
+// `chords` are the even candidates about it, in candidate order (only some of them if P has more
+// than 1,000 vertices). There are no chords if the midpoint is not strictly inside the convex hull
+// of P. O(n) at worst, usually much less.
 struct Completions {
   Vec2 middle = Vec2::Zero();
   std::vector<Chord> chords;

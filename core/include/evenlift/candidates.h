@@ -26,7 +26,7 @@ struct Candidate {
   CandidateKind kind = CandidateKind::bisecting;
   bool between_vertices = false;
   std::uint32_t source = 0;  // see TracedCandidates
-  // The vector from r1 to r2; exactly equal for chords from one vertex.
+  // Points from r1 to r2, with any length; equal for chords from one vertex to interiors of edges.
   Vec2 direction = Vec2::Zero();
   double length = 0;  // |r1 r2|
 };
@@ -61,7 +61,7 @@ Candidate opposite_chord(const Polygon& polygon, const Vec2& centre,
 // (1 - x) q0 + x q1.
 struct PairRange {
   std::uint32_t a = 0, b = 0;                 // the edges
-  Vec2 a0 = Vec2::Zero(), a1 = Vec2::Zero();  // ends of the section of a, relative to C
+  Vec2 a0 = Vec2::Zero(), a1 = Vec2::Zero();  // ends of edge a's section, relative to C
   double q0 = 1, q1 = 1;                      // q(0) and q(1), > 0
   double first = 0, last = 1;                 // the range's ends, first <= last
 
@@ -83,8 +83,8 @@ std::optional<PairRange> range_of(const Polygon& polygon, const Vec2& centre, co
 Chord chord_at(const Vec2& centre, const PairRange& range, double x);
 
 // The place whose chord has the direction (1 - s) d0 + s d1, where d0 and d1 are the vectors from
-// end to end of the chords at `first` and `last`. The chord there is the same whichever edge is
-// called a. O(1).
+// end to end of the chords at `first` and `last`. The chord there is the same whichever of the two
+// edges is `a`. O(1).
 double place_at(const PairRange& range, double s);
 
 // The place of the chord whose end on edge a is in this direction from C. If the range has no such
@@ -125,14 +125,14 @@ Result<TracedCandidates> trace_candidates(const Polygon& polygon, const Vec2& ce
 
 // The candidates of robots with a size: chords whose ends are usable lifting points of two robots
 // that do not collide (docs/stands.md). Two facing edges, moved inward by the hand's depth, give
-// the chord with the best load ratio, and each chord both of whose ends are ends of usable
+// first the chord with the best load ratio, then each chord that joins ends of two usable
 // intervals. If the hand has no depth and robots can stand at the edge pair's own candidate, this
 // candidate replaces the first of these chords or, for robots that are points, all of them.
 // Opposite vertices give a candidate only to robots that are points. With positions anywhere in the
 // range, the two edges also give one chord at each of range_places in the longest of the
 // standing_ranges(). `of_source` has the best candidate of each source. A candidate's `source` is
 // no_index if its edges do not face each other before they are moved. Costs as much as
-// find_candidates(), plus O(usable intervals of a times those of b) for each pair.
+// find_candidates(), plus O(s t) for each pair of edges with s and t usable intervals.
 class Stands;
 Result<TracedCandidates> standing_candidates(const Polygon& polygon, const Vec2& centre,
                                              double min_ratio, const Stands& stands,
@@ -142,7 +142,7 @@ Result<TracedCandidates> standing_candidates(const Polygon& polygon, const Vec2&
 // The parts of the range of two edges in which two robots with a size can stand, in order along
 // edge a. The edges are moved inward by the hand's depth, so the ends of a part's chords are
 // lifting points. The places of each part run from 0 to 1. The two robots may still collide there.
-// O(usable intervals of a times those of b).
+// O(s t) if the edges have s and t usable intervals.
 std::vector<PairRange> standing_ranges(const Polygon& polygon, const Vec2& centre, std::uint32_t a,
                                        std::uint32_t b, double min_ratio, const Stands& stands);
 

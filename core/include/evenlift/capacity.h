@@ -41,10 +41,10 @@ std::vector<std::size_t> overloaded_robots(const ShownPlacement& of,
 // The capacity_of() of each robot. O(robots).
 std::vector<std::optional<double>> capacities_of(const ShownPlacement& of);
 
-// The radius_within_capacity() (uncertainty.h) under the other given conditions, such as a slope:
-// the greatest radius such that no load by springs (load_models.h) exceeds the robot's limit while
-// C is within this radius of its assumed place. Nothing if a load may exceed a limit even at radius
-// 0. Costs as much as model_loads().
+// The greatest radius such that no load by springs (load_models.h) exceeds its robot's limit while
+// C is within this radius of its assumed place and the other given conditions, such as a slope,
+// apply. It is computed by radius_within_capacity() (uncertainty.h). Nothing if a load may exceed a
+// limit even at radius 0. Costs as much as model_loads().
 std::optional<double> com_radius_within(const ShownPlacement& of, const ModelLoads& loads,
                                         const std::vector<std::optional<double>>& limits);
 
@@ -57,8 +57,8 @@ std::vector<bool> overloads_after(const ShownPlacement& of,
 
 struct CapacityPlan {
   bool possible = false;     // whether some number of teams suffices
-  std::uint32_t teams = 0;   // if possible, the least such number
-  double greatest_load = 0;  // of a robot, if possible
+  std::uint32_t teams = 0;   // the least such number, if `possible`
+  double greatest_load = 0;  // of a robot, if `possible`
   std::uint32_t tried = 0;   // the greatest number of teams tried. If it is below
                              // most_teams_tried() although no number of teams of two suffices,
                              // there is no place for more, or check_swaps() (swaps.h) refuses more
@@ -73,13 +73,13 @@ struct CapacityPlan {
 // polygon, the holes, the centre of mass, and all settings that affect loads except the number of
 // teams or robots.
 //
-// Without swaps, area, circle, distance and random choose teams one after another. So the first k
-// teams of a selection are a placement of k teams, and a plan costs as much as selecting the needed
-// teams. With equal angles, each number of teams has other places; the plan computes only the loads
-// of each number, up to the first overloaded robot. If teams are swapped, each number of teams also
-// has other places, and needs its own swaps. The least number of balanced robots follows from the
-// weight, the capacity and the failures to survive; the plan does not check whether such a set
-// exists. For given supports no plan is possible.
+// Without swaps, the methods `area`, `circle`, `distance` and `random` choose teams one after
+// another. So the first k teams of a selection are a placement of k teams, and a plan costs as much
+// as selecting the needed teams. With equal angles, each number of teams has its own places; the
+// plan computes only the loads of each number, up to the first overloaded robot. If teams are
+// swapped, each number of teams also has its own places, and needs its own swaps. The least number
+// of balanced robots follows from the weight, the capacity and the failures to survive; the plan
+// does not check whether such a set exists. For given supports no plan is possible.
 CapacityPlan plan_capacity(const Placement& placement, double capacity);
 
 // The number of robots needed if any one robot may fail. While all robots work, no planned load
@@ -88,8 +88,8 @@ CapacityPlan plan_capacity(const Placement& placement, double capacity);
 // loads change suddenly.
 struct FailurePlan {
   bool possible = false;
-  std::uint32_t robots = 0;  // if possible, the least number found
-  double greatest_load = 0;  // of a robot, intact or after any one failure, if possible
+  std::uint32_t robots = 0;  // the least number found, if `possible`
+  double greatest_load = 0;  // of a robot, before or after any one failure, if `possible`
   std::uint32_t tried = 0;   // the greatest number of robots tried
   bool operator==(const FailurePlan&) const = default;
 };

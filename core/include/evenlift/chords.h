@@ -1,6 +1,6 @@
 // How C sees the polygon (section 2 of algorithm.md; thesis 3.3, 4.2). Exact tests decide which
-// edges face each other, and in which order C sees the vertices. Edges are radial, and vertices
-// opposite, within tau L.
+// edges face each other, and in which order C sees the vertices. The tests for radial edges and
+// opposite vertices have a tolerance of tau L.
 #pragma once
 
 #include <cstddef>
@@ -40,9 +40,9 @@ struct Chord {
 inline constexpr std::uint32_t inside_edge = ~std::uint32_t{0};
 
 // Two non-radial edges that face each other across C: for an open range of directions u, the ray
-// from C along u meets a and the ray along -u meets b. Counter-clockwise, the range begins at the
-// vertex `begin_a` on a and at `begin_b` on b, and ends at `end_a` and `end_b`. Each of these
-// values is inside_edge if the range begins or ends in the interior of that edge.
+// from C along u meets `a` and the ray along -u meets `b`. Counter-clockwise, the range begins at
+// the vertices `begin_a` of `a` and `begin_b` of `b`, and ends at `end_a` and `end_b`. Each of
+// these values is inside_edge if the range begins or ends in the interior of its edge.
 struct EdgePair {
   std::uint32_t a = 0, b = 0;
   std::uint32_t begin_a = inside_edge, begin_b = inside_edge;

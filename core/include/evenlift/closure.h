@@ -126,12 +126,12 @@ struct HoldRequirements {
 HoldRequirements hold_requirements(const Polygon& polygon, const Vec2& centre,
                                    const Settings& settings);
 
-// Whether the clearance is at least `clear`, within tau L. Form closure, if there is any, then
-// needs only contacts that far from corners. O(1).
+// Whether the clearance is at least `clear`, within tau L. If it is, and there is form closure, the
+// contacts at least `clear` from corners suffice for it. O(1).
 bool is_clear(const Polygon& polygon, const Clearance& clearance, double clear);
 
-// The form_closure of analyse_closure(), at less cost. More points never end form closure. O(m log
-// m + n log n).
+// The form_closure of analyse_closure(), at less cost. Adding points never ends form closure. O(m
+// log m + n log n).
 bool in_form_closure(const Polygon& polygon, const Vec2& centre,
                      const std::vector<Contact>& contacts);
 bool in_form_closure(const Polygon& polygon, const Vec2& centre,
@@ -142,11 +142,11 @@ bool in_form_closure(const Polygon& polygon, const Vec2& centre,
 bool no_region_has_area(const Polygon& polygon, const Vec2& centre,
                         const std::vector<LiftingPoint>& points);
 
-// Analyses how robots at these points hold the object. The regions are widened by tau L, and a
-// translation is free within tau; otherwise the tests are exact for the edges' directions and the
-// rounded points. Of several contacts on edges of the same direction, only the two outermost count.
-// O(n log n + m log m) for m contacts on edges of e directions, plus at worst O(e^2) for the
-// regions, plus O(log m) calls of wrench_margin() for margin, clearance and tolerance.
+// Analyses how robots at these points hold the object. The regions are widened by tau L, and the
+// test for free translations has a tolerance of tau; otherwise the tests are exact for the edges'
+// directions and the rounded points. Of several contacts on edges of the same direction, only the
+// two outermost count. O(n log n + m log m) for m contacts on edges of e directions, plus at worst
+// O(e^2) for the regions, plus O(log m) analyses like analyse_hold().
 Closure analyse_closure(const Polygon& polygon, const Vec2& centre,
                         const std::vector<LiftingPoint>& points);
 

@@ -33,7 +33,7 @@ inline constexpr std::size_t max_link_bytes = 1u << 20;   // bytes of a link
 inline constexpr std::uint32_t max_teams = 1u << 20;      // teams, if given as a number
 inline constexpr std::uint32_t least_robots = 2;          // balanced robots
 inline constexpr std::uint32_t most_robots = 64;          // balanced robots
-inline constexpr std::uint32_t most_survived = 30;        // F failures need 2 F + 3 or more robots
+inline constexpr std::uint32_t most_survived = 30;        // failures to survive (Settings::survive)
 inline constexpr std::size_t most_no_go = 1000;           // no-go parts of edges
 inline constexpr std::size_t most_supports = 1000;        // supports for Method::given
 inline constexpr std::size_t most_moved_teams = 1000;     // teams moved by hand
@@ -121,8 +121,8 @@ struct Units {
 std::string_view name(LengthUnit unit);  // such as "mm", or "none"
 std::string_view name(WeightUnit unit);  // such as "kg"
 
-// A length in metres. It is rounded only once if the unit is a decimal fraction of a metre. If
-// there is no unit, it is the same number. O(1).
+// A length in metres. It is rounded only once if the unit is a decimal fraction of a metre. Without
+// a unit, the number stays the same. O(1).
 double in_metres(double length, LengthUnit unit);
 
 // What the picture shows in addition to the polygon and its robots.
@@ -139,7 +139,7 @@ struct Overlays {
   bool operator==(const Overlays&) const = default;
 };
 
-// The sizes of a robot, each 0 .. max_length (stands.h). If all are 0, the robot is a point.
+// The sizes of a robot, each 0 .. max_length (stands.h). If all but the gap are 0, it is a point.
 struct RobotSize {
   double radius = 0;  // radius of the round body
   double reach = 0;   // length of the arm, from the body's rim to the contact
@@ -185,10 +185,10 @@ struct Settings {
   double min_margin = 0.05;     // minimum margin of a hold, 0 .. 1
   std::optional<double> apart;  // preferred distance between robots, >= 0; empty means 0.12 R
   // Searches ignore contacts nearer than this to a corner, and after a failure C should be at least
-  // this far inside the lifting base; >= 0; empty means usual_clear R.
+  // this far inside the lifting base; >= 0; empty means usual_clear times R.
   std::optional<double> clear;
   std::uint32_t survive = 0;  // the number of balanced robots whose failure should leave the object
-                              // steady; at least 2 survive + 3 robots are needed
+                              // steady; F failures need at least 2 F + 3 robots
   Positions positions = Positions::best;  // of teams of two; balanced robots may stand anywhere
   RobotSize robot;
   std::vector<EdgePart> no_go;  // no robot may touch these parts; at most most_no_go, in any order

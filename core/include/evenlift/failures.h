@@ -29,24 +29,24 @@ namespace evenlift {
 int failures_carried(const Points& robots, const Vec2& centre, double diameter);
 
 // The number of robots that may fail at once, whichever they are, while the object stays steady and
-// C lies at least `inside` within the hull of the rest. It is found like failures_carried(), but
-// robots do not count if they are within tolerance of the line, or if `inside` exceeds their
-// distance from it by more than the tolerance. The number is at most failures_carried(), and -1 if
-// not even all robots suffice, as with one team of two. O(m log m).
+// C lies at least `inside` within the hull of the rest. It is found like failures_carried(), but a
+// robot counts only if its distance from the line exceeds the tolerance and is, within tolerance,
+// at least `inside`. The number is at most failures_carried(), and -1 if not even all robots
+// suffice, as with one team of two. O(m log m).
 int failures_steady(const Points& robots, const Vec2& centre, double diameter, double inside = 0);
 
 // The state of the object on the remaining robots.
 struct RestOfRobots {
   bool steady = false;
-  bool clear = false;           // steady, and C is at least `inside` inside their hull
-  double tipping_distance = 0;  // see uncertainty.h
-  double coverage = 0;          // see stability.h
-  bool form_closure = false;    // see closure.h; also for `margin`
-  std::optional<double> margin;
+  bool clear = false;            // steady, and C is at least `inside` within their hull
+  double tipping_distance = 0;   // see uncertainty.h
+  double coverage = 0;           // see stability.h
+  bool form_closure = false;     // see closure.h
+  std::optional<double> margin;  // see closure.h
   // The greatest load if the failed robot's team stops carrying and the other teams carry equal
   // parts; empty if there are no other teams.
   std::optional<double> greatest_by_plan;
-  // The greatest loads by the models springs and best (load_models.h).
+  // The greatest loads by the models `springs` and `best` (load_models.h).
   double greatest_by_springs = 0, least_greatest = 0;
   std::vector<double> springs;  // the loads by springs; 0 for the failed robot
   std::vector<double> ends;     // the greatest loads by springs within the disturbance

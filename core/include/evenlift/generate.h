@@ -27,9 +27,9 @@ std::optional<Family> family_from_name(std::string_view name);
 
 // Returns a polygon of n vertices in counter-clockwise order, with coordinates from 0 to 1000. The
 // coordinates have at most three decimals if n is at most 1000, otherwise at most nine. Polygons of
-// the families regular and convex are strictly convex; those of random are not star-shaped if n is
-// at least 6. If n is below 3 (comb and spiral: below 8) or above max_vertices, the error names the
-// option "n". The seed does not affect regular. Expected O(n); for convex, O(n log n).
+// the families `regular` and `convex` are strictly convex; those of `random` are not star-shaped if
+// n is at least 6. If n is below 3 (`comb` and `spiral`: below 8) or above max_vertices, the error
+// names the option "n". The seed does not affect `regular`. Expected O(n); `convex`: O(n log n).
 Result<Points> generate(Family family, std::size_t n, std::uint64_t seed);
 
 }  // namespace evenlift

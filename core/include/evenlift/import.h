@@ -21,8 +21,8 @@ struct ImportOptions {
   // each outline: a thousandth of the larger side of the box around the outline and its control
   // points, rounded down to 1, 2 or 5 times a power of ten.
   std::optional<double> tolerance;
-  // The greatest distance between joined ends. By default it is a thousandth of the larger side of
-  // the box around the drawing.
+  // The greatest gap between two line ends that are joined. By default it is a thousandth of the
+  // larger side of the box around the drawing.
   std::optional<double> join;
   // If true, longitudes and latitudes are converted to metres east and north of the middle of the
   // box around them, whether or not the text says that its coordinates are degrees.
@@ -47,14 +47,14 @@ struct Import {
   std::vector<ImportedShape> shapes;  // one or more; in a drawing sorted by area, largest first
   std::vector<std::string> notes;     // omissions and decisions, as sentences without full stops
   std::string unit;  // in words, such as "millimetres"; empty if the text names none
-  // Whether a person should choose, because the box around some connected open lines is larger than
-  // the box around the largest shape.
+  // Whether a person should confirm even a single shape, because the box around some connected open
+  // lines has a larger area than the box around the largest shape.
   bool doubtful = false;
-  // The lines of a drawing that do not close, in order. A line that would bring the total number of
-  // points above most_open_points is left out. Curves become edges within the default tolerance.
+  // A drawing's lines that do not close, in drawing order. A line that would bring the total number
+  // of points above most_open_points is left out. Curves become edges within the default tolerance.
   std::vector<Points> left_open;
-  bool has_settings = false;  // evenlift wrote the text with settings, and the shape has them
-  bool in_degrees = false;    // the text says that its coordinates are degrees, and they are kept
+  bool has_settings = false;  // the text is evenlift's own and gives the shape's settings
+  bool in_degrees = false;    // the text says that its coordinates are degrees; not converted
 };
 
 // Reads a text. Its content determines the format:
@@ -70,15 +70,15 @@ struct Import {
 //              shape has a fill or a stroke, all are read. Properties come from attributes, styles
 //              and style sheets (selectors of a tag, a class or an id), and from parents. If
 //              evenlift saved the picture, only the share link in its <metadata> is read. Only a
-//              size on paper, as in width="210mm", gives a unit. If a user unit is then 1 mm, cm, m
-//              or in, this is the unit, and nothing is scaled. Otherwise the unit is that of the
-//              size, or mm if the size is in pt, pc or Q, and coordinates are scaled to the unit
-//              about the origin of user units. The size of a user unit follows from viewBox and
-//              preserveAspectRatio; without a viewBox, 96 user units are an inch. A curve that ends
-//              where it began is dropped if none of its control points is farther from that place
-//              than a limit: 1/200 of the larger side of the curve's outline, or a given
-//              `tolerance` if that is greater, but at most 1/10 of this side. All copies together
-//              take at most 64 MiB
+//              size on paper, as in width="210mm", gives a unit. If a user unit is then 1 mm, 1 cm,
+//              1 m or 1 inch, this is the unit, and nothing is scaled. Otherwise the unit is that
+//              of the size, or mm if the size is in pt, pc or Q, and coordinates are scaled to the
+//              unit about the origin of user units. The size of a user unit follows from viewBox
+//              and preserveAspectRatio; without a viewBox, 96 user units are an inch. A curve that
+//              ends where it began is dropped if none of its control points is farther from that
+//              place than a limit. The limit is `tolerance` if given, but at least 1/200 and at
+//              most 1/10 of the larger side of the box around the curve's outline and its control
+//              points. All copies together take at most 64 MiB
 //   DXF        the model space of a DXF file in text form. LWPOLYLINE and POLYLINE (with bulges),
 //              ELLIPSE and SPLINE are outlines if closed; a CIRCLE is always an outline. LINE, ARC
 //              and open curves and polylines are pieces, joined as described below. A SPLINE is a
@@ -87,17 +87,17 @@ struct Import {
 //              other blocks, up to 32 deep; all copies together take at most 128 MiB. A block's
 //              objects on layer 0 count as objects on the layer of the INSERT. Objects that are
 //              invisible, on the layer Defpoints or on a layer that is off or frozen are left out.
-//              $INSUNITS gives the unit, which is also the label of lengths if it is a LengthUnit
+//              $INSUNITS gives the unit. If it is a LengthUnit, lengths are shown in it
 //   columns    lines with x and y. The columns are separated by a tab, semicolon, bar, comma or
 //              space: the first of these that the first line with two numbers contains. Numbers may
-//              have a decimal comma unless commas or spaces separate the columns. Between commas,
-//              numbers in quotes may still have one, provided that in the first 200 lines the comma
-//              of some number in quotes cannot separate thousands. A heading may name the columns,
-//              in upper or lower case and perhaps with a unit: x (mm), X-Coordinate, POINT_X,
-//              Position X, Easting, E, lon, and similar names for y. x and y take precedence over
-//              easting and northing, and these over longitude and latitude. Without such a
-//              heading, x and y are the first two columns with numbers. Columns that number the
-//              lines or shapes, have the same number in every line, or have a heading such as
+//              have a decimal comma unless commas or spaces separate the columns. If commas do, a
+//              number in quotes may have a decimal comma, but only if in the first 200 lines some
+//              number in quotes has a comma that cannot separate thousands. A heading may name the
+//              columns, in upper or lower case and perhaps with a unit: x (mm), X-Coordinate,
+//              POINT_X, Position X, Easting, E, lon, and similar names for y. x and y take
+//              precedence over easting and northing, and these over longitude and latitude. Without
+//              such a heading, x and y are the first two columns with numbers. Columns that number
+//              the lines or shapes, have the same number in every line, or have a heading such as
 //              "Point No." or "Elevation" are passed over as long as two others remain. If there
 //              are more than two columns with numbers, a note says which were taken. Lines that
 //              begin with # are comments, but one before the first row may be the heading. At most
@@ -132,15 +132,15 @@ struct Import {
 //
 // A vertex that equals the preceding one is dropped, with a note unless the text is a drawing. The
 // last vertex of a ring is dropped if it equals the first or, in a drawing, if their distance is at
-// most 1/100000 of the shape's larger side. The thesis's format and links keep all these vertices,
-// and results keep all but a last vertex that equals the first.
+// most 1/100000 of the shape's larger side. No vertex is dropped from the thesis's format and
+// links, and from results only a last vertex that equals the first.
 //
 // If the text says that its coordinates are degrees (GeoJSON without another reference system,
 // columns of longitude and latitude, reference systems of EWKT and Esri JSON), they stay as they
 // are, with a note. With `project`, a note gives the origin, with at most four decimals, and the
-// greatest error of a width, if that is at least 0.1 %. It is an error to convert coordinates that
-// cannot be degrees, reach beyond latitude 85 or span the 180th meridian, or those of a result or a
-// link.
+// greatest relative error of a width, if that is at least 0.1 %. It is an error to convert the
+// coordinates of a result or a link, and coordinates that cannot be degrees, reach beyond latitude
+// 85 or span the 180th meridian.
 //
 // Meshes, STEP, IGES, G-code and other known kinds of files are refused; the error names the kind.
 // The geometry is not checked here, but by object_of() (polygon_with_holes.h). On every platform,
@@ -154,11 +154,11 @@ Result<Import> read_shapes(std::string_view text, const ImportOptions& options =
 // otherwise it is empty.
 struct SupportFile {
   Points places;
-  // Where the robots touch the boundary. From JSON there is one contact for each place; it is the
-  // place itself if the text gives no contact. Otherwise the list is empty.
+  // Where the robots touch the boundary. If the text is JSON, there is one contact for each place:
+  // the place itself if the text gives no contact. For other texts, the list is empty.
   Points contacts;
   std::vector<std::optional<double>> capacities;
-  LengthUnit unit = LengthUnit::none;  // from a table's headings; metres for YAML (ROS 2)
+  LengthUnit unit = LengthUnit::none;  // as a table or JSON states it; metres for YAML (ROS 2)
 };
 
 // Reads the places of robots. The text is a table whose first line names the columns x, y and
@@ -171,7 +171,7 @@ Result<SupportFile> read_support_file(std::string_view text);
 // O(vertices).
 std::string leave_out_holes(std::vector<ImportedShape>& shapes);
 
-// Describes a shape, as in `"base plate", rectangle, 4 vertices, 2 holes, 120 x 80`. O(n).
+// Describes a shape, for example `"base plate", rectangle, 4 vertices, 2 holes, 120 x 80`. O(n).
 std::string describe(const ImportedShape& shape);
 
 }  // namespace evenlift

@@ -122,7 +122,7 @@ struct Lesson {
   std::vector<GivenSetting> settings;         // each at most once; read_setting() reads the texts
   bool predict = false;
   std::optional<LoadModel> loads;     // the model of the shown loads
-  std::optional<std::size_t> failed;  // from 0; this robot fails while no step is shown
+  std::optional<std::size_t> failed;  // the failed robot, from 0; the steps do not show its failure
   std::vector<LessonStep> steps;      // at least one, unless there is a task
   std::optional<Task> task;
   std::string question, answer;  // formatted like the words of a step; both empty or neither

@@ -11,8 +11,8 @@
 namespace evenlift {
 
 // Returns the link of a document, without the `#`. The link holds every coordinate bit for bit. It
-// omits settings that have their defaults, and settings that only version 2 has if the method does
-// not use them. It is of version 1 if that version can hold the document. It is an error if there
+// omits settings that have their default values, and those settings of version 2 that the method
+// does not use. It is of version 1 if that version can hold the document. It is an error if there
 // are more than max_link_vertices vertices or max_holes holes, a hole has no vertices, a number is
 // not finite, a coordinate exceeds max_coordinate in size, a setting is out of range, the moved
 // robots are not as Moved (document.h) requires, or the link would exceed max_link_bytes. There is
@@ -28,8 +28,8 @@ Result<std::string> encode_link(const Document& document);
 // polygons with more than max_link_vertices vertices are refused. O(bytes).
 Result<Document> decode_link(std::string_view text);
 
-// Returns whether a text looks like a share link rather than a polygon or a path. It does if it
-// consists of digits, a dot and only characters of links, optionally after an address and a `#`.
+// Returns whether a text looks like a share link rather than a polygon or a path: digits and a full
+// stop, followed only by characters that links may contain. An address and a `#` may come before.
 // Percent-escaped characters also count, so that decode_link() can report the escaping. A path such
 // as "1.txt" also looks like a link. O(bytes).
 bool looks_like_link(std::string_view text);

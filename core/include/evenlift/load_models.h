@@ -61,11 +61,11 @@ struct SpringLoads {
 std::optional<SpringLoads> spring_loads(const Points& robots, const Vec2& centre, double diameter,
                                         double weight);
 
-// Returns the least possible greatest load. It is the larger of two numbers: weight / m, and the
-// greatest value of weight g(C) / (sum over robots of max(0, g)), over the functions g that measure
-// the distance to the left of a line through two robots. Up to 64 robots take O(m^3). For more
-// robots, the method of cutting planes through the centroid of the remaining region (A. Yu. Levin
-// and D. J. Newman, both 1965) finds the load to 13 digits in about a hundred steps of O(m).
+// Returns the least possible greatest load. For two robots in either order, let g be the distance
+// from their line, positive on its left. The load is the larger of two numbers: weight / m, and the
+// greatest value over all pairs of weight g(C) / (sum over robots of max(0, g)). Up to 64 robots
+// take O(m^3). For more robots, cutting planes through the centroid of the remaining region (A. Yu.
+// Levin and D. J. Newman, both 1965) find the load to 13 digits in about a hundred steps of O(m).
 std::optional<double> best_load(const Points& robots, const Vec2& centre, double diameter,
                                 double weight);
 

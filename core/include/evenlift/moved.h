@@ -12,8 +12,8 @@
 
 namespace evenlift {
 
-// Returns whether teams can be moved. The method must choose among candidates, the setting for
-// positions must allow places anywhere in a range, and the search must have ended. O(1).
+// Returns whether teams can be moved. The method must choose among candidates, the setting
+// `positions` must allow places anywhere in a range, and `search_ended` must be true. O(1).
 bool can_move_teams(const Placement& placement);
 
 // Returns the new positions if this balanced robot moves to a point of the outline and its two
@@ -34,7 +34,7 @@ std::optional<Moved> moved_along_range(const Placement& placement, std::size_t r
 
 // Returns the placement with these robots moved; `moved` must list at least one. If teams move,
 // team_candidates becomes empty, since the method did not choose these teams. It is an error if
-// there are not as many balanced robots as requested, a team or an edge does not exist, teams
+// the number of balanced robots is not the requested one, a team or an edge does not exist, teams
 // cannot be moved, C is not the centroid of the balanced robots, the given end of a team is outside
 // the team's range, or robots with a size do not fit or collide. O(n log n).
 Result<Placement> with_moved(Placement placement, const Moved& moved);

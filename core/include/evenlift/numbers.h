@@ -21,8 +21,8 @@ std::string shortest(double value);
 // and for a number that overflows. O(bytes).
 std::optional<double> read_number(std::string_view text);
 
-// Reads a whole number of at most 2^64 - 1, in digits only; returns nothing for any other text.
-// O(bytes).
+// Returns the value of a text that is a whole number of at most 2^64 - 1, in digits only. Returns
+// nothing otherwise. O(bytes).
 std::optional<std::uint64_t> read_whole(std::string_view text);
 
 }  // namespace evenlift

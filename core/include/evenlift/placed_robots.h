@@ -98,13 +98,13 @@ std::optional<Tilt> tilt_of(const ShownPlacement& of);
 bool tips_when_disturbed(const ShownPlacement& of);
 
 // The circles about C that a picture shows, each for one slope. Under the assumptions of tilt.h,
-// the object can tip if the ground falls with that slope in some direction, and the circle's point
-// in that direction lies outside the lifting base. The circles are sorted from small to large.
+// the object can tip on ground of that slope if the circle's point in the direction in which the
+// ground falls lies outside the lifting base. The circles are sorted from small to large.
 // Circles around the whole lifting base are left out, and so are circles too close to others to be
 // seen apart at `scale` pixels to a unit of length. A circle whose label would cover C has no
 // label. There are no circles if the height of C is 0, H has no area, or the object falls. O(h).
 struct TiltCircle {
-  double degrees = 0, radius = 0;  // radius in units of length, with the C uncertainty
+  double degrees = 0, radius = 0;  // the radius, in units of length, includes the C uncertainty
   bool is_labelled = true;
 };
 std::vector<TiltCircle> tilt_circles(const ShownPlacement& of, double scale);

@@ -47,9 +47,9 @@ struct Placement {
   bool search_ended = true;
 };
 
-// With `whole`, the search for balanced robots runs to its end; with `start`, it only makes its
-// start (balanced.h). If even the start would not be quick, `start` gives no teams, and
-// search_ended is false. Other methods always run to their end.
+// With `whole`, the search for balanced robots runs to its end. With `start`, only the set with
+// which the search begins is computed (start_balanced() of balanced.h); if even this would not be
+// quick, there are no teams, and search_ended is false. Other methods always run to their end.
 enum class Effort : std::uint8_t { whole, start };
 
 // Checks that settings are in their ranges (settings.h) and compatible. The methods `distributed`

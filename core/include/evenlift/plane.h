@@ -35,9 +35,9 @@ inline double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& p) {
   return length(p - nearest_on_segment(a, b, p));
 }
 
-// Clips a closed polygon to the half-plane where `depth`, a linear function of the plane, is at
+// Clips a closed polygon to the half-plane where `depth`, a linear function of a point, is at
 // least 0: one step of Sutherland and Hodgman's clipping (Reentrant polygon clipping, 1974). If the
-// polygon is not convex, overlapping edges along the half-plane's edge may connect parts of the
+// polygon is not convex, overlapping edges along the half-plane's line may connect parts of the
 // result. `kept` receives the result, and keeps its memory between calls. O(n).
 template <class Depth>
 void clip(const Points& polygon, Depth depth, Points& kept) {

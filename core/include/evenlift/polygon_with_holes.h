@@ -43,8 +43,8 @@ class PolygonWithHoles {
   // signed area of the object, also after clipping.
   const Points& boundary() const { return holes_.empty() ? outline_.vertices() : boundary_; }
 
-  // The number, from 0, of the hole that contains the point strictly inside it; empty if there is
-  // no such hole. Exact. O(n).
+  // The number, from 0, of the hole that the point is strictly inside; empty if there is no such
+  // hole. Exact. O(n).
   std::optional<std::size_t> hole_around(const Vec2& point) const;
 
   // The vertices of each hole, as given.

@@ -1,4 +1,4 @@
-// Robust predicates: determinants of input coordinates with an exact sign. They are adaptive (J. R.
+// Robust predicates: determinants of input coordinates, with exact signs. They are adaptive (J. R.
 // Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates,
 // 1997; algorithm.md, Exact or within τ). Doubles with an error bound nearly always decide the
 // sign; otherwise double-double arithmetic decides it or, as a last resort, exact integers.
@@ -21,7 +21,7 @@ double cross_of_differences(const Vec2& a0, const Vec2& a1, const Vec2& b0, cons
 double dot_of_differences(const Vec2& a0, const Vec2& a1, const Vec2& b0, const Vec2& b1);
 
 // (b - w') x (c - b) for the mirror image w' = 2 centre - w of w: positive if w', b, c turn left,
-// and 0 if w' lies on the line b c.
+// and 0 if w' lies on the line through b and c.
 double orient_mirrored(const Vec2& centre, const Vec2& w, const Vec2& b, const Vec2& c);
 
 }  // namespace evenlift

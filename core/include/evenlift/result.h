@@ -15,7 +15,7 @@ enum class ErrorCode {
   bad_coordinate,     // not finite, beyond max_coordinate, or below min_coordinate and not 0
   repeated_vertex,
   no_area,              // all vertices on one line
-  edges_cross,          // they cross, touch or overlap; also those of two rings
+  edges_cross,          // edges of one ring or of two rings cross, touch or overlap
   hole_outside,         // outside the polygon, or in another hole
   object_too_small,     // diagonal of the bounding box below min_diagonal
   centre_outside_hull,  // not strictly inside the convex hull of P
@@ -32,7 +32,7 @@ enum class ErrorCode {
 // A place in the input. For a vertex or an edge, `index` is its number, from 0 (edge i runs from
 // vertex i to vertex i + 1). If only one is at fault, `other` is `index` or 0. If two are at fault,
 // `other` is the number of the second; if both are in one ring, index < other. For a line, `index`
-// is its number and `other` the column in characters, both from 1; a column of 0 is unknown. For a
+// is its number and `other` the column in characters, both from 1; an unknown column is 0. For a
 // link, `index` is the character, from 1, or 0 for the whole link. `ring` and `other_ring` are the
 // rings of `index` and `other`: 0 is the outline, and k is hole k, counted from 1. If the two rings
 // differ, the later ring comes first, whatever the indices. For a hole, `ring` is its number.
@@ -47,7 +47,7 @@ struct Place {
 
 struct InputError {
   ErrorCode code;
-  std::string message;  // one sentence, without place and full stop
+  std::string message;  // one sentence, without the place and without a full stop
   Place place;
 };
 

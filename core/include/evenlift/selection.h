@@ -14,7 +14,7 @@ namespace evenlift {
 
 // `even`: the first team takes the longest even candidate or, if none is even, the one with the
 // largest ratio. `longest`: the first team takes the longest of all candidates; this is the rule
-// for positions at which candidates need only meet the minimum ratio.
+// for positions anywhere in the range.
 enum class FirstTeam : std::uint8_t { even, longest };
 
 // The rule for the first team with these positions. O(1).
@@ -34,9 +34,9 @@ enum class Rule : std::uint8_t {
 // them, or fewer if no candidates are left. Geometry decides every tie, so the same shape gets the
 // same teams. With `stands`, candidates that collide with an earlier team are skipped. The
 // evaluation is lazy (M. Minoux, Accelerated greedy algorithms for maximizing submodular set
-// functions, 1978). A team that widens H costs O(K), and O(n) more for each end whose upper bound
-// could win after the edge of H in front of it has changed. Once no candidate widens H, all further
-// teams together cost O(K log K).
+// functions, 1978). A team that widens H costs O(n + K), plus O(n) for each end that it evaluates.
+// An end is evaluated if its upper bound could win and the edge of H in front of it is new. Once no
+// candidate widens H, all further teams together cost O(K log K).
 std::vector<std::uint32_t> select_teams(const PolygonWithHoles& object, const Vec2& centre,
                                         const std::vector<Candidate>& candidates, Metric metric,
                                         std::size_t teams, FirstTeam first = FirstTeam::even,

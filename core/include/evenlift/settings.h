@@ -82,9 +82,9 @@ bool counts(CountsFor placements, const Settings& settings);
 // `trace` and `optimum` accept only `placement`.
 enum class OptionGroup : std::uint8_t { none, placement, uncertainty, units };
 
-// When JSON lists a setting in a document or a result.
+// When this table puts a setting into the JSON of a document or a result.
 enum class Listed : std::uint8_t {
-  never,       // but a result that depends on it may contain it
+  never,       // other code may still put it there, such as `com`
   if_changed,  // if it is not the default
   always
 };
@@ -110,7 +110,7 @@ struct SettingRow {
     std::string_view value = {}, help = {};
   };
   Option option = {};          // the program's option; its name is also a key in lessons
-  std::uint8_t record = 0;     // the number of its record in share links; 0 without one
+  std::uint8_t record = 0;     // the number of its record (docs/link-format.md); 0 if it has none
   std::string_view json = {};  // the name of its JSON member, if that is not `name`
   Listed in_document = Listed::never, in_result = Listed::never;
   bool is_length = false;  // in the document's unit of length
@@ -124,7 +124,7 @@ struct SettingRow {
     std::string (*text)(const Document& document, const SettingRange& range);
     bool (*allowed)(const Document& document, const SettingRange& range);
     std::string (*kind)(const SettingRange& range);
-    bool is_number = false;  // whether the value is a number, or unset; otherwise it is text
+    bool is_number = false;  // whether the value is a number (or unset) rather than text
     // Returns the first wrong part of a list; empty if that part is too long to quote.
     std::string_view (*refused)(std::string_view text) = nullptr;
   };
@@ -200,7 +200,7 @@ std::optional<std::uint64_t> read_failed(std::string_view text);
 
 // Checks that each setting is in its range. The error's place names the setting. check_settings()
 // (placement.h) also checks that the settings are compatible.
-// O(parts of no_go, supports and items of cargo).
+// O(no-go parts + supports + items of cargo).
 std::optional<InputError> check_ranges(const Settings& settings, const Shown& shown = {});
 
 // Whether the value is in the range of a setting that is a single number. O(1).

@@ -40,8 +40,8 @@ class CoverageWithin {
 
 // The least downward force at q that tips an object of this weight, if robots lift it at the
 // corners of `hull`, push back and are not overloaded. The force is infinite if q is in H. With two
-// corners, as for a single team, it is 0 if q is off their line, and weight |C r| / |q r| if q is
-// on the line beyond the end r. With one corner it is 0 everywhere. O(h).
+// corners, as for a single team, it is 0 if q is off their line. If q is on the line beyond
+// the end r, it is `weight` times |C r| / |q r|. With one corner it is 0 everywhere. O(h).
 double tipping_force(const Points& hull, const Vec2& centre, double weight, const Vec2& q);
 
 }  // namespace evenlift

@@ -27,7 +27,7 @@ enum class WhyUnusable : std::uint8_t {
   hand,        // the object is too shallow or narrow for the hand
   hole,        // the hand would reach into a hole
   near_no_go,  // the hand would reach sideways onto a no-go part
-  narrow,      // what other reasons leave usable is shorter than tau L; keep this last
+  narrow,      // the rest after all other reasons is shorter than tau L; keep this last
 };
 
 inline constexpr std::size_t why_unusable_count = static_cast<std::size_t>(WhyUnusable::narrow) + 1;
@@ -53,15 +53,15 @@ struct EdgeFrame {
 };
 
 // The boundary that robots of one size can use: where the body, the arm and the hand have room, and
-// the hand's width touches no no-go part. docs/stands.md (Where an edge can be used) states the
+// the hand's width avoids all no-go parts. docs/stands.md (Where an edge can be used) states the
 // conditions. If a robot has a body (has_body()), every usable interval ends 2 tau L before a
 // vertex, so that a contact counts as inside the edge. A robot without a body may stand at a
 // vertex, unless a no-go part reaches the vertex; then intervals also end 2 tau L before it.
 class Stands {
  public:
   // The size and the parts must be in their ranges, and the edges of the parts must exist. A tree
-  // of boxes finds the other edges near each edge. O(n log n + k log k), if the outline does not
-  // wind much, for k pairs of edges so close that one may obstruct a robot at the other.
+  // of boxes finds the other edges near each edge. O(n log n + k log k) if the outline does
+  // not wind much; k counts the pairs of edges of which one may obstruct a robot at the other.
   Stands(const PolygonWithHoles& object, const RobotSize& robot,
          const std::vector<EdgePart>& no_go);
 
@@ -117,7 +117,7 @@ class Stands {
   double near_ = 0;
   std::vector<EdgeFrame> frames_;
   std::vector<Stretch> usable_;
-  std::vector<std::uint32_t> begins_;  // of each edge, into usable_; one more entry than edges
+  std::vector<std::uint32_t> begins_;  // where each edge begins in usable_, and usable_.size()
   std::vector<UnusablePart> unusable_;
 };
 

@@ -38,9 +38,9 @@ class SupportPlacer {
   // The object must outlive the placer. O(1).
   SupportPlacer(const PolygonWithHoles& object, const Settings& settings);
 
-  // The contact of a support at the edge or, for a support farther inside, its own place with the
-  // edge `beneath` (chords.h). Empty if the support is farther than the snap distance from the
-  // outline and, by an exact test, outside the outline or in a hole. O(n).
+  // The contact of a support at the edge. For a support farther inside, its own place, with `edge`
+  // set to the constant `beneath` (chords.h). Empty if the support is farther than the snap
+  // distance from the outline and, by an exact test, outside the outline or in a hole. O(n).
   std::optional<LiftingPoint> place(const Vec2& support) const;
 
   // The distance of a point from the outline. O(n).
@@ -57,19 +57,19 @@ class SupportPlacer {
 Result<std::vector<LiftingPoint>> place_supports(const PolygonWithHoles& object,
                                                  const Settings& settings);
 
-// Places beneath the object for robots that the user is about to move. Like the legs of a table,
-// the places are on the sides of a small square that contains the centre of mass; their coordinates
-// have few digits. The middle of the square is offset from the centre of mass towards the farthest
-// vertex. If the square would have to be so small there that robots hide each other, its middle may
-// lie on another side of the centre of mass. If no square fits, all places are at the first vertex.
+// Places beneath the object for robots that the user is about to move. They are on the sides of a
+// small square that contains the centre of mass, and their coordinates have few digits. The middle
+// of the square is offset from the centre of mass towards the farthest vertex. If a square offset
+// in this direction would have to be so small that its robots hide each other, its middle may be
+// elsewhere near the centre of mass. If no square fits, all places are at the first vertex.
 // `robots` is 1 .. most_supports. The settings give the snap distance. O(n robots).
 Points supports_to_place(const PolygonWithHoles& object, const Vec2& centre, std::size_t robots,
                          const Settings& settings);
 
 // The place on the outline where one more robot adds most to the area of the lifting base. The
 // place is a vertex, the first if several add equally. If no vertex adds more than tau times the
-// polygon's area, the place is the middle of an edge: the middle that is farthest from the robot
-// nearest to it. O(n m log m) for m robots.
+// polygon's area, the place is the middle of an edge: the middle whose nearest robot is farthest
+// away. O(n m log m) for m robots.
 Vec2 widest_addition(const Polygon& polygon, const Points& robots);
 
 // A support at which a robot of the given size does not fit or is too near to another robot.
@@ -84,7 +84,7 @@ struct Misfit {
   };
   std::uint32_t robot = 0;
   Why why = Why::outside;
-  std::uint32_t other = 0;  // for too_near: the other robot, of smaller number
+  std::uint32_t other = 0;  // for too_near: the other robot, which has the lower number
   bool operator==(const Misfit&) const = default;
 };
 

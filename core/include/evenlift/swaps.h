@@ -53,8 +53,8 @@ enum class HoldKey : std::uint8_t { level, coverage, ratios };
 // the same number of teams; empty if it is not better. O(1).
 std::optional<HoldKey> better_by(const HoldKeys& a, const HoldKeys& b);
 
-// The keys of the teams on the candidates `taken`, at most most_swapped_teams. With `stands`, the
-// contacts of the robots (stands.h), not their lifting points, hold the object.
+// The keys of the teams on the candidates `taken`. There must be no more than most_swapped_teams.
+// With `stands`, the contacts of the robots (stands.h), not their lifting points, hold the object.
 // O(n log n + K log n), and O(n) for each corner of H at worst.
 HoldKeys hold_keys(const PolygonWithHoles& object, const Vec2& centre,
                    const std::vector<Candidate>& candidates,

@@ -46,13 +46,13 @@ inline constexpr double found_within = 0.01;
 struct Goalpost {
   std::string name;  // the condition as written, such as "max<=30"; for a load, "load 2"
   std::string words, value;
-  bool kept = false;
+  bool kept = false;  // whether the goal is met
 };
 
 struct Attempt {
   std::vector<Goalpost> goals;       // the robots' loads, if C is to be found; then the conditions
   std::vector<std::string> changed;  // what the learner must not change, but did: "the weight"
-  bool kept = false;                 // all goals are kept, and `changed` is empty
+  bool kept = false;                 // all goals are met, and `changed` is empty
 };
 
 // Compares a document and its placement with the exercise. Overlays, units, the step, and settings

@@ -19,14 +19,14 @@ bool lengths_tie(double a, double b);
 
 // The greatest amount by which a score may be below the best and still tie: tau times the best, but
 // at least `floor`, since differences of sums lose digits. The floor is score_floor times L^2 or,
-// for the metric distance, score_floor times L. If the shortest edge of H has a length e below
-// short_edge L, the floor for distance is multiplied by short_edge L / e.
+// for the metric `distance`, score_floor times L. If the shortest edge of H has a length
+// e < short_edge * L, the floor for `distance` is multiplied by short_edge * L / e.
 double score_slack(double best, double floor);
 inline constexpr double score_floor = 1e-12;
 inline constexpr double short_edge = 1e-3;
 
-// The coverages of two sets of robots tie if they differ by at most coverage_tie. Their sums of
-// squared distances from C tie if they differ by at most spread_tie times the larger sum.
+// The coverages of two sets of robots tie if they differ by at most coverage_tie. The sums of the
+// robots' squared distances from C tie if they differ by at most spread_tie times the larger sum.
 inline constexpr double coverage_tie = 1e-9;
 inline constexpr double spread_tie = 1e-9;
 

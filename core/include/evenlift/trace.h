@@ -223,11 +223,11 @@ struct Trace {
 bool centre_is_outside(const Trace& trace);
 
 // The trace of a placement from place(). It is an error if the trace has more than max_trace_steps
-// steps, or if a whole search for balanced robots is not quick to finish. HistoryLength::start
-// traces only the start of such a search, and only if the start is quick, so that the trace can be
-// made again and again during a drag. For balanced robots, the cost is that of their search.
-// Otherwise it is O(n log n + K log K) for K edge pairs and opposite vertices, plus the cost of
-// selection and swaps if teams are swapped or were moved.
+// steps or, with HistoryLength::whole, if the search for balanced robots is not quick to finish.
+// HistoryLength::start traces only the start of this search, and only if the start is quick, so
+// that the trace can be made again and again during a drag. For balanced robots, the cost is that
+// of their search. Otherwise it is O(n log n + K log K) for K edge pairs and opposite vertices,
+// plus that of selection and swaps for the goal `hold`, or of place() if teams were moved by hand.
 Result<Trace> make_trace(const Placement& placement, HistoryLength length = HistoryLength::whole,
                          const Units& units = {});
 
@@ -291,17 +291,17 @@ struct PairDetail {
   // ends[i] connects a[i] and b[i].
   std::array<Vec2, 2> a{Vec2::Zero(), Vec2::Zero()}, b{Vec2::Zero(), Vec2::Zero()};
   std::array<Chord, 2> ends;
-  // `reflected` is edge b reflected through C. The line of `reflected` meets the line of a at
-  // `meeting`, an end of the chord that C bisects, perhaps far outside the section. `meeting` is
-  // empty if the edges are parallel.
+  // `reflected` is edge b reflected through C. Its line meets the line of edge a at `meeting`. This
+  // is one end of the chord that C bisects; it may be far outside the section. `meeting` is empty
+  // if the edges are parallel.
   std::array<Vec2, 2> reflected{Vec2::Zero(), Vec2::Zero()};
   std::optional<Vec2> meeting;
   std::uint32_t nearer = 0;  // the end with the larger ratio: 0 or 1
   Chord chosen;              // the candidate's chord or, without one, the pair's best chord
   std::optional<std::uint32_t> candidate;  // index of placement.candidates
   bool stands = false;  // whether the candidate's chord is this pair's, not a duplicate's
-  // Set for robots with a size, or no-go edges. Robots can stand on `chosen` unless this is
-  // `nowhere`.
+  // Set for robots with a size, or no-go edges. Robots can stand on `chosen` unless `standing` is
+  // `nowhere`; if it is `elsewhere`, `chosen` is the other chord.
   std::optional<Standing> standing;
 };
 // The detail of trace.pairs[index]. O(1).
@@ -406,7 +406,7 @@ inline constexpr std::uint64_t exact_score_budget = 1u << 22;
 struct BalancedDetail {
   std::vector<LiftingPoint> robots;
   std::vector<std::uint32_t> numbers;  // of the robots, from 0; in the step `pairs`, of their teams
-  // In the steps rest, mirror, completion, start and `exchange`: how the set is completed.
+  // In the steps `rest`, `mirror`, `completion`, `start` and `exchange`: how the set is completed.
   std::vector<LiftingPoint> rest;     // the robots that stay, and the one at a trial point
   std::optional<LiftingPoint> stand;  // the robot that came to a trial point
   Vec2 middle = Vec2::Zero();         // of the two other robots
@@ -423,7 +423,7 @@ struct BalancedDetail {
   // In the chapter `failures`, for each robot: the rest of the robots if this robot fails; empty if
   // the object then falls.
   std::vector<std::optional<RestOfRobots>> rest_of;
-  // In the step failure: the robot that fails, and the loads of the others if all are equally
+  // In the step `failure`: the robot that fails, and the loads of the others if all are equally
   // stiff. `robots` then holds only the others.
   std::optional<std::uint32_t> failed;
   std::vector<double> loads;
@@ -439,10 +439,10 @@ struct StepDetail {
   std::optional<SwapDetail> swap;          // swap
   std::optional<StandsDetail> stands;      // stands
   std::optional<TeamScores> scores;        // scores, team, if by_candidates()
-  // In the steps scores, team and base: H without and with the team. In the step swap: H before and
-  // after the swap. With balanced robots, from the step completion on: `base` is H of the step's
-  // robots, and `base_before` is H of the robots that stayed (in the step start), of the preceding
-  // set (`exchange`) or of the search's result (failure, pairs).
+  // In the steps `scores`, `team` and `base`: H without and with the team. In the step `swap`: H
+  // before and after the swap. With balanced robots, `base` is H of the step's robots, from the
+  // step `completion` on. `base_before` is then H of the robots that stayed (in the step `start`),
+  // of the preceding set (`exchange`) or of the search's result (`failure`, `pairs`).
   Points base_before, base;
   std::optional<BalancedDetail> balanced;  // from the first set of balanced robots on
   FreeRegion clockwise, counterclockwise;  // contacts, cut: the free regions left
@@ -549,8 +549,8 @@ enum class QuestionKind : std::uint8_t {
   winning_chord,  // scores: which candidate wins? an index of placement.candidates
   even_chord,     // completion, `exchange`: which chord do two robots take? an index of
                   // balanced->chords
-  // A swap of one team asks one of these two questions. If there are several teams, swaps 0, 2, 4
-  // ... ask the first; all other swaps ask the second.
+  // For a swap of one team, the question is one of the next two: the first for the swaps 0, 2, 4
+  // ... of several teams, the second for all others.
   leaving_team,      // which team moves? its number from 0
   coming_candidate,  // to which candidate? an index of placement.candidates
 };

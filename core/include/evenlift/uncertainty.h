@@ -56,9 +56,9 @@ struct LoadChanges {
 
 // The changes that a disturbance may make. `springs` must be the loads of the same robots. Errors
 // of the heights change the load of robot i by at most W/m * uneven * sum over j of |P_ij|. Here P
-// = I - A (A'A)^-1 A', and A has a row [1, x_j, y_j] for each robot j that carries load. P removes
-// from the errors the part that a plane fits. P is 0 if only three robots, not on one line, carry
-// load. O(m log m + m h) for h corners of H, and O(m^2) more if heights are off.
+// = I - A (A'A)^-1 A', and A has a row [1, x_j, y_j] for each robot j that carries load. P
+// subtracts from the errors the plane that fits them best. P is 0 if only three robots, not on one
+// line, carry load. O(m log m + m h) for h corners of H, and O(m^2) more if heights are off.
 LoadChanges load_changes(const Points& robots, const Vec2& centre, double diameter, double weight,
                          const SpringLoads& springs, const Disturbance& disturbance);
 
@@ -68,17 +68,19 @@ LoadChanges load_changes(const Points& robots, const Vec2& centre, double diamet
 bool may_let_go(const std::vector<double>& loads, const LoadChanges& changes);
 
 // The ranges of the loads of robots that give way like springs. Without the disturbance, the robots
-// must be in equilibrium with `loads`. Each range is kept * load - by .. load + by, but never below
-// 0. If may_let_go() is true, every greatest load is that of `at_worst` instead. The least loads
-// presume that the same robots keep carrying. O(m).
+// must be in equilibrium with `loads`. A range extends from `kept` * load - `by`, or from 0 if this
+// is negative, to load + `by`. If may_let_go() is true, every greatest load is that of `at_worst`
+// instead. The least loads presume that the same robots keep carrying. O(m).
 std::vector<LoadRange> load_ranges(const std::vector<double>& loads, const LoadChanges& changes);
 
 // The greatest radius around the assumed place of C within which the bounds on loads by springs
 // exceed no robot's capacity. A robot without a capacity has no limit. The bounds are valid only
 // while the same robots carry load, so the radius is at most springs.same_within minus `reach`. It
-// is also at most the tipping distance minus `reach`, but never below 0. `besides` and `reach` are
-// the changes of load and the distance of the weight from C that have other causes than the error
-// of C. Returns nothing if a robot may be overloaded even with C at its assumed place. O(m).
+// is also at most the tipping distance minus `reach`, but never below 0. Causes other than the
+// error of C change the loads by `besides`, and move the weight by up to `reach` from C. If they may
+// change which robots carry load (may_let_go()), the radius is 0, and `besides.at_worst` bounds the
+// loads. Returns nothing if a robot may be overloaded, by more than tau times its capacity, even
+// with C at its assumed place. O(m).
 std::optional<double> radius_within_capacity(const SpringLoads& springs, double tipping_distance,
                                              const std::vector<std::optional<double>>& capacities,
                                              const LoadChanges& besides = {}, double reach = 0);

@@ -11,7 +11,7 @@ namespace evenlift {
 using Vec2 = Eigen::Vector2d;
 using Points = std::vector<Vec2>;
 
-// a.x b.y - a.y b.x, which is positive if b points to the left of a. The result is rounded; for
+// a.x b.y - a.y b.x, which is positive if `b` points to the left of `a`. The result is rounded; for
 // exact decisions about input coordinates use predicates.h. O(1).
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -24,7 +24,7 @@ inline double length(const Vec2& a) { return std::sqrt(a.x() * a.x() + a.y() * a
 // |a.x| + |a.y|, which is never below the length. O(1).
 inline double one_norm(const Vec2& a) { return std::fabs(a.x()) + std::fabs(a.y()); }
 
-// The vector a turned by +90 degrees. O(1).
+// The vector `a`, turned by +90 degrees. O(1).
 inline Vec2 left_normal(const Vec2& a) { return {-a.y(), a.x()}; }
 
 // An axis-aligned rectangle, given by its lower left and its upper right corner.

@@ -50,7 +50,7 @@ class Value {
 // O(bytes of pattern and values).
 std::string say(std::string_view english, std::initializer_list<Value> values = {});
 
-// Returns the same as say(), but the values are `number` texts, which are not translated.
+// Works like say(), but the values are an array of `number` texts, which are not translated.
 std::string say_written(std::string_view english, const std::string* values, std::size_t number);
 
 }  // namespace evenlift

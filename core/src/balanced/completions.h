@@ -1,4 +1,4 @@
-// Sets in which two or three more robots complete given ones, so that the centroid of all is C.
+// Completes given robots by two or three more, so that the centroid of all is C.
 #pragma once
 
 #include <cstddef>

@@ -67,7 +67,8 @@ void follow(const BalancedProblem& problem, BalancedHistory& history) {
     if (step.swap && !restarts) history.moves.push_back(move_of(rules, step, before, round));
     if (restarts) note_start(*balanced::second_start(rules, last_before(step, before)), history);
   }
-  history.settled = history.moves.empty() || history.moves.back().round + 1 < history.rounds;
+  history.settled = !search.cut_short &&
+                    (history.moves.empty() || history.moves.back().round + 1 < history.rounds);
 }
 
 }  // namespace

@@ -27,9 +27,9 @@ class Outline {
   double place(const LiftingPoint& point) const;
 
   // The trial points, in order. If robots have a size or there are no-go parts, `room` must be
-  // given. Then the trial points are lifting points at equal distances along all usable intervals
-  // (docs/stands.md), followed by the ends and the middle of each interval, unless there are more
-  // intervals than points at equal distances. O(n).
+  // given. The trial points are then the lifting points of contacts at equal distances along all
+  // usable intervals (docs/stands.md). The lifting points for the ends and the middle of each
+  // interval follow, but only if there are no more intervals than points at equal distances. O(n).
   std::vector<LiftingPoint> stands(const Stands* room = nullptr) const;
 
  private:

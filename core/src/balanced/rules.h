@@ -66,9 +66,9 @@ class Rules {
   // The number of near pairs of all robots. O(m^2).
   std::uint32_t near_pairs(const std::vector<LiftingPoint>& robots) const;
 
-  // Whether the goal is hold, but the set has level 0.
+  // Whether the goal is `hold`, but the set has level 0.
   bool misses_hold(RatedSet& set) const { return holds_ && level(set) == 0; }
-  // Whether the set a reaches a higher level than the set b.
+  // Whether the set `a` reaches a higher level than the set `b`.
   bool holds_better(RatedSet& a, RatedSet& b) const { return level(a) > level(b); }
 
   bool better(RatedSet& a, RatedSet& b) const;
@@ -95,8 +95,8 @@ class Rules {
   const std::vector<double>& places(RatedSet& set) const;
   bool surely_loses_by_coverage(RatedSet& a, RatedSet& b) const;
 
-  // The first key in which two sets differ, and the better set: `order` is 1 for a, -1 for b, and 0
-  // for a tie.
+  // The first key in which two sets differ, and the better set: `order` is 1 if `a` is better, -1
+  // if `b` is, and 0 if they tie.
   struct Decision {
     int order = 0;
     BalancedKey key = BalancedKey::near_pairs;
@@ -106,7 +106,7 @@ class Rules {
   PolygonWithHoles object_;
   Vec2 centre_;
   std::uint32_t robots_;
-  bool holds_;  // whether the goal is hold
+  bool holds_;  // whether the goal is `hold`
   HoldRequirements firm_;
   double near_square_;  // robots at a smaller squared distance are too near
   int survive_;

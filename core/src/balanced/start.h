@@ -22,15 +22,15 @@ struct StartSet {
 using StartSets = std::vector<std::optional<StartSet>>;
 StartSets start_sets(const Rules& rules);
 
-// The start from which the search restarts after it ended with `now`; nothing if no better start is
-// found.
-//   - If robots have a size or there are no-go parts, the swaps are tried from each of the
-//     most_starts best sets on usable intervals. If the best result is better than `now`, the list
-//     contains only the set that leads to it.
-//   - Otherwise, if there are more than four robots, the goal is hold and `now` has level 0, the
-//     sets S_i are built again, with S_4 chosen also among all sets of one trial point with three
-//     more robots. They are returned if S_m has a higher level than `now`. This helps with regular
-//     polygons, where the first start is symmetrical about C.
+// The start from which the search begins again after it ended with `now`; nothing if no better
+// start is found.
+//   - If robots have a size or there are no-go parts, the swaps are tried from each of the best
+//     sets on usable intervals, at most most_starts of them. If the best result is better than
+//     `now`, the returned list contains only the set that leads to it.
+//   - Otherwise, if there are more than four robots, the goal is `hold` and `now` has level 0, the
+//     sets S_i are built again. The choice of S_4 then includes all sets that consist of a trial
+//     point and three more robots. The new sets are returned if S_m has a higher level than `now`.
+//     This helps with regular polygons, where the first start is symmetrical about C.
 inline constexpr std::size_t most_starts = 6;
 std::optional<StartSets> second_start(const Rules& rules, const std::vector<LiftingPoint>& now);
 

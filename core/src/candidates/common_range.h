@@ -9,9 +9,9 @@
 
 namespace evenlift {
 
-// The edge pair of a and b, with a ahead of C and b behind C. Returns nothing if the edges do not
-// face each other (an exact test, as in edge_pairs()), or if the line of one passes within `near`
-// of C, so that this edge is radial. O(1).
+// The edge pair in which rays from C meet edge `a` and the opposite rays meet edge `b`. Returns
+// nothing if the edges do not face each other (an exact test, as in edge_pairs()), or if the line
+// of one passes within `near` of C, so that this edge is radial. O(1).
 std::optional<EdgePair> pair_of_edges(const Polygon& polygon, const Vec2& centre, std::uint32_t a,
                                       std::uint32_t b, double near);
 

@@ -1,6 +1,6 @@
 // Even candidates about many centres, one after another. The ends of an even chord about a centre M
 // are where the outline meets its mirror image in M. A tree of boxes finds these places without
-// visiting every edge; the usual rules then decide which candidates are there.
+// visiting every edge; the usual rules then decide which of the places give candidates.
 #pragma once
 
 #include <cstddef>
@@ -23,10 +23,9 @@ class EvenChords {
   EvenChords(const Polygon& polygon, const Stands* stands, const std::vector<std::uint32_t>& walk);
 
   // Returns all even candidates about a centre, which may be anywhere. They are those of
-  // find_candidates(polygon, centre, 1), but without a limit on their number. At each end of a
-  // chord between two vertices, the candidate may name the other edge at that vertex. For an
-  // outline that hardly winds, O(log n) for each place where the outline meets its mirror image,
-  // and O(n) at worst.
+  // find_candidates(polygon, centre, 1), but without a limit on their number. An end of a chord
+  // between two vertices may name the other of the two edges at its vertex. If the outline hardly
+  // winds: O(log n) for each place where it meets its mirror image, O(n) in all at worst.
   std::vector<Candidate> about(const Vec2& centre) const;
 
   // Returns even candidates about the centre: those between the edges of one sample, or all of them

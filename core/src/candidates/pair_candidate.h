@@ -31,14 +31,14 @@ inline SeenEdge see(const Polygon& polygon, const RadialView& view, std::uint32_
 struct SectionEnd {
   std::uint32_t vertex;    // the vertex at which the range ends
   std::uint32_t opposite;  // the vertex across C if the chord ends at one, otherwise inside_edge
-  bool on_a;               // whether the vertex belongs to a
+  bool on_a;               // whether the vertex is an end of edge a
   Across across;           // the other end of the vertex-chord, on the other edge
   double g;                // |C r_b| / |C r_a|
   int compare_to_one;      // -1, 0, 1: g is below, equal to or above 1; exact
 };
 
-// The end of the range at which the section of edge a ends at `vertex_a` and the section of edge b
-// at `vertex_b`. One of the two may be inside_edge (chords.h). O(1).
+// One end of the range: there, the section of edge `a` ends at `vertex_a`, and the section of edge
+// `b` ends at `vertex_b`. One of these vertices may be inside_edge (chords.h). O(1).
 SectionEnd section_end(const Polygon& polygon, const Vec2& centre, const SeenEdge& a,
                        const SeenEdge& b, std::uint32_t vertex_a, std::uint32_t vertex_b);
 

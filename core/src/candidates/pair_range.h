@@ -25,11 +25,11 @@ struct FromCorners {
   const Polygon& polygon;
   const Corners& corners;
   double clear = 0;
-  const Stands* stands = nullptr;  // if set, contacts keep the distance, not lifting points
+  const Stands* stands = nullptr;  // if set, contacts rather than lifting points keep it
 };
 
 // The part of the range in which both robots are at least `clear` from the corners of their edges,
-// within tau L. Nothing if at most one place is left, or if `clear` is 0. O(1).
+// within tau L. Returns nothing if at most one place is left, or if `clear` is 0. O(1).
 std::optional<PairRange> clear_part(const FromCorners& from, const Vec2& centre,
                                     const PairRange& range);
 

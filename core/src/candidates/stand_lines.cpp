@@ -28,6 +28,11 @@ Candidate make_candidate(const Vec2& centre, const StandLine& a, const StandLine
   return candidate;
 }
 
+struct Chords {
+  std::optional<Candidate> best;
+  std::vector<Candidate> ends;  // of usable intervals on both lines
+};
+
 class Finder {
  public:
   Finder(const Vec2& centre, const StandLine& a, const StandLine& b, double min_ratio, double near)
@@ -38,13 +43,13 @@ class Finder {
         near_(near),
         pieces_(range_.pieces(min_ratio)) {}
 
-  std::vector<Candidate> run() const {
-    std::vector<Candidate> found;
+  Chords run() const {
+    Chords found;
     if (pieces_.empty()) return found;
-    found.push_back(best());
+    found.best = best();
     for (const Stretch& piece : pieces_)
       for (const double t : {piece.from, piece.to})
-        if (ends_on_both(t)) found.push_back(at(t));
+        if (ends_on_both(t)) found.ends.push_back(at(t));
     return found;
   }
 
@@ -132,6 +137,25 @@ class Finder {
   std::vector<Stretch> pieces_;  // of a, on which robots can stand at both ends of the chord
 };
 
+// The chords at which robots can stand without a collision.
+Chords usable_chords(const Stands& stands, const Vec2& centre, const StandLine& a,
+                     const StandLine& b, double min_ratio, double near) {
+  if (std::fabs(a.height) <= near || std::fabs(b.height) <= near) return {};
+  Chords found = Finder(centre, a, b, min_ratio, near).run();
+  const auto is_unusable = [&](const Candidate& candidate) {
+    return !reaches(candidate.chord, min_ratio) || !can_stand(stands, candidate);
+  };
+  if (found.best && is_unusable(*found.best)) found.best.reset();
+  std::erase_if(found.ends, is_unusable);
+  return found;
+}
+
+// The best chord first.
+std::vector<Candidate> all_of(Chords chords) {
+  if (chords.best) chords.ends.insert(chords.ends.begin(), *chords.best);
+  return std::move(chords.ends);
+}
+
 }  // namespace
 
 std::optional<StandLine> stand_line(const Polygon& polygon, const Vec2& centre,
@@ -157,12 +181,7 @@ bool can_stand(const Stands& stands, const Candidate& candidate) {
 
 std::vector<Candidate> standing_chords(const Stands& stands, const Vec2& centre, const StandLine& a,
                                        const StandLine& b, double min_ratio, double near) {
-  if (std::fabs(a.height) <= near || std::fabs(b.height) <= near) return {};
-  std::vector<Candidate> found = Finder(centre, a, b, min_ratio, near).run();
-  std::erase_if(found, [&](const Candidate& candidate) {
-    return !reaches(candidate.chord, min_ratio) || !can_stand(stands, candidate);
-  });
-  return found;
+  return all_of(usable_chords(stands, centre, a, b, min_ratio, near));
 }
 
 std::vector<Candidate> standing_chords(const Polygon& polygon, const Stands& stands,
@@ -172,13 +191,11 @@ std::vector<Candidate> standing_chords(const Polygon& polygon, const Stands& sta
   if (stays && !stands.has_body()) return {*verdict.candidate};
   const auto a = stand_line(polygon, centre, stands, pair.a);
   const auto b = stand_line(polygon, centre, stands, pair.b);
-  std::vector<Candidate> found;
+  Chords found;
   if (a && b)
-    found = standing_chords(stands, centre, *a, *b, min_ratio, near_distance(polygon.diameter()));
-  if (!stays) return found;
-  if (found.empty()) found.emplace_back();
-  found.front() = *verdict.candidate;
-  return found;
+    found = usable_chords(stands, centre, *a, *b, min_ratio, near_distance(polygon.diameter()));
+  if (stays) found.best = verdict.candidate;
+  return all_of(std::move(found));
 }
 
 }  // namespace evenlift

@@ -12,46 +12,46 @@
 
 namespace evenlift {
 
-// An edge moved inward, relative to C. The point of the line at t is C + start + t along.
+// An edge moved inward, relative to C. The line's point at the parameter t is C + at(t).
 struct StandLine {
   std::uint32_t edge = 0;
   Vec2 start = Vec2::Zero(), along = Vec2::Zero();  // `along` is a unit vector
   double low = 0, high = 0;                         // the first and the last usable t
   Stands::Stretches usable{nullptr, nullptr};
-  // The distance of the line from C: start x along, positive if the line runs counter-clockwise
-  // about C.
+  // The distance of the line from C: cross(start, along), which is positive if the line runs
+  // counter-clockwise about C.
   double height = 0;
   Vec2 at(double t) const { return start + t * along; }
 };
 
-// Returns the line of an edge; nothing if no robot can stand at the edge. O(1).
+// Returns the line of an edge, or nothing if no robot can stand at the edge. O(1).
 std::optional<StandLine> stand_line(const Polygon& polygon, const Vec2& centre,
                                     const Stands& stands, std::uint32_t edge);
 
 // Chords through C from line a to line b. Each meets the minimum ratio, within tolerance:
 //   - first the chord with the best ratio or, if the ratios of all chords are equal, the chord
 //     nearest to the middle of the lines' common range; of equally good chords, the longest;
-//   - then the chords at which a usable interval ends on both lines, as between opposite vertices.
+//   - then the chords that join ends of usable intervals, as between opposite vertices.
 // A chord whose two robots would collide is left out. There are no chords if a line passes within
-// `near` (tau L) of C. O(s^2) for s usable intervals of both lines, plus O(log n) for each chord.
+// `near` (tau L) of C. O(s^2) for s usable intervals in all, plus O(log n) for each chord.
 std::vector<Candidate> standing_chords(const Stands& stands, const Vec2& centre, const StandLine& a,
                                        const StandLine& b, double min_ratio, double near);
 
-// The same chords for an edge pair of the polygon, for hands without depth. If two robots can stand
-// at the ends of the pair's candidate, this candidate comes first, unchanged; for robots that are
-// points, it is then the only chord.
+// The same chords for an edge pair of the polygon. The hands must have no depth. If two robots can
+// stand at the ends of the pair's candidate, this candidate comes first, unchanged; for robots that
+// are points, it is then the only chord.
 std::vector<Candidate> standing_chords(const Polygon& polygon, const Stands& stands,
                                        const Vec2& centre, const EdgePair& pair, double min_ratio);
 
 // The same as standing_ranges() of candidates.h, but for two lines. There are no ranges if a line
-// passes within `near` (tau L) of C. O(usable intervals of a times those of b).
+// passes within `near` (tau L) of C. O(usable intervals of `a` times those of `b`).
 std::vector<PairRange> standing_ranges(const StandLine& a, const StandLine& b, double min_ratio,
                                        double near);
 
 // The candidates that two lines of from.stands add with positions anywhere in the range: two in the
-// longest range of the lines, from.clear from corners where possible. A candidate is dropped if its
-// load ratio is too low or if its robots would collide. There are no candidates if the range is
-// only one place. O(usable intervals of a times those of b).
+// longest range of the lines, at least `from.clear` away from corners where possible. A candidate
+// is dropped if its load ratio is too low or if its robots would collide. There are no candidates
+// if the range is only one place. O(usable intervals of `a` times those of `b`).
 std::vector<Candidate> standing_range_chords(const FromCorners& from, const Vec2& centre,
                                              const StandLine& a, const StandLine& b,
                                              double min_ratio, double near);

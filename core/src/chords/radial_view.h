@@ -4,8 +4,8 @@
 // Vertices are sorted by direction modulo 180 degrees; vertices with equal directions form a group.
 // Position k < direction_count() is the direction of group k in [0, 180) degrees (forward), and
 // position k + direction_count() is the opposite direction (backward). An edge that is not radial
-// subtends less than 180 degrees at C. So it covers the positions from that of its end first() to
-// that of its end last(), and the sweep compares only integers.
+// subtends less than 180 degrees at C. So it covers the positions from its first() to its last()
+// end, and the sweep compares only integers.
 #pragma once
 
 #include <cstdint>

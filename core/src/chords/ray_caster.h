@@ -34,7 +34,7 @@ class RayCaster {
  private:
   struct Edge {
     Vec2 start, end;          // relative to C; counter-clockwise about C unless radial
-    double doubled_area = 0;  // start x end, computed before these were rounded
+    double doubled_area = 0;  // cross(start, end), computed before these were rounded
     bool radial = false;
   };
   bool meets_vertex(const Vec2& u, std::uint32_t vertex) const;

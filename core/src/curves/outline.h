@@ -60,14 +60,14 @@ struct Outline {
   // The image under `frame` of the whole unit circle, taken counter-clockwise.
   static Outline ellipse(const Affine& frame);
   // The B-spline curve of degree 1 to max_spline_degree or, with weights, the NURBS curve. Knots
-  // and weights must be finite. For p control points, the degree must be below p, and there must be
-  // p + degree + 1 knots, which never decrease, and no weights or p weights above 0. Otherwise
-  // returns nothing; also if no span between knots has a length, or if the curve has a gap of more
-  // than 1e-6 s, where s is the larger side of the box around the control points. Lines are exact,
-  // and so are parabolas and cubics without weights. A conic is exact if its control point has a
-  // weight of at most 1 once its ends are given the weight 1. Other curves deviate by at most 1e-7
-  // s, unless weights differ so much that 10 halvings of a span do not suffice. The outline ends
-  // once it has more than `most` pieces. O(p degree^3 + pieces degree^2).
+  // and weights must be finite. Returns nothing unless, for p control points, the degree is below
+  // p, there are p + degree + 1 knots, which never decrease, and there are either no weights or p
+  // weights above 0. Also returns nothing if no span between knots has a length, or if the curve
+  // has a gap of more than 1e-6 s, where s is the larger side of the box around the control points.
+  // Lines are exact, and so are parabolas and cubics without weights. A conic is exact if its
+  // control point has a weight of at most 1 once its ends are given the weight 1. Other curves
+  // deviate by at most 1e-7 s, unless weights differ so much that 10 halvings of a span do not
+  // suffice. The outline ends once it has more than `most` pieces. O(p degree^3 + pieces degree^2).
   static std::optional<Outline> b_spline(const Points& control, const std::vector<double>& knots,
                                          std::size_t degree,
                                          const std::vector<double>& weights = {},

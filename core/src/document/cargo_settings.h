@@ -9,9 +9,9 @@
 
 namespace evenlift {
 
-// Reads "none" or a list (list_text.h) of items x,y:weight or x,y:weight:name, such as "8,8:24
-// 0,0:3:\"a box\"". A quotation mark within a quoted name is doubled. Returns whether the text is
-// valid, and changes the cargo only if it is. O(bytes).
+// Reads "none" or a list (list_text.h) of items x,y:weight or x,y:weight:name, such as
+// "8,8:24 0,0:3:\"a box\"". A quotation mark within a quoted name is doubled. Returns whether the
+// text is valid, and changes the cargo only if it is. O(bytes).
 bool read_cargo(std::string_view text, std::vector<Cargo>& cargo);
 
 // The first item that is not valid cargo, as refused_item() (list_text.h) returns it. O(bytes).

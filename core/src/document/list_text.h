@@ -1,4 +1,4 @@
-// Reads lists of items, which spaces, tabs and line ends separate.
+// Reads lists of items that are separated by spaces, tabs and line ends.
 #pragma once
 
 #include <algorithm>

@@ -157,7 +157,7 @@ std::string kind_in_words(const SettingRange& range) {
   } else {
     const auto& all = all_of(Value{});
     const std::size_t first = name(all[0]) == "none" ? 1 : 0;  // "none" comes last
-    std::string names[2];                                      // all but the last name; the last
+    std::string names[2];                                      // all but the last, and the last
     for (std::size_t i = 0; i < std::size(all); ++i) {
       if (i > 0) names[0] += (i > 1 ? ", " : "") + names[1];
       names[1] = name(all[(i + first) % std::size(all)]);

@@ -34,9 +34,9 @@ inline double pseudo_angle_from(double origin, double angle) {
 }
 
 // A pseudo-angle of the line along u, which must not be 0: a position along the square max(|x|,
-// |y|) = 1. The values for u and -u are equal or differ by 4. While u turns from -90 to 135
-// degrees, the value grows from -2 to 3, where it drops to -1. Elsewhere between -90 and 180
-// degrees it never decreases, since each operation rounds correctly. O(1).
+// |y|) = 1. The values for u and -u are equal or differ by 4. While u turns from -90 to 180
+// degrees, the value begins at -2 and never decreases, since each operation rounds correctly,
+// except at 135 degrees, where it drops from 3 to -1. O(1).
 inline double line_pseudo_angle(const Vec2& u) {
   if (std::fabs(u.y()) <= std::fabs(u.x())) return u.y() / u.x();
   return (u.y() > 0 ? 2.0 : -2.0) - u.x() / u.y();

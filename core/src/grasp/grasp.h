@@ -10,8 +10,8 @@
 
 namespace evenlift {
 
-// A touch is a contact with its edge, directed with the interior on its left. So the inward normal
-// is the edge's direction turned by +90 degrees.
+// A touch is a contact together with the edge that it is on. The edge is directed with the interior
+// on its left, so the inward normal is the edge's direction turned by +90 degrees.
 struct Grasp {
   struct Touch {
     Vec2 from, to;  // the ends of the edge, in this direction

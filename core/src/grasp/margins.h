@@ -16,13 +16,13 @@ class Margins {
   // O(n log n).
   Margins(const Polygon& polygon, const Vec2& centre, double clear);
 
-  // Returns the margin of robots at these points, as analyse_hold() computes it from those of their
-  // contacts that count; nothing if no contact counts. O(m log n) for m points, plus the cost of
-  // wrench_margin().
+  // Returns the margin that analyse_hold() would compute from the contacts of robots at these
+  // points, without those that do not count. Returns nothing if no contact counts. O(m log n) for m
+  // points, plus the cost of wrench_margin().
   std::optional<double> of(const std::vector<LiftingPoint>& points) const;
 
-  // The wrenches that the margin needs. For contacts on edges of the same direction, these are the
-  // wrenches of the first and the last (grasp.h). O(m log n).
+  // The wrenches that the margin needs. Of several contacts on edges of the same direction, only
+  // the first and the last are included (grasp.h). O(m log n).
   std::vector<Wrench> wrenches_of(const std::vector<LiftingPoint>& points) const;
 
  private:

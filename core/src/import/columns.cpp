@@ -371,12 +371,17 @@ void ColumnReader::end_block() {
 
 // Keeps a line before the first row of a block. Returns false where no table may begin any more.
 bool ColumnReader::take_heading(const Line& line) {
-  const bool comment = line.text.front() == '#';
-  if (headings_.size() < most_heading_lines)
-    headings_.push_back(line);
-  else if (rows_ > 0)
-    leave_out_headings();
-  return comment || rows_ > 0 || headings_.size() < most_heading_lines;
+  const auto is_comment = [](const Line& heading) { return heading.text.front() == '#'; };
+  if (headings_.size() == most_heading_lines) {
+    if (rows_ > 0)
+      leave_out_headings();
+    else  // of a long comment, the last lines may name the columns
+      headings_.erase(std::find_if(headings_.begin(), headings_.end(), is_comment));
+  }
+  headings_.push_back(line);
+  const auto words = headings_.size() - static_cast<std::size_t>(std::count_if(
+                                            headings_.begin(), headings_.end(), is_comment));
+  return rows_ > 0 || words < most_heading_lines;
 }
 
 // Lines with no rows below them.

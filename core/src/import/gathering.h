@@ -63,7 +63,7 @@ class Gathering {
   Import import;
   LeftOut left_out;
 
-  // Adds the shapes that the fill makes of the closed parts. Without a fill, each part is added as
+  // Adds the shapes that the closed parts form when filled. Without a fill, each part is added as
   // an outline, and finish() decides which outlines are shapes and which are holes. A part with a
   // problem is left out; the other parts remain.
   void add(const DrawnShape& drawn);

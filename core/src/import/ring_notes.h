@@ -20,7 +20,7 @@ struct RingNotes {
   std::string_view in_degrees =
       "the coordinates are degrees of longitude and latitude, not lengths";
 
-  // Drops and counts the vertices that equal the preceding one; the last may equal the first. O(n).
+  // Drops and counts vertices equal to the one before, but not a last one equal to the first. O(n).
   void drop_repeated(Points& ring);
   // Adds the notes to the import, which must already have all its shapes. O(vertices).
   void add_to(Gathering& gathering) const;

@@ -48,7 +48,7 @@ struct NamedColumns {
 };
 
 // The columns of x and y, or of easting and northing, or of longitude and latitude: the first of
-// these pairs for which there are both headings; nothing if there is no such pair. If several
+// these pairs for which there are both headings; nullopt if there is no such pair. If several
 // headings name the same coordinate, the plainest wins ("x" rather than "x (mm)"); of equally plain
 // ones, the first. O(headings).
 std::optional<NamedColumns> named_columns(const Fields& headings);

@@ -30,7 +30,7 @@ class WktReader {
   explicit WktReader(Gathering& gathering) : gathering_(gathering) {}
 
   // Reads a geometry, perhaps after a reference system, and adds its polygons. The cursor must read
-  // `text`. Returns an error if the text breaks off, is not WKT or nests collections too deep.
+  // `text`. Returns an error if the text breaks off, is not WKT or nests collections too deeply.
   std::optional<InputError> take(std::string_view text, TextCursor& cursor, std::string_view name);
   // Adds the notes on what was left out. Call it after the last geometry.
   void finish();
@@ -53,8 +53,8 @@ Result<Import> read_wkt_shapes(std::string_view text, const ImportOptions& optio
 // Reads a table of geometries, one per line. A column of names or numbers, if any, names them.
 Result<Import> read_wkt_table(std::string_view text, const ImportOptions& options);
 
-// Whether one of the first 100 lines of a table has WKT. But if the first WKT is a point and a line
-// above names columns of coordinates, returns false: the columns repeat the points. O(100 lines).
+// Whether one of the first 100 lines of a table has WKT. But returns false if an earlier line
+// names columns of coordinates and the first WKT is a point, which repeats them. O(100 lines).
 bool has_wkt_cells(std::string_view text);
 
 }  // namespace evenlift

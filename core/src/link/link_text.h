@@ -23,7 +23,7 @@ std::size_t end_of_link(std::string_view text, std::size_t begin, std::size_t en
 // The value 0 .. 63 of a digit; nullopt if the character is not a digit.
 std::optional<std::uint8_t> digit_of(char c);
 
-// Makes an error in a link. Its place is the character with this number, counted from 1, or the
+// Makes an error about a link. Its place is the character with this number, counted from 1, or the
 // whole link if the number is 0.
 InputError link_error(ErrorCode code, std::string message, std::size_t character = 0);
 
@@ -33,8 +33,8 @@ InputError bad_character(std::string_view text, std::size_t at);
 // Appends the digits and the checksum to `link`, which so far holds the version. O(digits).
 void append_digits(std::string& link, const Digits& digits);
 
-// Returns the digits from `payload` to the checksum of the link [begin, end). Returns an error if
-// the link has other characters, is too short or does not match its checksum. O(end - begin).
+// Returns the digits of the link [begin, end) between `payload` and the checksum, or an error if it
+// has other characters there, is too short or does not match its checksum. O(end - begin).
 Result<Digits> read_digits(std::string_view text, std::size_t begin, std::size_t payload,
                            std::size_t end);
 

@@ -21,8 +21,8 @@ class Scale {
   int zero_bits() const { return zero_bits_; }
 
   // The number of a finite value; nullopt if it has none. With k decimals, the number is the only
-  // integer m, |m| < 2^51, for which m / 10^k, rounded once, is the value in every bit; -0 has no
-  // number. With `doubles`, the number is the bit pattern of the absolute value, complemented if
+  // integer m, |m| < 2^51, for which m / 10^k, rounded once, equals the value bit for bit; -0 has
+  // no number. With `doubles`, the number is the bit pattern of the absolute value, complemented if
   // the value is negative. So numbers ascend with values, 0 has number 0, and -0 has -1. O(1).
   std::optional<std::int64_t> number_of(double value) const;
 

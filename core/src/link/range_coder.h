@@ -46,7 +46,7 @@ class Encoder {
   void narrow(std::uint32_t offset, std::uint32_t range);
   void carry();
 
-  std::uint32_t low_ = 0;  // the lower end of the range, without digits_; below 2^30
+  std::uint32_t low_ = 0;  // the lower end of the range, less the part in digits_; below 2^30
   std::uint32_t range_ = std::uint32_t{1} << 30;
   Digits digits_;
 };
@@ -78,7 +78,7 @@ class Decoder {
 
 // --- Codes built from code_uniform() and code_bit(); all O(1)
 
-// Codes the lowest `count` bits of value, 0 <= count <= 64.
+// Codes the lowest `count` bits of `value`, 0 <= `count` <= 64.
 template <class Coder>
 std::uint64_t code_bits(Coder& coder, std::uint64_t value, int count) {
   std::uint64_t result = 0;

@@ -1,8 +1,8 @@
 // The records of share links of version 2. They hold what was added after version 1. A record
-// consists of a tag, the number of bytes of its payload, and the payload: a text, for most tags a
-// setting as read_setting() takes it. After their tags, the records of supports and holes have the
-// number of supports, or the number of holes and of the vertices of each, and then the points,
-// coded like the vertices. Records are in order of tag, and tag 0 ends them.
+// consists of a tag, the number of bytes of its payload, and the payload, a text. For most tags,
+// read_setting() reads the text. Instead, the tag of supports is followed by their number and their
+// places, that of holes by their number, the number of vertices of each, and all these vertices.
+// Points are coded like the polygon's vertices. Records are in order of tag, and tag 0 ends them.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ namespace tag {
 inline constexpr Tag end = 0;
 inline constexpr Tag units = 11;  // the unit of lengths, a comma, and the unit of weights
 inline constexpr Tag holes = 13;
-inline constexpr Tag halo = 18;   // halo, tilt and load: overlays added after version 1
+inline constexpr Tag halo = 18;   // an overlay added after version 1, as are tilt and load
 inline constexpr Tag moved = 19;  // robots moved by hand
 inline constexpr Tag supports = 21;
 inline constexpr Tag tilt = 28;

@@ -1,5 +1,5 @@
-// Codes the settings of version 1, with which every share link begins, and separate numbers
-// (docs/link-format.md).
+// Codes the settings of version 1, with which every share link begins, and what
+// docs/link-format.md calls a separate number.
 #pragma once
 
 #include <algorithm>
@@ -95,7 +95,7 @@ void code_settings(Coder& coder, Document& document) {
   if (differs(settings.teams != usual.teams)) settings.teams = code_teams(coder, settings.teams);
   if (differs(settings.method != usual.method)) {
     const auto index =
-        std::max(1u, static_cast<unsigned>(settings.method)) - 1;  // a decoder begins with area
+        std::max(1u, static_cast<unsigned>(settings.method)) - 1;  // a decoder's method is area
     settings.method = static_cast<Method>(1 + coder.code_uniform(index, 4));
   }
   if (differs(ratio)) settings.min_ratio = code_number(coder, settings.min_ratio);

@@ -1,4 +1,4 @@
-// Codes the vertices of share links, and the points of their records. Each coordinate is quantized
+// Codes the vertices, supports and holes of share links (records.h). Each coordinate is quantized
 // to an integer, which is predicted from earlier vertices. The residual is the integer less its
 // prediction, and is mostly small. Adaptive models code whether it is zero, its size and its sign.
 #pragma once
@@ -32,7 +32,7 @@ class ResidualClasses {
 
   unsigned last() const { return exponents_ ? 2047 : 64; }
 
-  // The number of bits of a place in this class, which must be above 0.
+  // The number of bits of a place in this class. The class must be above 0.
   int place_bits(unsigned size_class) const {
     return exponents_ ? fraction_bits_ : static_cast<int>(size_class) - 1;
   }
@@ -137,7 +137,7 @@ class ResidualCoder {
  private:
   static constexpr unsigned steps = 16;
 
-  // Codes for each class, from the greatest down, whether it is the residual's. After 16 such
+  // For each class, from the greatest down, codes whether it is the residual's. After 16 such
   // decisions it codes the class itself.
   unsigned code_class(unsigned size_class) {
     for (unsigned step = 0; step < steps; ++step) {
@@ -174,7 +174,7 @@ class ResidualCoder {
   std::array<BitModel, steps> class_models_ = all_alike(2);
   std::array<BitModel, steps> high_bit_models_ = all_alike(8);
   std::array<BitModel, 3> sign_models_{BitModel{{4, 4}}, BitModel{{4, 4}}, BitModel{{4, 4}}};
-  unsigned zeros_before_ = 0;              // a bit for each of the last two residuals, 1 for 0
+  unsigned zeros_before_ = 0;              // the last two residuals, one bit each: 1 if it was 0
   std::array<unsigned, 2> sign_before_{};  // per axis: 0 zero, 1 positive, 2 negative
 };
 

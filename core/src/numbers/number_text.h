@@ -8,7 +8,7 @@
 
 namespace evenlift {
 
-// The number digits * 10^exponent with a sign. The digits do not end in 0, and zero is 0 * 10^0.
+// The number `digits` * 10^`exponent`, with a sign. The digits do not end in 0; zero is 0 * 10^0.
 struct Decimal {
   std::uint64_t digits;  // below 10^17
   int exponent;

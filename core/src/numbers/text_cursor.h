@@ -19,7 +19,7 @@ InputError text_error(ErrorCode code, std::string message, std::string_view text
                       std::size_t offset);
 
 // Names the character at `offset`: "'x'", "a tab", "the byte 0xc3", "the end of the line" or "the
-// end of the text". Put the name into a sentence by say(). O(1).
+// end of the text". Use say() to put the name into a sentence. O(1).
 std::string found_in_text(std::string_view text, std::size_t offset);
 
 bool is_letter(char c);         // a letter of ASCII, in any locale

@@ -25,8 +25,8 @@ std::optional<Ring> best_ring_of_chords(const Triangles& triangles, std::uint32_
                                         const Stop& stop);
 
 // A ring whose share is at least that of best_ring_of_chords(). It has both ends of one chord, and
-// up to teams - 1 other ends on each side of it, each side as if it had chords of its own.
-// O(K^3 teams).
+// up to `teams` - 1 other ends on each side of this chord. The two sides together may use more than
+// `teams` - 1 other chords. O(K^3 teams).
 std::optional<Ring> best_ring_by_sides(const Triangles& triangles, std::uint32_t teams,
                                        const Stop& stop);
 

@@ -32,7 +32,7 @@ NormalGap widest_gap(const std::vector<HalfPlane>& planes, double sine);
 // numbers. O(m log m).
 bool have_common_point(const std::vector<HalfPlane>& planes);
 
-// The rounded corners of the intersection, counter-clockwise; empty if the intersection is empty.
+// The corners of the intersection, rounded to doubles, counter-clockwise; none if it is empty.
 // The intersection must be bounded: no gap between normals is 180 degrees or more. O(m log m).
 Points bounded_intersection(const std::vector<HalfPlane>& planes);
 

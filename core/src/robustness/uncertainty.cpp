@@ -79,7 +79,7 @@ bool may_let_go(const std::vector<double>& loads, const LoadChanges& changes) {
   if (changes.others_may_carry) return true;
   double sum = 0;
   for (const double load : loads) sum += load;
-  for (std::size_t i = 0; i < loads.size(); ++i)
+  for (std::size_t i = 0; i < changes.by.size(); ++i)
     if (loads[i] - changes.by[i] < -tau * sum) return true;
   return false;
 }
@@ -97,16 +97,25 @@ std::vector<LoadRange> load_ranges(const std::vector<double>& loads, const LoadC
 std::optional<double> radius_within_capacity(const SpringLoads& springs, double tipping_distance,
                                              const std::vector<std::optional<double>>& capacities,
                                              const LoadChanges& besides, double reach) {
+  // A load may exceed the capacity by rounding alone (exceeds() in capacity.h).
+  const auto overloads = [&](std::size_t i, double load) {
+    return capacities[i] && load > *capacities[i] * (1 + tau);
+  };
+  if (may_let_go(springs.loads, besides)) {
+    for (std::size_t i = 0; i < springs.loads.size(); ++i)
+      if (overloads(i, besides.at_worst[i])) return std::nullopt;
+    return 0;
+  }
   double radius = std::max(0.0, std::min(springs.same_within, tipping_distance) - reach);
   for (std::size_t i = 0; i < springs.loads.size(); ++i) {
     const double more = besides.by.empty() ? 0 : besides.by[i];
     // With heights that are off, a robot goes slack sooner.
     if (more > 0 && springs.per_length[i] > 0)
       radius = std::min(radius, std::max(0.0, springs.loads[i] - more) / springs.per_length[i]);
-    if (!capacities[i]) continue;
-    const double room = *capacities[i] - springs.loads[i] - more;
-    if (room < 0) return std::nullopt;
-    if (springs.per_length[i] > 0) radius = std::min(radius, room / springs.per_length[i]);
+    if (overloads(i, springs.loads[i] + more)) return std::nullopt;
+    if (!capacities[i] || !(springs.per_length[i] > 0)) continue;
+    const double room = std::max(0.0, *capacities[i] - springs.loads[i] - more);
+    radius = std::min(radius, room / springs.per_length[i]);
   }
   return radius;
 }

@@ -92,7 +92,7 @@ class Wedge {
   Vec2 h1_, h2_;
   double pseudo_angle1_ = 0;  // that of h1
 
-  Points outside_;  // for area: P beyond the edge, cut off near the wedge if is_convex()
+  Points outside_;  // for area: P beyond the edge; only in and near the wedge if is_convex()
   double outside_area_ = 0;
 
   struct Outer {

@@ -23,13 +23,13 @@ class EqualAngles {
   // sides of C. Directions along radial edges do not count.
   double measure_rad() const { return measure_; }
 
-  // Whether measure_rad() is above 0. Up to tau counts as 0, since rounding may leave gaps between
-  // radial edges.
+  // Whether measure_rad() is above 0. A value up to tau counts as 0, since rounding may leave gaps
+  // between radial edges.
   bool has_chords() const { return measure_ > tau; }
 
-  // Calls visit(i, chord) for each i and each chord of numbers[i] teams. The chords of one i come
-  // by ascending angle, and end early if visit returns false. O(n), and O(e) for each chord whose
-  // line meets e edges; if there are many chords, mostly O(1) for each.
+  // For each i, calls visit(i, chord) for the chords of numbers[i] teams, by ascending angle, until
+  // visit returns false. O(n), and O(e) for each chord whose line meets e edges; if there are many
+  // chords, mostly O(1) for each.
   using Visit = std::function<bool(std::size_t i, const Chord& chord)>;
   void for_each_chord(const std::vector<std::uint32_t>& numbers, const Visit& visit) const;
 

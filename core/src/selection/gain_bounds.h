@@ -26,11 +26,11 @@ class AreaBins {
  private:
   static constexpr int levels = 16;
   struct Bin {
-    // The level of v is outward . v. It is 1 on the segment between the vectors of the bin's rims.
+    // The level of v is `outward` . v. It is 1 on the segment between the bin's two rim vectors.
     Vec2 outward = Vec2::Zero();
     double unit = 0;              // area between C and level 1
     double base = 0;              // area between C and h1 h2
-    double lowest = 0, step = 0;  // levels are lowest + j step; step is 0 in an empty bin
+    double lowest = 0, step = 0;  // levels: `lowest` + j `step`; `step` is 0 in an empty bin
     std::array<double, levels + 1> inside{};  // area of the region up to each level
     double inside_at_most(double level) const;
   };
@@ -65,7 +65,7 @@ class DistanceBlocks {
   Points points_;
   std::size_t size_;            // points in a block; the last block may have fewer
   Points aheads_;               // `ahead`, the middle point, of each block
-  std::vector<double> levels_;  // ahead . v for the points v of each block, ascending
+  std::vector<double> levels_;  // `ahead` . v for the points v of each block, ascending
   Points sums_;                 // the sums of the block's points at or above each level
 };
 

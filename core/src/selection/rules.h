@@ -57,7 +57,7 @@ inline bool ties(Key key, double best, double value, double floor) {
   return value >= best - score_slack(std::fabs(best), floor);
 }
 
-// Keeps the candidates i whose value(i) of the key ties with the best one.
+// Keeps each candidate i if value(i), its value for the key, ties with the best value.
 template <class Value>
 void keep_best(std::vector<std::uint32_t>& indices, Key key, double floor, Value value) {
   double best = -std::numeric_limits<double>::infinity();

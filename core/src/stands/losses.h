@@ -21,8 +21,8 @@ class Losses {
   }
 
   // The parts of an edge of this length, in order. `why` is the first of the part's reasons in the
-  // order of WhyUnusable, or nullopt if the part is usable; neighbours differ in it. O(k log k) for
-  // k ranges.
+  // order of WhyUnusable, or nullopt if the part is usable; neighbouring parts have different
+  // values. O(k log k) for k ranges.
   struct Part {
     Stretch part;
     std::optional<WhyUnusable> why;

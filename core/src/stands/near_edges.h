@@ -10,7 +10,7 @@
 
 namespace evenlift {
 
-// A rectangle: the points start + x along + y outward with x and y in these ranges.
+// A rectangle: the points `start` + x `along` + y `outward`, with x and y in these ranges.
 struct Surrounding {
   Vec2 start, along, outward;
   double x_low, x_high, y_low, y_high;

@@ -21,7 +21,7 @@ std::optional<Stretch> lost_to_body(const SeenObstacle& other, const RobotSize& 
 std::optional<Stretch> lost_to_arm(const SeenObstacle& other, const RobotSize& robot);
 std::optional<Stretch> lost_to_hand(const SeenObstacle& other, const RobotSize& robot, double near);
 // The range in which the hand would reach onto a no-go part of the other edge. The part counts only
-// where y is from minus a tenth of the hand's width to 0, within `near`. O(1).
+// where y is at most 0 and at least -1/10 of the hand's width, give or take `near`. O(1).
 std::optional<Stretch> lost_to_mark(const SeenObstacle& other, const EdgePart& part,
                                     const RobotSize& robot, double near);
 // The range in which the other edge separates the contact from the hand. O(1).

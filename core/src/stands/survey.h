@@ -39,7 +39,7 @@ class Surveyor {
   double near_;
   NearEdges edges_, holes_;
   Corners corners_;
-  std::vector<EdgePart> no_go_;  // in order
+  std::vector<EdgePart> no_go_;  // by edge, then by place along it
 };
 
 }  // namespace evenlift

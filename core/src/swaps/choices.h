@@ -20,8 +20,8 @@ struct Part {
   double ratios = 0;
 };
 
-// A choice on trial: a candidate, and the part `other` to which it is added. The numbers of parts
-// count first the candidates, then the parts that stay.
+// A choice on trial: a candidate, and the part `other` to which it is added. Parts are numbered:
+// first the candidates, then the parts that stay.
 struct Trial {
   std::uint32_t candidate = 0, other = 0;
   double coverage = 0;           // of the choice, or its upper bound
@@ -86,7 +86,7 @@ class Choices {
   Margins margins_;
   std::vector<Part> parts_;                   // of the candidates
   std::vector<Part> staying_;                 // parts that stay
-  std::vector<Wrench> directions_;            // in which choices were weak, the last useful first
+  std::vector<Wrench> directions_;            // to test for weakness; the last useful one is first
   mutable std::vector<LiftingPoint> robots_;  // reused by all trials
 };
 

@@ -30,9 +30,9 @@ struct Aggregate {
   Statistics coverage;         // 0 .. 1 (figures 5.7, 5.8)
   double closed = 0;           // share of polygons in form closure, 0 .. 1
   double held_clear = 0;       // `closed` if only contacts far enough from corners count
-  // For `closable` of these polygons, can_close() is true for form closure. Of those, the share
-  // `form_closure` is in form closure with this method and number of robots (figure 5.11).
-  // `no_area_possible` and `no_area` are the same for the thesis's own, weaker test.
+  // `closable` is the number of these polygons for which can_close() is true for form closure.
+  // `form_closure` is the share of those in form closure with this method and number of robots
+  // (figure 5.11). `no_area_possible` and `no_area` are the same for the thesis's own, weaker test.
   std::uint32_t closable = 0, no_area_possible = 0;
   std::optional<double> form_closure, no_area;
 };

@@ -13,7 +13,7 @@ namespace evenlift::experiment {
 
 struct FigurePoint {
   std::uint32_t robots = 0;
-  double value = 0;            // as in the aggregates: a load, or a share of 1
+  double value = 0;            // as in the aggregates: a load, or a share from 0 to 1
   std::uint32_t polygons = 0;  // number of polygons in the average
 };
 
@@ -36,8 +36,8 @@ struct Figure {
 // polygons. Beyond it, a point would be the average of only a few polygons. O(rows).
 std::uint32_t most_robots_shown(const std::vector<Aggregate>& aggregates, Method method);
 
-// Figures 5.3 to 5.8 and 5.11 of one set. They show teams of two by every method up to
-// most_robots_shown() of area, and balanced robots up to most_robots_shown() of balanced. O(rows).
+// Figures 5.3 to 5.8 and 5.11 of one set. They show teams of two by every method, up to the
+// most_robots_shown() of `area`, and balanced robots, up to that of `balanced`. O(rows).
 std::vector<Figure> make_figures(const SetAggregates& set);
 
 // The quantities of section 5.1 for one polygon with every method, by number of robots: greatest

@@ -51,13 +51,13 @@ Result<Subject> prepare(const Document& document, double min_ratio);
 // The values of one method with one number of robots. For random placements they are averages.
 struct Measurement {
   Method method = Method::area;
-  std::uint32_t robots = 0;   // for teams of two 2, 4, 6, ..; for balanced 2, 3, 4, ..
+  std::uint32_t robots = 0;   // 2, 4, 6, .. in teams of two; 2, 3, 4, .. balanced robots
   std::uint32_t samples = 1;  // number of averaged placements; 1 except for random
   double coverage = 0;        // 0 .. 1
   double form_closure = 0;    // share of placements in form closure, 0 .. 1
-  double no_area = 0;         // the same by the thesis's own test: no region of free rotation
-                              // centres has an area
-  double held_clear = 0;      // form_closure without contacts nearer than usual_clear R to a corner
+  double no_area = 0;         // share that passes the thesis's own test of form closure: no region
+                              // of free rotation centres has an area
+  double held_clear = 0;      // `form_closure` without contacts within `usual_clear` R of a corner
   double load_min = 0, load_mean = 0, load_max = 0;  // over the robots, in the unit of the weight
   double spread = 0;                                 // load_max - load_min (figure 5.3)
   double max_share = 0.5;  // greatest share of a team's load on one robot (figure 5.5); 0.5 for
@@ -72,9 +72,9 @@ std::uint32_t teams_of(Method method, std::uint32_t robots);
 
 // Measures one method with 1, 2, ... teams, up to the smaller of `most_teams` and the number of
 // candidates (also for equal angles and random). A number of teams that the method cannot place is
-// omitted; with equal angles and random this may happen if C is on the boundary. Sample k = 1 ..
-// samples of random is random_teams() with seed k; its first t teams are the placement of t teams.
-// Costs O(t^2) loads for t teams, and at most one coverage and form closure for each number.
+// omitted; with equal angles and random this may happen if C is on the boundary. Sample k = 1,
+// 2, ... of `random` is random_teams() with seed k; its first t teams are the placement of t teams.
+// For t teams, this costs O(t^2) loads and at most t coverages and t tests of each kind of closure.
 //
 // Balanced robots are measured with 2, 3, ... up to `most_balanced` robots, even without
 // candidates. A number is omitted if place() finds no placement with the other settings at their

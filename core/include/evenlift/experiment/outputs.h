@@ -14,7 +14,7 @@ namespace evenlift::experiment {
 struct Outputs {
   std::string measurements_csv, aggregates_csv, polygons_csv;
   std::vector<std::pair<std::string, std::string>> refused;  // polygon and reason
-  std::vector<Figure> figures;                               // by number of the figure, then by set
+  std::vector<Figure> figures;                               // sorted by figure number, then by set
   std::vector<SetClaims> claims;                             // empty for a single polygon
   std::vector<FewRobots> few_robots;                         // empty for a single polygon
 };

@@ -37,7 +37,7 @@ std::string fingerprint(const Document& document, const ExperimentSettings& sett
 // Replaces the fingerprint of a polygon that was refused or could not be read.
 inline constexpr const char* refused_fingerprint = "refused";
 
-// The result of a polygon that has no measurements yet. O(1).
+// The polygon's result, still without measurements. O(1).
 PolygonResult result_of(const std::string& set, const std::string& polygon, const Subject& subject);
 
 // Sorts by set, then by polygon, both by their bytes. O(n log n).
@@ -63,7 +63,7 @@ struct Part {
 };
 std::string write_part(const Part& part);
 
-// Reads a text that write_part() returned; nothing for any other text. O(bytes).
+// Reads a text that write_part() returned. Returns nothing for any other text. O(bytes).
 std::optional<Part> read_part(std::string_view text);
 
 // One row for each set, polygon, method and number of robots, in that order, under a heading. The

@@ -22,7 +22,7 @@ struct ShardList {
   Shard shard;
   ExperimentSettings settings;
   struct Entry {
-    std::string set, polygon, fingerprint;  // as in the polygon's Part
+    std::string set, polygon, fingerprint;  // as in the polygon's `Part` (results.h)
   };
   std::vector<Entry> entries;
 };

@@ -16,7 +16,7 @@ using Segment = std::pair<Vec2, Vec2>;
 
 struct Request {
   Box owner;                 // the box around the thing that the label names
-  Vec2 away = Vec2::Zero();  // the preferred direction, of any length
+  Vec2 away = Vec2::Zero();  // the preferred direction from the owner, as a vector of any length
   Vec2 size = Vec2::Zero();  // of the label
 };
 
@@ -30,8 +30,8 @@ struct Surroundings {
 
 // Returns a box for each label, or nothing for a label if every place would leave the frame or
 // cover a mark, an owner or another label. For each label it tries 24 directions and three
-// distances and takes the place with the fewest drawbacks. Then it places each label again, with
-// all other labels in place. O(labels (n + labels + chords + marks)).
+// distances and takes the place with the least cost, by distance, direction and what it overlaps.
+// Then it places each again, with all others in place. O(labels (n + labels + chords + marks)).
 std::vector<std::optional<Box>> place(const std::vector<Request>& requests,
                                       const Surroundings& around);
 

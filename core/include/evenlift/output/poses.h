@@ -1,4 +1,4 @@
-// Writes the poses of a placement for controlling robots: as a table, JSON, or a message of ROS 2.
+// Writes the robots' poses for software that controls them: as a table, JSON, or a ROS 2 message.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace evenlift {
 
 enum class PoseFormat : std::uint8_t { csv, json, yaml };
 
-// Returns the format for a file name that ends in .csv, .json or .yaml; nothing for other names.
+// Returns the format for a file name that ends in .csv, .json or .yaml. Returns nothing otherwise.
 // O(1).
 std::optional<PoseFormat> pose_format_of_file(std::string_view file_name);
 
@@ -43,8 +43,8 @@ struct PoseOptions {
 //         z = 0. A rotation about the z axis turns the x axis to the heading. Loads and teams are
 //         in comments
 // Tables and JSON are in the placement's units. Numbers have the fewest digits that read back to
-// the same double. If the object has no unit, YAML takes its coordinates to be in metres, and the
-// first lines of the YAML state this. The bytes are the same on every platform. O(n + m).
+// the same double. If the object has no unit, the YAML takes the object's coordinates to be in
+// metres, and states this in its first lines. The bytes are the same on every platform. O(n + m).
 std::string poses_text(const ShownPlacement& of, PoseFormat format,
                        const PoseOptions& options = {});
 

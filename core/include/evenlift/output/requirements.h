@@ -1,5 +1,5 @@
 // Conditions on a placement, in the words of `evenlift place --require`: "held, coverage>=0.8,
-// max<=20, robots<=4". Each condition is kept or not.
+// max<=20, robots<=4". Each condition is met ("kept" in outputs) or not.
 #pragma once
 
 #include <optional>
@@ -17,13 +17,12 @@ namespace evenlift {
 //   held               the robots hold the object (is_held() of words.h)
 //   stands             C is in the lifting base, within tau L (equilibrium.h)
 //   steady             the object does not tip after any one failure, both on level ground
-//                      (failures_clear) and under the given conditions
+//                      (failures_clear) and under the disturbance (disturbance_of())
 //   capacity           no robot carries more than its capacity
 //   coverage           the coverage, from 0 to 1
 //   max, min           the greatest and the least planned load
 //   spread             max - min, with C at its assumed place
-//   max_after_failure  the greatest load by springs after any one failure, under the given
-//                      conditions
+//   max_after_failure  the greatest load by springs after any one failure, under the disturbance
 //   margin             the margin of form closure
 //   tipping_distance   the distance by which C may be off before the object tips
 //   tip                the slope, in degrees, at which the object tips in the worst direction
@@ -32,7 +31,7 @@ namespace evenlift {
 //
 // The first four are true or false. `capacity`, `max` and `min` refer to the planned loads or,
 // under a disturbance, to the ends of their ranges (loads_when_disturbed()). If the object falls,
-// or can tip under the disturbance, conditions on these three quantities are not kept.
+// or can tip under the disturbance, conditions on these three quantities are not met.
 struct Condition {
   std::string_view quantity;  // one of these names
   bool at_least = true;       // for numbers: >= or <=
@@ -49,7 +48,7 @@ inline constexpr std::size_t most_conditions = 100;
 Result<std::vector<Condition>> read_conditions(std::string_view text);
 
 // A condition and the value of its quantity: a number, or 1 for true and 0 for false. If there is
-// no value, as for a load of an object that falls, the condition is not kept. Numbers are compared
+// no value, as for a load of an object that falls, the condition is not met. Numbers are compared
 // within tolerance: tau of the weight for loads, tau L for distances, tau for coverage and margin,
 // and 90 tau for degrees.
 struct Requirement {
@@ -58,8 +57,8 @@ struct Requirement {
   bool kept = false;
 };
 
-// Determines the values of the conditions and whether they are kept. O(m log m) for each condition;
-// max_after_failure costs as much as single_failures() (placed_robots.h), and so does steady if
+// Determines the values of the conditions and whether they are met. O(m log m) for each condition;
+// `max_after_failure` costs as much as single_failures() (placed_robots.h), and so does `steady` if
 // there is a disturbance.
 std::vector<Requirement> check_conditions(const ShownPlacement& of,
                                           const std::vector<Condition>& conditions);
@@ -67,9 +66,9 @@ std::vector<Requirement> check_conditions(const ShownPlacement& of,
 // Returns whether the condition's quantity is true or false, not a number. O(1).
 bool is_yes_or_no(const Condition& condition);
 
-// condition_in_words() returns a condition, as "The greatest load is at most 30 kg" or "The robots
-// hold the object". value_in_words() returns its value, as "33.3 kg" or "no"; the text is empty if
-// the requirement has no value. O(1).
+// condition_in_words() describes a condition: "The greatest load is at most 30 kg", "The robots
+// hold the object". value_in_words() returns its value: "33.3 kg", "no". The text is empty if the
+// requirement has no value. O(1).
 std::string condition_in_words(const Condition& condition, const Units& units);
 std::string value_in_words(const Requirement& requirement, const Units& units);
 

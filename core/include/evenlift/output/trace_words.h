@@ -20,8 +20,8 @@ std::string_view title(Chapter chapter);
 // the steps `slopes` and `duplicates`.
 std::string caption(const Trace& trace, const StepDetail& detail);
 
-// Returns the caption of the step `sections` for a learner who has not yet chosen the more even
-// end. The caption does not state the load ratios. O(1).
+// Returns the caption of the step `sections` for a learner who has not yet answered at which end
+// of the sections the chord is more even. The caption does not state the load ratios. O(1).
 std::string caption_before_choice(const Trace& trace, const StepDetail& detail);
 
 // Returns the step's formula, such as "load ratio = 47.5 / 50.1 = 0.948 ≥ 0.8". The text is empty

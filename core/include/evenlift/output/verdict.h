@@ -12,7 +12,7 @@ namespace evenlift {
 
 enum class VerdictKind : std::uint8_t {
   good,     // there is no reason against the placement
-  warning,  // there is a reason against it, but the object stands
+  warning,  // there is a reason against it, but the object does not fall
   bad       // there are no robots, or the object falls
 };
 std::string_view name(VerdictKind kind);

@@ -2,9 +2,9 @@
 // experiments. Texts are in plain English or the reader's language (wording.h), in UTF-8, with the
 // same bytes on every platform.
 //
-// Numbers are rounded from the decimal that shortest() (numbers.h) prints, a half away from zero.
-// So 2.345 is 2.35 with two decimals, although its double is slightly less. The minus sign is
-// "−", and zero never has one. A no-break space (U+00A0) separates a number from its unit.
+// Numbers are rounded from the decimal that shortest() (numbers.h) prints, with halves rounded away
+// from zero. So 2.345 is 2.35 with two decimals, although its double is slightly less. The minus
+// sign is "−"; zero never has one. A no-break space (U+00A0) separates a number from its unit.
 #pragma once
 
 #include <string>
@@ -45,8 +45,8 @@ std::string load_in_words(double value, double largest, const Units& units);
 
 std::string load_in_words(double low, double high, double largest, const Units& units);
 
-// Write a load by a model like a range above: amounts() without a unit, load_in_words() with it. If
-// the model gives only an upper bound (best and worst), the text is like "≤ 18.1".
+// Write a robot's range of loads as above: amounts() without a unit, load_in_words() with one. The
+// models `best` and `worst` give only an upper bound, which is written as "≤ 18.1".
 std::string amounts(LoadModel model, const LoadRange& load, double largest);
 std::string load_in_words(LoadModel model, const LoadRange& load, double largest,
                           const Units& units);
@@ -165,9 +165,9 @@ std::string limit_in_words(const ShownPlacement& of);
 std::string capacity_in_words(const ShownPlacement& of, const CapacityPlan* plan,
                               const FailurePlan* if_one_fails = nullptr);
 
-// Says the same for the robots that are `overloaded` by this load model. If `failed` is given, the
-// loads are those after that robot (numbered from 0) has failed. `plan` assumes planned loads
-// without failures or a disturbance; the text says so if `overloaded` refers to other loads.
+// Says the same for the robots that are `overloaded` according to this load model. If `failed` is
+// given, the loads are those after that robot (numbered from 0) has failed. `plan` assumes planned
+// loads without failures or a disturbance; the text says so if `overloaded` refers to other loads.
 std::string capacity_in_words(const ShownPlacement& of, const CapacityPlan* plan,
                               const std::vector<std::size_t>& overloaded, LoadModel model,
                               const std::optional<std::size_t>& failed = std::nullopt,

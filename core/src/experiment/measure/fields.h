@@ -1,5 +1,5 @@
-// Reads the fields of a row one after another. Part files (results.h) and shard lists contain
-// the experiment's settings as fields.
+// Reads the fields of a row one after another. Part files (results.h) and shard lists
+// (shard_list.h) contain the experiment's settings as fields.
 #pragma once
 
 #include <cstdint>

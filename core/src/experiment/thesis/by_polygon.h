@@ -22,8 +22,8 @@ const Measurement* find(const PolygonResult& result, Method method, std::uint32_
 
 // Counts polygons with at most `most_vertices` vertices and with candidates for `teams` teams
 // (`of`), and those on which all metrics choose the same last team (`yes`). With more than two
-// teams, a polygon counts only if the metrics also choose the same team before the last (thesis,
-// 5.4).
+// teams, `of` includes only polygons on which the metrics choose the same team before the last
+// (thesis, 5.4).
 Count same_choice(const std::vector<PolygonResult>& results, std::uint32_t teams,
                   std::size_t most_vertices = max_vertices);
 
@@ -51,11 +51,11 @@ struct Loss {
 };
 std::optional<Loss> greatest_loss(const std::vector<PolygonResult>& results, std::uint32_t robots);
 
-// Counts the polygons on which some method of the thesis passes the test (`of`), and those on which
-// some metric passes it with some number of teams (`yes`).
+// Counts the polygons on which some method of the thesis passes the test that `closed` selects
+// (`of`), and those on which some metric passes it with some number of teams (`yes`).
 Count closed(const std::vector<PolygonResult>& results, Closed closed);
 
-// Considers the polygons with at most `most_vertices` vertices on which the method, one of the
+// Considers the polygons with at most `most_vertices` vertices on which `method`, a method of the
 // thesis, can place `robots` robots. Counts those on which some teams of two pass the test (`of`;
 // can_close()), and those on which these robots pass it (`yes`).
 Count closed_with(const std::vector<PolygonResult>& results, Closed closed, Method method,

@@ -26,13 +26,13 @@ struct DxfLayer {
 struct DxfBlock {
   std::string_view name;
   Vec2 base = Vec2::Zero();
-  std::size_t offset = 0;        // the place of its first object in the text
+  std::size_t offset = 0;        // of its first object in the text
   bool in_another_file = false;  // an external reference
 };
 
 struct DxfDrawing {
   DxfUnit unit;
-  std::vector<std::size_t> entities;  // the places after the names of ENTITIES sections
+  std::vector<std::size_t> entities;  // of each ENTITIES section: the offset just after its name
 
   // The layer or block with this name; nullptr if there is none. The case of ASCII letters does not
   // matter. If two layers, or two blocks, have the same name, the first counts. O(log n).

@@ -48,8 +48,8 @@ class DxfEntity {
   std::optional<std::size_t> bad_number_;
 };
 
-// Reads the objects of a section or block one after another. read_dxf_drawing() must have accepted
-// the text before.
+// Reads the objects of a section or block one after another. read_dxf_drawing() must already have
+// accepted the text.
 class DxfEntities {
  public:
   DxfEntities(std::string_view text, std::size_t from)

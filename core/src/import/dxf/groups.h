@@ -18,8 +18,8 @@ class DxfGroups {
  public:
   explicit DxfGroups(std::string_view text, std::size_t from = 0) : text_(text), at_(from) {}
 
-  // The next group; nullopt at the end, or if the code is not a whole number from -9999 to 9999:
-  // then broken() is true. O(bytes of the group).
+  // The next group, or nullopt at the end. If the code is not a whole number from -9999 to 9999,
+  // also returns nullopt, and makes broken() true. O(bytes of the group).
   std::optional<DxfGroup> next();
   bool broken() const { return broken_; }
   // code_offset() is the place where the group last read begins, and offset() where the next one

@@ -82,13 +82,20 @@ DxfDrawn circle(DxfEntity& entity, double) {
           "circle"};
 }
 
+// The angle from one direction counter-clockwise to another, in (0, whole]; `whole` is the whole
+// turn in the unit of the angles. Ends that are rounded may lie a little beyond a whole turn.
+double angle_from_to(double from, double to, double whole, double near) {
+  const double angle = std::fmod(to - from, whole);
+  if (angle <= 0) return angle + whole;
+  return angle < near && std::fabs(to - from) > whole / 2 ? whole : angle;
+}
+
 DxfDrawn arc(DxfEntity& entity, double same_point) {
   const Vec2 centre = entity.point_of(10);
   const double radius = entity.number_of(40, 0), from = entity.number_of(50, 0),
                to = entity.number_of(51, 360);
   if (!(radius > 0)) return {};
-  double angle = std::fmod(to - from, 360);
-  if (angle <= 0) angle += 360;
+  const double angle = angle_from_to(from, to, 360, same_point * 180 / pi);
   if (!(angle < 360)) return circle(entity, same_point);
   const auto at = [&](double degrees) -> Vec2 { return centre + radius * direction_of(degrees); };
   Outline outline;
@@ -106,8 +113,7 @@ DxfDrawn ellipse(DxfEntity& entity, double same_point) {
   // An ellipse lies in the world's plane. From behind, its minor axis points the other way.
   const Vec2 minor = (entity.seen_from_behind() ? -ratio : ratio) * left_normal(major);
   const Affine frame{major.x(), major.y(), minor.x(), minor.y(), centre.x(), centre.y()};
-  double angle = std::fmod(to - from, 2 * pi);
-  if (angle <= 0) angle += 2 * pi;
+  const double angle = angle_from_to(from, to, 2 * pi, same_point);
   if (angle > 2 * pi - same_point) return {Outline::ellipse(frame), "ellipse"};
   const auto at = [](double parameter) {
     const double turned = std::fmod(parameter, 2 * pi);

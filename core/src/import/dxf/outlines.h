@@ -25,8 +25,8 @@ bool is_drawn(std::string_view type);
 
 // The object's outline. A spline is closed if its ends differ in x and in y by at most `same_point`
 // times the larger side of the box around its control points (spline.h). An ellipse is closed if
-// its angle is within `same_point` radians of a full turn. O(groups + vertices); for splines the
-// cost is that of Outline::b_spline().
+// its angle differs from a full turn by less than `same_point` radians. O(groups + vertices); for
+// splines the cost is that of Outline::b_spline().
 DxfDrawn draw(DxfEntity& entity, double same_point);
 
 }  // namespace evenlift

@@ -20,9 +20,9 @@ struct DrawnPiece {
 };
 
 struct JoinedOutline {
-  Outline outline;     // counter-clockwise, from its least corner by x, then y
+  Outline outline;     // counter-clockwise, from the corner that is first by x, then y
   std::size_t parts;   // the number of its pieces
-  std::string layer;   // of its pieces' layers, the first by name
+  std::string layer;   // the first, by name, of the layers of its pieces
   bool across_layers;  // its pieces are on several layers
 };
 

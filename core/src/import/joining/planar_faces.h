@@ -26,7 +26,7 @@ struct HalfEdge {
   bool back;  // runs from `to` to `from`
 };
 
-// A bounded face as a simple cycle, counter-clockwise, from its least corner by x, then y.
+// A bounded face as a simple counter-clockwise cycle, from the corner that is first by x, then y.
 struct Face {
   std::vector<HalfEdge> boundary;
 };

@@ -28,7 +28,7 @@ class Projection {
 
   // The origin in degrees, with at most four decimals.
   const Vec2& origin() const { return origin_; }
-  // The length of a degree in metres, in the longer direction.
+  // The length in metres of a degree of longitude or latitude, whichever is longer.
   double greatest_scale() const { return scale_.maxCoeff(); }
   // The greatest relative error of a width in the box.
   double error() const { return error_; }

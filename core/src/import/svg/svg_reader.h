@@ -28,7 +28,7 @@ class SvgReader {
   // The properties that an element inherits from the elements around it.
   struct Context {
     Affine matrix;
-    std::string_view layer;         // the nearest group's label, else the name of its <use>
+    std::string_view layer;         // the nearest group's label, else the name of the copying <use>
     std::string_view name_of_copy;  // the name of the <use> that copies this element
     SvgViewport viewport;
     SvgLook look;
@@ -97,7 +97,7 @@ class SvgReader {
                bool circle);
   void line(const pugi::xml_node& node, const Context& context);
   std::string called(const pugi::xml_node& node, const Context& context) const;
-  // The length that the attribute gives, in user units; per cent refer to the context's viewport.
+  // The length given by the attribute, in user units; percentages refer to the context's viewport.
   // The inner optional is empty if no length is given, the outer one if there is a problem.
   std::optional<std::optional<double>> length(const pugi::xml_node& node, const Context& context,
                                               const char* attribute);

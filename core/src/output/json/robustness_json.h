@@ -22,8 +22,8 @@ std::string ranges(const std::vector<LoadRange>& ranges);
 std::string robustness(const ShownPlacement& of, const std::optional<ModelLoads>& models,
                        int depth);
 
-// If there is a disturbance, includes for each failure the greatest load within the disturbance and
-// RestOfRobots::stays. `overloads` is empty if the robots have no capacity.
+// If there is a disturbance, includes for each failure RestOfRobots::stays, and the greatest load
+// within the disturbance. `overloads` is empty if the robots have no capacity.
 std::string failures(const std::vector<std::optional<RestOfRobots>>& failures,
                      const std::vector<bool>& overloads, bool with_disturbance, int depth);
 

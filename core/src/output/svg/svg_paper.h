@@ -22,7 +22,7 @@ struct Paper {
 // The part of a convex area, segment or point that is on the ground. All are in pixels. O(points).
 Points clipped(Points area, const Paper& paper);
 
-// The outline, in pixels, without vertices too near the one before to be told apart from it. O(n).
+// The outline, in pixels, without vertices that a reader cannot tell from the last one kept. O(n).
 Points visible(const Points& outline);
 
 }  // namespace evenlift::svg

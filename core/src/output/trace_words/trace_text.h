@@ -51,8 +51,8 @@ Piece whole(std::size_t number);
 Piece counted_from_1(std::size_t index);
 Piece counted(std::size_t number, std::string_view noun);
 
-// A number with as many decimals as give `scale` about four significant digits. number_unlike()
-// adds decimals, up to nine, if the number would look like `other` but does not tie with it.
+// A number with the decimals that give `scale` about four significant digits. number_unlike() adds
+// decimals, up to nine, if the number would look like `other` but does not tie with it.
 Piece number(double value, double scale);
 Piece number_unlike(double value, double other, double scale);
 
@@ -61,7 +61,7 @@ Piece with_decimals(double value, int decimals);
 // A number with the fewest digits that read back to the same number.
 Piece exact(double value);
 
-// A share of 1, as a percentage.
+// A share from 0 to 1, as a percentage.
 Piece percent(double share);
 
 // A ratio with three decimals, or with more if it would look like 1 or `other` but is neither.
@@ -82,9 +82,9 @@ Piece margin_text(double value);
 // Names the item by its number, and by its name if it has one: "Cargo 2, “motor”,".
 std::string cargo_text(const Trace& trace, std::uint32_t item);
 
-// Sentences about a metric. `score` says what the score measures. `asked` follows a question about
-// the winning candidate and names its merit. `wins`, a part of a sentence, says that it has this
-// merit. `chord` says which chord a team takes, and `gains` compares this chord with the next best.
+// Sentences about a metric. `score` says what the score measures. `asked` follows the question
+// which candidate wins, and names the winner's merit. `wins`, a clause, says that it has this
+// merit. `chord` says which chord a team takes, and `gains` compares it with the next best.
 struct MetricWords {
   const char *score, *asked, *wins, *chord, *gains;
 };
