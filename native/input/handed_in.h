@@ -10,7 +10,7 @@
 namespace evenlift::native {
 
 struct HandedIn {
-  std::string name;                     // the text before the link in its line; may be empty
+  std::string name;                     // the text before the link on the same line; may be empty
   std::string link;                     // a share link, or an address that ends in one
   std::optional<std::uint64_t> number;  // the learner's number, if the address has one
   std::size_t line = 0;                 // the number of its line, from 1

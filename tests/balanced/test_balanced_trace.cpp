@@ -236,7 +236,11 @@ TEST_CASE("a robot that stands at a place came there by the swap that is named",
   }
   CHECK(came_later > 0);
   // With fewer than three robots, the answer is about the last set.
-  CHECK(why_no_robot(trace, 0, robots[0].position, 1).robot == 0);
+  for (const std::uint32_t step : {0u, at(trace, StepKind::lever)}) {
+    const WhyNoRobot answer = why_no_robot(trace, step, robots[2].position, 1);
+    CHECK(answer.robot == 2);
+    CHECK(answer.why != WhyNoRobot::Why::no_set);
+  }
   CHECK(why_no_robot(traced(document_of("worktop", 2)), 0, robots[0].position, 0).why ==
         WhyNoRobot::Why::no_set);
 }

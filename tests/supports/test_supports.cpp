@@ -269,6 +269,19 @@ TEST_CASE("supports are evened out by the least moves", "[supports]") {
   CHECK(with_even_supports(area).error().place.option == "even_out");
 }
 
+TEST_CASE("a support that is moved to even out the loads collides with no other", "[supports]") {
+  Document crowded =
+      standing_on({{0.734, 0}, {0.812, 0}, {0.474, 0}, {0, 0.774}, {0.527, 0}, {0.659, 0}});
+  crowded.settings.robot = {0.12, 0.3, 0, 0, 0};
+  const Document even = *with_even_supports(crowded);
+  const auto moves = [&](std::size_t robot) {
+    return even.settings.supports[robot] != crowded.settings.supports[robot];
+  };
+  CHECK(moves(0) + moves(1) + moves(2) + moves(3) + moves(4) + moves(5) == 3);
+  for (const Misfit& misfit : misfits(placed(even)))
+    CHECK((misfit.why == Misfit::Why::too_near && !moves(misfit.robot) && !moves(misfit.other)));
+}
+
 TEST_CASE("each support may have a capacity of its own", "[supports][capacity]") {
   Document document = standing_on({{0, 0}, {1, 0}, {0.5, 1}});
   document.shown.support_capacities = {30, 20, std::nullopt};

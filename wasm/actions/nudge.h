@@ -1,4 +1,4 @@
-// Moves parts of the drawing by arrow keys.
+// Moves parts of the drawing with the arrow keys.
 #pragma once
 
 #include "state/command.h"
@@ -11,9 +11,9 @@ namespace evenlift::view {
 // them is 0.
 void move_cursor(const AppState& s, Commands& out, int x, int y, bool finely);
 
-// Moves the first of these that applies: the drawing cursor by a step of the grid; the polygon by a
-// step; the robot whose card is open by a tenth of a step; or the selected vertex or weight by a
-// tenth of a step, or by a whole step if points snap to the grid.
+// Moves the first of these that applies: the drawing cursor, by a step of the grid; the polygon, by
+// a step; the robot whose card is open, by a tenth of a step; or the selected vertex or weight, by
+// a tenth of a step, or by a whole step if points snap to the grid.
 void nudge(const AppState& s, Commands& out, int x, int y);
 
 }  // namespace evenlift::view

@@ -20,7 +20,7 @@ void remove_handle(AppState& state, std::size_t number);
 // Adds a weight of about a tenth of the object's own weight, and selects it.
 void add_weight(AppState& state, const Vec2& at);
 
-// Notes the polygon and everything that moves with it, for the drag that begins. O(n).
+// Records the polygon and everything that moves with it, at the start of a drag. O(n).
 void grip_polygon(AppState& state);
 
 // The reason why a weight is refused, as a sentence without a full stop; empty if it is accepted.

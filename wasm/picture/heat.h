@@ -15,8 +15,8 @@ namespace evenlift::view {
 struct HeatBand {
   double share = 0;
   std::vector<Vec2> triangles;  // three points each
-  // A convex region, counter-clockwise, for a polygon that is filled by rows: its part inside the
-  // polygon is the band. Empty means the whole polygon.
+  // For a polygon so large that it is filled by rows (fill_rows.h): a convex, counter-clockwise
+  // region, whose part inside the polygon is the band. Empty means the whole polygon.
   Points region;
 };
 
@@ -24,7 +24,7 @@ struct HeatBand {
 // the preceding one. There are no bands if the lifting base has no area. `triangles` are the
 // object's, from triangulate(); if they are empty, the bands have regions. A band is an
 // intersection of half-planes: the sides of the lifting base, moved outwards (algorithm.md,
-// Stability). O(levels n h) for n vertices and h sides with a part of the polygon beyond them.
+// Stability). O(levels n h) for n vertices and the h sides that have a vertex beyond them.
 std::vector<HeatBand> heat_bands(const Placement& placement,
                                  const std::vector<std::uint32_t>& triangles);
 

@@ -70,7 +70,7 @@ bool is_other_object(Edit edit);
 struct Backdrop {
   Vec2 low, high;             // its corners, in polygon coordinates
   std::uint32_t picture = 0;  // the picture's number, counted since the start
-  bool traced = false;        // the open polygon was drawn on the picture
+  bool traced = false;        // the present polygon was drawn on the picture
   bool operator==(const Backdrop&) const = default;
   double width() const { return high.x() - low.x(); }
 };
@@ -112,8 +112,8 @@ class History {
   // lesson is another step, which can be undone.
   std::optional<Recalled> leave_lesson(const Document& now, const Beside& beside = {});
 
-  // Looks for the lesson that was open before the newest `later` steps (0: the present lesson).
-  // Returns the index, as for kept(), of the step that opened it; nothing without one. O(steps).
+  // Finds the lesson that was open before the newest `later` steps (0: the present lesson). Returns
+  // the index, as for kept(), of the step that opened it, or nothing if none was open. O(steps).
   std::optional<std::size_t> lesson_opened(std::size_t later = 0) const;
 
   // A step in the form that the browser stores. For index i, kept() returns the step that i + 1

@@ -1,5 +1,5 @@
-// Opens documents. Opening a document also places it, since this validates it. Callers pass the
-// placement on (Given), so that nothing is computed twice.
+// Opens documents. Opening a document also computes its placement, because that validates the
+// document. Callers pass the placement on (Given), so that nothing is computed twice.
 #pragma once
 
 #include <cstdint>
@@ -18,19 +18,19 @@ struct Opened {
   std::optional<Trace> trace;  // the placement's trace, if a check needed it
 };
 
-// Places the document, or returns why it is refused. Costs as much as place().
+// Opens the document, or returns why it is refused. Costs as much as place().
 Result<Opened> opened(Document document);
 
-// Places another polygon. The settings and `shown` come from `before`, except those that belong
+// Opens another polygon. The settings and `shown` come from `before`, except those that belong
 // to the polygon of `before`: the step, the shown lengths and the no-go edges.
 Result<Opened> opened_after(Document polygon, const Document& before);
 
-// read_link() reads and places a document from a link, and read_document() from a link or a
+// read_link() reads and opens a document from a link, and read_document() from a link or a
 // polygon's text. Both return the first error.
 Result<Opened> read_link(std::string_view link);
 Result<Opened> read_document(std::string_view text);
 
-// Reads a document from a link or a polygon's text, without placing it.
+// Reads a document from a link or a polygon's text, without computing its placement.
 Result<Document> parse_document(std::string_view text);
 
 // How urgently a placement is needed. With the goal *hold*, swaps among all candidates improve the
@@ -41,8 +41,8 @@ enum class Haste : std::uint8_t { at_rest, drag };
 
 // The view computes placements and traces only here. These functions count their calls, so that a
 // test can check that an action computes one placement, or none if it changes only the picture. A
-// known placement `before` of the same object saves checking the object. Balanced robots are only
-// the start of a search (derive/search.h); compute_trace() may complete this search.
+// placement `before` of the same object saves checking the object. Of a search for balanced robots,
+// this computes only the start (derive/search.h); compute_trace() may complete it.
 Result<Placement> compute_placement(const Document& document,
                                     const std::optional<Placement>& before = std::nullopt,
                                     Haste haste = Haste::at_rest);

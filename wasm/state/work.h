@@ -18,10 +18,10 @@ struct SetAside {
 };
 
 struct Work {
-  // Returns the present document, which may be refused.
+  // Returns the present document. It may be invalid, and then has no placement.
   const Document& document() const { return document_; }
-  // Returns the document for a change that may affect the robots' places. derive() then places the
-  // document again.
+  // Returns the document for a change that may affect the robots' places. derive() then computes
+  // the placement again.
   Document& edit() {
     ++edits_;
     return document_;

@@ -51,7 +51,7 @@ enum class Face { tiny, label, strong_label, text, strong, verdict, large, end_o
 // afterwards. From 1.92 on, Dear ImGui itself adapts to the ratio and uploads the texture.
 void load_fonts(double ratio);
 
-// Gives all text of widgets this face until pop_face().
+// Draws the text of all widgets in this face until pop_face().
 void push_face(Face face);
 void pop_face();
 

@@ -1,4 +1,4 @@
-// Returns the texts around the walkthrough's steps.
+// The texts around the walkthrough's steps.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@ namespace evenlift::view {
 
 std::string place_in_words(const AppState& state);  // the position: "3 of 15"
 
-// Returns a sentence with the number of steps like this one that the main steps leave out
-// (further_like()): "There are 208 more pairs like it: …". Empty if none are left out, and while
-// all steps, a script or a question is shown.
+// If only the main steps are shown, returns a sentence that says how many steps like this one are
+// left out (further_like()): "There are 208 more pairs like it: …". Empty if none are left out,
+// if all steps are shown, or while a script or a question is shown.
 std::string left_out_in_words(const AppState& state);
 
 // Returns the step's position and chapter, the verdict on the last guess, the teacher's words, the

@@ -1,7 +1,7 @@
-// Sine, cosine and arctangent, computed with + - x / and square roots only. So the results have the
-// same bits on every platform, unlike those of the C library. Errors are at most 4 units in the
-// last place of 1 (2^-50), and twice that for arctangents above 2 or below -2. Only one of the
-// methods that place robots uses these functions: equal angles.
+// Sine, cosine and arctangent, computed with basic arithmetic and square roots. So the results have
+// the same bits on every platform, unlike the C library's. Errors of these three are at most 4
+// units in the last place of 1 (2^-50), or twice that for arctangents above 2 or below -2. Of the
+// methods that place robots, only *equal angles* uses these functions.
 #pragma once
 
 namespace evenlift {

@@ -1,7 +1,7 @@
 // Balanced robots: m robots whose centroid is C, so that equal forces W / m carry the weight W. The
-// loads are equal if forces are controlled, or if all robots are equally stiff and level and the
-// object does not bend. Three robots that are not on one line have equal loads even without
-// these conditions. Two robots with equal arms are the smallest case. Balanced robots go beyond the
+// loads are equal if forces are controlled, or if all robots are level and equally stiff and the
+// object does not bend. Three robots that are not on one line have equal loads even without these
+// conditions. Two robots with equal arms are the smallest case. Balanced robots go beyond the
 // thesis, whose section 6.2 calls for other ways to share the load evenly. The full definition is
 // in algorithm.md, Balanced robots.
 //
@@ -14,9 +14,9 @@
 //    every corner count for the margin;
 // 4. the larger coverage, by more than 1e-9;
 // 5. the larger sum of |p - C|^2 over the robots' places p, by more than 1e-9 of it;
-// 6. the smaller places along the outline, compared in order: the first that differ by more than
-//    tau Lambda decide. The outline, of length Lambda, runs counter-clockwise from the vertex
-//    farthest from C.
+// 6. the smaller places along the outline: the first robot whose places in the two sets differ by
+//    more than tau Lambda decides. The outline, of length Lambda, runs counter-clockwise from the
+//    vertex farthest from C.
 //
 // A downward press inside the lifting base H leaves the object upright only if the robots push back
 // and none is overloaded. Robots push back if they are stiff or a controller holds their height;
@@ -75,7 +75,7 @@ bool is_better(const BalancedProblem& problem, const std::vector<LiftingPoint>& 
 // be copied and continued elsewhere.
 struct BalancedSearch {
   std::vector<LiftingPoint> robots;  // in their order along the outline
-  std::uint32_t round = 0;           // number of completed rounds
+  std::uint32_t round = 0;           // completed rounds since the start or restart
   std::uint32_t next = 0;            // the next triple of the round, from 0
   bool changed = false;              // whether this round has had a swap
   bool finished = false;             // whether the search has ended: after a round without a

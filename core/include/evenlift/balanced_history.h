@@ -15,8 +15,8 @@ namespace evenlift {
 // The keys of balanced.h, in order.
 enum class BalancedKey : std::uint8_t { near_pairs, steady, level, coverage, spread, places };
 
-// The first key in which two sets of the same number of robots differ; nothing if all keys tie. At
-// most the cost of balanced_keys() for each.
+// The first key in which two sets of the same number of robots differ; nothing if all keys tie.
+// Costs at most balanced_keys() for each set.
 std::optional<BalancedKey> decided_by(const BalancedProblem& problem,
                                       const std::vector<LiftingPoint>& a,
                                       const std::vector<LiftingPoint>& b);
@@ -43,7 +43,7 @@ struct BalancedMove {
 
 struct BalancedHistory {
   std::vector<BalancedSet> start;   // the sets S_2, S_3 ... that exist
-  bool found = false;               // whether a set of m robots exists; it is the last of `start`
+  bool found = false;               // whether the last set of `start` has all m robots
   std::vector<BalancedMove> moves;  // the swaps, in order
   std::uint32_t rounds = 0;         // number of completed rounds
   bool settled = false;             // whether the last round changed nothing
@@ -51,20 +51,20 @@ struct BalancedHistory {
   std::size_t stands = 0;           // number of trial points for each triple
 };
 
-// balanced_history() repeats the whole search or only its start, at the same cost. The last set is
-// that of finish_search() or start_balanced(), bit for bit. If the search restarts, the history
-// begins with the second start.
+// balanced_history() repeats the whole search (finish_search()) or only its start
+// (start_balanced()), at the same cost and, bit for bit, with the same last set. If the search
+// restarts, the history begins with the second start.
 enum class HistoryLength : std::uint8_t { start, whole };
 BalancedHistory balanced_history(const BalancedProblem& problem, HistoryLength length);
 
 // Whether the whole search is expected to take at most a second or two. The estimate is like that
-// of is_quick_to_start(), and also counts the completions of three rounds (of three rounds for each
-// possible start, if robots have a size). O(n) at worst.
+// of is_quick_to_start(), and also counts the completions of three rounds (for each possible start,
+// if robots have a size or there are no-go parts). O(n) at worst.
 bool is_quick_to_finish(const BalancedProblem& problem);
 
 // The ways to complete a set of robots with two more: `middle` is the midpoint of the two, and
-// `chords` are the even candidates about it, in candidate order (only some of them if P has more
-// than 1,000 vertices). There are no chords if the midpoint is not strictly inside the convex hull
+// `chords` are the even candidates about `middle`, in candidate order (only some of them if P has
+// more than 1,000 vertices). There are no chords if `middle` is not strictly inside the convex hull
 // of P. O(n) at worst, usually much less.
 struct Completions {
   Vec2 middle = Vec2::Zero();

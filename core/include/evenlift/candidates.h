@@ -15,7 +15,7 @@
 namespace evenlift {
 
 // How the place of a candidate was found (algorithm.md, Candidates). A candidate of the kind
-// `range` is at another place in the range of its edge pair.
+// `range` is at any other place in the range of its edge pair.
 enum class CandidateKind : std::uint8_t { bisecting, midpoint, vertex, range };
 
 // The name of a kind, such as "bisecting". O(1).
@@ -26,7 +26,8 @@ struct Candidate {
   CandidateKind kind = CandidateKind::bisecting;
   bool between_vertices = false;
   std::uint32_t source = 0;  // see TracedCandidates
-  // Points from r1 to r2, with any length; equal for chords from one vertex to interiors of edges.
+  // A vector of any length from r1 towards r2. Chords that lead from one vertex to the interiors of
+  // edges have exactly the same vector.
   Vec2 direction = Vec2::Zero();
   double length = 0;  // |r1 r2|
 };

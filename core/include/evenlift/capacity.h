@@ -38,17 +38,17 @@ std::vector<std::size_t> overloaded_robots(const ShownPlacement& of);
 std::vector<std::size_t> overloaded_robots(const ShownPlacement& of,
                                            const std::vector<double>& loads);
 
-// The capacity_of() of each robot. O(robots).
+// The result of capacity_of() for each robot. O(robots).
 std::vector<std::optional<double>> capacities_of(const ShownPlacement& of);
 
-// The greatest radius such that no load by springs (load_models.h) exceeds its robot's limit while
-// C is within this radius of its assumed place and the other given conditions, such as a slope,
-// apply. It is computed by radius_within_capacity() (uncertainty.h). Nothing if a load may exceed a
-// limit even at radius 0. Costs as much as model_loads().
+// How far C may be off, at most, before any robot's load by springs (load_models.h) may exceed the
+// robot's limit, under the other given conditions, such as a slope. radius_within_capacity()
+// (uncertainty.h) computes this radius. Nothing if a load may exceed a limit even at radius 0.
+// Costs as much as model_loads().
 std::optional<double> com_radius_within(const ShownPlacement& of, const ModelLoads& loads,
                                         const std::vector<std::optional<double>>& limits);
 
-// Whether the load by springs of any robot may exceed its capacity after a failure, within the
+// Whether any robot's load by springs may exceed the robot's capacity after a failure, within the
 // disturbance for which `rest` was computed. False if the other robots do not carry the object.
 // overloads_after() answers this for each failure. O(m) for each failure.
 bool overloads(const ShownPlacement& of, const std::optional<RestOfRobots>& rest);
@@ -59,24 +59,24 @@ struct CapacityPlan {
   bool possible = false;     // whether some number of teams suffices
   std::uint32_t teams = 0;   // the least such number, if `possible`
   double greatest_load = 0;  // of a robot, if `possible`
-  std::uint32_t tried = 0;   // the greatest number of teams tried. If it is below
-                             // most_teams_tried() although no number of teams of two suffices,
-                             // there is no place for more, or check_swaps() (swaps.h) refuses more
+  std::uint32_t tried = 0;   // the greatest number of teams tried. If no number of teams of two
+                             // suffices and `tried` is below most_teams_tried(), there is no
+                             // place for more, or check_swaps() (swaps.h) refuses more
   // The number of robots in a team. All balanced robots form one team; if no number of them
   // suffices, this is most_robots.
   std::uint32_t team_size = 2;
   bool operator==(const CapacityPlan&) const = default;
 };
 
-// Plans for the object of a placement that place() returned, and uses the placement's candidates.
-// Each robot carries up to `capacity` > 0, in the unit of the weight. The plan depends on the
-// polygon, the holes, the centre of mass, and all settings that affect loads except the number of
-// teams or robots.
+// Makes a plan for the object of `placement`, a result of place(), with its candidates. Each robot
+// carries up to `capacity` > 0, in the unit of the weight. The plan depends on the polygon, the
+// holes, the centre of mass, and all settings that affect loads except the number of teams or
+// robots.
 //
 // Without swaps, the methods `area`, `circle`, `distance` and `random` choose teams one after
 // another. So the first k teams of a selection are a placement of k teams, and a plan costs as much
-// as selecting the needed teams. With equal angles, each number of teams has its own places; the
-// plan computes only the loads of each number, up to the first overloaded robot. If teams are
+// as selecting the needed teams. With equal angles, each number of teams has its own places; for
+// each number, the plan computes loads only, up to the first overloaded robot. If teams are
 // swapped, each number of teams also has its own places, and needs its own swaps. The least number
 // of balanced robots follows from the weight, the capacity and the failures to survive; the plan
 // does not check whether such a set exists. For given supports no plan is possible.
@@ -95,12 +95,12 @@ struct FailurePlan {
 };
 
 // Finds the least number of robots for the placement's method, at the places where place() would
-// put them. The search begins with the least number that the weight and, for balanced robots,
-// `survive` permit. It ends when there is no place for more teams, when check_swaps() (swaps.h)
-// refuses more, or after most_teams_tried() teams (for balanced robots, after most_robots). It also
-// ends before it would compute more than most_loads_planned loads in all; m robots need m^2. At
-// most most_sets_planned numbers of balanced robots are tried, each with a whole search. For given
-// supports no plan is possible.
+// put them. The search begins with the least number that the weight and, for balanced robots, the
+// setting `survive` permit. It ends when there is no place for more teams, when check_swaps()
+// (swaps.h) refuses more, or after most_teams_tried() teams (for balanced robots, after
+// most_robots). It also ends before it would compute more loads in all than `most_loads_planned`; m
+// robots need m^2. Up to `most_sets_planned` numbers of balanced robots are tried, each with a
+// whole search. For given supports no plan is possible.
 inline constexpr std::uint64_t most_loads_planned = std::uint64_t{1} << 21;
 inline constexpr std::uint32_t most_sets_planned = 8;
 FailurePlan plan_for_failures(const Placement& placement, double capacity);

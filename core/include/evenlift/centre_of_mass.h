@@ -18,12 +18,12 @@ struct CentreOfMass {
 // C for the object whose C0 is `own`. O(items).
 Vec2 with_cargo(const Vec2& own, const Settings& settings);
 
-// Finds C0 and C. C0 is the given point, or else the centroid of the object without its holes. With
-// the object's weight W0 and cargo of weights w at q, C = (W0 C0 + sum w q) / (W0 + sum w). It is
-// an error if C is not strictly inside the convex hull of the outline (an exact test). A coordinate
-// of a given C0 is an error if it is not finite, or if its absolute value exceeds max_coordinate or
-// is above 0 but below min_coordinate. Apart from that, C0 and cargo may lie anywhere. O(items + h)
-// for h corners of the hull.
+// Finds C0 and C. C0 is the given point, or else the centroid of the area that the holes leave.
+// With the object's weight W0 and cargo of weights w at q, C = (W0 C0 + sum w q) / (W0 + sum w). It
+// is an error if C is not strictly inside the convex hull of the outline (an exact test). A
+// coordinate of a given C0 is an error if it is not finite, or if its absolute value exceeds
+// max_coordinate or is above 0 but below min_coordinate. Apart from that, C0 and cargo may lie
+// anywhere. O(items + h) for h corners of the hull.
 Result<CentreOfMass> centre_of_mass(const PolygonWithHoles& object,
                                     const std::optional<Vec2>& given, const Settings& settings);
 

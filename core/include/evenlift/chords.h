@@ -30,7 +30,7 @@ Points positions(const std::vector<LiftingPoint>& points);
 struct Chord {
   LiftingPoint r1;   // the left end (lower, if the direction counts as vertical)
   LiftingPoint r2;   // the right end (upper)
-  double arm1 = 0;   // |C r1| > 0, more precise than from the rounded positions
+  double arm1 = 0;   // |C r1| > 0, more precise than the rounded positions would give
   double arm2 = 0;   // |C r2| > 0
   double ratio = 1;  // min(arm1, arm2) / max(arm1, arm2), in (0, 1]
 };
@@ -41,8 +41,8 @@ inline constexpr std::uint32_t inside_edge = ~std::uint32_t{0};
 
 // Two non-radial edges that face each other across C: for an open range of directions u, the ray
 // from C along u meets `a` and the ray along -u meets `b`. Counter-clockwise, the range begins at
-// the vertices `begin_a` of `a` and `begin_b` of `b`, and ends at `end_a` and `end_b`. Each of
-// these values is inside_edge if the range begins or ends in the interior of its edge.
+// the vertices `begin_a` of `a` and `begin_b` of `b`, and ends at `end_a` and `end_b`. Where it
+// begins or ends in the interior of an edge, the value for this edge is inside_edge.
 struct EdgePair {
   std::uint32_t a = 0, b = 0;
   std::uint32_t begin_a = inside_edge, begin_b = inside_edge;
@@ -69,11 +69,11 @@ struct VertexChord {
   Chord chord;
 };
 
-// All chords from a vertex through C. They are listed as a line turns about C: each vertex that it
-// meets adds the chords that start there. In each direction, vertices on the line's forward half
-// come first. A chord between two vertices is listed once, from the vertex on the forward half.
-// Radial edges are met at their ends only. More than max_edge_pairs chords are an error. O(n log n
-// + k) for k chords.
+// All chords from a vertex through C, in the order in which a line that turns about C meets the
+// vertices where they start. In each direction, vertices on the line's forward half come first. A
+// chord between two vertices is listed once, from the vertex on the forward half. Radial edges are
+// met at their ends only. More than max_edge_pairs chords are an error. O(n log n + k) for k
+// chords.
 Result<std::vector<VertexChord>> vertex_chords(const Polygon& polygon, const Vec2& centre);
 
 // The number of edge pairs. O(n log n).
@@ -86,8 +86,8 @@ Result<std::vector<EdgePair>> edge_pairs(const Polygon& polygon, const Vec2& cen
 // All pairs of opposite vertices, in the order in which C sees the nearer vertex of each pair. A
 // vertex within tau L of C belongs to no pair. It is an error if these pairs and the edge pairs
 // together exceed max_edge_pairs. O(n log n + k). Here k is the number of pairs of vertices v and w
-// such that w is farther from C, and the lines of v and w through C make an angle with a sine of at
-// most 2 tau L / |C v|.
+// such that w is farther from C, and the sine of the angle between the lines C v and C w is at most
+// 2 tau L / |C v|.
 Result<std::vector<OppositeVertices>> opposite_vertices(const Polygon& polygon, const Vec2& centre);
 
 }  // namespace evenlift

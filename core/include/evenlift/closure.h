@@ -27,11 +27,11 @@ struct Contact {
   Vec2 position = Vec2::Zero();
   std::uint32_t edge = 0;
   std::uint32_t point = 0;  // the index of the robot's lifting point
-  // The distance from the nearest corner (Polygon::is_corner) at which the contact's edge ends;
-  // edges joined by straight vertices count as one. It is infinite if there is no such corner, and
-  // also in a reflex vertex, whose notch keeps the robot in place.
+  // The distance from the nearest corner (Polygon::is_corner) at an end of the contact's edge;
+  // edges joined by straight vertices count as one edge. It is infinite if there is no such corner,
+  // and also in a reflex vertex, whose notch keeps the robot in place.
   double to_corner = std::numeric_limits<double>::infinity();
-  // The distance from the nearest convex vertex at which the contact's straight side ends, however
+  // The distance from the nearest convex vertex at an end of the contact's straight side, however
   // little the outline turns there. A robot beyond that vertex touches another side. The distance
   // is infinite if there is no such vertex, and also in a reflex vertex.
   double to_end = std::numeric_limits<double>::infinity();
@@ -81,8 +81,8 @@ struct Clearance {
   std::optional<std::uint32_t> point;
   // The supremum of min(k, R s(k)); 0 without form closure. Form closure persists if all robots are
   // off along their sides by less than that, in any combination, provided that robots in reflex
-  // vertices stay there. The reasons are that no contact that counts leaves its side, and that each
-  // wrench, and so the margin, changes by at most the displacement divided by R.
+  // vertices stay there. The contacts in s(k) then stay on their sides, and each wrench (see
+  // Closure), and so the margin, changes by at most the displacement divided by R.
   double tolerance = 0;
 };
 
@@ -94,9 +94,10 @@ struct Closure {
   bool form_closure = false;  // whether no motion is free to first order
   // The radius of the largest ball about the origin in the convex hull of the contacts' wrenches
   // (n, (p - C) x n / R), where n is the inward unit normal at the contact p. If the origin is
-  // outside, the margin is minus its distance from the hull. It is above 0 in form closure, and
-  // empty without contacts. The hull corresponds to one limit on the sum of all contact forces (the
-  // L1 form). The margin depends on C and R, so compare it only between placements of one object.
+  // outside, the margin is minus the origin's distance from the hull. It is above 0 in form
+  // closure, and empty without contacts. The hull corresponds to one limit on the sum of all
+  // contact forces (the L1 form). The margin depends on C and R, so compare it only between
+  // placements of one object.
   std::optional<double> margin;
   bool second_order = false;  // whether the object is immobile to second order only
   bool translation_free = true;
@@ -115,7 +116,7 @@ Hold analyse_hold(const Polygon& polygon, const Vec2& centre, const std::vector<
 Hold analyse_hold(const Polygon& polygon, const Vec2& centre,
                   const std::vector<LiftingPoint>& points);
 
-// The minimum margin, and the distance from corners that contacts must have to count.
+// The minimum margin, and the least distance from corners at which contacts count.
 struct HoldRequirements {
   double min_margin = 0.05;
   double clear = 0;
@@ -126,7 +127,7 @@ struct HoldRequirements {
 HoldRequirements hold_requirements(const Polygon& polygon, const Vec2& centre,
                                    const Settings& settings);
 
-// Whether the clearance is at least `clear`, within tau L. If it is, and there is form closure, the
+// Whether the clearance is at least `clear`, within tau L. If so, and there is form closure, the
 // contacts at least `clear` from corners suffice for it. O(1).
 bool is_clear(const Polygon& polygon, const Clearance& clearance, double clear);
 

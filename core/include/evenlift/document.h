@@ -130,8 +130,8 @@ struct Overlays {
   bool candidates = false;       // chords that are not selected
   bool chords = true;            // chords of the teams
   bool lifting_base = true;      // H and coverage
-  bool clockwise = true;         // region of free clockwise rotation centres
-  bool counterclockwise = true;  // region of free counter-clockwise ones
+  bool clockwise = true;         // rotation centres free for clockwise turns
+  bool counterclockwise = true;  // those free for counter-clockwise turns
   bool tipping = false;          // heat map of the tipping force
   bool halo = false;             // the tipping distance (uncertainty.h)
   bool tilt = false;             // slopes at which the object tips, by direction (tilt.h)
@@ -146,14 +146,13 @@ struct RobotSize {
   double depth = 0;   // length of the hand, from the contact to the lifting point
   double width = 0;   // width of the hand
   double gap = 0;     // free distance between two bodies
-  // Whether the robot is more than a point. Robots that are points also keep the gap from each
-  // other.
+  // Whether the robot is more than a point. Points, too, must stand at least the gap apart.
   bool has_body() const { return radius > 0 || reach > 0 || depth > 0 || width > 0; }
   bool operator==(const RobotSize&) const = default;
 };
 
-// A part of an edge, 0 <= from < to <= 1. `from` and `to` are fractions of the edge's length from
-// its first vertex.
+// A part of an edge, 0 <= from < to <= 1. `from` and `to` are fractions of the edge's length,
+// measured from its first vertex.
 struct EdgePart {
   std::uint32_t edge = 0;  // from 0
   double from = 0, to = 1;
@@ -184,8 +183,8 @@ struct Settings {
   std::optional<Goal> goal;     // empty means the default of goal_of()
   double min_margin = 0.05;     // minimum margin of a hold, 0 .. 1
   std::optional<double> apart;  // preferred distance between robots, >= 0; empty means 0.12 R
-  // Searches ignore contacts nearer than this to a corner, and after a failure C should be at least
-  // this far inside the lifting base; >= 0; empty means usual_clear times R.
+  // For a hold, searches rely on no contact nearer than this to a corner; after a failure, C should
+  // be at least this far inside the lifting base. >= 0; empty means usual_clear times R.
   std::optional<double> clear;
   std::uint32_t survive = 0;  // the number of balanced robots whose failure should leave the object
                               // steady; F failures need at least 2 F + 3 robots
@@ -199,7 +198,7 @@ struct Settings {
   bool operator==(const Settings&) const = default;
 };
 
-// Conditions that change loads and whether the object tips, but not where robots stand (tilt.h,
+// Conditions that affect the loads and whether the object tips, but not where robots stand (tilt.h,
 // extra_load.h).
 struct Carrying {
   double com_height = 0;  // height of C above the lifting points, 0 .. max_length
@@ -230,15 +229,16 @@ struct Shown {
   bool operator==(const Shown&) const = default;
 };
 
-// The given goal, or else the default: hold for four or more balanced robots, otherwise cover. (For
-// two or three balanced robots, a hold would cost too much of the lifting base.) With Method::given
-// the goal is always cover. O(1).
+// The given goal, or else the default: `hold` for four or more balanced robots, otherwise `cover`.
+// (For two or three balanced robots, a hold would cost too much of the lifting base.) With
+// Method::given the goal is always `cover`. O(1).
 Goal goal_of(const Settings& settings);
 
 // Whether teams of two are swapped until they hold (swaps.h). O(1).
 bool swaps_teams(const Settings& settings);
 
-// A point on an edge. `part` is a fraction of the edge's length from its first vertex, 0 .. 1.
+// A point on an edge. `part`, 0 .. 1, is a fraction of the edge's length, measured from its first
+// vertex.
 struct EdgePoint {
   std::uint32_t edge = 0;  // from 0
   double part = 0;

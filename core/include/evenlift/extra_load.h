@@ -14,7 +14,7 @@ struct ExtraLoad {
   // The convex part of the object's bounding box where the load makes no robot go slack and
   // overloads no robot. Its corners are counter-clockwise; it may be empty.
   Points region;
-  double share = 0;  // share of the object's area, without holes, that is in the region
+  double share = 0;  // share of the object's area (holes excluded) that is in the region
   // The greatest weight that may stand anywhere on the object; empty if there is no limit.
   std::optional<double> anywhere;
 };

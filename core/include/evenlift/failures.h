@@ -19,11 +19,11 @@
 
 namespace evenlift {
 
-// The number of robots that may fail at once, whichever they are, while the rest still carries the
-// object; -1 if not even all robots carry it. It is one less than the depth of C. The depth is the
-// least number of robots on one side of a line through C, including those within tolerance of the
-// line (half-space depth; J. W. Tukey, Mathematics and the picturing of data, 1975). t teams of two
-// carry the object after any t - 1 failures, since each side of any line through C, the line
+// The number of robots that may fail at once, whichever they are, while the others still carry the
+// object; -1 if all robots together do not carry it. It is one less than the depth of C. The depth
+// is the least number of robots on one side of a line through C, including those within tolerance
+// of the line (half-space depth; J. W. Tukey, Mathematics and the picturing of data, 1975). Of t
+// teams of two, any t - 1 robots may fail, since each side of any line through C, the line
 // included, has a robot of each team. `robots` are positions, in any order and perhaps equal;
 // `diameter` > 0 is L. O(m log m).
 int failures_carried(const Points& robots, const Vec2& centre, double diameter);
@@ -31,7 +31,7 @@ int failures_carried(const Points& robots, const Vec2& centre, double diameter);
 // The number of robots that may fail at once, whichever they are, while the object stays steady and
 // C lies at least `inside` within the hull of the rest. It is found like failures_carried(), but a
 // robot counts only if its distance from the line exceeds the tolerance and is, within tolerance,
-// at least `inside`. The number is at most failures_carried(), and -1 if not even all robots
+// at least `inside`. The number is at most failures_carried(), and -1 if all robots together do not
 // suffice, as with one team of two. O(m log m).
 int failures_steady(const Points& robots, const Vec2& centre, double diameter, double inside = 0);
 
@@ -56,8 +56,8 @@ struct RestOfRobots {
   bool stays = true;
 };
 
-// The effect of each robot's failure, in the order of the robots; an entry is empty if the rest
-// does not carry the object. The teams must be those of a placement on the polygon. `inside` is as
+// The effect of each robot's failure, in the order of the robots; an entry is empty if the others
+// do not carry the object. The teams must be those of a placement on the polygon. `inside` is as
 // for failures_steady(), and the disturbance as for load_changes() (uncertainty.h). O(n log n + m n
 // + m^2 log m) for m robots, plus O(h n + m h n') for the coverage (stability.h) and O(m^3) for the
 // margin. The least greatest load takes O(m^4) up to 65 robots; beyond that, it takes O(m^2) for

@@ -12,16 +12,16 @@
 
 namespace evenlift {
 
-// The families of polygons. regular: n corners on a circle. convex: an irregular convex polygon.
-// star: star-shaped about its centre, with random radii. comb: teeth that face each other across C,
-// with about n^2 / 4 edge pairs. spiral: a wound strip. random: the outline of a random tree; a ray
-// from C meets about sqrt(n) edges.
+// The families of polygons. `regular`: n corners on a circle. `convex`: an irregular convex
+// polygon. `star`: star-shaped about its centre, with random radii. `comb`: teeth that face each
+// other across C, with about n^2 / 4 edge pairs. `spiral`: a coiled strip. `random`: the outline of
+// a random tree; a ray from C meets about sqrt(n) edges.
 enum class Family : std::uint8_t { regular, convex, star, comb, spiral, random };
 inline constexpr Family all_families[] = {Family::regular, Family::convex, Family::star,
                                           Family::comb,    Family::spiral, Family::random};
 
-// name() returns a family's name, such as "comb"; family_from_name() returns the family of a name,
-// if it is known. O(1).
+// name() returns a family's name, such as "comb"; family_from_name() returns the family with this
+// name, if any. O(1).
 std::string_view name(Family family);
 std::optional<Family> family_from_name(std::string_view name);
 

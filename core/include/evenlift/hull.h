@@ -9,12 +9,12 @@ namespace evenlift {
 // leftmost corners, by Andrew's monotone chain (A. M. Andrew, Another efficient algorithm for
 // convex hulls in two dimensions, 1979) with exact orientations.
 //
-// With `flat` above 0, corners that exist only through rounding are omitted. These are corners
-// within `flat` of another corner, and runs of corners that one straight side can replace: every
-// corner of the run is at most tau times the side's length from the side. If all points are within
-// `flat` of one line, the result is their two ends; if all points are equal, it is one point.
-// O(m log m), plus O(h^2) if all h corners are within 4 `flat` of one line, and O(r^2) for each run
-// of r omitted corners.
+// With `flat` above 0, corners that only rounding creates are omitted. These are corners within
+// `flat` of another corner, and runs of corners that one straight side can replace: every corner of
+// the run is at most tau times the side's length from the side. If all points are within `flat` of
+// one line, the result is the two extremes; if all points are equal, it is one point. O(m log m),
+// plus O(h^2) if all h corners are within 4 `flat` of one line, and O(r^2) for each run of r
+// omitted corners.
 Points convex_hull(Points points, double flat = 0);
 
 // Returns the convex hull of p, q and `hull`, which must come from convex_hull(). O(h) for h

@@ -1,5 +1,5 @@
-// Imports polygons with holes from SVG, DXF, columns of numbers, any GeoJSON, saved results, and
-// the formats of formats.h. A text may contain many shapes.
+// Imports polygons with holes from SVG, DXF, columns of numbers, WKT, JSON of several kinds, share
+// links, saved results, and the formats of formats.h. A text may contain many shapes.
 #pragma once
 
 #include <cstddef>
@@ -33,10 +33,10 @@ struct ImportOptions {
 
 struct ImportedShape {
   Document document;
-  std::string name;  // from the object or its layer; UTF-8, no control characters; may be empty
+  std::string name;  // of the object or its layer, as UTF-8 without control characters, or empty
   std::string kind;  // in words, such as "rectangle"
-  // The greatest distance of edges from the curves that they replace, also in holes; not set
-  // without curves.
+  // The greatest distance of edges from the curves that they replace, also in holes; not set if
+  // there are no curves.
   std::optional<double> tolerance;
 };
 
@@ -50,35 +50,37 @@ struct Import {
   // Whether a person should confirm even a single shape, because the box around some connected open
   // lines has a larger area than the box around the largest shape.
   bool doubtful = false;
-  // A drawing's lines that do not close, in drawing order. A line that would bring the total number
-  // of points above most_open_points is left out. Curves become edges within the default tolerance.
+  // A drawing's lines that do not close, in the drawing's order. A line that would bring the total
+  // number of points above most_open_points is left out. Curves become edges within the default
+  // tolerance.
   std::vector<Points> left_open;
   bool has_settings = false;  // the text is evenlift's own and gives the shape's settings
-  bool in_degrees = false;    // the text says that its coordinates are degrees; not converted
+  bool in_degrees = false;  // the coordinates are degrees, as the text says, and were not converted
 };
 
 // Reads a text. Its content determines the format:
 //   formats.h  all that read_polygon() reads. If the text begins like the thesis's format, errors
 //              are those of read_polygon()
-//   SVG        polygon, polyline, path, line, rect, circle and ellipse, also in a nested svg and in
-//              copies (use, symbol). Transforms (attribute or CSS) are applied; y is turned
+//   SVG        polygon, polyline, path, line, rect, circle and ellipse, also in a nested `svg` and
+//              in copies (`use`, `symbol`). Transforms (attribute or CSS) are applied; y is turned
 //              upwards. A filled path is one shape or several, and its fill-rule decides which of
-//              its parts are holes. Only one child of a switch counts: the first that needs no
-//              extension and is in English or in no stated language. The content of defs, clipPath,
-//              mask, marker and pattern is left out. So are shapes that are invisible because of
-//              display, visibility or opacity, or because they have neither fill nor stroke; if no
-//              shape has a fill or a stroke, all are read. Properties come from attributes, styles
-//              and style sheets (selectors of a tag, a class or an id), and from parents. If
-//              evenlift saved the picture, only the share link in its <metadata> is read. Only a
-//              size on paper, as in width="210mm", gives a unit. If a user unit is then 1 mm, 1 cm,
-//              1 m or 1 inch, this is the unit, and nothing is scaled. Otherwise the unit is that
-//              of the size, or mm if the size is in pt, pc or Q, and coordinates are scaled to the
-//              unit about the origin of user units. The size of a user unit follows from viewBox
-//              and preserveAspectRatio; without a viewBox, 96 user units are an inch. A curve that
-//              ends where it began is dropped if none of its control points is farther from that
-//              place than a limit. The limit is `tolerance` if given, but at least 1/200 and at
-//              most 1/10 of the larger side of the box around the curve's outline and its control
-//              points. All copies together take at most 64 MiB
+//              its parts are holes. Only one child of a `switch` counts: the first that needs no
+//              extension and is in English or in no stated language. The content of `defs`,
+//              `clipPath`, `mask`, `marker` and `pattern` is left out. So are shapes that are
+//              invisible because of `display`, `visibility` or `opacity`, or because they have
+//              neither fill nor stroke; if no shape has a fill or a stroke, all are read.
+//              Properties come from attributes, styles and style sheets (selectors of a tag, a
+//              class or an id), and from parents. If evenlift saved the picture, only the share
+//              link in its <metadata> is read. Only a size on paper, as in width="210mm", gives a
+//              unit. If a user unit is then 1 mm, 1 cm, 1 m or 1 inch, this is the unit, and
+//              nothing is scaled. Otherwise the unit is that of the size (mm if the size is in pt,
+//              pc or Q), and coordinates are scaled to it about the origin of user units. The size
+//              of a user unit follows from viewBox and preserveAspectRatio; without a viewBox, 96
+//              user units are an inch. A curve that ends where it began is dropped if all its
+//              control points are within a limit of that place. The limit is 1/200 of the larger
+//              side of the box around the curve's outline and its control points, or `tolerance` if
+//              that is larger, but at most 1/10 of this side. All copies together take at most 64
+//              MiB
 //   DXF        the model space of a DXF file in text form. LWPOLYLINE and POLYLINE (with bulges),
 //              ELLIPSE and SPLINE are outlines if closed; a CIRCLE is always an outline. LINE, ARC
 //              and open curves and polylines are pieces, joined as described below. A SPLINE is a
@@ -87,24 +89,24 @@ struct Import {
 //              other blocks, up to 32 deep; all copies together take at most 128 MiB. A block's
 //              objects on layer 0 count as objects on the layer of the INSERT. Objects that are
 //              invisible, on the layer Defpoints or on a layer that is off or frozen are left out.
-//              $INSUNITS gives the unit. If it is a LengthUnit, lengths are shown in it
+//              $INSUNITS gives the unit. Lengths are shown in it if it is a LengthUnit
 //   columns    lines with x and y. The columns are separated by a tab, semicolon, bar, comma or
 //              space: the first of these that the first line with two numbers contains. Numbers may
-//              have a decimal comma unless commas or spaces separate the columns. If commas do, a
-//              number in quotes may have a decimal comma, but only if in the first 200 lines some
-//              number in quotes has a comma that cannot separate thousands. A heading may name the
+//              have a decimal comma unless commas or spaces separate the columns. If commas do,
+//              only numbers in quotes may have a decimal comma, and only if one of them in the
+//              first 200 lines has a comma that cannot separate thousands. A heading may name the
 //              columns, in upper or lower case and perhaps with a unit: x (mm), X-Coordinate,
 //              POINT_X, Position X, Easting, E, lon, and similar names for y. x and y take
 //              precedence over easting and northing, and these over longitude and latitude. Without
-//              such a heading, x and y are the first two columns with numbers. Columns that number
-//              the lines or shapes, have the same number in every line, or have a heading such as
-//              "Point No." or "Elevation" are passed over as long as two others remain. If there
-//              are more than two columns with numbers, a note says which were taken. Lines that
-//              begin with # are comments, but one before the first row may be the heading. At most
-//              99 lines may precede the first row. Blank lines separate shapes, and so does a
-//              column that numbers or names them; a line of words before a shape is its name. A row
-//              is refused if its columns do not fit the heading or the first row. It is also
-//              refused if the first two rows begin with the same word and this row begins with
+//              such a heading, x and y are the first two columns with numbers. As long as two
+//              others remain, a column is passed over if it numbers the lines or shapes, has the
+//              same number in every line, or has a heading such as "Point No." or "Elevation". If
+//              there are more than two columns with numbers, a note says which were taken. Lines
+//              that begin with # are comments, but one before the first row may be the heading. At
+//              most 99 other lines may precede the first row. Blank lines separate shapes, and so
+//              does a column that numbers or names them; a line of words before a shape is its
+//              name. A row is refused if its columns do not fit the heading or the first row. It is
+//              also refused if the first two rows begin with the same word and this row begins with
 //              another. The two surfaces of an airfoil are joined
 //   WKT        POLYGON and MULTIPOLYGON, also in a GEOMETRYCOLLECTION. A text may contain several
 //              geometries, each perhaps after `SRID=...;`. Geometries may also be in a column of a
@@ -120,27 +122,27 @@ struct Import {
 //   results    the JSON of `evenlift place --json`, of the page and of `link decode`, with all
 //              settings, holes and cargo. The object's own centre of mass is also read, unless it
 //              equals the centroid in every bit
-// The pieces of a drawing (in SVG, lines and open paths) are joined into outlines, whatever their
-// order: first within their layer, then across layers. Ends are joined if their distance is at most
-// 1e-6 of the drawing's larger side. Where pieces stay open, this limit grows in steps up to 1e-3,
-// or up to `join` if given; a note gives the greatest gap if it exceeds 1.5e-5 of that side. Parts
-// of pieces that lie on other pieces count once, and dead ends are left out. Each undivided area
-// that the remaining pieces enclose is a shape. An open path of an SVG that meets no other piece is
-// closed by a straight edge. An outline without a fill that is directly inside a shape is a hole of
-// that shape, and a note gives the number of such holes. Filled outlines are shapes, and so are
-// outlines in a hole. Outlines that touch or cross are separate shapes.
+// The pieces of a drawing (in SVG, lines and open paths), in whatever order, are joined into
+// outlines, first within their layer, then across layers. Ends are joined if their distance is at
+// most 1e-6 of the drawing's larger side. Where pieces stay open, this limit grows in steps up to
+// 1e-3, or up to `join` if given; a note gives the greatest gap if it exceeds 1.5e-5 of that side.
+// Parts of pieces that lie on other pieces count once, and dead ends are left out. Each undivided
+// area that the remaining pieces enclose is a shape. In SVG, a straight edge closes an open path
+// that meets no other piece. An unfilled outline that is directly inside a shape is a hole of that
+// shape, and a note gives the number of such holes. Filled outlines are shapes, and so are outlines
+// in a hole. Outlines that touch or cross are separate shapes.
 //
 // A vertex that equals the preceding one is dropped, with a note unless the text is a drawing. The
 // last vertex of a ring is dropped if it equals the first or, in a drawing, if their distance is at
-// most 1/100000 of the shape's larger side. No vertex is dropped from the thesis's format and
-// links, and from results only a last vertex that equals the first.
+// most 1/100000 of the shape's larger side. In the thesis's format and in links, no vertex is
+// dropped; in results, only a last vertex that equals the first is.
 //
 // If the text says that its coordinates are degrees (GeoJSON without another reference system,
 // columns of longitude and latitude, reference systems of EWKT and Esri JSON), they stay as they
 // are, with a note. With `project`, a note gives the origin, with at most four decimals, and the
 // greatest relative error of a width, if that is at least 0.1 %. It is an error to convert the
-// coordinates of a result or a link, and coordinates that cannot be degrees, reach beyond latitude
-// 85 or span the 180th meridian.
+// coordinates of a result or a link, or coordinates that cannot be degrees, that reach beyond
+// latitude 85 or that span the 180th meridian.
 //
 // Meshes, STEP, IGES, G-code and other known kinds of files are refused; the error names the kind.
 // The geometry is not checked here, but by object_of() (polygon_with_holes.h). On every platform,
@@ -161,10 +163,10 @@ struct SupportFile {
   LengthUnit unit = LengthUnit::none;  // as a table or JSON states it; metres for YAML (ROS 2)
 };
 
-// Reads the places of robots. The text is a table whose first line names the columns x, y and
-// perhaps capacity (also "Cap.", "SWL", "WLL" or "max load"), the JSON of a result (robots[].at) or
-// of robot poses, an array [[x, y], ...], or robot poses as YAML. The limits are max_text_bytes and
-// most_supports. O(bytes).
+// Reads the places of robots. The text is a table whose first line names the columns `x`, `y` and
+// perhaps `capacity` (also "Cap.", "SWL", "WLL" or "max load"), the JSON of a result (robots[].at)
+// or of robot poses, an array [[x, y], ...], or robot poses as YAML. The limits are max_text_bytes
+// and most_supports. O(bytes).
 Result<SupportFile> read_support_file(std::string_view text);
 
 // Removes the holes and returns the note about them, or an empty text if there are none.

@@ -105,7 +105,7 @@ struct Task {
   std::vector<Condition> conditions;  // empty only if `find_centre` is true
   std::vector<Movable> may;           // at least one, in ascending order
   std::size_t place = 0;              // robots to be placed by hand; 0 keeps the lesson's robots
-  bool find_centre = false;           // the hidden centre of mass is to be found from the loads
+  bool find_centre = false;           // whether to find the hidden centre of mass from the loads
 };
 
 struct LessonStep {
@@ -134,8 +134,8 @@ struct Lesson {
 Result<Lesson> parse_lesson(std::string_view text);
 
 // Returns the lesson's document with the lesson's own settings, for the learner with this number.
-// The object is that of the lesson's link, the polygon that the lesson generates, or `sample`, the
-// sample that the lesson names as its `polygon` and that the caller has read. Errors are those of
+// The object is that of the lesson's link, the polygon that the lesson generates, or `sample`: the
+// caller reads the sample that the lesson names as its `polygon`. Errors are those of
 // decode_link(), generate() and read_setting(). exercise() (task.h) later makes the changes that a
 // task asks for.
 Result<Document> lesson_document(const Lesson& lesson, const Document& sample,
@@ -150,7 +150,8 @@ InputError at_line(InputError error, const Lesson& lesson);
 std::optional<std::uint32_t> find_step(const Trace& trace, const StepAddress& address);
 
 // If the trace lacks any of the lesson's steps, returns an error at the line of the first of these.
-// The message says which steps of that kind exist. The cost is that of find_step() for each step.
+// The message says, for instance, which steps of that kind exist. The cost is that of find_step()
+// for each step.
 std::optional<InputError> check_lesson(const Lesson& lesson, const Trace& trace);
 
 }  // namespace evenlift

@@ -12,12 +12,12 @@ namespace evenlift {
 
 // Returns the link of a document, without the `#`. The link holds every coordinate bit for bit. It
 // omits settings that have their default values, and those settings of version 2 that the method
-// does not use. It is of version 1 if that version can hold the document. It is an error if there
-// are more than max_link_vertices vertices or max_holes holes, a hole has no vertices, a number is
-// not finite, a coordinate exceeds max_coordinate in size, a setting is out of range, the moved
-// robots are not as Moved (document.h) requires, or the link would exceed max_link_bytes. There is
-// no upper bound for the weight, the common capacity, `apart` and `com_radius`: any finite value
-// above 0 is accepted. Nothing else is checked. Every platform makes the same link. O(n).
+// does not use. The link is of version 1 if that version can hold the document. It is an error if
+// there are more than max_link_vertices vertices or max_holes holes, a hole has no vertices, a
+// number is not finite, a coordinate exceeds max_coordinate in size, a setting is out of range, the
+// moved robots are not as Moved (document.h) requires, or the link would exceed max_link_bytes.
+// There is no upper bound for the weight, the common capacity, `apart` and `com_radius`: any finite
+// value above 0 is accepted. Nothing else is checked. Every platform makes the same link. O(n).
 Result<std::string> encode_link(const Document& document);
 
 // Returns the document of a link, which may have a leading `#` or be at the end of a whole address.

@@ -5,11 +5,11 @@
 // actual loads depend on how the robots give way. A placement's own loads, the *plan*, presume
 // controlled forces.
 //
-// *Springs* presumes that all robots are equally stiff and level and that the object is rigid (L.
+// *Springs* presumes that all robots are level and equally stiff, and that the object is rigid (L.
 // Euler, De pressione ponderis in planum cui incumbit, 1773; also used for piles under a rigid
 // cap). Of all possible loads, the loads by springs have the least sum of squares. A robot that
 // would have to pull goes slack: a robot at p carries max(0, a + b . p), with the same a and b for
-// all robots. If the robots' centroid is C, as it is if all teams are even, all loads are equal.
+// all robots. All loads are equal if the robots' centroid is C, for instance if all teams are even.
 //
 // *Best* is the least possible greatest load: an ideal controller would share the weight so that no
 // robot carries more.
@@ -61,23 +61,24 @@ struct SpringLoads {
 std::optional<SpringLoads> spring_loads(const Points& robots, const Vec2& centre, double diameter,
                                         double weight);
 
-// Returns the least possible greatest load. For two robots in either order, let g be the distance
-// from their line, positive on its left. The load is the larger of two numbers: weight / m, and the
-// greatest value over all pairs of weight g(C) / (sum over robots of max(0, g)). Up to 64 robots
-// take O(m^3). For more robots, cutting planes through the centroid of the remaining region (A. Yu.
-// Levin and D. J. Newman, both 1965) find the load to 13 digits in about a hundred steps of O(m).
+// Returns the least possible greatest load of m robots. For each ordered pair of robots, let g be
+// the distance from their line, positive on its left, and s the sum of max(0, g) over all robots.
+// The load is weight / m or, if larger, the greatest weight * g(C) / s over all pairs. Up to 64
+// robots take O(m^3). For more robots, cutting planes through the centroid of the remaining region
+// (A. Yu. Levin and D. J. Newman, both 1965) find the load to 13 digits in about a hundred steps of
+// O(m).
 std::optional<double> best_load(const Points& robots, const Vec2& centre, double diameter,
                                 double weight);
 
-// Returns each robot's greatest possible load. For a robot at p it is weight |C q| / |p q|, where
+// Returns each robot's greatest possible load. For a robot at p it is weight * |C q| / |p q|, where
 // the ray from p through C leaves H at q. O(m log m).
 std::optional<std::vector<double>> worst_loads(const Points& robots, const Vec2& centre,
                                                double diameter, double weight);
 
 // Returns each robot's greatest possible load if C may be anywhere in H within the distance `reach`
 // >= 0 of its place. For a robot at p it is the weight times the greatest t for which t p + (1 - t)
-// H comes within `reach` of C. For h corners of H, O(m log m + m h), with seldom more than six
-// steps of Newton's method for each robot.
+// H comes within `reach` of C. O(m log m + m h) for h corners of H, since Newton's method seldom
+// takes more than six steps for each robot.
 std::optional<std::vector<double>> worst_loads(const Points& robots, const Vec2& centre,
                                                double diameter, double weight, double reach);
 

@@ -12,7 +12,7 @@ namespace evenlift {
 // A robot of a team.
 struct Robot {
   LiftingPoint point;
-  double arm = 0;   // distance from C; for chords, without the rounding error of the position
+  double arm = 0;   // distance from C; on a chord, not affected by the rounding of `point`
   double load = 0;  // in the unit of the weight
 };
 
@@ -20,7 +20,7 @@ struct Robot {
 // given support may be alone. All teams of a placement have the same number of robots. The robots
 // of a team of two stand at the ends of a chord, unless they are given supports.
 struct Team {
-  std::vector<Robot> robots;  // r1 before r2 of a chord
+  std::vector<Robot> robots;  // on a chord, r1 before r2
   // The least load divided by the greatest, 0 .. 1. It is 0 only with given supports or after a
   // failure, if a robot of the team carries nothing.
   double ratio = 1;

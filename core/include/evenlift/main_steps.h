@@ -12,8 +12,8 @@ namespace evenlift {
 // The most steps that main_steps() returns, for any polygon and any number of teams.
 inline constexpr std::uint32_t most_main_steps = 25;
 
-// Returns the numbers of the main steps, increasing, from the polygon to the result. If steps of a
-// kind occur repeatedly, only these are included:
+// Returns the numbers of the main steps in order, from the polygon to the result. If a kind of step
+// occurs repeatedly, only these are included:
 // - the first ray;
 // - among the first 200 edge pairs that led to a candidate, the pair with the longest sections,
 //   which are easy to see (the first pair if no pair led to a candidate; the first opposite
@@ -23,8 +23,7 @@ inline constexpr std::uint32_t most_main_steps = 25;
 // - the scores and choices of the first three teams, then the choice of the last team and the
 //   lifting base after it;
 // - the first three swaps of teams;
-// - for balanced robots, the last set of the start, and the three swaps that widen the coverage
-//   most.
+// - for balanced robots, the last `start`, and the three swaps that increase the coverage most.
 // Steps that occur only once are included, except the centroid, radial edges, duplicates, the
 // search for a direction to slide, and the contacts of balanced robots. O(pairs), plus the cost of
 // balanced_keys() for each swap of balanced robots.

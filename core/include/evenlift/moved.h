@@ -16,17 +16,17 @@ namespace evenlift {
 // `positions` must allow places anywhere in a range, and `search_ended` must be true. O(1).
 bool can_move_teams(const Placement& placement);
 
-// Returns the new positions if this balanced robot moves to a point of the outline and its two
+// Returns the positions after this balanced robot moves to a point of the outline and its two
 // neighbours follow (move_robot() of balanced.h). It returns nothing if the neighbours cannot
 // follow, if a robot does not fit or collides, or if there are fewer than three balanced robots.
 // O(n log n).
 std::optional<Moved> moved_along_outline(const Placement& placement, std::size_t robot,
                                          const LiftingPoint& to);
 
-// Returns the new positions if this robot moves until it lies in the direction from C to `to`, or
-// as near to that direction as possible. Its partner stays across C. The team moves along the range
-// of its two edges and, when an end reaches a vertex, along the range with the next edge. The
-// team stops where its chord would fall below the minimum ratio or would have to jump. The function
+// Returns the positions after this robot moves until it lies in the direction from C to `to`, or as
+// near to that direction as possible. Its partner stays across C. The team moves along the range of
+// its two edges and, when an end reaches a vertex, along the range with the next edge. The team
+// stops where its chord would fall below the minimum ratio or would have to jump. The function
 // returns nothing if the team does not move, if teams cannot be moved (can_move_teams()), or if
 // more than most_moved_teams teams would have moved. O(n + edges passed).
 std::optional<Moved> moved_along_range(const Placement& placement, std::size_t robot,

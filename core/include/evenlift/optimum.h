@@ -35,21 +35,21 @@ inline constexpr std::size_t most_candidates_proved = 160, most_candidates_bound
 // `start` is a choice of the same number of teams, and is returned if nothing better is found. With
 // `stands`, the bound includes choices whose robots collide, but such a choice is not returned. For
 // K <= most_candidates_proved candidates, O(n K^2 + K^4 teams). Up to most_candidates_bounded,
-// O(n K^2 + K^3 teams); the robots that give the bound are then the best choice if they belong to
-// at most `teams` chords. For more candidates, O(n K) at worst.
+// O(n K^2 + K^3 teams). The bound then comes from a ring of ends; if these belong to at most
+// `teams` chords, they give the best choice. For more candidates, O(n K) at worst.
 Optimum widest_choice(const PolygonWithHoles& object, const Vec2& centre,
                       const std::vector<Candidate>& candidates, std::size_t teams,
                       const std::vector<std::uint32_t>& start, const Stop& stop = {},
                       const Stands* stands = nullptr);
 
-// The most choices that firmest_choice() compares.
+// The greatest number of choices of which firmest_choice() compares all.
 inline constexpr std::uint64_t most_choices = std::uint64_t{1} << 22;
 
 struct FirmestChoice {
   std::vector<std::uint32_t> taken;
   HoldKeys keys;
-  // No choice has a higher level, and none of this level covers more than most_coverage, up to
-  // rounding.
+  // No choice has a level above most_level, and none with this level covers more than
+  // most_coverage, up to rounding.
   std::uint32_t most_level = 3;
   double most_coverage = 1;
   bool compared = false;  // whether all choices were compared
@@ -63,7 +63,7 @@ struct FirmestChoice {
 // compared; the result is then the best choice that swaps reach from `start` and from `widest`, the
 // result of widest_choice(). In that case most_level is the level that all candidates together
 // reach, computed for up to most_candidates_bounded candidates, and most_coverage is the bound of
-// `widest`. `firm` is as in swap_teams(); the other parameters are those of widest_choice().
+// `widest`. `firm` is explained in closure.h; the other parameters are those of widest_choice().
 std::optional<FirmestChoice> firmest_choice(
     const PolygonWithHoles& object, const Vec2& centre, const std::vector<Candidate>& candidates,
     std::size_t teams, const std::vector<std::uint32_t>& start, const HoldRequirements& firm,

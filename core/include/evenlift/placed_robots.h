@@ -39,16 +39,16 @@ std::vector<PlacedRobot> placed_robots(const Placement& placement);
 Equilibrium equilibrium(const Placement& placement);
 
 // Returns whether equilibrium alone determines the loads. This is so if there are at most three
-// robots, and all are corners of H. O(teams).
+// robots, each at a corner of H of its own. O(teams).
 bool loads_are_determined(const Placement& placement);
 
-// Returns the given supports that do not fit or are too near to each other (supports.h). With other
-// methods there are no misfits. O(m log n + m^2).
+// Returns the given supports that do not fit or are too near to each other (supports.h), or none if
+// the method is not `given`. O(m log n + m^2).
 std::vector<Misfit> misfits(const Placement& placement);
 
 // The loads by the models of load_models.h, in the order of the robots, and the changes that a
 // disturbance may make. model_loads() returns nothing if there are no teams, or if the object
-// falls. It takes O(m log m), and O(m^3) for up to 64 robots; with a disturbance also O(m h), or
+// falls. It takes O(m log m), or O(m^3) for up to 64 robots; with a disturbance also O(m h), or
 // O(m^2) if heights are off.
 struct ModelLoads {
   SpringLoads springs;
@@ -98,11 +98,11 @@ std::optional<Tilt> tilt_of(const ShownPlacement& of);
 bool tips_when_disturbed(const ShownPlacement& of);
 
 // The circles about C that a picture shows, each for one slope. Under the assumptions of tilt.h,
-// the object can tip on ground of that slope if the circle's point in the direction in which the
-// ground falls lies outside the lifting base. The circles are sorted from small to large.
-// Circles around the whole lifting base are left out, and so are circles too close to others to be
-// seen apart at `scale` pixels to a unit of length. A circle whose label would cover C has no
-// label. There are no circles if the height of C is 0, H has no area, or the object falls. O(h).
+// the object can tip on ground of that slope if the circle's point downhill from C lies outside the
+// lifting base. The circles are sorted from small to large. Circles around the whole lifting base
+// are left out, and so are circles too close to C or to others to be told apart at `scale` pixels
+// per unit of length. A circle whose label would cover C has no label. There are no circles if the
+// height of C is 0, H has no area, or the object falls. O(h).
 struct TiltCircle {
   double degrees = 0, radius = 0;  // the radius, in units of length, includes the C uncertainty
   bool is_labelled = true;

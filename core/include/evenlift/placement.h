@@ -54,9 +54,9 @@ enum class Effort : std::uint8_t { whole, start };
 
 // Checks that settings are in their ranges (settings.h) and compatible. The methods `distributed`
 // and `random` do not permit "max" teams, the goal `hold`, a robot's size or no-go edges. Surviving
-// F > 0 failures takes at least 2 F + 3 balanced robots. The method `given` needs supports, and
-// either no support_capacities or as many as supports. The error's place names the setting.
-// O(parts of no_go, supports and items of cargo).
+// F > 0 failures takes at least 2 F + 3 balanced robots. The method `given` needs supports, and its
+// support_capacities must be empty or have one entry per support. The error's place names the
+// setting. O(parts of no_go, supports and items of cargo).
 std::optional<InputError> check_settings(const Settings& settings, const Shown& shown = {});
 
 // The contacts of the robots, in their order. A contact is the boundary point that a robot touches.
@@ -105,7 +105,7 @@ Result<Placement> place_as_chosen(PolygonWithHoles object, const std::optional<V
 // than most_evened supports, if the method is not `given`, or if place() refuses the document.
 Result<Document> with_even_supports(const Document& document);
 
-// The candidates for the document's positions, robots and no-go edges, whatever its method.
+// The candidates for the document's `positions`, `robot` and `no_go`, whatever its method.
 // O(n log n + K log K) for K edge pairs; with a robot's size or no-go edges, also the cost of
 // Stands and of standing_candidates() (candidates.h).
 Result<std::vector<Candidate>> candidates_of(const Document& document);

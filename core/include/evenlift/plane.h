@@ -1,5 +1,5 @@
-// Geometry in plain doubles, for drawing, pointing and placing labels, and for distances compared
-// within the tolerance. To decide on which side of a line a point lies, use predicates.h.
+// Geometry in plain doubles, for drawing, for finding what is under the pointer, and where a
+// tolerance allows for rounding. To decide on which side of a line a point lies, use predicates.h.
 #pragma once
 
 #include <algorithm>

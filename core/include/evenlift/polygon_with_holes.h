@@ -40,10 +40,10 @@ class PolygonWithHoles {
   // The boundary as one closed ring: the outline in its orientation, then each hole the other way
   // round. A path leads from the outline's first vertex to a hole near it, from each hole to
   // another near it, and back along the same lines. Since the path adds no area, the ring has the
-  // signed area of the object, also after clipping.
+  // signed area of the object, even after clipping.
   const Points& boundary() const { return holes_.empty() ? outline_.vertices() : boundary_; }
 
-  // The number, from 0, of the hole that the point is strictly inside; empty if there is no such
+  // The number, from 0, of the hole with the point strictly inside it; empty if there is no such
   // hole. Exact. O(n).
   std::optional<std::size_t> hole_around(const Vec2& point) const;
 

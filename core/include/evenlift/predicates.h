@@ -20,8 +20,8 @@ double cross_of_differences(const Vec2& a0, const Vec2& a1, const Vec2& b0, cons
 // (a1 - a0) . (b1 - b0)
 double dot_of_differences(const Vec2& a0, const Vec2& a1, const Vec2& b0, const Vec2& b1);
 
-// (b - w') x (c - b) for the mirror image w' = 2 centre - w of w: positive if w', b, c turn left,
-// and 0 if w' lies on the line through b and c.
+// (b - w') x (c - b), where w' = 2 centre - w mirrors w: positive if w', b, c turn left, and 0 if
+// w' lies on the line through b and c.
 double orient_mirrored(const Vec2& centre, const Vec2& w, const Vec2& b, const Vec2& c);
 
 }  // namespace evenlift

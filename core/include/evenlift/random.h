@@ -16,8 +16,8 @@ class Rng {
   // A number in [0, 1): the upper 53 bits of one draw. O(1).
   double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
 
-  // A whole number in 0 .. n - 1 for n > 0. To avoid bias, a draw that is not below the greatest
-  // multiple of n up to 2^64 is repeated. Expected O(1).
+  // A whole number in 0 .. n - 1 for n > 0. To avoid bias, draws at or above the greatest multiple
+  // of n up to 2^64 are discarded. Expected O(1).
   std::uint64_t below(std::uint64_t n) {
     const std::uint64_t rejected = (~std::uint64_t{0} % n + 1) % n;  // 2^64 mod n
     std::uint64_t draw = engine_();

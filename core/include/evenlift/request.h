@@ -1,5 +1,5 @@
 // Requests and answers as JSON: one function that other languages can call. The C library
-// (c/include/evenlift/evenlift.h), the Python package over it, and the npm package call this
+// (c/include/evenlift/evenlift.h), the Python package built on it, and the npm package call this
 // function. docs/requests.md is the manual.
 #pragma once
 

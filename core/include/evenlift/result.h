@@ -22,7 +22,7 @@ enum class ErrorCode {
   bad_setting,          // outside its range, or not compatible with others
   too_many_edge_pairs,  // more than max_edge_pairs
   bad_syntax,           // a text in none of the formats, or one that breaks off
-  unsupported,          // valid, but not supported, such as another geometry or an overlong trace
+  unsupported,          // valid, but not supported, such as a geometry that is not a polygon
   text_too_long,        // more than max_text_bytes, or max_link_bytes for a link
   bad_link,             // a character, length or value that no writer produces
   bad_checksum,         // the link was cut off or altered
@@ -35,7 +35,7 @@ enum class ErrorCode {
 // is its number and `other` the column in characters, both from 1; an unknown column is 0. For a
 // link, `index` is the character, from 1, or 0 for the whole link. `ring` and `other_ring` are the
 // rings of `index` and `other`: 0 is the outline, and k is hole k, counted from 1. If the two rings
-// differ, the later ring comes first, whatever the indices. For a hole, `ring` is its number.
+// differ, ring > other_ring, whatever the indices. For a hole, `ring` is its number.
 struct Place {
   enum class Kind { nowhere, line, vertex, edge, hole, centre_of_mass, option, link };
   Kind kind = Kind::nowhere;

@@ -34,18 +34,18 @@ enum class Rule : std::uint8_t {
 // them, or fewer if no candidates are left. Geometry decides every tie, so the same shape gets the
 // same teams. With `stands`, candidates that collide with an earlier team are skipped. The
 // evaluation is lazy (M. Minoux, Accelerated greedy algorithms for maximizing submodular set
-// functions, 1978). A team that widens H costs O(n + K), plus O(n) for each end that it evaluates.
-// An end is evaluated if its upper bound could win and the edge of H in front of it is new. Once no
+// functions, 1978). A team that widens H costs O(n + K), plus O(n) for each evaluated end. An end
+// is evaluated if its upper bound could win and the edge of H in front of it is new. Once no
 // candidate widens H, all further teams together cost O(K log K).
 std::vector<std::uint32_t> select_teams(const PolygonWithHoles& object, const Vec2& centre,
                                         const std::vector<Candidate>& candidates, Metric metric,
                                         std::size_t teams, FirstTeam first = FirstTeam::even,
                                         const Stands* stands = nullptr);
 
-// Returns for each candidate the score by which select_teams() chooses the team that follows the
-// `selected` teams, of which there must be at least one. Scores are in squared units of length for
-// the metrics area and circle, and in units of length for distance. Use this only for explanations.
-// O(K n).
+// Returns for each candidate the score by which select_teams() chooses the next team after the
+// `selected` teams. There must be at least one selected team. Scores are in squared units of length
+// for the metrics `area` and `circle`, and in units of length for `distance`. Use this only for
+// explanations. O(K n).
 std::vector<double> scores(const PolygonWithHoles& object, const Vec2& centre,
                            const std::vector<Candidate>& candidates,
                            const std::vector<std::uint32_t>& selected, Metric metric);

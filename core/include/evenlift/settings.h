@@ -84,7 +84,7 @@ enum class OptionGroup : std::uint8_t { none, placement, uncertainty, units };
 
 // When this table puts a setting into the JSON of a document or a result.
 enum class Listed : std::uint8_t {
-  never,       // other code may still put it there, such as `com`
+  never,       // but other code may put it there, as with `com`
   if_changed,  // if it is not the default
   always
 };
@@ -190,12 +190,12 @@ std::span<const NamedOverlay> all_overlays();
 std::string moved_text(const Moved& moved);
 std::optional<Moved> read_moved(std::string_view text);
 
-// Whether at most one list of `moved` has entries, its numbers are within their bounds, and teams
-// are in ascending order. O(robots).
+// Whether `moved` has entries in at most one of its lists, numbers within their bounds, and teams
+// in ascending order. O(robots).
 bool is_moved(const Moved& moved);
 
-// Reads the number of the failed robot: a whole number from 1, or 0 for "none". The result is empty
-// for any other text. O(bytes).
+// Reads the number of the failed robot, a whole number from 1. The result is 0 for the text "none",
+// and empty for any other text. O(bytes).
 std::optional<std::uint64_t> read_failed(std::string_view text);
 
 // Checks that each setting is in its range. The error's place names the setting. check_settings()

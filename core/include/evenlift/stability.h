@@ -13,7 +13,7 @@
 namespace evenlift {
 
 // The lifting base H (robotics: support polygon): the convex hull of the lifting points, without
-// corners that exist only through rounding (hull.h). O(m log m).
+// corners that are due only to rounding (hull.h). O(m log m).
 Points lifting_base(const Polygon& polygon, const std::vector<LiftingPoint>& points);
 
 // The share of the object in H, in [0, 1]: area(A and H) / area(A), where A is the polygon minus
@@ -40,8 +40,8 @@ class CoverageWithin {
 
 // The least downward force at q that tips an object of this weight, if robots lift it at the
 // corners of `hull`, push back and are not overloaded. The force is infinite if q is in H. With two
-// corners, as for a single team, it is 0 if q is off their line. If q is on the line beyond
-// the end r, it is `weight` times |C r| / |q r|. With one corner it is 0 everywhere. O(h).
+// corners, as for a single team, the force is 0 if q is off their line. If q is on the line beyond
+// the end r, the force is `weight` |C r| / |q r|. With one corner it is 0 everywhere. O(h).
 double tipping_force(const Points& hull, const Vec2& centre, double weight, const Vec2& q);
 
 }  // namespace evenlift

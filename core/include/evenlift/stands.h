@@ -27,7 +27,7 @@ enum class WhyUnusable : std::uint8_t {
   hand,        // the object is too shallow or narrow for the hand
   hole,        // the hand would reach into a hole
   near_no_go,  // the hand would reach sideways onto a no-go part
-  narrow,      // the rest after all other reasons is shorter than tau L; keep this last
+  narrow,      // what the other reasons leave usable is shorter than tau L; keep this last
 };
 
 inline constexpr std::size_t why_unusable_count = static_cast<std::size_t>(WhyUnusable::narrow) + 1;
@@ -35,7 +35,7 @@ inline constexpr std::size_t why_unusable_count = static_cast<std::size_t>(WhyUn
 // The name in JSON: "no_go", "body" and so on. O(1).
 std::string_view name(WhyUnusable why);
 
-// A part of an edge, in units of length from its first vertex.
+// A part of an edge, given by the distances of its ends from the edge's first vertex.
 struct Stretch {
   double from = 0, to = 0;
 };
@@ -54,14 +54,14 @@ struct EdgeFrame {
 
 // The boundary that robots of one size can use: where the body, the arm and the hand have room, and
 // the hand's width avoids all no-go parts. docs/stands.md (Where an edge can be used) states the
-// conditions. If a robot has a body (has_body()), every usable interval ends 2 tau L before a
-// vertex, so that a contact counts as inside the edge. A robot without a body may stand at a
-// vertex, unless a no-go part reaches the vertex; then intervals also end 2 tau L before it.
+// conditions. If a robot has a body (has_body()), usable intervals stay 2 tau L away from the
+// vertices, so that a contact counts as inside the edge. A robot without a body may stand at a
+// vertex, unless a no-go part reaches the vertex; then intervals also stay 2 tau L away from it.
 class Stands {
  public:
   // The size and the parts must be in their ranges, and the edges of the parts must exist. A tree
-  // of boxes finds the other edges near each edge. O(n log n + k log k) if the outline does
-  // not wind much; k counts the pairs of edges of which one may obstruct a robot at the other.
+  // of boxes finds the other edges near each edge. O(n log n + k log k) if the outline does not
+  // wind much; k is the number of pairs of edges in which one may obstruct robots at the other.
   Stands(const PolygonWithHoles& object, const RobotSize& robot,
          const std::vector<EdgePart>& no_go);
 
@@ -89,11 +89,11 @@ class Stands {
   // can, up to tau L. O(log n), plus the edge's number of usable intervals.
   std::optional<WhyUnusable> why_not(std::uint32_t edge, double t) const;
 
-  // The contact of the robot with this lifting point, and the centre of the robot's body. Both are
-  // the lifting point itself if the robot is a point or beneath the object. O(1).
+  // contact() returns the contact, and stand() the centre of the body, of the robot that lifts at
+  // this point. Both are the point itself if the robot is a point or beneath the object. O(1).
   Vec2 contact(const LiftingPoint& point) const;
   Vec2 stand(const LiftingPoint& point) const;
-  // The lifting point of the robot with this contact on an edge. If the robot is beneath the
+  // The lifting point of the robot that has this contact on an edge. If the robot is beneath the
   // object, the lifting point is the contact itself. O(1).
   LiftingPoint lifting_point(const LiftingPoint& contact) const;
   // The distance of a lifting point or contact from the first vertex of its edge. O(1).
@@ -121,7 +121,7 @@ class Stands {
   std::vector<UnusablePart> unusable_;
 };
 
-// The contacts of robots with these lifting points. Without `stands` they are the points
+// The contacts of the robots that lift at these points. Without `stands` they are the points
 // themselves. O(points).
 std::vector<LiftingPoint> contact_points(const Stands* stands, std::vector<LiftingPoint> points);
 

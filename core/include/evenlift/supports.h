@@ -5,8 +5,8 @@
 // A support within the snap distance of the outline stands *at the edge*. Its contact is the
 // nearest point of the outline, or a vertex within tau L of that point. If the support is on the
 // outline up to the rounding of its coordinates, its own place counts as the nearest point. A
-// support farther inside stands *beneath* the object: it lifts, and touches nothing sideways. If
-// robots have a size, a support at the edge is the contact of its robot (stands.h).
+// support farther inside stands *beneath* the object: it lifts but touches no edge. If robots have
+// a size, a support at the edge is the contact of its robot (stands.h).
 //
 // All supports form one team. Their loads by springs count as planned (load_models.h). If C is not
 // in H (equilibrium.h), the object falls, and no robot has a load.
@@ -38,9 +38,10 @@ class SupportPlacer {
   // The object must outlive the placer. O(1).
   SupportPlacer(const PolygonWithHoles& object, const Settings& settings);
 
-  // The contact of a support at the edge. For a support farther inside, its own place, with `edge`
-  // set to the constant `beneath` (chords.h). Empty if the support is farther than the snap
-  // distance from the outline and, by an exact test, outside the outline or in a hole. O(n).
+  // Returns the contact of a support at the edge or, for a support farther inside, its own place,
+  // with `edge` set to the constant `beneath` (chords.h). The result is empty if the support is
+  // farther than the snap distance from the outline and, by an exact test, outside the outline or
+  // in a hole. O(n).
   std::optional<LiftingPoint> place(const Vec2& support) const;
 
   // The distance of a point from the outline. O(n).
@@ -59,17 +60,17 @@ Result<std::vector<LiftingPoint>> place_supports(const PolygonWithHoles& object,
 
 // Places beneath the object for robots that the user is about to move. They are on the sides of a
 // small square that contains the centre of mass, and their coordinates have few digits. The middle
-// of the square is offset from the centre of mass towards the farthest vertex. If a square offset
-// in this direction would have to be so small that its robots hide each other, its middle may be
-// elsewhere near the centre of mass. If no square fits, all places are at the first vertex.
-// `robots` is 1 .. most_supports. The settings give the snap distance. O(n robots).
+// of the square is offset from the centre of mass towards the farthest vertex. If such a square
+// would be too small to show its robots apart, its middle may be elsewhere near the centre of mass.
+// If no square fits, all places are at the first vertex. `robots` is 1 .. most_supports. The
+// settings give the snap distance. O(n robots).
 Points supports_to_place(const PolygonWithHoles& object, const Vec2& centre, std::size_t robots,
                          const Settings& settings);
 
 // The place on the outline where one more robot adds most to the area of the lifting base. The
-// place is a vertex, the first if several add equally. If no vertex adds more than tau times the
-// polygon's area, the place is the middle of an edge: the middle whose nearest robot is farthest
-// away. O(n m log m) for m robots.
+// place is a vertex, the first if several add the same area. If no vertex adds more than tau times
+// the polygon's area, the place is the middle of an edge: the middle whose nearest robot is
+// farthest away. O(n m log m) for m robots.
 Vec2 widest_addition(const Polygon& polygon, const Points& robots);
 
 // A support at which a robot of the given size does not fit or is too near to another robot.
@@ -102,10 +103,10 @@ std::string misfit_in_words(const Misfit& misfit);
 // Moves robots to the nearest places at which their loads by springs are equal (algorithm.md, Given
 // supports, Even out). The nearest places have the least sum of squared moves. Two robots move to
 // the ends of a chord that makes C the centroid of all robots. If no two robots can do this and
-// there are at most most_evened_by_three robots, three robots move. Robots whose centroid is C
-// within tau L stay. The result is empty if no places are found, as for a single robot that is not
-// at C. `robots` are lifting points, at most most_evened. The cost is O(m^2) completions
-// (balanced.h), or O(s m^3) completions for s trial points if three robots move.
+// there are at most most_evened_by_three robots, three robots move. If the robots' centroid is
+// within tau L of C, they stay. The result is empty if no places are found, as for a single robot
+// that is not at C. `robots` are lifting points, at most most_evened. The cost is O(m^2)
+// completions (balanced.h), or O(s m^3) completions for s trial points if three robots move.
 inline constexpr std::size_t most_evened = 64, most_evened_by_three = 16;
 std::optional<std::vector<LiftingPoint>> even_out(const BalancedProblem& problem,
                                                   const std::vector<LiftingPoint>& robots);

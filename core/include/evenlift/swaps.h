@@ -2,9 +2,9 @@
 // (algorithm.md, Choosing teams that hold). This goes beyond the thesis, which considers only the
 // lifting base.
 //
-// A local search begins with the teams that a metric selects. Of two choices with the same number
-// of teams, the better is ahead in the first of these keys in which they differ:
-// 1. `level`, the number of thresholds that the margin reaches;
+// A local search begins with the teams that a metric selects. Two choices with the same number of
+// teams are compared by these keys; the first key that is not a tie decides which is better:
+// 1. the `level`, the number of thresholds that the margin reaches;
 // 2. the coverage, larger by more than 1e-9;
 // 3. the sum of the load ratios, larger by more than tau.
 // The margin is that of the contacts at least `clear` from every corner. The thresholds are 0.001,
@@ -49,8 +49,8 @@ struct HoldKeys {
 };
 enum class HoldKey : std::uint8_t { level, coverage, ratios };
 
-// The first key in which a choice with the keys `a` is better than a choice with the keys `b` and
-// the same number of teams; empty if it is not better. O(1).
+// The key that makes a choice with the keys `a` better than a choice with the keys `b`; empty if it
+// is not better. Both choices must have the same number of teams. O(1).
 std::optional<HoldKey> better_by(const HoldKeys& a, const HoldKeys& b);
 
 // The keys of the teams on the candidates `taken`. There must be no more than most_swapped_teams.
@@ -61,8 +61,8 @@ HoldKeys hold_keys(const PolygonWithHoles& object, const Vec2& centre,
                    const std::vector<std::uint32_t>& taken, const HoldRequirements& firm,
                    const Stands* stands = nullptr);
 
-// The teams that a swap moves: one team (`single`), two teams at once (`pair`), or all teams
-// (`one_more`: to the result for t - 1 teams and the best further candidate).
+// The teams that a swap moves: one team (`single`), two at once (`pair`), or all (`one_more`). With
+// `one_more`, they take the candidates chosen for t - 1 teams and the best further candidate.
 enum class SwapKind : std::uint8_t { single, pair, one_more };
 
 struct Swap {

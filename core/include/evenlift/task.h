@@ -2,10 +2,10 @@
 // learner's result with what the task requires.
 //
 // A task that says `place` begins with robots beneath the object; the learner places them by hand.
-// A task that says `find: centre` hides the centre of mass: the object opens with C at its
-// centroid, and the learner sees the load that each robot has with the hidden C. If the lesson's
-// document has no centre of mass, exercise() draws one at random inside the convex hull of the
-// robots, with the learner's number as the seed.
+// A task that says `find: centre` hides the object's own centre of mass: the object opens with it
+// at the centroid, and the learner sees the load that each robot has with the hidden C. If the
+// lesson's document has no centre of mass, exercise() draws one at random inside the convex hull of
+// the robots, with the learner's number as the seed.
 #pragma once
 
 #include <cstdint>
@@ -26,15 +26,15 @@ struct Exercise {
 };
 
 // The exercise of a lesson for the learner with this number. The document that opens is that of
-// lesson_document(), changed as the lesson's task says, if there is a task. Errors are those of
-// lesson_document() and place(). If C is to be found, it is also an error if there are fewer than
-// three given supports, if the supports are on one line, or if the object falls. O(n), plus the
-// cost of a placement if C is to be found.
+// lesson_document(), changed as the lesson's task, if any, requires. Errors are those of
+// lesson_document() and place(). If C is to be found, fewer than three given supports, supports on
+// one line, and an object that falls are errors too. O(n), plus the cost of a placement if C is to
+// be found.
 Result<Exercise> exercise(const Lesson& lesson, const Document& sample, std::uint64_t number = 1);
 
-// Whether different learners may get different objects or different hidden centres of mass. If the
-// task hides C, the result is true unless a setting of the lesson itself gives C; it is true even
-// if the lesson's link or sample gives C. O(settings).
+// Whether different learners may get different objects or different hidden centres of mass. A
+// hidden C counts as different unless a setting of the lesson itself gives it, even if the lesson's
+// link or sample does. O(settings).
 bool is_numbered(const Lesson& lesson);
 
 // A robot's load counts as found if it differs from its reading by at most this fraction of the

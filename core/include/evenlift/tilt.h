@@ -4,9 +4,9 @@
 // Let k1 be the slope of the ground, as a ratio, k2 the acceleration, in g, and h the height of C
 // above the plane of the lifting points. The resultant of weight and inertia meets that plane at
 // the zero moment point (M. Vukobratovic and B. Borovac, Zero-moment point, 2004). This point is at
-// most h (k1 + k2) from C; the bound is exact if k1 or k2 is 0, otherwise approximate. If the
-// object is rigid, the robots push back, none is overloaded, and slope and acceleration change
-// slowly, the object tips when this point leaves the lifting base H. The computation ignores
+// most h (k1 + k2) from C; the bound is exact if k1 or k2 is 0, otherwise approximate. The object
+// tips when this point leaves the lifting base H, provided that the object is rigid, the robots
+// push back, none is overloaded, and slope and acceleration change slowly. The computation ignores
 // swinging and bumps.
 #pragma once
 

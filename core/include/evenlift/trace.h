@@ -3,10 +3,10 @@
 //
 // A trace belongs to one placement. It contains the results of the stages (chords from vertices,
 // edge pairs and their outcomes, contacts) and a short table of blocks of similar steps, in which
-// step(k) finds its step in O(1). You can look at the steps in any order: progress_at(trace, k)
+// step(k) finds step k in O(1). You can look at the steps in any order: progress_at(trace, k)
 // counts the entries of the trace's and the placement's arrays that are known after step k.
 // look_at() calls the functions of the stages to compute data that only one step needs, such as
-// every candidate's score or the regions that a few contacts leave.
+// every candidate's score, or the free regions after the first few contacts.
 //
 // A walkthrough keeps the placement, its trace and the detail of the current step:
 //
@@ -16,7 +16,8 @@
 //   progress_at(*trace, k)                           // the background, to draw behind them
 //   question(*trace, detail)                         // a question, if the step can be guessed
 //   why_not(*trace, k, candidate)                    // why_not.h
-// output/trace_words.h contains the words.
+//
+// output/trace_words.h puts the steps into words.
 #pragma once
 
 #include <array>
@@ -36,7 +37,7 @@
 
 namespace evenlift {
 
-// The chapters, in the order in which a trace has them.
+// The chapters, in order.
 enum class Chapter : std::uint8_t {
   object,         // the object and its centre of mass
   law,            // balanced robots: from the law of the lever to the law of the centroid
@@ -48,7 +49,7 @@ enum class Chapter : std::uint8_t {
   first_team,
   further_teams,
   start,     // a first set of balanced robots
-  exchange,  // swaps of balanced robots, three at a time
+  exchange,  // swaps of three balanced robots each
   swaps,     // swaps of teams of two, for the goal `hold`
   loads,
   failures,  // balanced robots: the effect if one fails
@@ -70,7 +71,7 @@ enum class StepKind : std::uint8_t {
   opposite,      // pairs of opposite vertices: the chord between the two, accepted or not
   duplicates,    // 1: chords found more than once
   candidates,    // 1: all candidates
-  directions,    // 1, equal angles: the directions with places on both sides
+  directions,    // 1, equal angles: the directions with places on both sides of C
   scores,        // teams: each candidate's score and rank, by area, circle or distance
   team,          // teams: the candidate or the places that the team takes
   base,          // teams: H grows
@@ -110,7 +111,7 @@ enum class StepKind : std::uint8_t {
   by_lever,    // 1: the loads of two robots
   by_areas,    // 1: the loads of three robots that are not on one line
   by_springs,  // 1, if equations do not determine the loads: a board on equal springs
-  extremes,    // 1, after by_springs: the loads at best and at worst
+  extremes,    // 1, after `by_springs`: the greatest load at best and at worst
   falls,       // 1, in place of the loads: C is outside H
   // Cargo on the object:
   cargo,  // items, after the centroid: how an item moves the centre of mass
@@ -118,8 +119,8 @@ enum class StepKind : std::uint8_t {
 inline constexpr std::uint32_t step_kind_count = 50;
 inline constexpr std::uint32_t most_failing = 16;
 
-// Return the name of a chapter, such as "first_team", or of a kind, such as "second_order", in
-// JSON, lessons and links. step_kind_from_name() returns nothing if the name is unknown. O(1).
+// Return the name that JSON, lessons and links use for a chapter, such as "first_team", or for a
+// kind, such as "second_order". step_kind_from_name() returns nothing if the name is unknown. O(1).
 std::string_view name(Chapter chapter);
 std::string_view name(StepKind kind);
 std::optional<StepKind> step_kind_from_name(std::string_view text);
@@ -152,15 +153,15 @@ struct Trace {
   } rays;
   std::vector<std::uint32_t> radial_edges;
 
-  // The members from here to `candidates_of_range` are only for the methods area, circle and
-  // distance.
+  // The members from here to `candidates_of_range` are only for the methods `area`, `circle` and
+  // `distance`.
   std::vector<EdgePair> pairs;
   std::vector<OppositeVertices> opposite;
   // For each source, the candidate that its chord became, or no_index. Source i is pairs[i] or,
   // from i = pairs.size() on, opposite[i - pairs.size()].
   std::vector<std::uint32_t> candidate_of_source;
-  // For each candidate, the source whose chord was kept, and the first source whose chord became
-  // the candidate.
+  // For each candidate: the source of the chord that was kept when equal chords were merged, and
+  // the first source of any of these chords (no_index if they come from ranges only).
   std::vector<std::uint32_t> source_of_candidate, first_source_of_candidate;
   // With positions anywhere in the range: the pairs that add range candidates, and for each such
   // pair, the candidates that its two chords became.
@@ -194,7 +195,7 @@ struct Trace {
   };
   std::vector<Block> blocks;
 
-  // All functions are O(1). The number of steps is at least 5.
+  // All functions are O(1). size() is the number of steps, at least 5.
   std::uint32_t size() const;
   // Step k, where k < size().
   Step step(std::uint32_t k) const;
@@ -204,7 +205,7 @@ struct Trace {
   std::optional<std::uint32_t> find(StepKind kind, std::uint32_t item) const;
   // The number of a chapter's first step; empty if the trace has no such chapter.
   std::optional<std::uint32_t> chapter_begin(Chapter chapter) const;
-  // Whether the method chooses teams among candidates: area, circle or distance.
+  // Whether the method chooses teams among candidates: `area`, `circle` or `distance`.
   bool by_candidates() const;
   // The metric that selects the teams. Call it only if by_candidates().
   Metric metric() const;
@@ -222,12 +223,12 @@ struct Trace {
 // Whether C is outside the polygon; the boundary counts as inside. Exact. O(n).
 bool centre_is_outside(const Trace& trace);
 
-// The trace of a placement from place(). It is an error if the trace has more than max_trace_steps
-// steps or, with HistoryLength::whole, if the search for balanced robots is not quick to finish.
-// HistoryLength::start traces only the start of this search, and only if the start is quick, so
-// that the trace can be made again and again during a drag. For balanced robots, the cost is that
-// of their search. Otherwise it is O(n log n + K log K) for K edge pairs and opposite vertices,
-// plus that of selection and swaps for the goal `hold`, or of place() if teams were moved by hand.
+// The trace of a placement from place(). Returns an error if there are more than max_trace_steps
+// steps or, with HistoryLength::whole, if the search for balanced robots would take too long
+// (is_quick_to_finish()). HistoryLength::start traces only the start of this search, and only if
+// that is quick enough to repeat during a drag. For balanced robots, the search sets the cost.
+// Otherwise it is O(n log n + K log K) for K edge pairs and opposite vertices; selection and swaps
+// for the goal `hold` add their cost, and so does place() if teams were moved by hand.
 Result<Trace> make_trace(const Placement& placement, HistoryLength length = HistoryLength::whole,
                          const Units& units = {});
 
@@ -298,10 +299,10 @@ struct PairDetail {
   std::optional<Vec2> meeting;
   std::uint32_t nearer = 0;  // the end with the larger ratio: 0 or 1
   Chord chosen;              // the candidate's chord or, without one, the pair's best chord
-  std::optional<std::uint32_t> candidate;  // index of placement.candidates
+  std::optional<std::uint32_t> candidate;  // index in placement.candidates
   bool stands = false;  // whether the candidate's chord is this pair's, not a duplicate's
-  // Set for robots with a size, or no-go edges. Robots can stand on `chosen` unless `standing` is
-  // `nowhere`; if it is `elsewhere`, `chosen` is the other chord.
+  // Set if robots have a size or there are no-go edges. Robots can stand on `chosen` unless
+  // `standing` is `nowhere`; if it is `elsewhere`, `chosen` is the other chord.
   std::optional<Standing> standing;
 };
 // The detail of trace.pairs[index]. O(1).
@@ -314,7 +315,7 @@ struct RangeDetail {
   // the section. For robots with a size, they are the first and the last chord in the longest part
   // of the range where two robots can stand.
   std::array<Chord, 2> ends;
-  // Indices of placement.candidates. For robots with a size, the second is no_index if the pair
+  // Indices in placement.candidates. For robots with a size, the second is no_index if the pair
   // adds only one candidate, since the robots of a team would collide at the other place.
   std::array<std::uint32_t, 2> candidates{};
 };
@@ -336,7 +337,8 @@ struct StandsDetail {
   double boundary = 0;                            // its length
   double usable = 0;                              // the length of the usable part
   std::array<double, why_unusable_count> lost{};  // the length of the rest, by reason
-  // Contacts of robots that do not fit, one for each reason that occurs, except no_go and narrow.
+  // Contacts of robots that do not fit, one for each reason that occurs, except `no_go` and
+  // `narrow`.
   // Each contact is in the middle of the longest part that is unusable for this reason; `part` is
   // the index of the part in Stands::unusable(). `fits` is the contact of a robot that fits, in the
   // middle of the longest usable interval. `misfits` and `fits` are empty if robots are points.
@@ -347,7 +349,7 @@ struct StandsDetail {
   std::vector<Misfit> misfits;
   std::optional<LiftingPoint> fits;
 };
-// The usable boundary of a trace with a robot's size or no-go edges. O(n + parts).
+// The usable boundary. Robots must have a size, or there must be no-go edges. O(n + parts).
 StandsDetail look_at_stands(const Trace& trace);
 
 struct OppositeDetail {
@@ -362,7 +364,7 @@ OppositeDetail look_at_opposite(const Trace& trace, std::uint32_t index);
 // How much one end of a candidate would widen H.
 struct EndGain {
   bool outside = false;  // whether the end is outside H; otherwise its gain is 0
-  Vec2 h1 = Vec2::Zero(), h2 = Vec2::Zero();  // the edge of H beyond which C sees the end
+  Vec2 h1 = Vec2::Zero(), h2 = Vec2::Zero();  // the edge of H in the direction from C to p
   Vec2 p = Vec2::Zero();                      // the end
   double value = 0;                           // f(p)
 };
@@ -370,11 +372,11 @@ struct EndGain {
 // which the last rival of the winner dropped out.
 enum class DecidedBy : std::uint8_t { only_one, first_key, ratio, length, order };
 struct Score {
-  double value = 0;       // for a first team the length or, if the rule is most_even, the ratio
+  double value = 0;       // for a first team the length, or the ratio under Rule::most_even
   bool exact = true;      // if false, `value` is an upper bound that is too low to win
   bool taken = false;     // an earlier team has taken the candidate
   bool collides = false;  // one of its robots collides with a robot of an earlier team
-  bool eligible = true;   // false for an uneven candidate if the rule is longest_even
+  bool eligible = true;   // false for an uneven candidate under Rule::longest_even
   DecidedBy lost_by = DecidedBy::first_key;  // the key at which it dropped out, unless it won
   std::array<EndGain, 2> ends;               // of r1 and r2; not set for a first team
 };
@@ -392,7 +394,7 @@ struct TeamScores {
 // A picture of a choice shows the numbers of at most this many candidates. More would hide it.
 inline constexpr std::size_t most_ranked_numbered = 6;
 
-// The best eligible candidates, at most most_ranked_numbered, the best first. O(K).
+// The best eligible candidates, up to `most_ranked_numbered`, the best first. O(K).
 std::vector<std::uint32_t> best_ranked(const TeamScores& scores);
 
 // The scores for the choice of this team. Call it only if by_candidates(). All scores are exact if
@@ -413,8 +415,8 @@ struct BalancedDetail {
   std::vector<Chord> chords;          // the even chords about the middle
   std::uint32_t chosen = 0;           // the index of the chord taken
   // In the step `exchange`: what changed since the preceding set.
-  std::vector<std::uint32_t> moved;  // the numbers of the robots that moved, increasing
-  std::vector<Vec2> ways;            // for each of these robots, the old and the new position
+  std::vector<std::uint32_t> moved;  // the numbers of the robots that moved, ascending
+  std::vector<Vec2> ways;            // two points for each: the old and the new position
   BalancedKeys keys_before;
   std::optional<double> margin_before;
   // The keys and the margin of the set.
@@ -451,7 +453,8 @@ struct StepDetail {
 // The detail of step k. Most steps cost O(1). The steps `scores` and `team` cost as much as
 // look_at_scores(), `swap` as much as look_at_swap(), and `base` O(teams log teams). The steps
 // `contacts` and `cut` cost O(n + c^2) at worst for c contacts so far. Each step of balanced robots
-// costs a completion and the keys of a set.
+// costs up to one completion and the keys of two sets, and also single_failures() in the chapter
+// `failures`.
 StepDetail look_at(const Trace& trace, std::uint32_t k);
 
 // The kind of a figure. Each comment gives the shape of a figure, its item and its value.
@@ -464,7 +467,7 @@ enum class FigureKind : std::uint8_t {
   vertex,       // point; item: vertex
   radial_edge,  // segment; item: edge
   ray,          // segment from a vertex through C, long enough to leave the polygon; item: vertex
-  chord,        // vertex-chord; item: index of rays.chords; value: ratio
+  chord,        // vertex-chord; item: index in rays.chords; value: ratio
   edge,         // segment: a whole edge; item: edge
   section,      // segment: the section of an edge in the pair; item: edge
   reflected,    // segment: edge b mirrored through C; item: edge b
@@ -502,7 +505,7 @@ enum class FigureKind : std::uint8_t {
   range,       // triangle of C and the part of an edge where robots may stand; item: edge
   range_end,   // chord at an end of the range; item: 0 or 1; value: ratio
   former,      // chord that a team left; item: candidate; value: ratio
-  unusable,    // segment: a part of an edge; item: index of Stands::unusable()
+  unusable,    // segment: a part of an edge; item: index in Stands::unusable()
   body,        // 1 point, the centre of a robot's body; value: radius; item: the unusable part
                // where the robot does not fit; no item if it fits
   hand,        // a robot's arm or hand, a segment or an area; item: as for `body`
@@ -527,7 +530,7 @@ struct Figure {
 // The figures of a step, from back to front. O(number of their points).
 std::vector<Figure> figures(const Trace& trace, const StepDetail& detail);
 
-// The chords of all rays in order of slope, each once, as indices of rays.chords. O(chords).
+// The chords of all rays in order of slope, each once, as indices in rays.chords. O(chords).
 std::vector<std::uint32_t> chords_by_slope(const Trace& trace);
 
 // The figures that the metric measures for a candidate: triangles clipped to P, circles, or arms.
@@ -535,7 +538,8 @@ std::vector<std::uint32_t> chords_by_slope(const Trace& trace);
 std::vector<Figure> gain_figures(const Trace& trace, const TeamScores& scores,
                                  std::uint32_t candidate);
 
-// The numbers of a step, with their names in JSON. O(1).
+// The numbers of a step, with their names in JSON. O(1) for most steps; others are linear, or call
+// coverage(), open_directions_rad(), robustness(), model_loads() or equilibrium().
 struct Number {
   std::string_view name;
   double value;
@@ -545,14 +549,14 @@ std::vector<Number> numbers(const Trace& trace, const StepDetail& detail);
 // The question about a choice that a learner could predict. Each comment gives the step, the
 // question and the meaning of the answer.
 enum class QuestionKind : std::uint8_t {
-  nearer_end,     // outcome: which end is nearer to even? 0 or 1, an index of pair->ends
-  winning_chord,  // scores: which candidate wins? an index of placement.candidates
-  even_chord,     // completion, `exchange`: which chord do two robots take? an index of
+  nearer_end,     // outcome: which end is nearer to even? 0 or 1, an index in pair->ends
+  winning_chord,  // scores: which candidate wins? an index in placement.candidates
+  even_chord,     // `completion`, `exchange`: which chord do two robots take? an index in
                   // balanced->chords
-  // For a swap of one team, the question is one of the next two: the first for the swaps 0, 2, 4
-  // ... of several teams, the second for all others.
+  // For a swap that moves one team, the question is one of the next two: the first if there are
+  // several teams and the swap's index is even, otherwise the second.
   leaving_team,      // which team moves? its number from 0
-  coming_candidate,  // to which candidate? an index of placement.candidates
+  coming_candidate,  // to which candidate? an index in placement.candidates
 };
 inline constexpr std::size_t question_kind_count =
     static_cast<std::size_t>(QuestionKind::coming_candidate) + 1;
@@ -564,12 +568,12 @@ struct Question {
 // The question to ask before step detail.number is shown, with the correct answer; empty if the
 // step is not a choice. Costs as much as is_choice().
 std::optional<Question> question(const Trace& trace, const StepDetail& detail);
-// The possible answers, increasing. For coming_candidate, these are the candidates that no team has
-// taken and at which robots with a size would not collide. O(K (teams + log K)); if robots have a
-// size, O(K teams^2).
+// The possible answers, ascending. For `coming_candidate`, these are the candidates that no team
+// has taken and at which robots with a size would not collide. O(K (teams + log K)); if robots have
+// a size, O(K teams^2).
 std::vector<std::uint32_t> choices(const Trace& trace, const StepDetail& detail,
                                    const Question& question);
-// The chord of a possible answer; for leaving_team, the chord that this team would leave. O(1).
+// The chord of a possible answer; for `leaving_team`, the chord that this team would leave. O(1).
 const Chord& chord_of_choice(const Trace& trace, const StepDetail& detail, const Question& question,
                              std::uint32_t choice);
 

@@ -14,7 +14,7 @@ namespace evenlift {
 
 // The distance by which C can be off before the object tips, if robots push back and none is
 // overloaded: the least distance of C from the line of an edge of H, in units of length. It is 0 if
-// this distance is at most the tolerance tau L, if H has no area, as with a single team of two, or
+// this distance is at most the tolerance tau L, if H has no area (as with a single team of two), or
 // if C is outside H. `hull` must come from convex_hull, and `diameter` is L. O(h) for h corners.
 double tipping_distance(const Points& hull, const Vec2& centre, double diameter);
 
@@ -45,7 +45,7 @@ constexpr bool has_ranges(LoadModel model) {
 
 // The changes that a disturbance may make to the loads of robots that give way like springs.
 struct LoadChanges {
-  double kept = 1;                // that of the disturbance
+  double kept = 1;                // as in the disturbance
   bool others_may_carry = false;  // whether robots without load may begin to carry
   // The greatest possible change of each load, as long as the same robots carry load.
   std::vector<double> by;
@@ -77,9 +77,9 @@ std::vector<LoadRange> load_ranges(const std::vector<double>& loads, const LoadC
 // exceed no robot's capacity. A robot without a capacity has no limit. The bounds are valid only
 // while the same robots carry load, so the radius is at most springs.same_within minus `reach`. It
 // is also at most the tipping distance minus `reach`, but never below 0. Causes other than the
-// error of C change the loads by `besides`, and move the weight by up to `reach` from C. If they may
-// change which robots carry load (may_let_go()), the radius is 0, and `besides.at_worst` bounds the
-// loads. Returns nothing if a robot may be overloaded, by more than tau times its capacity, even
+// error of C change the loads by `besides`, and move the weight by up to `reach` from C. If they
+// may change which robots carry load (may_let_go()), the radius is 0, and `besides.at_worst` bounds
+// the loads. Returns nothing if a robot may be overloaded by more than tau times its capacity even
 // with C at its assumed place. O(m).
 std::optional<double> radius_within_capacity(const SpringLoads& springs, double tipping_distance,
                                              const std::vector<std::optional<double>>& capacities,

@@ -35,7 +35,7 @@ struct Box {
   double diagonal() const { return length(size()); }
 };
 
-// The smallest box that contains m points; without points, the origin. O(m).
+// The smallest box that contains m points, or the origin if there are none. O(m).
 inline Box bounding_box(const Points& points) {
   if (points.empty()) return {};
   Box box{points.front(), points.front()};

@@ -70,7 +70,7 @@ struct SetComparison {
 struct WhyNoRobot {
   enum class Why : std::uint8_t {
     no_set,             // there is no set of three or more robots
-    stands_from_start,  // a robot has stood there since the last set of the start
+    stands_from_start,  // a robot stood there before the first swap, and stays
     stands,             // a robot came there by a swap
     no_completion,      // no swap of three robots puts one there and keeps the centroid at C
     other_set,          // some swaps put a robot there; `set` is the best result
@@ -88,13 +88,13 @@ struct WhyNoRobot {
 // there. Costs one completion (balanced.h) for each choice of three robots that could leave.
 WhyNoRobot why_no_robot(const Trace& trace, std::uint32_t k, const Vec2& at, double reach);
 
-// Compares two sets of a completion or swap: the set that another even chord would make, and the
-// set that the chosen chord makes. `choice` is the other chord's index in detail.balanced->chords.
+// For a step that is a completion or swap: compares the set that another even chord would make with
+// that of the chosen chord. `choice` is the other chord's index in detail.balanced->chords.
 SetComparison compare_even_chord(const Trace& trace, const StepDetail& detail,
                                  std::uint32_t choice);
 
-// The swap that would follow from another answer to a question (trace.h) about a swap of teams. It
-// is the best swap of another team, or it moves the same team to another candidate.
+// The swap that would follow from a learner's wrong answer about a swap of teams (QuestionKind):
+// the best swap of the answer's team, or a move of the right team to the answer's candidate.
 struct OtherSwap {
   std::uint32_t team = 0;
   std::optional<std::uint32_t> candidate;  // empty if no swap of that team improves the choice

@@ -10,7 +10,7 @@
 namespace evenlift {
 
 // The sort key of a candidate: 8 bytes to move instead of 104. The upper bits of the key hold the
-// rounded slope: different values are in the right order, but different slopes may share a value.
+// rounded slope, so keys are in the order of slopes, but different slopes may share a value.
 // The lower bits hold the candidate's number, below max_edge_pairs, to order equal values.
 using SlopeKey = std::uint64_t;
 
@@ -21,8 +21,8 @@ SlopeKey slope_key(const Vec2& direction, std::uint32_t number);
 // The candidate's number in a key. O(1).
 std::uint32_t number_of(SlopeKey key);
 
-// Sorts m keys, whose numbers must be in ascending order at first. It uses an LSD radix sort or,
-// for few keys, comparisons. O(m).
+// Sorts m keys by an LSD radix sort or, if there are few, by comparisons. On entry, the numbers in
+// the keys must be in ascending order. O(m).
 void sort_keys(std::vector<SlopeKey>& keys);
 
 // Puts candidates that are sorted by key into candidate order, which is by exact slope. On one line

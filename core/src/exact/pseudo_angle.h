@@ -21,7 +21,7 @@ inline double pseudo_angle(const Vec2& u) {
   if (u.x() < 0) return 2 - part;
   if (u.y() >= 0) return part;
   const double angle = 4 + part;
-  return angle < 4 ? angle : 0;  // a part just below 0 rounds to 4, the full turn
+  return angle < 4 ? angle : 0;  // if part is just below 0, 4 + part rounds to 4, the full turn
 }
 
 // The pseudo-angle from `origin` counter-clockwise to `angle`, in [-1, 3). It is negative for
@@ -35,8 +35,8 @@ inline double pseudo_angle_from(double origin, double angle) {
 
 // A pseudo-angle of the line along u, which must not be 0: a position along the square max(|x|,
 // |y|) = 1. The values for u and -u are equal or differ by 4. While u turns from -90 to 180
-// degrees, the value begins at -2 and never decreases, since each operation rounds correctly,
-// except at 135 degrees, where it drops from 3 to -1. O(1).
+// degrees, the value begins at -2 and never decreases, except that it drops from 3 to -1 at 135
+// degrees. Rounding does not change this, since each operation rounds correctly. O(1).
 inline double line_pseudo_angle(const Vec2& u) {
   if (std::fabs(u.y()) <= std::fabs(u.x())) return u.y() / u.x();
   return (u.y() > 0 ? 2.0 : -2.0) - u.x() / u.y();

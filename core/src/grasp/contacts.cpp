@@ -7,6 +7,111 @@
 #include "grasp/contact_finder.h"
 
 namespace evenlift {
+namespace {
+
+// Looking at every vertex for each of so few points costs less than sorting the vertices.
+constexpr std::size_t few_points = 32;
+
+// The answers of Corners, found for single edges by walking along their runs. O(run).
+class CornersNearby {
+ public:
+  explicit CornersNearby(const Polygon& polygon) : polygon_(polygon) {}
+
+  std::optional<std::uint32_t> before(std::size_t edge) const {
+    while (polygon_.turn(edge) == Turn::straight) edge = polygon_.previous(edge);
+    return if_convex(edge);
+  }
+  std::optional<std::uint32_t> after(std::size_t edge) const {
+    std::size_t end = polygon_.next(edge);
+    while (polygon_.turn(end) == Turn::straight) end = polygon_.next(end);
+    return if_convex(end);
+  }
+  bool is_corner(std::size_t vertex) const { return polygon_.is_corner(vertex); }
+
+ private:
+  std::optional<std::uint32_t> if_convex(std::size_t vertex) const {
+    if (polygon_.turn(vertex) != Turn::convex) return std::nullopt;
+    return static_cast<std::uint32_t>(vertex);
+  }
+
+  const Polygon& polygon_;
+};
+
+// The nearest vertex to a point within a distance; the first in the list wins a tie. O(1) for each
+// vertex that is added.
+class NearestVertex {
+ public:
+  NearestVertex(const Polygon& polygon, const Vec2& point, double within)
+      : polygon_(polygon), point_(point), least_(within) {}
+
+  void add(std::uint32_t vertex) {
+    const double distance = length(polygon_.vertex(vertex) - point_);
+    if (distance > least_) return;
+    if (nearest_ && distance == least_ && *nearest_ < vertex) return;
+    nearest_ = vertex;
+    least_ = distance;
+  }
+
+  const std::optional<std::uint32_t>& found() const { return nearest_; }
+
+ private:
+  const Polygon& polygon_;
+  Vec2 point_;
+  double least_;
+  std::optional<std::uint32_t> nearest_;
+};
+
+// O(n).
+std::optional<std::uint32_t> nearest_vertex(const Polygon& polygon, const Vec2& point,
+                                            double within) {
+  NearestVertex nearest(polygon, point, within);
+  for (std::uint32_t v = 0; v < polygon.size(); ++v) {
+    const Vec2 away = polygon.vertex(v) - point;
+    // Most vertices are far away.
+    if (std::fabs(away.x()) <= 2 * within && std::fabs(away.y()) <= 2 * within) nearest.add(v);
+  }
+  return nearest.found();
+}
+
+template <class SomeCorners>
+Contact contact_inside(const Polygon& polygon, const SomeCorners& corners, const Vec2& p,
+                       std::uint32_t edge, std::uint32_t point) {
+  Contact contact{p, edge, point};
+  for (const auto& end : {corners.before(edge), corners.after(edge)}) {
+    if (!end) continue;
+    const double distance = length(polygon.vertex(*end) - p);
+    contact.to_end = std::min(contact.to_end, distance);
+    if (corners.is_corner(*end)) contact.to_corner = std::min(contact.to_corner, distance);
+  }
+  return contact;
+}
+
+// `vertex_at` returns the nearest vertex within tau L of a point, or nothing.
+template <class VertexAt, class SomeCorners>
+std::vector<Contact> contacts_of(const Polygon& polygon, const std::vector<LiftingPoint>& points,
+                                 const VertexAt& vertex_at, const SomeCorners& corners) {
+  std::vector<Contact> contacts;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (points[i].edge == beneath) continue;
+    const std::optional<std::uint32_t> vertex = vertex_at(points[i].position);
+    if (!vertex) {
+      contacts.push_back(contact_inside(polygon, corners, points[i].position, points[i].edge, i));
+      continue;
+    }
+    const Turn turn = polygon.turn(*vertex);
+    const Vec2& position = polygon.vertex(*vertex);
+    if (turn == Turn::straight)
+      contacts.push_back(contact_inside(polygon, corners, position, *vertex, i));
+    // The notch of a reflex vertex keeps the robot in place.
+    if (turn == Turn::reflex)
+      for (const std::size_t edge : {std::size_t{*vertex}, polygon.previous(*vertex)})
+        contacts.push_back({position, static_cast<std::uint32_t>(edge), i});
+  }
+  return contacts;
+}
+
+}  // namespace
+
 ContactFinder::ContactFinder(const Polygon& polygon)
     : polygon_(polygon), near_(near_distance(polygon.diameter())), corners_(polygon) {
   cells_.reserve(polygon.size());
@@ -21,60 +126,25 @@ ContactFinder::Cell ContactFinder::cell_of(const Vec2& p) const {
   return {std::floor(p.x() / side), std::floor(p.y() / side)};
 }
 
-// The nearest vertex within tau L; the first in the list wins a tie.
 std::optional<std::uint32_t> ContactFinder::vertex_at(const Vec2& p) const {
   const Cell low = cell_of(p - Vec2(near_, near_)), high = cell_of(p + Vec2(near_, near_));
-  std::optional<std::uint32_t> nearest;
-  double least = near_;
+  NearestVertex nearest(polygon_, p, near_);
   const auto look_into = [&](const Cell& cell) {
     auto at =
         std::lower_bound(by_cell_.begin(), by_cell_.end(), cell,
                          [&](std::uint32_t v, const Cell& wanted) { return cells_[v] < wanted; });
-    for (; at != by_cell_.end() && cells_[*at] == cell; ++at) {
-      const double distance = length(polygon_.vertex(*at) - p);
-      if (distance > least) continue;
-      if (nearest && distance == least && *nearest < *at) continue;
-      nearest = *at;
-      least = distance;
-    }
+    for (; at != by_cell_.end() && cells_[*at] == cell; ++at) nearest.add(*at);
   };
   look_into(low);
   if (low[1] != high[1]) look_into({low[0], high[1]});
   if (low[0] != high[0]) look_into({high[0], low[1]});
   if (low[0] != high[0] && low[1] != high[1]) look_into(high);
-  return nearest;
-}
-
-Contact ContactFinder::contact_inside(const Vec2& p, std::uint32_t edge,
-                                      std::uint32_t point) const {
-  Contact contact{p, edge, point};
-  for (const auto& end : {corners_.before(edge), corners_.after(edge)}) {
-    if (!end) continue;
-    const double distance = length(polygon_.vertex(*end) - p);
-    contact.to_end = std::min(contact.to_end, distance);
-    if (corners_.is_corner(*end)) contact.to_corner = std::min(contact.to_corner, distance);
-  }
-  return contact;
+  return nearest.found();
 }
 
 std::vector<Contact> ContactFinder::find(const std::vector<LiftingPoint>& points) const {
-  std::vector<Contact> contacts;
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    if (points[i].edge == beneath) continue;
-    const auto vertex = vertex_at(points[i].position);
-    if (!vertex) {
-      contacts.push_back(contact_inside(points[i].position, points[i].edge, i));
-      continue;
-    }
-    const Turn turn = polygon_.turn(*vertex);
-    const Vec2& position = polygon_.vertex(*vertex);
-    if (turn == Turn::straight) contacts.push_back(contact_inside(position, *vertex, i));
-    // The notch of a reflex vertex keeps the robot in place.
-    if (turn == Turn::reflex)
-      for (const std::size_t edge : {std::size_t{*vertex}, polygon_.previous(*vertex)})
-        contacts.push_back({position, static_cast<std::uint32_t>(edge), i});
-  }
-  return contacts;
+  return contacts_of(
+      polygon_, points, [&](const Vec2& p) { return vertex_at(p); }, corners_);
 }
 
 Vec2 inward_normal(const Polygon& polygon, std::uint32_t edge) {
@@ -91,7 +161,11 @@ Vec2 inward_normal(const Vec2& from, const Vec2& to, bool counter_clockwise) {
 }
 
 std::vector<Contact> contacts(const Polygon& polygon, const std::vector<LiftingPoint>& points) {
-  return ContactFinder(polygon).find(points);
+  if (points.size() > few_points) return ContactFinder(polygon).find(points);
+  const double near = near_distance(polygon.diameter());
+  return contacts_of(
+      polygon, points, [&](const Vec2& p) { return nearest_vertex(polygon, p, near); },
+      CornersNearby(polygon));
 }
 
 }  // namespace evenlift

@@ -24,9 +24,9 @@ bool has_only_digits(const Fields& cells);
 
 // The style of the first line that begins with a number and has two numbers. If there is none, the
 // style is that of the first line with two numbers, which may follow a name, or else that of the
-// first line with a digit. Decimal commas are allowed if tabs, semicolons or bars separate cells,
-// or if commas do and a quoted cell has a comma that cannot separate thousands. Only the first 200
-// lines count. O(first lines).
+// first line with a digit. Decimal commas are allowed if tabs, semicolons or bars separate cells.
+// If commas do, decimal commas are allowed only if a quoted cell has a comma that cannot separate
+// thousands. Only the first 200 lines count. O(first lines).
 CellStyle style_of_table(std::string_view text);
 
 // Returns those of `columns` that consist of two or more runs, each of at least three equal cells.
@@ -41,11 +41,11 @@ struct ChosenColumns {
   std::string note;                 // empty if no other columns have numbers
 };
 
-// Chooses x and y among the columns with a number in the first row. As long as more than two of
-// these remain, it drops the first column if it numbers the shapes, columns headed as point numbers
-// or heights, columns that are the same in every line, and columns that number the points. The
-// first two of the remaining columns are x and y. `rows` begins with the first row. There may be
-// fewer headings than columns. At least two columns must have numbers. O(bytes).
+// Chooses x and y among the columns, at least two, with a number in the first row. While more than
+// two of these remain, it drops, in this order: the first column, if it numbers the shapes; columns
+// headed as point numbers or heights; columns that are the same in every line; columns that number
+// the points. The first two of the remaining columns are x and y. `rows` begins with the first row.
+// There may be fewer headings than columns. O(bytes).
 ChosenColumns choose_columns(std::string_view rows, const CellStyle& style, const Fields& first_row,
                              const Fields& headings);
 

@@ -1,4 +1,4 @@
-// The best rings of ends (optimum.h).
+// The best rings of ends (algorithm.md, The optimum).
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ struct Ring {
   std::vector<std::uint32_t> ends;  // in order about C, except from best_ring_by_sides()
 };
 
-// The best ring of at most `most` ends of any chords. All three functions call `stop` for each
-// first end or chord that they try, and return nullopt if `stop` returns true. O(K^3 most).
+// The best ring of at most `most` ends of any chords. All three functions call `stop` before each
+// first end or first chord that they try, and return nullopt if it returns true. O(K^3 most).
 std::optional<Ring> best_ring(const Triangles& triangles, std::uint32_t most, const Stop& stop);
 
 // The best ring that has both ends of some chord, and ends of at most `teams` chords. Any other

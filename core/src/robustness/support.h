@@ -13,8 +13,8 @@ namespace evenlift {
 // The robots that can carry load. Positions are relative to C in multiples of `unit`, so that
 // nothing overflows and the tolerance is tau itself.
 struct Support {
-  double unit = 0;                    // L, or a greater length far from the origin (known_size.h)
-  bool on_a_line = false;             // the robots and C are on one line, within tolerance
+  double unit = 0;         // L, or more if the object is far from the origin (known_size.h)
+  bool on_a_line = false;  // the robots and C are on one line, within tolerance
   std::vector<std::uint32_t> robots;  // their numbers
   // The robots' positions. On a line, they are (t, 0) with the position t along the line, which is
   // exactly 0 for a robot within tolerance of C.

@@ -20,7 +20,7 @@ struct Surroundings {
     double pseudo_angle;
   };
   Points boundary;             // relative to C, counter-clockwise (polygon_with_holes.h)
-  std::vector<Seen> vertices;  // those of the outline except C, by pseudo-angle
+  std::vector<Seen> vertices;  // those of the outline, except any at C, by pseudo-angle
   bool convex = false;         // convex and without holes
   double diameter = 0;         // L
 };
@@ -58,7 +58,7 @@ class Wedge {
   // Returns f(p). O(m) for the m vertices and crossings of P in the wedge beyond the edge.
   double evaluate(const Vec2& p) const;
 
-  // A vertex in the sum f(p) of the metric distance. arms(p) returns all of them, in O(m).
+  // A term of the sum f(p) for the metric `distance`. arms(p) returns all terms, in O(m).
   struct Arm {
     Vec2 vertex;
     double before, after;  // distances outside the present edge and outside the new one
@@ -68,8 +68,8 @@ class Wedge {
 
  private:
   void collect_area();
-  // Whether the edge subtends at most 180 degrees at C. The angle is greater only if the edge is
-  // the first team's chord between opposite vertices and C is outside it, by less than tau L.
+  // Whether the edge subtends at most 180 degrees at C. The angle is greater only if C is outside
+  // the edge, by less than tau L; the edge is then the first team's chord of opposite vertices.
   bool is_convex() const;
   void collect_outer_vertices();
   double area_gain(const Vec2& p) const;

@@ -29,9 +29,13 @@ class NearestEven {
     if (third) all[*third] = place;
     const double before = third ? square(place, robots_[*third]) : 0;
     if (best_ && !(before < least_)) return;
-    Robots others;
-    for (std::size_t k = 0; k < all.size(); ++k)
-      if (k != i && k != j) others.push_back(all[k]);
+    Robots others, staying;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (k == i || k == j) continue;
+      others.push_back(all[k]);
+      if (k != third) staying.push_back(all[k]);
+    }
+    if (third && rules_.collides(staying, staying.size(), place)) return;
     for (const Candidate& candidate : balanced::all_pairs_to_complete(rules_, others)) {
       const LiftingPoint &r1 = candidate.chord.r1, &r2 = candidate.chord.r2;
       for (const auto& ends : {std::array{r1, r2}, std::array{r2, r1}}) {

@@ -12,8 +12,8 @@ std::optional<InputError> trace_search(Trace& trace, HistoryLength length);
 
 void look_at_balanced(const Trace& trace, StepDetail& detail);
 
-// The set of balanced robots that the step shows: its own or, if it has none, the last one. Null
-// for the steps about the object, and if no set was found.
+// The set of balanced robots that the step shows: its own or, if it has none, the final set of the
+// search. Null for the steps about the object, and if there is no such set.
 const BalancedSet* balanced_set_at(const Trace& trace, const Step& step);
 
 }  // namespace evenlift

@@ -31,8 +31,9 @@ struct Aggregate {
   double closed = 0;           // share of polygons in form closure, 0 .. 1
   double held_clear = 0;       // `closed` if only contacts far enough from corners count
   // `closable` is the number of these polygons for which can_close() is true for form closure.
-  // `form_closure` is the share of those in form closure with this method and number of robots
-  // (figure 5.11). `no_area_possible` and `no_area` are the same for the thesis's own, weaker test.
+  // `form_closure` is the share of them that this method brings into form closure with this number
+  // of robots (figure 5.11). `no_area_possible` and `no_area` are the same for the thesis's own,
+  // weaker test.
   std::uint32_t closable = 0, no_area_possible = 0;
   std::optional<double> form_closure, no_area;
 };
@@ -41,7 +42,7 @@ struct Aggregate {
 using Closed = double Measurement::*;
 
 // Whether teams of two, by any method and in any number, pass the test. Balanced robots do not
-// count, so figure 5.11 leaves out the same polygons as in the thesis. O(rows).
+// count, so that figure 5.11 leaves out the same polygons as the thesis. O(rows).
 bool can_close(const PolygonResult& result, Closed closed);
 
 // The aggregates, sorted by method, then by number of robots. O(rows).

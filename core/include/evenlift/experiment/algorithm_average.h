@@ -21,9 +21,9 @@ std::optional<double> pick_closure(const Aggregate& a);
 std::optional<double> algorithm_average(const std::vector<Aggregate>& aggregates,
                                         std::uint32_t robots, Pick pick);
 
-// The method's spread of loads divided by the algorithm_average() of the spreads. The objects weigh
-// experiment_weight (measure.h). Nothing if either is missing, or if the divisor is at most τ
-// times the mean load. O(rows).
+// The method's spread of loads divided by the algorithm_average() of the spreads. Nothing if either
+// is missing, or if the divisor is at most τ times the mean load for objects that weigh
+// experiment_weight (measure.h). O(rows).
 std::optional<double> spread_times(const std::vector<Aggregate>& aggregates, Method method,
                                    std::uint32_t robots);
 
@@ -37,8 +37,8 @@ std::optional<Range> spread_ratio(const std::vector<Aggregate>& aggregates, Meth
                                   std::uint32_t most_robots);
 
 // The algorithm_average() of coverage minus the method's coverage, averaged over 4, 6, ..
-// most_robots robots. Numbers of robots without both values are left out; nothing if none remains.
-// Two robots do not count, since their coverage is 0. O(rows times most_robots).
+// most_robots robots. Numbers of robots that lack either value are left out; the result is empty if
+// none remains. Two robots do not count, since their coverage is 0. O(rows times most_robots).
 std::optional<double> coverage_lead(const std::vector<Aggregate>& aggregates, Method method,
                                     std::uint32_t most_robots);
 

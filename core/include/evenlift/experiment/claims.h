@@ -16,8 +16,8 @@ struct Claim {
   std::string ours;     // the same number for the measured polygons; "—" if the data have none
 };
 
-// The claims of one set from its sorted `results` and their `aggregates`. Every set has the same
-// claims in the same order. O(rows).
+// The claims for a set of polygons, from its sorted `results` and their `aggregates`. All sets have
+// the same claims in the same order. O(rows).
 std::vector<Claim> make_claims(const std::vector<PolygonResult>& results,
                                const std::vector<Aggregate>& aggregates);
 

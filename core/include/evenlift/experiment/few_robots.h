@@ -21,8 +21,8 @@ struct FewRobotsRow {
 };
 
 // The table of one set. Each value is an average over the polygons on which the method was measured
-// with that number of robots. For form closure these include polygons on which teams of two cannot
-// reach it, unlike in figure 5.11.
+// with that number of robots. Unlike in figure 5.11, these include polygons on which teams of two
+// cannot reach form closure.
 struct FewRobots {
   std::string set;
   std::vector<FewRobotsRow> rows;  // sorted by quantity, then by number of robots

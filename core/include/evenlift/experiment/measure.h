@@ -25,8 +25,8 @@ struct ExperimentSettings {
   std::uint32_t samples = 200;  // random placements of each polygon, 1 .. max_samples
   // The greatest number of teams, 1 .. max_experiment_teams. The time grows with its square.
   std::uint32_t most_teams = 1000;
-  // The greatest number of balanced robots, least_robots .. most_robots. The search for them takes
-  // most of the time, and longer for more robots.
+  // The greatest number of balanced robots, least_robots .. most_robots. Searching for them takes
+  // most of the time; more robots take longer.
   std::uint32_t most_balanced = 12;
   double weight = experiment_weight;        // of the object; above 0
   WeightUnit weight_unit = WeightUnit::kg;  // in the figures of a single polygon
@@ -52,33 +52,34 @@ Result<Subject> prepare(const Document& document, double min_ratio);
 struct Measurement {
   Method method = Method::area;
   std::uint32_t robots = 0;   // 2, 4, 6, .. in teams of two; 2, 3, 4, .. balanced robots
-  std::uint32_t samples = 1;  // number of averaged placements; 1 except for random
+  std::uint32_t samples = 1;  // number of averaged placements; 1 except for `random`
   double coverage = 0;        // 0 .. 1
   double form_closure = 0;    // share of placements in form closure, 0 .. 1
   double no_area = 0;         // share that passes the thesis's own test of form closure: no region
                               // of free rotation centres has an area
-  double held_clear = 0;      // `form_closure` without contacts within `usual_clear` R of a corner
+  double held_clear = 0;      // `form_closure` without contacts nearer than `usual_clear` times R
+                              // to a corner
   double load_min = 0, load_mean = 0, load_max = 0;  // over the robots, in the unit of the weight
   double spread = 0;                                 // load_max - load_min (figure 5.3)
   double max_share = 0.5;  // greatest share of a team's load on one robot (figure 5.5); 0.5 for
-                           // balanced, as if any two of the robots were a team
+                           // balanced robots, as if any two were a team
   std::optional<std::uint32_t> chosen;  // the candidate of the last team, from 0; empty for methods
                                         // that do not choose among candidates
   bool operator==(const Measurement&) const = default;
 };
 
-// The number of teams: one for balanced, otherwise one for every two robots. O(1).
+// The number of teams: 1 for balanced robots, otherwise one for every two robots. O(1).
 std::uint32_t teams_of(Method method, std::uint32_t robots);
 
 // Measures one method with 1, 2, ... teams, up to the smaller of `most_teams` and the number of
-// candidates (also for equal angles and random). A number of teams that the method cannot place is
-// omitted; with equal angles and random this may happen if C is on the boundary. Sample k = 1,
-// 2, ... of `random` is random_teams() with seed k; its first t teams are the placement of t teams.
-// For t teams, this costs O(t^2) loads and at most t coverages and t tests of each kind of closure.
+// candidates (also for equal angles and `random`). A number of teams that the method cannot place
+// is omitted; with these two methods, this may happen if C is on the boundary. Sample k = 1, 2, ...
+// of `random` is random_teams() with seed k; its first t teams are the placement of t teams. Up to
+// t teams (of a sample) cost O(t^2) loads, at most t coverages and t tests of each kind of closure.
 //
 // Balanced robots are measured with 2, 3, ... up to `most_balanced` robots, even without
 // candidates. A number is omitted if place() finds no placement with the other settings at their
-// defaults. Each number costs the search of balanced.h.
+// defaults. Each number costs one search (balanced.h).
 //
 // The values are those of place(), except for the max_share of balanced robots.
 std::vector<Measurement> measure(const Subject& subject, Method method,

@@ -1,5 +1,5 @@
-// The measurements of many polygons as CSV, and the part files from which a run that was
-// interrupted or divided is assembled.
+// The measurements of many polygons as CSV, and the part files from which an interrupted or divided
+// run is assembled.
 #pragma once
 
 #include <cstdint>

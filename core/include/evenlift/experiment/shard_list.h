@@ -1,4 +1,4 @@
-// The list of the polygons in a finished shard of an experiment. The merge of shards reads it.
+// The list of the polygons in a finished shard of an experiment, read when shards are merged.
 #pragma once
 
 #include <cstdint>

@@ -40,7 +40,7 @@ std::string tilt_in_words(const Robustness& robustness, const ShownPlacement& of
 
 // Says where a further load may stand: "Another 80 kg may stand on 62 % of the object without
 // lifting a robot off or overloading one, if all robots are equally stiff. Up to 33.3 kg may stand
-// anywhere on it." O(1).
+// anywhere on it." A robot that is lifted off goes slack: it carries nothing. O(1).
 std::string extra_in_words(const ExtraLoad& extra, const ShownPlacement& of);
 
 // Describes a further load at a place, if robots are equally stiff: "80 kg here: robots carry

@@ -26,8 +26,8 @@ std::string numbers(const std::vector<double>& values);
 std::string object(const std::vector<Member>& members);  // on one line
 std::string object(std::initializer_list<Member> members);
 
-// Write one item or member per line, indented by 2 (depth + 1) spaces. A value of several lines
-// must have been written with depth + 1. Without items the text is [] or {}.
+// Both write one item or member per line, indented by 2 (depth + 1) spaces. A value of several
+// lines must have been written with depth + 1. Without items the text is [] or {}.
 std::string long_array(const std::vector<std::string>& items, int depth);
 std::string long_object(const std::vector<Member>& members, int depth);
 

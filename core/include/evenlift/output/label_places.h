@@ -30,8 +30,8 @@ struct Surroundings {
 
 // Returns a box for each label, or nothing for a label if every place would leave the frame or
 // cover a mark, an owner or another label. For each label it tries 24 directions and three
-// distances and takes the place with the least cost, by distance, direction and what it overlaps.
-// Then it places each again, with all others in place. O(labels (n + labels + chords + marks)).
+// distances and takes the place with the least cost, which counts distance, direction and overlaps.
+// Then it places each label again among all others. O(labels (n + labels + chords + marks)).
 std::vector<std::optional<Box>> place(const std::vector<Request>& requests,
                                       const Surroundings& around);
 

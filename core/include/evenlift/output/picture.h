@@ -45,12 +45,12 @@ std::vector<Segment> joining_lines(const Team& team, const Vec2& centre);
 
 // Returns the radius of the disc of each item of cargo, in units of length. A disc has the area of
 // a part of the object that weighs the same as the item. If the largest radius would exceed
-// `largest_cargo_disc` L, all are reduced in the same ratio. O(items).
+// `largest_cargo_disc` L, all are reduced by the same factor. O(items).
 inline constexpr double largest_cargo_disc = 0.06;
 std::vector<double> cargo_radii(const Placement& placement);
 
 // Returns a mark that shows which robots form a team: strokes side by side that add up to the
-// team's number, counted from 1. A broad stroke counts five. `at` is the robot's place on the
+// team's number, counted from 1. A broad stroke counts as five. `at` is the robot's place on the
 // picture, in pixels, and `outward` is the direction away from C, as a vector of any length. The
 // strokes begin at the distance `radius` from `at`. O(team).
 struct TallyStroke {

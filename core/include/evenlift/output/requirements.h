@@ -42,9 +42,9 @@ struct Condition {
 inline constexpr std::size_t most_conditions = 100;
 
 // Reads the conditions in a text, separated by commas; there may be at most most_conditions. Each
-// is one of the first four words, or a quantity, >= or <=, and a number. Spaces do not matter. The
-// error, at the place "require", lists all words, and quotes the wrong condition if that is short.
-// O(bytes).
+// is one of the first four names, or another name, >= or <=, and a number. Spaces do not matter. An
+// error has the place "require". The error for a faulty condition lists all names, and quotes the
+// condition if it is short and printable. O(bytes).
 Result<std::vector<Condition>> read_conditions(std::string_view text);
 
 // A condition and the value of its quantity: a number, or 1 for true and 0 for false. If there is

@@ -12,13 +12,13 @@
 namespace evenlift {
 
 // Describes the loads by a model: "If all robots are equally stiff and level and the object does
-// not bend, they carry 15.9–17.5 kg each. Robots 2 and 5 go slack." The text is empty for the
-// plan, which loads_in_words() describes. Robots are counted from 1.
+// not bend, they carry 15.9–17.5 kg each. Robots 2 and 5 go slack." The text is empty for
+// LoadModel::plan, which loads_in_words() describes. Robots are counted from 1.
 std::string model_in_words(LoadModel model, const ModelLoads& loads, const Units& units = {});
 
 // Says how the loads of equally stiff robots change within the disturbance of `loads`, which must
 // be that of `shown`: "If C is off by up to 3 cm and the ground slopes by up to 8 %, …". If a
-// robot may go slack, the text says this too. But if only C is uncertain, and its uncertainty
+// robot may go slack, the text says this too. But if only C is uncertain, and the C uncertainty
 // reaches the tipping distance, the text gives that distance instead. Without a disturbance the
 // text is empty. O(m).
 std::string uncertainty_in_words(const ModelLoads& loads, const Robustness& robustness,
@@ -48,8 +48,8 @@ std::string failure_in_words(std::size_t robot, std::size_t robots,
 std::string rest_in_words(const ShownPlacement& failing);
 
 // Returns the number of robots that may fail, the tipping distance and, if the height of C is above
-// 0, the slope at which the object tips. While a robot fails (`failing`), `robustness` must be that
-// of the others, and the first fact only says that one robot fails.
+// 0, the slope at which the object tips. If one robot has failed (`failing`), `robustness` must be
+// that of the others, and the first fact only says that one robot fails.
 std::vector<Fact> robustness_facts(const ShownPlacement& of, const Robustness& robustness,
                                    bool failing = false);
 

@@ -10,10 +10,10 @@ namespace evenlift {
 
 // Draws the object, the robots with their loads, the centre of mass, and the chosen overlays
 // (document.h) except the heat map and the tipping distance. By default the overlays are H, the
-// chords and the two regions of free rotation centres. The regions are hatched, so that they differ
-// without colour. A caption and a <title>/<desc> describe the placement in words. The bytes are the
-// same on every platform. If `link` is the link of the document (link.h), evenlift can open the
-// picture as that document. O(output).
+// chords and the two regions of free rotation centres. Their hatching distinguishes them without
+// colour. A caption and a <title>/<desc> describe the placement in words. The bytes are the same on
+// every platform. If `link` is the link of the document (link.h), evenlift can open the picture as
+// that document. O(output).
 std::string placement_svg(const ShownPlacement& of, std::string_view link = {});
 
 // Draws the same picture at half the size, to be shown beside others. Letters and the robots' discs

@@ -16,12 +16,12 @@ namespace evenlift {
 // Returns a chapter's title, such as "Edges that face each other". O(1).
 std::string_view title(Chapter chapter);
 
-// Describes a step in one to three sentences. O(1) plus the cost of numbers() (trace.h); linear for
-// the steps `slopes` and `duplicates`.
+// Describes a step in one to three sentences. Most steps cost O(1) plus the cost of numbers()
+// (trace.h).
 std::string caption(const Trace& trace, const StepDetail& detail);
 
-// Returns the caption of the step `sections` for a learner who has not yet answered at which end
-// of the sections the chord is more even. The caption does not state the load ratios. O(1).
+// Returns the caption of the step `sections` to show before a learner answers which of the two end
+// chords is more even. The caption does not state the load ratios. O(1).
 std::string caption_before_choice(const Trace& trace, const StepDetail& detail);
 
 // Returns the step's formula, such as "load ratio = 47.5 / 50.1 = 0.948 ≥ 0.8". The text is empty
@@ -32,7 +32,7 @@ std::string formula(const Trace& trace, const StepDetail& detail);
 // explanation. O(1).
 std::string_view formula_letters(const Trace& trace, const StepDetail& detail);
 
-// Returns the pseudo-code of the algorithm for the method, positions and goal of the settings. Each
+// Returns the pseudo-code of the algorithm for the method, positions and goal in `settings`. Each
 // line is one statement, indented by two spaces for each level. O(1).
 std::vector<std::string_view> pseudo_code(const Settings& settings);
 

@@ -34,8 +34,8 @@ std::vector<std::string> misfits_in_words(const ShownPlacement& of);
 // model_loads().
 Judgement judge(const ShownPlacement& of);
 
-// Judges a placement whose robustness is known. The capacities are compared with `loads`, those of
-// the load model that is shown (loads_by()). O(m log n + m^2).
+// Judges a placement whose robustness is known. The capacities are compared with `loads`, the loads
+// by the model that is shown (loads_by()). O(m log n + m^2).
 Judgement judge(const ShownPlacement& of, const Robustness& robustness,
                 const std::vector<LoadRange>& loads);
 

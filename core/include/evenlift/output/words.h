@@ -32,7 +32,7 @@ std::string significant(double value, int digits);
 // as close to three as possible. Use this number also for smaller values of the same kind.
 int decimals_for(double largest);
 
-// Writes a number with decimals_for(largest) decimals. The numbers of a column line up if `largest`
+// Writes a number with decimals_for(largest) decimals. The numbers in a column align if `largest`
 // is the largest of them. If `largest` is below 1e-6, or 1e12 or more, the number has three
 // significant digits instead of a long row of digits.
 std::string amount(double value, double largest);
@@ -65,9 +65,9 @@ std::string with_length_unit(const std::string& number, const Units& units);
 // Writes a guaranteed length, rounded down to two significant digits: "12" for 12.9.
 std::string promised_length(double length, const Units& units);
 
-// Writes a share as "81 %". Only a share of 0 is "0 %" and only 1 is "100 %", both within tolerance
-// (tau). Other shares that would round to these are "< 1 %" or "> 99 %" or, with one decimal,
-// "< 0.1 %".
+// Writes a share as "81 %". The text is "0 %" only for a share of 0, and "100 %" only for 1, within
+// tolerance (tau). Other shares that would round to these are "< 1 %" or "> 99 %" or, with one
+// decimal, "< 0.1 %".
 std::string percentage(double share, int decimals = 0);
 
 // Writes by how much `share` exceeds `other`, in percentage points: the difference of the two
@@ -97,7 +97,7 @@ int coordinate_decimals(const Points& vertices);  // O(n)
 // Describes the planned loads: "6 robots carry 15.2–18.1 kg each (100 kg in all)." For balanced
 // robots the text is "6 robots carry equal loads of 16.7 kg (100 kg in all)." With cargo the text
 // ends in "(120 kg with its cargo of 24 kg)." Without robots the text is like "No team can be
-// placed." If a model other than the plan is `shown`, the text begins with "As planned" or, for
+// placed." If `shown` is a model other than the plan, the text begins with "As planned" or, for
 // given supports, with "If equally stiff". If there is a disturbance, `ranges` may be the ranges of
 // the planned loads (loads_by()). Then the text is "6 robots carry 14.9–18.4 kg each, with a C
 // uncertainty of 3 cm, on slopes up to 8 % (100 kg in all)." For given supports the text calls the
@@ -132,7 +132,7 @@ std::string closure_in_words(const ShownPlacement& of);
 std::string free_motions_in_words(const Closure& closure);
 
 // Returns whether the robots hold the object. In form closure, the result is that of
-// hold_clearly() (placement.h); otherwise, it is true if they hold it to second order.
+// hold_clearly() (placement.h); otherwise, it is true if the object is held to second order.
 bool is_held(const Placement& placement);
 
 // The least coverage of a good result.

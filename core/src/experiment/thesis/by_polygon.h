@@ -42,22 +42,22 @@ std::vector<double> final_coverages(const std::vector<PolygonResult>& results);
 // covers nothing.
 std::vector<double> all_coverages(const std::vector<PolygonResult>& results);
 
-// Polygons NAME-moved, NAME-moved-1, NAME-moved-2 ... are the polygon NAME with another C. If
-// `robots` robots are placed by area, greatest_loss() returns the moved polygon whose coverage is
-// farthest below that of NAME, or nothing if there are no moved polygons.
+// Polygons NAME-moved, NAME-moved-1, NAME-moved-2 ... are the polygon NAME with another C.
+// greatest_loss() compares coverages with `robots` robots placed by area. It returns the moved
+// polygon whose coverage is farthest below that of NAME, or nothing if there is none to compare.
 struct Loss {
-  std::string polygon;  // the name of the polygon whose C was moved
+  std::string polygon;  // the name of the moved polygon, such as NAME-moved-1
   double before = 0, after = 0;
 };
 std::optional<Loss> greatest_loss(const std::vector<PolygonResult>& results, std::uint32_t robots);
 
-// Counts the polygons on which some method of the thesis passes the test that `closed` selects
-// (`of`), and those on which some metric passes it with some number of teams (`yes`).
+// Counts polygons. `of`: those on which some teams of two, by any method, pass the test that
+// `closed` selects (can_close(), aggregates.h); `yes`: those on which teams by some metric pass it.
 Count closed(const std::vector<PolygonResult>& results, Closed closed);
 
 // Considers the polygons with at most `most_vertices` vertices on which `method`, a method of the
-// thesis, can place `robots` robots. Counts those on which some teams of two pass the test (`of`;
-// can_close()), and those on which these robots pass it (`yes`).
+// thesis, can place `robots` robots. `of`: those of them on which some teams of two pass the test
+// (can_close()); `yes`: those on which these robots pass it.
 Count closed_with(const std::vector<PolygonResult>& results, Closed closed, Method method,
                   std::uint32_t robots, std::size_t most_vertices);
 

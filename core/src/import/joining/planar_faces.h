@@ -12,7 +12,7 @@ struct GraphEdge {
   std::size_t from, to;  // indices of nodes
   CurvePiece curve;      // its end is the node `to`
   std::size_t line;      // edges of one straight line have the same number
-  std::size_t piece;     // the index of the piece that contains it
+  std::size_t piece;     // its piece, or a piece that it joins: an index in the list of join()
 };
 
 // Drops each edge that repeats another between the same nodes. A straight line repeats any other
