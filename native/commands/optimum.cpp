@@ -26,7 +26,7 @@ double time_limit_option(const std::optional<std::string>& text) {
 struct Compared {
   Placement greedy;
   Optimum widest;
-  std::optional<FirmestChoice> firmest;  // with the goal *hold*
+  std::optional<ChoiceToHold> to_hold;  // with the goal *hold*
 };
 
 Placement greedy_placement(const Input& input, const SettingOptions& options) {
@@ -52,7 +52,7 @@ Compared compare(const Placement& greedy, bool holds, double seconds) {
                                   greedy.team_candidates, stop, greedy.stands.get()),
                     {}};
   if (holds)
-    compared.firmest = firmest_choice(greedy.object, greedy.centre_of_mass, greedy.candidates,
+    compared.to_hold = choice_to_hold(greedy.object, greedy.centre_of_mass, greedy.candidates,
                                       teams, greedy.team_candidates, hold_requirements(greedy),
                                       compared.widest, greedy.stands.get());
   return compared;
@@ -65,18 +65,18 @@ std::string candidates_in_words(const std::vector<std::uint32_t>& taken) {
   return text.empty() ? "none" : text;
 }
 
-std::string verdict_on(const FirmestChoice& firmest) {
-  if (firmest.proved && firmest.keys.level > 0)
+std::string verdict_on(const ChoiceToHold& to_hold) {
+  if (to_hold.proved && to_hold.keys.level > 0)
     return std::string("It holds the object, and it is the best of all choices by ") +
-           (firmest.compared ? "hold, coverage and load ratios." : "hold and coverage.");
-  if (firmest.most_level == 0) return "No choice of this number of teams holds the object.";
-  if (firmest.keys.level == 0)
+           (to_hold.compared ? "hold, coverage and load ratios." : "hold and coverage.");
+  if (to_hold.most_level == 0) return "No choice of this number of teams holds the object.";
+  if (to_hold.keys.level == 0)
     return "It does not hold the object; it is not proved that no choice does.";
   return std::string("It holds the object") +
-         (firmest.keys.level == firmest.most_level
+         (to_hold.keys.level == to_hold.most_level
               ? ", and no choice has a greater margin. It is not proved to have the greatest coverage of such choices: none covers more than "
               : ". It is not proved to be the best: no choice covers more than ") +
-         percentage(firmest.most_coverage, 2) + ".";
+         percentage(to_hold.most_coverage, 2) + ".";
 }
 
 std::string for_people(const Compared& compared) {
@@ -97,9 +97,9 @@ std::string for_people(const Compared& compared) {
   text += "  The greedy choice is " +
           points_ahead(std::max(widest.coverage, greedy.coverage), greedy.coverage) +
           " behind it.\n";
-  if (const auto& firmest = compared.firmest)
-    text += "\n  To hold           covers " + percentage(firmest->keys.coverage, 2) +
-            "   candidates " + candidates_in_words(firmest->taken) + "\n  " + verdict_on(*firmest) +
+  if (const auto& to_hold = compared.to_hold)
+    text += "\n  To hold           covers " + percentage(to_hold->keys.coverage, 2) +
+            "   candidates " + candidates_in_words(to_hold->taken) + "\n  " + verdict_on(*to_hold) +
             "\n";
   return text;
 }
@@ -121,13 +121,13 @@ std::string as_json(const Compared& compared) {
                      ", \"coverage\": " + shortest(widest.coverage) +
                      ", \"bound\": " + shortest(widest.bound) +
                      ", \"proved\": " + (widest.proved ? "true" : "false") + "}";
-  if (const auto& firmest = compared.firmest)
-    text += ",\n  \"hold\": {\"taken\": " + numbers_from_0(firmest->taken) +
-            ", \"level\": " + std::to_string(firmest->keys.level) +
-            ", \"coverage\": " + shortest(firmest->keys.coverage) +
-            ", \"most_level\": " + std::to_string(firmest->most_level) +
-            ", \"bound\": " + shortest(firmest->most_coverage) +
-            ", \"proved\": " + (firmest->proved ? "true" : "false") + "}";
+  if (const auto& to_hold = compared.to_hold)
+    text += ",\n  \"hold\": {\"taken\": " + numbers_from_0(to_hold->taken) +
+            ", \"level\": " + std::to_string(to_hold->keys.level) +
+            ", \"coverage\": " + shortest(to_hold->keys.coverage) +
+            ", \"most_level\": " + std::to_string(to_hold->most_level) +
+            ", \"bound\": " + shortest(to_hold->most_coverage) +
+            ", \"proved\": " + (to_hold->proved ? "true" : "false") + "}";
   return text + "\n}\n";
 }
 
@@ -136,7 +136,7 @@ std::string answer(const Input& input, const SettingOptions& options, double sec
   const bool holds = goal_of(input.document.settings) == Goal::hold;
   const Placement greedy = greedy_placement(input, options);
   const Compared compared = compare(greedy, holds, seconds);
-  if (holds && !compared.firmest && !greedy.teams.empty())
+  if (holds && !compared.to_hold && !greedy.teams.empty())
     throw Failure{bad_input_status, "--goal",
                   "at most " + std::to_string(most_swapped_teams) +
                       " teams can be compared by their hold, not " +

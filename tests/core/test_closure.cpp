@@ -4,9 +4,12 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <random>
+#include <tuple>
 
+#include "evenlift/tolerance.h"
 #include "grasp/wrench_margin.h"
 #include "kit/catch.h"
+#include "kit/corpus.h"
 #include "kit/polygons.h"
 #include "polygon/half_planes.h"
 
@@ -14,6 +17,35 @@ using namespace evenlift;
 using evenlift::testing::polygon;
 using evenlift::testing::square;
 using evenlift::testing::u_shape;
+
+TEST_CASE("few and many points have the same contacts", "[closure]") {
+  for (const char* name : {"puzzle-piece", "saw", "island", "square", "letter-e"}) {
+    const Polygon polygon = testing::polygon(corpus::polygon(name).vertices);
+    const double near = near_distance(polygon.diameter());
+    std::vector<LiftingPoint> many;
+    for (std::uint32_t edge = 0; edge < polygon.size(); ++edge) {
+      const Vec2 &from = polygon.edge_start(edge), &to = polygon.edge_end(edge);
+      const Vec2 along = (to - from) / length(to - from);
+      for (const double way : {0.0, 0.9 * near, 1.1 * near, length(to - from) / 3})
+        many.push_back({from + way * along, edge});
+    }
+    while (many.size() <= 40) many.push_back(many.front());
+    std::vector<Contact> one_by_one;
+    for (std::uint32_t i = 0; i < many.size(); ++i)
+      for (Contact contact : contacts(polygon, {many[i]})) {
+        contact.point = i;
+        one_by_one.push_back(contact);
+      }
+    const std::vector<Contact> together = contacts(polygon, many);
+    INFO(name);
+    REQUIRE(one_by_one.size() == together.size());
+    const auto all_of = [](const Contact& c) {
+      return std::tuple(c.position.x(), c.position.y(), c.edge, c.point, c.to_corner, c.to_end);
+    };
+    for (std::size_t i = 0; i < together.size(); ++i)
+      CHECK(all_of(one_by_one[i]) == all_of(together[i]));
+  }
+}
 
 TEST_CASE("a robot touches one edge inside it, two at a reflex vertex, none at a convex one",
           "[closure]") {

@@ -156,21 +156,21 @@ TEST_CASE("a bound that takes ends one by one is never below the best ring of wh
   }
 }
 
-TEST_CASE("the firmest choice is at least what swaps come to", "[optimum][slow]") {
+TEST_CASE("the choice to hold is at least as good as what swaps come to", "[optimum][slow]") {
   int equal = 0, compared = 0;
   for (const Held& held : held_samples()) {
     INFO(held.name);
     const Placement& placement = held.placement;
-    const auto firmest =
-        firmest_choice(placement.object, placement.centre_of_mass, placement.candidates, 3,
+    const auto to_hold =
+        choice_to_hold(placement.object, placement.centre_of_mass, placement.candidates, 3,
                        placement.team_candidates, hold_requirements(placement), Optimum{});
-    REQUIRE(firmest);
+    REQUIRE(to_hold);
     const HoldKeys keys =
         hold_keys(placement.object, placement.centre_of_mass, placement.candidates,
                   placement.team_candidates, hold_requirements(placement));
-    CHECK_FALSE(better_by(keys, firmest->keys));
+    CHECK_FALSE(better_by(keys, to_hold->keys));
     ++compared;
-    if (!better_by(firmest->keys, keys)) ++equal;
+    if (!better_by(to_hold->keys, keys)) ++equal;
   }
   CHECK(compared > 60);
   CHECK(equal > compared / 2);
@@ -184,11 +184,11 @@ TEST_CASE("bounds of holds are true, and reached where they are said to be prove
     const Placement& placement = held.placement;
     const Optimum widest = optimum_of(placement);
     const auto find = [&](std::uint64_t most) {
-      return *firmest_choice(placement.object, placement.centre_of_mass, placement.candidates, 3,
+      return *choice_to_hold(placement.object, placement.centre_of_mass, placement.candidates, 3,
                              placement.team_candidates, hold_requirements(placement), widest,
                              nullptr, most);
     };
-    const FirmestChoice best = find(most_choices), bounded = find(0);
+    const ChoiceToHold best = find(most_choices), bounded = find(0);
     CHECK(best.proved);
     CHECK(bounded.taken.size() == 3);
     CHECK_FALSE(better_by(bounded.keys, best.keys));
@@ -214,7 +214,7 @@ TEST_CASE("more choices than can be compared are bounded", "[optimum]") {
   document.settings.goal = Goal::hold;
   const Placement placement = placed(document);
   REQUIRE(choices(placement.candidates.size(), 4) > most_choices);
-  const auto found = firmest_choice(placement.object, placement.centre_of_mass,
+  const auto found = choice_to_hold(placement.object, placement.centre_of_mass,
                                     placement.candidates, 4, placement.team_candidates,
                                     hold_requirements(placement), optimum_of(placement));
   REQUIRE(found);
@@ -240,7 +240,7 @@ TEST_CASE("the best choices of robots with a size are those of brute force witho
     if (choices(placement->candidates.size(), teams) > 3000) continue;
     const Stands* stands = placement->stands.get();
     double widest = 0;
-    HoldKeys firmest;
+    HoldKeys to_hold;
     std::vector<std::uint32_t> taken;
     for_each_choice(static_cast<std::uint32_t>(placement->candidates.size()), teams, taken,
                     [&](const std::vector<std::uint32_t>& each) {
@@ -254,7 +254,7 @@ TEST_CASE("the best choices of robots with a size are those of brute force witho
                       const HoldKeys keys = hold_keys(placement->object, placement->centre_of_mass,
                                                       placement->candidates, each,
                                                       hold_requirements(*placement), stands);
-                      if (better_by(keys, firmest)) firmest = keys;
+                      if (better_by(keys, to_hold)) to_hold = keys;
                     });
     const Optimum found =
         widest_choice(placement->object, placement->centre_of_mass, placement->candidates, teams,
@@ -264,12 +264,12 @@ TEST_CASE("the best choices of robots with a size are those of brute force witho
     if (found.proved) CHECK(found.coverage == Approx(widest).margin(2e-9));
     unlike += !found.proved;
     const auto held =
-        firmest_choice(placement->object, placement->centre_of_mass, placement->candidates, teams,
+        choice_to_hold(placement->object, placement->centre_of_mass, placement->candidates, teams,
                        placement->team_candidates, hold_requirements(*placement), found, stands);
     REQUIRE(held);
     CHECK(held->proved);
-    CHECK(held->keys.level == firmest.level);
-    CHECK(held->keys.coverage == Approx(firmest.coverage).margin(2e-9));
+    CHECK(held->keys.level == to_hold.level);
+    CHECK(held->keys.coverage == Approx(to_hold.coverage).margin(2e-9));
     ++compared;
   }
   CHECK(compared > 40);

@@ -33,7 +33,7 @@ Document to_hold(Document document, std::uint32_t teams, Positions positions) {
 
 // By the functions that describe every placement, not by those of the search.
 HoldKeys keys_by_definition(const Placement& placement, const std::vector<std::uint32_t>& taken,
-                            const HoldRequirements& firm) {
+                            const HoldRequirements& hold) {
   std::vector<LiftingPoint> points;
   Points positions;
   HoldKeys keys;
@@ -48,10 +48,10 @@ HoldKeys keys_by_definition(const Placement& placement, const std::vector<std::u
   // Only contacts far enough from corners count.
   std::vector<LiftingPoint> counted;
   for (const Contact& contact : contacts(placement.polygon(), points))
-    if (contact.to_corner >= firm.clear - near_distance(placement.polygon().diameter()))
+    if (contact.to_corner >= hold.clear - near_distance(placement.polygon().diameter()))
       counted.push_back(points[contact.point]);
   const Closure closure = analyse_closure(placement.polygon(), placement.centre_of_mass, counted);
-  for (const double bound : {0.001, 0.4 * firm.min_margin, firm.min_margin})
+  for (const double bound : {0.001, 0.4 * hold.min_margin, hold.min_margin})
     if (closure.margin && *closure.margin >= bound) ++keys.level;
   keys.coverage = coverage(placement.object,
                            convex_hull(positions, near_distance(placement.polygon().diameter())));

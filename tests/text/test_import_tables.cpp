@@ -91,7 +91,7 @@ TEST_CASE("columns: a heading may be a comment, be parted in its own way, or hav
 
 TEST_CASE("columns: headings may follow a comment of any length", "[import][columns]") {
   std::string text;
-  for (int line = 0; line < 150; ++line)
+  for (int line = 0; line < 5000; ++line)
     text += "# Measured in the hall, " + std::to_string(line) + "\n";
   text += "no;y;x\n1;0;0\n2;0;30\n3;20.5;30\n";
   CHECK(same_vertices(only(text), corner));

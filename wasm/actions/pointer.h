@@ -13,7 +13,7 @@ struct Pointer {
   bool second = false;      // over the picture of the second method
   bool over_panel = false;  // over a panel or popup
   bool pressed = false, down = false, released = false, double_pressed = false;
-  double moved = 0;  // distance from the press, in pixels
+  double moved = 0;  // the greatest distance from the press so far, in pixels
   double wheel = 0;  // the wheel's steps, > 0 to zoom in
   // The pinch of two fingers, or of a trackpad.
   bool pinching = false;

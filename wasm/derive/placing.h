@@ -1,4 +1,5 @@
-// Places the document, by its method and by the second one.
+// Computes the document's placement by its method and, while two methods are compared, by the
+// second.
 #pragma once
 
 #include "state/state.h"

@@ -53,9 +53,9 @@ struct PaperWords {
   std::string text;
 };
 
-// The text in a step's picture: C, the names of cargo and of the caption's parts, numbers or load
-// ratios of the compared chords, and the robots' loads once known. Words without room are left out.
-// O(words (n + words + lines)).
+// The text in a step's picture: C, the names of cargo and of the parts that the caption mentions,
+// the numbers or load ratios of the compared chords, and the robots' loads once known. Words
+// without room are left out. O(words (n + words + lines)).
 std::vector<PaperWords> words_on_paper(const Paper& paper, const Trace& trace,
                                        const StepDetail& detail,
                                        const std::vector<Figure>& figures);

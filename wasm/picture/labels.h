@@ -20,7 +20,7 @@ struct LabelRequest {
   double reach = 0;  // radius to keep clear, in pixels, if it is larger than a robot's mark
 };
 
-// The occupied cells of the canvas. Each cell is a few pixels large, so a query for a box costs the
+// The occupied cells of the canvas. Each cell is a few pixels wide, so a query for a box costs the
 // same with a thousand lines as with one. Labels must not cover boxes, and should not cover lines.
 class Occupied {
  public:

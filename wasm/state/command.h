@@ -83,7 +83,7 @@ struct PutRobot {  // puts a robot exactly at a typed place
 struct RemoveRobot {
   std::optional<std::size_t> robot;  // the number from 0; nothing: the last robot
 };
-struct EvenOut {};      // moves two or three given robots to equal loads
+struct EvenOut {};      // moves two or three given supports so that all loads become equal
 struct ResetRobots {};  // moves the robots back to where the method placed them
 
 // Reports a result of the search with this number (Given::Found). If `robots` is missing, the
@@ -222,8 +222,8 @@ struct SetCamera {
   Camera camera;
 };
 struct FitView {};
-// Zooms about a place on the screen, or about the middle of the area where the fitting view puts
-// the polygon.
+// Zooms about a place on the screen, or about the middle of the area into which FitView fits the
+// polygon.
 struct ZoomView {
   double factor;
   std::optional<Vec2> about{};

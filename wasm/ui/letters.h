@@ -13,10 +13,10 @@ namespace evenlift::view {
 // Notes which characters of the text the font lacks. O(bytes).
 void note_letters(const ImFont& font, std::string_view text);
 
-// Returns whether any noted characters were not yet looked up in the fonts.
+// Returns whether any noted characters have yet to be looked up in the fonts.
 bool letters_are_due();
 
-// letters_are_here() returns whether the larger fonts arrived. Call have_letters() when they
+// letters_are_here() returns whether the larger fonts have arrived. Call have_letters() when they
 // arrive.
 bool letters_are_here();
 void have_letters();

@@ -49,8 +49,8 @@ std::optional<double> com_radius_within(const ShownPlacement& of, const ModelLoa
                                         const std::vector<std::optional<double>>& limits);
 
 // Whether any robot's load by springs may exceed the robot's capacity after a failure, within the
-// disturbance for which `rest` was computed. False if the other robots do not carry the object.
-// overloads_after() answers this for each failure. O(m) for each failure.
+// disturbance (uncertainty.h) for which `rest` was computed. False if the other robots do not carry
+// the object. overloads_after() answers this for each failure. O(m) for each failure.
 bool overloads(const ShownPlacement& of, const std::optional<RestOfRobots>& rest);
 std::vector<bool> overloads_after(const ShownPlacement& of,
                                   const std::vector<std::optional<RestOfRobots>>& failures);
@@ -99,8 +99,8 @@ struct FailurePlan {
 // setting `survive` permit. It ends when there is no place for more teams, when check_swaps()
 // (swaps.h) refuses more, or after most_teams_tried() teams (for balanced robots, after
 // most_robots). It also ends before it would compute more loads in all than `most_loads_planned`; m
-// robots need m^2. Up to `most_sets_planned` numbers of balanced robots are tried, each with a
-// whole search. For given supports no plan is possible.
+// robots need m^2. For balanced robots it tries at most `most_sets_planned` different numbers, each
+// with a whole search. For given supports no plan is possible.
 inline constexpr std::uint64_t most_loads_planned = std::uint64_t{1} << 21;
 inline constexpr std::uint32_t most_sets_planned = 8;
 FailurePlan plan_for_failures(const Placement& placement, double capacity);

@@ -76,11 +76,11 @@ struct Import {
 //              nothing is scaled. Otherwise the unit is that of the size (mm if the size is in pt,
 //              pc or Q), and coordinates are scaled to it about the origin of user units. The size
 //              of a user unit follows from viewBox and preserveAspectRatio; without a viewBox, 96
-//              user units are an inch. A curve that ends where it began is dropped if all its
-//              control points are within a limit of that place. The limit is 1/200 of the larger
-//              side of the box around the curve's outline and its control points, or `tolerance` if
-//              that is larger, but at most 1/10 of this side. All copies together take at most 64
-//              MiB
+//              user units are an inch. A curve that ends where it began is dropped if none of its
+//              control points is farther from that place than a limit. The limit is 1/200 of the
+//              larger side of the box around the curve's outline and its control points, or
+//              `tolerance` if that is larger, but at most 1/10 of this side. All copies together
+//              take at most 64 MiB
 //   DXF        the model space of a DXF file in text form. LWPOLYLINE and POLYLINE (with bulges),
 //              ELLIPSE and SPLINE are outlines if closed; a CIRCLE is always an outline. LINE, ARC
 //              and open curves and polylines are pieces, joined as described below. A SPLINE is a
@@ -92,22 +92,22 @@ struct Import {
 //              $INSUNITS gives the unit. Lengths are shown in it if it is a LengthUnit
 //   columns    lines with x and y. The columns are separated by a tab, semicolon, bar, comma or
 //              space: the first of these that the first line with two numbers contains. Numbers may
-//              have a decimal comma unless commas or spaces separate the columns. If commas do,
-//              only numbers in quotes may have a decimal comma, and only if one of them in the
-//              first 200 lines has a comma that cannot separate thousands. A heading may name the
-//              columns, in upper or lower case and perhaps with a unit: x (mm), X-Coordinate,
-//              POINT_X, Position X, Easting, E, lon, and similar names for y. x and y take
-//              precedence over easting and northing, and these over longitude and latitude. Without
-//              such a heading, x and y are the first two columns with numbers. As long as two
-//              others remain, a column is passed over if it numbers the lines or shapes, has the
-//              same number in every line, or has a heading such as "Point No." or "Elevation". If
-//              there are more than two columns with numbers, a note says which were taken. Lines
-//              that begin with # are comments, but one before the first row may be the heading. At
-//              most 99 other lines may precede the first row. Blank lines separate shapes, and so
-//              does a column that numbers or names them; a line of words before a shape is its
-//              name. A row is refused if its columns do not fit the heading or the first row. It is
-//              also refused if the first two rows begin with the same word and this row begins with
-//              another. The two surfaces of an airfoil are joined
+//              have a decimal comma if a tab, semicolon or bar separates the columns. If a comma
+//              does, only numbers in quotes may have one, and only if one of them in the first 200
+//              lines has a comma that cannot separate thousands. A heading may name the columns, in
+//              upper or lower case and perhaps with a unit: x (mm), X-Coordinate, POINT_X, Position
+//              X, Easting, E, lon, and similar names for y. x and y take precedence over easting
+//              and northing, and these over longitude and latitude. Without such a heading, x and y
+//              are the first two columns with numbers. As long as two others remain, a column is
+//              passed over if it numbers the lines or shapes, has the same number in every line, or
+//              has a heading such as "Point No." or "Elevation". If there are more than two columns
+//              with numbers, a note says which were taken. Lines that begin with # are comments,
+//              but one before the first row may be the heading. At most 99 other lines may precede
+//              the first row. Blank lines separate shapes, and so does a column that numbers or
+//              names them; a line of words before a shape is its name. A row is refused if its
+//              columns do not fit the heading or the first row. It is also refused if the first two
+//              rows begin with the same word and this row begins with another. The two surfaces of
+//              an airfoil are joined
 //   WKT        POLYGON and MULTIPOLYGON, also in a GEOMETRYCOLLECTION. A text may contain several
 //              geometries, each perhaps after `SRID=...;`. Geometries may also be in a column of a
 //              table, where another column may name or number the shapes

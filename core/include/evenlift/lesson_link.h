@@ -19,9 +19,9 @@ inline constexpr std::size_t max_lesson_bytes = 1u << 16;  // of the text of a l
 Result<std::string> encode_lesson_link(std::string_view lesson);
 
 // Returns the text of a lesson, byte for byte, from a link or from a whole address with a link.
-// White space around the link or address is ignored. For any bytes, the result is a text or an
-// error whose place is the link. parse_lesson() (lesson.h) decides whether the text is a lesson.
-// O(bytes + max_lesson_bytes).
+// White space around the link or address is ignored. Any input is allowed: the result is a text, or
+// an error that gives the link as its place. parse_lesson() (lesson.h) decides whether the text is
+// a lesson. O(bytes + max_lesson_bytes).
 Result<std::string> decode_lesson_link(std::string_view text);
 
 // Returns whether a text contains a link to a lesson, even a damaged link or one of a later

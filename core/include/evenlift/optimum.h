@@ -42,10 +42,10 @@ Optimum widest_choice(const PolygonWithHoles& object, const Vec2& centre,
                       const std::vector<std::uint32_t>& start, const Stop& stop = {},
                       const Stands* stands = nullptr);
 
-// The greatest number of choices of which firmest_choice() compares all.
+// The greatest number of choices of which choice_to_hold() compares all.
 inline constexpr std::uint64_t most_choices = std::uint64_t{1} << 22;
 
-struct FirmestChoice {
+struct ChoiceToHold {
   std::vector<std::uint32_t> taken;
   HoldKeys keys;
   // No choice has a level above most_level, and none with this level covers more than
@@ -63,10 +63,10 @@ struct FirmestChoice {
 // compared; the result is then the best choice that swaps reach from `start` and from `widest`, the
 // result of widest_choice(). In that case most_level is the level that all candidates together
 // reach, computed for up to most_candidates_bounded candidates, and most_coverage is the bound of
-// `widest`. `firm` is explained in closure.h; the other parameters are those of widest_choice().
-std::optional<FirmestChoice> firmest_choice(
+// `widest`. closure.h explains HoldRequirements; the other parameters are those of widest_choice().
+std::optional<ChoiceToHold> choice_to_hold(
     const PolygonWithHoles& object, const Vec2& centre, const std::vector<Candidate>& candidates,
-    std::size_t teams, const std::vector<std::uint32_t>& start, const HoldRequirements& firm,
+    std::size_t teams, const std::vector<std::uint32_t>& start, const HoldRequirements& hold,
     const Optimum& widest, const Stands* stands = nullptr, std::uint64_t most = most_choices);
 
 }  // namespace evenlift

@@ -39,7 +39,7 @@ std::vector<PlacedRobot> placed_robots(const Placement& placement);
 Equilibrium equilibrium(const Placement& placement);
 
 // Returns whether equilibrium alone determines the loads. This is so if there are at most three
-// robots, each at a corner of H of its own. O(teams).
+// robots, each at a different corner of H. O(teams).
 bool loads_are_determined(const Placement& placement);
 
 // Returns the given supports that do not fit or are too near to each other (supports.h), or none if

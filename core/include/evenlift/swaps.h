@@ -58,7 +58,7 @@ std::optional<HoldKey> better_by(const HoldKeys& a, const HoldKeys& b);
 // O(n log n + K log n), and O(n) for each corner of H at worst.
 HoldKeys hold_keys(const PolygonWithHoles& object, const Vec2& centre,
                    const std::vector<Candidate>& candidates,
-                   const std::vector<std::uint32_t>& taken, const HoldRequirements& firm,
+                   const std::vector<std::uint32_t>& taken, const HoldRequirements& hold,
                    const Stands* stands = nullptr);
 
 // The teams that a swap moves: one team (`single`), two at once (`pair`), or all (`one_more`). With
@@ -99,14 +99,14 @@ std::optional<InputError> check_swaps(std::size_t candidates, std::size_t teams,
 // With the searches for fewer teams, there are O(t^2) rounds at worst.
 SwapHistory swap_teams(const PolygonWithHoles& object, const Vec2& centre,
                        const std::vector<Candidate>& candidates, std::vector<std::uint32_t> start,
-                       const HoldRequirements& firm, const Stands* stands = nullptr);
+                       const HoldRequirements& hold, const Stands* stands = nullptr);
 
 // The best swap of this team, as in a round of swap_teams(); empty if no swap of the team makes the
 // choice better.
 std::optional<Swap> best_swap_of(const PolygonWithHoles& object, const Vec2& centre,
                                  const std::vector<Candidate>& candidates,
                                  const std::vector<std::uint32_t>& taken, std::uint32_t team,
-                                 const HoldRequirements& firm, const Stands* stands = nullptr);
+                                 const HoldRequirements& hold, const Stands* stands = nullptr);
 
 // The teams for these settings, as indices into `candidates`. The method must choose among
 // candidates. The teams are selected (selection.h) and, if the goal is to hold, swapped; in that

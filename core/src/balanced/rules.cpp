@@ -54,7 +54,7 @@ Rules::Rules(PolygonWithHoles object, const Vec2& centre, const Settings& settin
       centre_(centre),
       robots_(settings.robots),
       holds_(goal_of(settings) == Goal::hold),
-      firm_(hold_requirements(object_, centre, settings)),
+      hold_(hold_requirements(object_, centre, settings)),
       survive_(static_cast<int>(settings.survive)),
       room_(room_of(object_, settings)),
       outline_(object_, centre),
@@ -64,7 +64,7 @@ Rules::Rules(PolygonWithHoles object, const Vec2& centre, const Settings& settin
       work_of_completion_(work_on(object_, chords_, centre)),
       coarse_cover_(object_, centre),
       cover_(object_, centre),
-      margins_(object_, centre, firm_.clear) {
+      margins_(object_, centre, hold_.clear) {
   const double apart = settings.apart.value_or(usual_apart * farthest_vertex(object_, centre));
   const double near = std::max(0.0, apart - near_distance(polygon().diameter()));
   near_square_ = near * near;
@@ -96,14 +96,14 @@ std::uint32_t Rules::near_pairs(const std::vector<LiftingPoint>& robots) const {
 int Rules::steady(RatedSet& set) const {
   if (!set.steady)
     set.steady = std::min(survive_, failures_steady(positions(set.robots), centre_,
-                                                    polygon().diameter(), firm_.clear));
+                                                    polygon().diameter(), hold_.clear));
   return *set.steady;
 }
 
 std::uint32_t Rules::level(RatedSet& set) const {
   if (!set.level)
     set.level = level_of(margins_.of(contact_points(room_.get(), set.robots)),
-                         level_bounds(firm_.min_margin));
+                         level_bounds(hold_.min_margin));
   return *set.level;
 }
 

@@ -107,7 +107,7 @@ class Rules {
   Vec2 centre_;
   std::uint32_t robots_;
   bool holds_;  // whether the goal is `hold`
-  HoldRequirements firm_;
+  HoldRequirements hold_;
   double near_square_;  // robots at a smaller squared distance are too near
   int survive_;
   std::shared_ptr<const Stands> room_;

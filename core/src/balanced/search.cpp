@@ -88,7 +88,7 @@ bool is_quick_to_start(const BalancedProblem& problem) {
 bool is_quick_to_finish(const BalancedProblem& problem) {
   const Rules& rules = problem.rules();
   constexpr std::size_t usual_rounds = 3;
-  // Robots with a size restart from several starts.
+  // Robots with a size, or with no-go parts, restart from several starts.
   const std::size_t searches = rules.room() ? 2 + balanced::most_starts : 1;
   const std::size_t completions = completions_of_start(rules) + searches * usual_rounds *
                                                                     rules.triples().size() *

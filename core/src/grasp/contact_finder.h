@@ -26,7 +26,6 @@ class ContactFinder {
   using Cell = std::array<double, 2>;
   Cell cell_of(const Vec2& p) const;
   std::optional<std::uint32_t> vertex_at(const Vec2& p) const;
-  Contact contact_inside(const Vec2& p, std::uint32_t edge, std::uint32_t point) const;
 
   const Polygon& polygon_;
   double near_;

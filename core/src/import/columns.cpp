@@ -22,6 +22,7 @@ namespace {
 
 // Lines before the first row. A table that begins later is none.
 constexpr std::size_t most_heading_lines = 100;
+constexpr std::size_t most_comment_lines = 1000;  // of those that may name the columns
 
 // As in "X coord    Y coord".
 Fields split_at_wide_spaces(std::string_view line) {
@@ -71,6 +72,7 @@ class ColumnReader {
   Problem check_heading(const Line& line, const Fields& cells) const;
   bool take_heading(const Line& line);
   void leave_out_headings();
+  void clear_headings();
   Problem begin_rows(const Line& row, const Fields& cells);
   std::string_view rows_from(const Line& row) const;
   bool take_names(const Line& heading, const Line& row, const Fields& cells);
@@ -90,7 +92,8 @@ class ColumnReader {
   std::string_view text_;
   Gathering gathering_;
   CellStyle style_;
-  std::vector<Line> headings_;  // of this block, until its first row
+  std::vector<Line> headings_;  // of this block, until its first row, with comments
+  std::size_t heading_lines_ = 0, comment_lines_ = 0;  // among `headings_`
   std::optional<NamedColumns> named_;
   std::size_t x_ = 0, y_ = 0;
   bool chosen_ = false;  // x and y
@@ -260,7 +263,7 @@ std::optional<InputError> ColumnReader::begin_rows(const Line& row, const Fields
     words.push_back(headings_[i]);
   }
   take_words(words);
-  headings_.clear();
+  clear_headings();
   return chosen_ ? std::nullopt : choose(row, cells, headings);
 }
 
@@ -369,19 +372,19 @@ void ColumnReader::end_block() {
   blocks_.push_back(std::exchange(block_, {}));
 }
 
+void ColumnReader::clear_headings() {
+  headings_.clear();
+  heading_lines_ = comment_lines_ = 0;
+}
+
 // Keeps a line before the first row of a block. Returns false where no table may begin any more.
 bool ColumnReader::take_heading(const Line& line) {
-  const auto is_comment = [](const Line& heading) { return heading.text.front() == '#'; };
-  if (headings_.size() == most_heading_lines) {
-    if (rows_ > 0)
-      leave_out_headings();
-    else  // of a long comment, the last lines may name the columns
-      headings_.erase(std::find_if(headings_.begin(), headings_.end(), is_comment));
-  }
+  const bool comment = line.text.front() == '#';
+  if (comment && comment_lines_ == most_comment_lines) return true;
+  if (rows_ > 0 && heading_lines_ == most_heading_lines) leave_out_headings();
   headings_.push_back(line);
-  const auto words = headings_.size() - static_cast<std::size_t>(std::count_if(
-                                            headings_.begin(), headings_.end(), is_comment));
-  return rows_ > 0 || words < most_heading_lines;
+  ++(comment ? comment_lines_ : heading_lines_);
+  return rows_ > 0 || heading_lines_ < most_heading_lines;
 }
 
 // Lines with no rows below them.
@@ -389,7 +392,7 @@ void ColumnReader::leave_out_headings() {
   for (const Line& line : headings_)
     if (line.text.front() != '#')
       gathering_.left_out.add("line without numbers", "lines without numbers");
-  headings_.clear();
+  clear_headings();
 }
 
 std::optional<InputError> ColumnReader::read_lines() {

@@ -141,23 +141,23 @@ std::uint64_t count_choices(std::size_t all, std::size_t size, std::uint64_t lim
 }
 
 // The best choice by all keys.
-class Firmest {
+class SearchToHold {
  public:
-  Firmest(const PolygonWithHoles& object, const Vec2& centre,
-          const std::vector<Candidate>& candidates, const HoldRequirements& firm,
-          const Stands* stands)
+  SearchToHold(const PolygonWithHoles& object, const Vec2& centre,
+               const std::vector<Candidate>& candidates, const HoldRequirements& hold,
+               const Stands* stands)
       : object_(object),
         centre_(centre),
         candidates_(candidates),
-        firm_(firm),
+        hold_(hold),
         stands_(stands),
-        choices_(object, centre, candidates, firm, stands) {}
+        choices_(object, centre, candidates, hold, stands) {}
 
   HoldKeys keys_of(const std::vector<std::uint32_t>& taken) const {
     return choices_.keys_of(choices_.part_of(taken));
   }
 
-  void compare_all(std::size_t teams, FirmestChoice& best) {
+  void compare_all(std::size_t teams, ChoiceToHold& best) {
     // A part lacks the last team.
     std::vector<swaps::Part> parts;
     std::vector<std::vector<std::uint32_t>> of_part;
@@ -185,12 +185,12 @@ class Firmest {
   }
 
   // Swaps from the best choice so far, and from the widest one.
-  void swap(const Optimum& widest, FirmestChoice& best) const {
+  void swap(const Optimum& widest, ChoiceToHold& best) const {
     std::vector<std::vector<std::uint32_t>> starts{best.taken};
     if (widest.taken.size() == best.taken.size()) starts.push_back(widest.taken);
     for (const std::vector<std::uint32_t>& start : starts) {
       if (check_swaps(candidates_.size(), start.size(), stands_)) continue;
-      const SwapHistory history = swap_teams(object_, centre_, candidates_, start, firm_, stands_);
+      const SwapHistory history = swap_teams(object_, centre_, candidates_, start, hold_, stands_);
       const HoldKeys keys = keys_of(history.taken());
       if (better_by(keys, best.keys)) {
         best.taken = history.taken();
@@ -200,10 +200,10 @@ class Firmest {
   }
 
   // A further contact never decreases the margin: no choice exceeds the level of all candidates.
-  void bound(const Optimum& widest, FirmestChoice& best) const {
+  void bound(const Optimum& widest, ChoiceToHold& best) const {
     best.most_level = best_level;
     if (candidates_.size() <= most_candidates_bounded)
-      best.most_level = level_of(margin_of_all(), level_bounds(firm_.min_margin));
+      best.most_level = level_of(margin_of_all(), level_bounds(hold_.min_margin));
     best.most_level = std::max(best.most_level, best.keys.level);
     best.most_coverage = std::max(widest.bound, best.keys.coverage);
     best.proved = best.keys.level == best.most_level &&
@@ -216,7 +216,7 @@ class Firmest {
     std::vector<std::uint32_t> all;
     for (std::uint32_t i = 0; i < candidates_.size(); ++i) all.push_back(i);
     const auto touching = contact_points(stands_, robots_of(candidates_, all));
-    const auto counted = clear_contacts(object_, contacts(object_, touching), firm_.clear);
+    const auto counted = clear_contacts(object_, contacts(object_, touching), hold_.clear);
     const auto margin = analyse_hold(object_, centre_, counted).margin;
     return margin ? std::optional(*margin + tau) : std::nullopt;
   }
@@ -224,7 +224,7 @@ class Firmest {
   const PolygonWithHoles& object_;
   Vec2 centre_;
   const std::vector<Candidate>& candidates_;
-  HoldRequirements firm_;
+  HoldRequirements hold_;
   const Stands* stands_;
   swaps::Choices choices_;
 };
@@ -240,26 +240,26 @@ Optimum widest_choice(const PolygonWithHoles& object, const Vec2& centre,
   return std::move(widest).result();
 }
 
-std::optional<FirmestChoice> firmest_choice(const PolygonWithHoles& object, const Vec2& centre,
-                                            const std::vector<Candidate>& candidates,
-                                            std::size_t teams,
-                                            const std::vector<std::uint32_t>& start,
-                                            const HoldRequirements& firm, const Optimum& widest,
-                                            const Stands* stands, std::uint64_t most) {
+std::optional<ChoiceToHold> choice_to_hold(const PolygonWithHoles& object, const Vec2& centre,
+                                           const std::vector<Candidate>& candidates,
+                                           std::size_t teams,
+                                           const std::vector<std::uint32_t>& start,
+                                           const HoldRequirements& hold, const Optimum& widest,
+                                           const Stands* stands, std::uint64_t most) {
   if (start.empty() || start.size() > most_swapped_teams) return std::nullopt;
-  Firmest firmest(object, centre, candidates, firm, stands);
-  FirmestChoice best;
+  SearchToHold to_hold(object, centre, candidates, hold, stands);
+  ChoiceToHold best;
   best.taken = start;
-  best.keys = firmest.keys_of(start);
+  best.keys = to_hold.keys_of(start);
   if (start.size() >= candidates.size()) {
     best.most_level = best.keys.level;
     best.most_coverage = best.keys.coverage;
     best.proved = best.compared = true;
   } else if (count_choices(candidates.size(), teams, most) <= most) {
-    firmest.compare_all(teams, best);
+    to_hold.compare_all(teams, best);
   } else {
-    firmest.swap(widest, best);
-    firmest.bound(widest, best);
+    to_hold.swap(widest, best);
+    to_hold.bound(widest, best);
   }
   std::sort(best.taken.begin(), best.taken.end());
   return best;

@@ -54,16 +54,16 @@ class Crew {
   // The other teams carry the weight in proportion to their loads before.
   std::optional<double> greatest_by_plan(std::size_t robot) const {
     const std::size_t failed = find_robot(teams_, robot).team;
-    double greatest = 0, borne = 0;
+    double greatest = 0, carried = 0;
     for (std::size_t t = 0; t < teams_.size(); ++t) {
       if (t == failed) continue;
       for (const Robot& other : teams_[t].robots) {
         greatest = std::max(greatest, other.load / weight_);
-        borne += other.load / weight_;
+        carried += other.load / weight_;
       }
     }
     if (teams_.size() < 2) return std::nullopt;
-    return weight_ * (greatest / borne);
+    return weight_ * (greatest / carried);
   }
 
   const PolygonWithHoles& object_;

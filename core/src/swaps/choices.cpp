@@ -24,16 +24,16 @@ void append(const Chord& chord, std::vector<LiftingPoint>& robots) {
 }  // namespace
 
 Choices::Choices(const PolygonWithHoles& object, const Vec2& centre,
-                 const std::vector<Candidate>& candidates, const HoldRequirements& firm,
+                 const std::vector<Candidate>& candidates, const HoldRequirements& hold,
                  const Stands* stands)
     : object_(object),
       candidates_(candidates),
       stands_(stands),
       centre_(centre),
-      bounds_(level_bounds(firm.min_margin)),
+      bounds_(level_bounds(hold.min_margin)),
       coarse_cover_(object, centre),
       cover_(object, centre),
-      margins_(object, centre, firm.clear) {
+      margins_(object, centre, hold.clear) {
   parts_.reserve(candidates.size());
   for (std::uint32_t i = 0; i < candidates.size(); ++i) parts_.push_back(part_of({i}));
   for (const int x : {-1, 0, 1})

@@ -34,7 +34,7 @@ class Choices {
  public:
   // The object, candidates and stands must outlive this object. O(K log n) for K candidates.
   Choices(const PolygonWithHoles& object, const Vec2& centre,
-          const std::vector<Candidate>& candidates, const HoldRequirements& firm,
+          const std::vector<Candidate>& candidates, const HoldRequirements& hold,
           const Stands* stands = nullptr);
 
   // The part of the teams on these candidates, except team number `without`, counted from 0.

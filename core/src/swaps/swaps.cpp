@@ -147,9 +147,9 @@ std::optional<HoldKey> better_by(const HoldKeys& a, const HoldKeys& b) {
 
 HoldKeys hold_keys(const PolygonWithHoles& object, const Vec2& centre,
                    const std::vector<Candidate>& candidates,
-                   const std::vector<std::uint32_t>& taken, const HoldRequirements& firm,
+                   const std::vector<std::uint32_t>& taken, const HoldRequirements& hold,
                    const Stands* stands) {
-  const Choices choices(object, centre, candidates, firm, stands);
+  const Choices choices(object, centre, candidates, hold, stands);
   return choices.keys_of(choices.part_of(taken));
 }
 
@@ -171,24 +171,24 @@ std::optional<InputError> check_swaps(std::size_t candidates, std::size_t teams,
 
 SwapHistory swap_teams(const PolygonWithHoles& object, const Vec2& centre,
                        const std::vector<Candidate>& candidates, std::vector<std::uint32_t> start,
-                       const HoldRequirements& firm, const Stands* stands) {
+                       const HoldRequirements& hold, const Stands* stands) {
   if (start.size() == candidates.size() || start.empty()) {
     SwapHistory history;
     if (!start.empty() && start.size() <= most_swapped_teams)
-      history.keys = hold_keys(object, centre, candidates, start, firm, stands);
+      history.keys = hold_keys(object, centre, candidates, start, hold, stands);
     history.start = std::move(start);
     history.settled = true;
     return history;
   }
-  Choices choices(object, centre, candidates, firm, stands);
+  Choices choices(object, centre, candidates, hold, stands);
   return Swapper(choices, std::move(start)).run();
 }
 
 std::optional<Swap> best_swap_of(const PolygonWithHoles& object, const Vec2& centre,
                                  const std::vector<Candidate>& candidates,
                                  const std::vector<std::uint32_t>& taken, std::uint32_t team,
-                                 const HoldRequirements& firm, const Stands* stands) {
-  Choices choices(object, centre, candidates, firm, stands);
+                                 const HoldRequirements& hold, const Stands* stands) {
+  Choices choices(object, centre, candidates, hold, stands);
   const HoldKeys now = choices.keys_of(choices.part_of(taken));
   choices.set_parts({choices.part_of(taken, team)});
   const auto best = swaps::best_trial(choices, trials_with_others(choices, taken), now);

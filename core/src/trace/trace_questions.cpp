@@ -111,14 +111,14 @@ const Chord& chord_of_choice(const Trace& trace, const StepDetail& detail, const
 OtherSwap compare_swap(const Trace& trace, const StepDetail& detail, const Question& question,
                        std::uint32_t choice) {
   const Placement& placement = trace.placement;
-  const HoldRequirements firm = hold_requirements(placement);
+  const HoldRequirements hold = hold_requirements(placement);
   const Stands* stands = placement.stands.get();
   std::vector<std::uint32_t> taken = taken_before(trace, detail.step.item);
   OtherSwap other;
   if (question.kind == QuestionKind::leaving_team) {
     other.team = choice;
     const auto best = best_swap_of(trace.object(), trace.centre, placement.candidates, taken,
-                                   choice, firm, stands);
+                                   choice, hold, stands);
     if (!best) return other;
     other.candidate = best->taken[choice];
     other.keys = best->keys;
@@ -127,7 +127,7 @@ OtherSwap compare_swap(const Trace& trace, const StepDetail& detail, const Quest
   other.team = detail.swap->teams[0];
   other.candidate = choice;
   taken[other.team] = choice;
-  other.keys = hold_keys(trace.object(), trace.centre, placement.candidates, taken, firm, stands);
+  other.keys = hold_keys(trace.object(), trace.centre, placement.candidates, taken, hold, stands);
   return other;
 }
 

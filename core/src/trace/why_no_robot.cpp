@@ -68,7 +68,8 @@ WhyNoRobot why_no_robot(const Trace& trace, std::uint32_t k, const Vec2& at, dou
   WhyNoRobot answer;
   answer.place = nearest_on_boundary(trace.polygon(), at);
   const BalancedSet* set = balanced_set_at(trace, trace.step(k));
-  if (!set || set->robots.size() < 3) set = balanced_set_at(trace, {StepKind::result, Chapter::grasp});
+  if (!set || set->robots.size() < 3)
+    set = balanced_set_at(trace, {StepKind::result, Chapter::grasp});
   if (!set || set->robots.size() < 3) return answer;
   const StepDetail detail = look_at(trace, k);
   const std::vector<LiftingPoint>& robots = set->robots;

@@ -20,8 +20,8 @@ std::string_view title(Chapter chapter);
 // (trace.h).
 std::string caption(const Trace& trace, const StepDetail& detail);
 
-// Returns the caption of the step `sections` to show before a learner answers which of the two end
-// chords is more even. The caption does not state the load ratios. O(1).
+// For the step `sections`, returns the caption that is shown until the learner has answered which
+// of the two end chords is more even. The caption does not state the load ratios. O(1).
 std::string caption_before_choice(const Trace& trace, const StepDetail& detail);
 
 // Returns the step's formula, such as "load ratio = 47.5 / 50.1 = 0.948 ≥ 0.8". The text is empty
