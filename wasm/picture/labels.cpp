@@ -110,6 +110,15 @@ void Occupied::disc(const Vec2& middle, double radius) {
 }
 
 void Occupied::line(const Vec2& a, const Vec2& b) {
+  const auto column = [&](const Vec2& p) {
+    return static_cast<int>((p.x() - window_.left) / cell);
+  };
+  const auto row = [&](const Vec2& p) { return static_cast<int>((p.y() - window_.top) / cell); };
+  // Most edges of an outline with many vertices lie within one cell.
+  if (window_.contains(a) && window_.contains(b) && column(a) == column(b) && row(a) == row(b)) {
+    lines_[index_of(column(a), row(a))] = 1;
+    return;
+  }
   const std::optional<PartOfSegment> part = part_within(window_, a, b);  // only this part has cells
   if (!part) return;
   const double share = part->to - part->from;
@@ -117,8 +126,7 @@ void Occupied::line(const Vec2& a, const Vec2& b) {
   const int steps = static_cast<int>(length(along) * share / cell) + 1;
   for (int i = 0; i <= steps; ++i) {
     const Vec2 p = a + along * (part->from + share * i / steps);
-    const auto x = static_cast<int>((p.x() - window_.left) / cell),
-               y = static_cast<int>((p.y() - window_.top) / cell);
+    const int x = column(p), y = row(p);
     if (x >= 0 && y >= 0 && x < across_ && y < down_) lines_[index_of(x, y)] = 1;
   }
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "evenlift/closure.h"
 #include "evenlift/tolerance.h"
@@ -9,7 +10,7 @@
 namespace evenlift {
 namespace {
 
-// Looking at every vertex for each of so few points costs less than sorting the vertices.
+// For so few points, a look at every vertex costs less than sorting the vertices.
 constexpr std::size_t few_points = 32;
 
 // The answers of Corners, found for single edges by walking along their runs. O(run).
@@ -61,16 +62,27 @@ class NearestVertex {
   std::optional<std::uint32_t> nearest_;
 };
 
-// O(n).
-std::optional<std::uint32_t> nearest_vertex(const Polygon& polygon, const Vec2& point,
-                                            double within) {
-  NearestVertex nearest(polygon, point, within);
-  for (std::uint32_t v = 0; v < polygon.size(); ++v) {
-    const Vec2 away = polygon.vertex(v) - point;
-    // Most vertices are far away.
-    if (std::fabs(away.x()) <= 2 * within && std::fabs(away.y()) <= 2 * within) nearest.add(v);
+// For each point the nearest vertex within a distance, or nothing. O((m + n) log m) for m points,
+// if few of them lie within that distance of one another.
+std::vector<std::optional<std::uint32_t>> nearest_vertices(const Polygon& polygon,
+                                                           const std::vector<LiftingPoint>& points,
+                                                           double within) {
+  std::vector<std::pair<double, std::size_t>> by_x;
+  std::vector<NearestVertex> nearest;
+  for (const LiftingPoint& point : points) {
+    by_x.push_back({point.position.x(), nearest.size()});
+    nearest.emplace_back(polygon, point.position, within);
   }
-  return nearest.found();
+  std::sort(by_x.begin(), by_x.end());
+  const double margin = 2 * within;  // more than the rounding of a difference
+  for (std::uint32_t v = 0; v < polygon.size(); ++v) {
+    const double x = polygon.vertex(v).x();
+    auto at = std::lower_bound(by_x.begin(), by_x.end(), std::pair(x - margin, std::size_t{0}));
+    for (; at != by_x.end() && at->first <= x + margin; ++at) nearest[at->second].add(v);
+  }
+  std::vector<std::optional<std::uint32_t>> found;
+  for (const NearestVertex& each : nearest) found.push_back(each.found());
+  return found;
 }
 
 template <class SomeCorners>
@@ -86,14 +98,14 @@ Contact contact_inside(const Polygon& polygon, const SomeCorners& corners, const
   return contact;
 }
 
-// `vertex_at` returns the nearest vertex within tau L of a point, or nothing.
+// `vertex_at` returns the nearest vertex within tau L of the point with this index, or nothing.
 template <class VertexAt, class SomeCorners>
 std::vector<Contact> contacts_of(const Polygon& polygon, const std::vector<LiftingPoint>& points,
                                  const VertexAt& vertex_at, const SomeCorners& corners) {
   std::vector<Contact> contacts;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     if (points[i].edge == beneath) continue;
-    const std::optional<std::uint32_t> vertex = vertex_at(points[i].position);
+    const std::optional<std::uint32_t> vertex = vertex_at(i);
     if (!vertex) {
       contacts.push_back(contact_inside(polygon, corners, points[i].position, points[i].edge, i));
       continue;
@@ -144,7 +156,7 @@ std::optional<std::uint32_t> ContactFinder::vertex_at(const Vec2& p) const {
 
 std::vector<Contact> ContactFinder::find(const std::vector<LiftingPoint>& points) const {
   return contacts_of(
-      polygon_, points, [&](const Vec2& p) { return vertex_at(p); }, corners_);
+      polygon_, points, [&](std::size_t i) { return vertex_at(points[i].position); }, corners_);
 }
 
 Vec2 inward_normal(const Polygon& polygon, std::uint32_t edge) {
@@ -162,10 +174,9 @@ Vec2 inward_normal(const Vec2& from, const Vec2& to, bool counter_clockwise) {
 
 std::vector<Contact> contacts(const Polygon& polygon, const std::vector<LiftingPoint>& points) {
   if (points.size() > few_points) return ContactFinder(polygon).find(points);
-  const double near = near_distance(polygon.diameter());
+  const auto at = nearest_vertices(polygon, points, near_distance(polygon.diameter()));
   return contacts_of(
-      polygon, points, [&](const Vec2& p) { return nearest_vertex(polygon, p, near); },
-      CornersNearby(polygon));
+      polygon, points, [&](std::size_t i) { return at[i]; }, CornersNearby(polygon));
 }
 
 }  // namespace evenlift

@@ -135,9 +135,9 @@ double Polygon::turn_side(std::size_t i) const {
 }
 
 double farthest_vertex(const Polygon& polygon, const Vec2& centre) {
-  double farthest = 0;
-  for (const Vec2& v : polygon.vertices()) farthest = std::max(farthest, length(v - centre));
-  return farthest;
+  double squared = 0;
+  for (const Vec2& v : polygon.vertices()) squared = std::max(squared, (v - centre).squaredNorm());
+  return std::sqrt(squared);
 }
 
 }  // namespace evenlift
