@@ -28,11 +28,6 @@ Candidate make_candidate(const Vec2& centre, const StandLine& a, const StandLine
   return candidate;
 }
 
-struct Chords {
-  std::optional<Candidate> best;
-  std::vector<Candidate> ends;  // of usable intervals on both lines
-};
-
 class Finder {
  public:
   Finder(const Vec2& centre, const StandLine& a, const StandLine& b, double min_ratio, double near)
@@ -43,14 +38,14 @@ class Finder {
         near_(near),
         pieces_(range_.pieces(min_ratio)) {}
 
-  Chords run() const {
-    Chords found;
-    if (pieces_.empty()) return found;
-    found.best = best();
+  // The best chord is passed to `take` first, unless it is already known.
+  template <class Take>
+  void run(bool best_is_known, Take take) const {
+    if (pieces_.empty()) return;
+    if (!best_is_known) take(best());
     for (const Stretch& piece : pieces_)
       for (const double t : {piece.from, piece.to})
-        if (ends_on_both(t)) found.ends.push_back(at(t));
-    return found;
+        if (ends_on_both(t)) take(at(t));
   }
 
  private:
@@ -137,23 +132,19 @@ class Finder {
   std::vector<Stretch> pieces_;  // of a, on which robots can stand at both ends of the chord
 };
 
-// The chords at which robots can stand without a collision.
-Chords usable_chords(const Stands& stands, const Vec2& centre, const StandLine& a,
-                     const StandLine& b, double min_ratio, double near) {
-  if (std::fabs(a.height) <= near || std::fabs(b.height) <= near) return {};
-  Chords found = Finder(centre, a, b, min_ratio, near).run();
-  const auto is_unusable = [&](const Candidate& candidate) {
-    return !reaches(candidate.chord, min_ratio) || !can_stand(stands, candidate);
-  };
-  if (found.best && is_unusable(*found.best)) found.best.reset();
-  std::erase_if(found.ends, is_unusable);
+// The chords at which robots can stand without a collision, the best one first. If `best` is given,
+// it is taken as it is. Without a line there are no others.
+std::vector<Candidate> usable_chords(const std::optional<Candidate>& best, const Stands& stands,
+                                     const Vec2& centre, const StandLine* a, const StandLine* b,
+                                     double min_ratio, double near) {
+  std::vector<Candidate> found;
+  if (best) found.push_back(*best);
+  if (!a || !b || std::fabs(a->height) <= near || std::fabs(b->height) <= near) return found;
+  Finder(centre, *a, *b, min_ratio, near).run(best.has_value(), [&](const Candidate& candidate) {
+    if (reaches(candidate.chord, min_ratio) && can_stand(stands, candidate))
+      found.push_back(candidate);
+  });
   return found;
-}
-
-// The best chord first.
-std::vector<Candidate> all_of(Chords chords) {
-  if (chords.best) chords.ends.insert(chords.ends.begin(), *chords.best);
-  return std::move(chords.ends);
 }
 
 }  // namespace
@@ -181,21 +172,21 @@ bool can_stand(const Stands& stands, const Candidate& candidate) {
 
 std::vector<Candidate> standing_chords(const Stands& stands, const Vec2& centre, const StandLine& a,
                                        const StandLine& b, double min_ratio, double near) {
-  return all_of(usable_chords(stands, centre, a, b, min_ratio, near));
+  return usable_chords(std::nullopt, stands, centre, &a, &b, min_ratio, near);
 }
 
 std::vector<Candidate> standing_chords(const Polygon& polygon, const Stands& stands,
                                        const Vec2& centre, const EdgePair& pair, double min_ratio) {
   const PairVerdict verdict = examine_pair(polygon, centre, pair, min_ratio);
-  const bool stays = verdict.candidate && can_stand(stands, *verdict.candidate);
-  if (stays && !stands.has_body()) return {*verdict.candidate};
-  const auto a = stand_line(polygon, centre, stands, pair.a);
-  const auto b = stand_line(polygon, centre, stands, pair.b);
-  Chords found;
-  if (a && b)
-    found = usable_chords(stands, centre, *a, *b, min_ratio, near_distance(polygon.diameter()));
-  if (stays) found.best = verdict.candidate;
-  return all_of(std::move(found));
+  std::optional<Candidate> best;
+  if (verdict.candidate && can_stand(stands, *verdict.candidate)) best = verdict.candidate;
+  std::optional<StandLine> a, b;
+  if (!best || stands.has_body()) {
+    a = stand_line(polygon, centre, stands, pair.a);
+    b = stand_line(polygon, centre, stands, pair.b);
+  }
+  return usable_chords(best, stands, centre, a ? &*a : nullptr, b ? &*b : nullptr, min_ratio,
+                       near_distance(polygon.diameter()));
 }
 
 }  // namespace evenlift

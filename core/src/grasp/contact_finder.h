@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "evenlift/closure.h"
@@ -25,7 +24,9 @@ class ContactFinder {
   // at most four of these squares.
   using Cell = std::array<double, 2>;
   Cell cell_of(const Vec2& p) const;
-  std::optional<std::uint32_t> vertex_at(const Vec2& p) const;
+  // Takes each vertex in the cells around a point, among them all within tau L of it.
+  template <class Take>
+  void each_vertex_near(const Vec2& p, Take take) const;
 
   const Polygon& polygon_;
   double near_;

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <optional>
 
 #include "evenlift/closure.h"
 #include "evenlift/tolerance.h"
@@ -13,29 +13,22 @@ namespace {
 // For so few points, a look at every vertex costs less than sorting the vertices.
 constexpr std::size_t few_points = 32;
 
-// The answers of Corners, found for single edges by walking along their runs. O(run).
-class CornersNearby {
- public:
-  explicit CornersNearby(const Polygon& polygon) : polygon_(polygon) {}
-
-  std::optional<std::uint32_t> before(std::size_t edge) const {
-    while (polygon_.turn(edge) == Turn::straight) edge = polygon_.previous(edge);
-    return if_convex(edge);
+// The convex vertices at the ends of an edge's straight run (polygon/corners.h). Without `corners`,
+// they are found by walking along the run, in O(run).
+struct RunEnds {
+  RunEnds(const Polygon& polygon, const Corners* corners, std::uint32_t edge) {
+    if (corners) {
+      before = corners->before(edge);
+      after = corners->after(edge);
+      return;
+    }
+    std::size_t begin = edge, end = polygon.next(edge);
+    while (polygon.turn(begin) == Turn::straight) begin = polygon.previous(begin);
+    while (polygon.turn(end) == Turn::straight) end = polygon.next(end);
+    if (polygon.turn(begin) == Turn::convex) before = static_cast<std::uint32_t>(begin);
+    if (polygon.turn(end) == Turn::convex) after = static_cast<std::uint32_t>(end);
   }
-  std::optional<std::uint32_t> after(std::size_t edge) const {
-    std::size_t end = polygon_.next(edge);
-    while (polygon_.turn(end) == Turn::straight) end = polygon_.next(end);
-    return if_convex(end);
-  }
-  bool is_corner(std::size_t vertex) const { return polygon_.is_corner(vertex); }
-
- private:
-  std::optional<std::uint32_t> if_convex(std::size_t vertex) const {
-    if (polygon_.turn(vertex) != Turn::convex) return std::nullopt;
-    return static_cast<std::uint32_t>(vertex);
-  }
-
-  const Polygon& polygon_;
+  std::optional<std::uint32_t> before, after;
 };
 
 // The nearest vertex to a point within a distance; the first in the list wins a tie. O(1) for each
@@ -44,6 +37,10 @@ class NearestVertex {
  public:
   NearestVertex(const Polygon& polygon, const Vec2& point, double within)
       : polygon_(polygon), point_(point), least_(within) {}
+
+  // False only for a place that is too far away. The margin is more than the rounding of a
+  // difference.
+  bool may_be(const Vec2& place) const { return std::fabs(place.x() - point_.x()) <= 2 * least_; }
 
   void add(std::uint32_t vertex) {
     const double distance = length(polygon_.vertex(vertex) - point_);
@@ -62,50 +59,41 @@ class NearestVertex {
   std::optional<std::uint32_t> nearest_;
 };
 
-// For each point the nearest vertex within a distance, or nothing. O((m + n) log m) for m points,
-// if few of them lie within that distance of one another.
-std::vector<std::optional<std::uint32_t>> nearest_vertices(const Polygon& polygon,
-                                                           const std::vector<LiftingPoint>& points,
-                                                           double within) {
-  std::vector<std::pair<double, std::size_t>> by_x;
+// For each point the nearest vertex within a distance. O(m n) for m points.
+std::vector<NearestVertex> nearest_vertices(const Polygon& polygon,
+                                            const std::vector<LiftingPoint>& points,
+                                            double within) {
   std::vector<NearestVertex> nearest;
-  for (const LiftingPoint& point : points) {
-    by_x.push_back({point.position.x(), nearest.size()});
-    nearest.emplace_back(polygon, point.position, within);
-  }
-  std::sort(by_x.begin(), by_x.end());
-  const double margin = 2 * within;  // more than the rounding of a difference
-  for (std::uint32_t v = 0; v < polygon.size(); ++v) {
-    const double x = polygon.vertex(v).x();
-    auto at = std::lower_bound(by_x.begin(), by_x.end(), std::pair(x - margin, std::size_t{0}));
-    for (; at != by_x.end() && at->first <= x + margin; ++at) nearest[at->second].add(v);
-  }
-  std::vector<std::optional<std::uint32_t>> found;
-  for (const NearestVertex& each : nearest) found.push_back(each.found());
-  return found;
+  nearest.reserve(points.size());
+  for (const LiftingPoint& point : points) nearest.push_back({polygon, point.position, within});
+  for (std::uint32_t v = 0; v < polygon.size(); ++v)
+    for (NearestVertex& each : nearest)
+      if (each.may_be(polygon.vertex(v))) each.add(v);
+  return nearest;
 }
 
-template <class SomeCorners>
-Contact contact_inside(const Polygon& polygon, const SomeCorners& corners, const Vec2& p,
+Contact contact_inside(const Polygon& polygon, const Corners* corners, const Vec2& p,
                        std::uint32_t edge, std::uint32_t point) {
   Contact contact{p, edge, point};
-  for (const auto& end : {corners.before(edge), corners.after(edge)}) {
+  const RunEnds ends(polygon, corners, edge);
+  for (const auto& end : {ends.before, ends.after}) {
     if (!end) continue;
     const double distance = length(polygon.vertex(*end) - p);
     contact.to_end = std::min(contact.to_end, distance);
-    if (corners.is_corner(*end)) contact.to_corner = std::min(contact.to_corner, distance);
+    if (corners ? corners->is_corner(*end) : polygon.is_corner(*end))
+      contact.to_corner = std::min(contact.to_corner, distance);
   }
   return contact;
 }
 
-// `vertex_at` returns the nearest vertex within tau L of the point with this index, or nothing.
-template <class VertexAt, class SomeCorners>
+// `nearest` is the nearest vertex within tau L of each point.
 std::vector<Contact> contacts_of(const Polygon& polygon, const std::vector<LiftingPoint>& points,
-                                 const VertexAt& vertex_at, const SomeCorners& corners) {
+                                 const std::vector<NearestVertex>& nearest,
+                                 const Corners* corners) {
   std::vector<Contact> contacts;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     if (points[i].edge == beneath) continue;
-    const std::optional<std::uint32_t> vertex = vertex_at(i);
+    const std::optional<std::uint32_t>& vertex = nearest[i].found();
     if (!vertex) {
       contacts.push_back(contact_inside(polygon, corners, points[i].position, points[i].edge, i));
       continue;
@@ -138,25 +126,29 @@ ContactFinder::Cell ContactFinder::cell_of(const Vec2& p) const {
   return {std::floor(p.x() / side), std::floor(p.y() / side)};
 }
 
-std::optional<std::uint32_t> ContactFinder::vertex_at(const Vec2& p) const {
+template <class Take>
+void ContactFinder::each_vertex_near(const Vec2& p, Take take) const {
   const Cell low = cell_of(p - Vec2(near_, near_)), high = cell_of(p + Vec2(near_, near_));
-  NearestVertex nearest(polygon_, p, near_);
   const auto look_into = [&](const Cell& cell) {
     auto at =
         std::lower_bound(by_cell_.begin(), by_cell_.end(), cell,
                          [&](std::uint32_t v, const Cell& wanted) { return cells_[v] < wanted; });
-    for (; at != by_cell_.end() && cells_[*at] == cell; ++at) nearest.add(*at);
+    for (; at != by_cell_.end() && cells_[*at] == cell; ++at) take(*at);
   };
   look_into(low);
   if (low[1] != high[1]) look_into({low[0], high[1]});
   if (low[0] != high[0]) look_into({high[0], low[1]});
   if (low[0] != high[0] && low[1] != high[1]) look_into(high);
-  return nearest.found();
 }
 
 std::vector<Contact> ContactFinder::find(const std::vector<LiftingPoint>& points) const {
-  return contacts_of(
-      polygon_, points, [&](std::size_t i) { return vertex_at(points[i].position); }, corners_);
+  std::vector<NearestVertex> nearest;
+  nearest.reserve(points.size());
+  for (const LiftingPoint& point : points) {
+    nearest.push_back({polygon_, point.position, near_});
+    each_vertex_near(point.position, [&](std::uint32_t v) { nearest.back().add(v); });
+  }
+  return contacts_of(polygon_, points, nearest, &corners_);
 }
 
 Vec2 inward_normal(const Polygon& polygon, std::uint32_t edge) {
@@ -174,9 +166,8 @@ Vec2 inward_normal(const Vec2& from, const Vec2& to, bool counter_clockwise) {
 
 std::vector<Contact> contacts(const Polygon& polygon, const std::vector<LiftingPoint>& points) {
   if (points.size() > few_points) return ContactFinder(polygon).find(points);
-  const auto at = nearest_vertices(polygon, points, near_distance(polygon.diameter()));
-  return contacts_of(
-      polygon, points, [&](std::size_t i) { return at[i]; }, CornersNearby(polygon));
+  const double near = near_distance(polygon.diameter());
+  return contacts_of(polygon, points, nearest_vertices(polygon, points, near), nullptr);
 }
 
 }  // namespace evenlift
