@@ -535,6 +535,8 @@ TEST_CASE("the size of a robot and marked edges are read from text and written a
   CHECK(document.settings.no_go ==
         std::vector<EdgePart>{{2, 0, 1}, {4, 0.25, 0.75}, {0, 1e-9, 1e-8}});
   CHECK(no_go_text(document.settings.no_go) == "3,5:0.25-0.75,1:1e-9-1e-8");
+  CHECK(read(Setting::no_go, "1:-0-0.5"));
+  CHECK_FALSE(std::signbit(document.settings.no_go.front().from));
   for (const char* bad : {"", "0", "-1", "1.5", "3:", "3:0.5", "3:0.5-", "3:0.7-0.2", "3:0.5-0.5",
                           "3:-0.1-1", "3:0-1.5", "3,", "a", "2000000", "3:0 - 1"})
     CHECK_FALSE(read(Setting::no_go, bad));

@@ -469,6 +469,9 @@ TEST_CASE("a requirement names a quantity, and is kept within tolerance", "[supp
   for (const Requirement& requirement :
        check_conditions({falls, {}}, *read_conditions("max<=1000")))
     CHECK(requirement_in_words(requirement) == "max<=1000: no value, not kept");
+  const Requirement missed{read_conditions("coverage>=0.8")->front(), 0.79999999, false};
+  CHECK(requirement_in_words(missed) == "coverage>=0.8: 0.79999999, not kept");
+  CHECK(value_in_words(missed, {}).starts_with("79.999999"));
   for (const char* bad : {"", ",", "held,", "hold", "held>=1", "max", "max<20", "max=<20", "max<=x",
                           "max<=20 held", "MAX<=20"}) {
     INFO(bad);

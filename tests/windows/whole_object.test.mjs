@@ -110,5 +110,8 @@ test("weights are placed by a click, typed and named in the table, and removed b
   await field("weight").press("Enter");
   await idle(page);
   assert.equal((await state(page)).cargo[0].weight, 36);
+  await field("weight").fill("2e9"); // more than a coordinate may be
+  await field("weight").press("Enter");
+  assert.equal((await state(page)).cargo[0].weight, 2e9);
   await page.done();
 });

@@ -47,22 +47,27 @@ std::string open_with_these_settings(std::string_view text) {
 }
 
 // As the formats write it; otherwise nothing, with the reason in `problem`.
-std::optional<double> coordinate(std::string_view text, std::string& problem) {
+std::optional<double> typed_number(std::string_view text, std::string& problem) {
   constexpr std::string_view blank = " \t\n\r";
   const std::size_t first = text.find_first_not_of(blank);
   text = first == std::string_view::npos
              ? std::string_view()
              : text.substr(first, text.find_last_not_of(blank) - first + 1);
   const std::optional<double> value = read_number(text);
-  if (value && std::abs(*value) <= max_coordinate) return value;
-  if (value)
-    problem = say("Coordinates go from −1,000,000,000 to 1,000,000,000");
-  else if (text.empty())
+  if (value) return value;
+  if (text.empty())
     problem = say("A number is missing");
   else if (text.find(',') != std::string_view::npos)
     problem = say("Write decimals with a point, not a comma: 2.5");
   else
     problem = say("“{text}” is not a number", {text.substr(0, 40)});
+  return std::nullopt;
+}
+
+std::optional<double> coordinate(std::string_view text, std::string& problem) {
+  const std::optional<double> value = typed_number(text, problem);
+  if (!value || std::abs(*value) <= max_coordinate) return value;
+  problem = say("Coordinates go from −1,000,000,000 to 1,000,000,000");
   return std::nullopt;
 }
 
@@ -282,7 +287,9 @@ EMSCRIPTEN_KEEPALIVE const char* page_set_weight(int item, int column, const cha
     return hand_over(say("This weight no longer exists"));
   evenlift::Cargo changed = cargo[static_cast<std::size_t>(item)];
   std::string problem;
-  const std::optional<double> value = column < 3 ? coordinate(text, problem) : std::nullopt;
+  const std::optional<double> value = column < 2    ? coordinate(text, problem)
+                                      : column == 2 ? typed_number(text, problem)
+                                                    : std::nullopt;
   if (column < 3 && !value) return hand_over(std::move(problem));
   if (column < 2)
     changed.at[column] = *value;

@@ -284,13 +284,15 @@ void draw_walkthrough_ranking(const Ui& ui) {
   text_line(Face::strong_label, ui.theme.second_text, title_of_ranking(scores.rule));
   const double best = std::max(scores.of_candidate[scores.ranking[0]].value, 1e-300);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-  for (std::size_t i = 0; i < scores.ranking.size() && i < most_ranked; ++i) {
-    if (scores.of_candidate[scores.ranking[i]].eligible) draw_ranked(ui, scores, i, best);
+  std::size_t eligible = 0;
+  for (std::size_t i = 0; i < scores.ranking.size(); ++i) {
+    if (!scores.of_candidate[scores.ranking[i]].eligible) continue;
+    if (eligible++ < most_ranked) draw_ranked(ui, scores, i, best);
   }
   ImGui::PopStyleVar();
-  if (scores.ranking.size() > most_ranked)
+  if (eligible > most_ranked)
     text_line(Face::label, ui.theme.second_text,
-              say("and {candidates} more", {scores.ranking.size() - most_ranked}));
+              say("and {candidates} more", {eligible - most_ranked}));
 }
 
 // In a box that scrolls to the current line, so that the caption above does not move.

@@ -47,7 +47,7 @@ std::optional<EdgePart> read_part(std::string_view text) {
   const std::optional<double> from = read_number(text.substr(0, hyphen)),
                               to = read_number(text.substr(hyphen + 1));
   if (!from || !to) return std::nullopt;
-  part.from = *from;
+  part.from = *from + 0.0;  // -0 would make a different document
   part.to = *to;
   return is_part(part) ? std::optional(part) : std::nullopt;
 }

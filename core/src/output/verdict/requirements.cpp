@@ -195,6 +195,13 @@ double slack(Unit unit, const Placement& placement) {
   return 0;
 }
 
+// A value that misses its limit must not look the same, so it has 6 digits or as many as it takes.
+std::string unlike_limit(double value, double limit) {
+  int digits = 6;
+  while (digits < 17 && significant(value, digits) == significant(limit, digits)) ++digits;
+  return significant(value, digits);
+}
+
 }  // namespace
 
 Result<std::vector<Condition>> read_conditions(std::string_view text) {
@@ -248,16 +255,16 @@ std::string value_in_words(const Requirement& requirement, const Units& units) {
   const double limit = in_unit(requirement.condition.limit, unit);
   const double largest = std::max(std::abs(value), std::abs(limit));
   std::string number = unit == Unit::none ? plain(value) : amount(value, largest);
-  // A value that misses its limit must not look the same.
-  if (!requirement.kept && number == amount(limit, largest)) number = significant(value, 6);
+  if (!requirement.kept && number == amount(limit, largest)) number = unlike_limit(value, limit);
   return with_unit(number, unit, units);
 }
 
 std::string requirement_in_words(const Requirement& requirement) {
-  const std::string value = !requirement.value ? "no value"
-                            : is_yes_or_no(requirement.condition)
-                                ? (*requirement.value == 1 ? "yes" : "no")
-                                : significant(*requirement.value, 6);
+  const std::string value =
+      !requirement.value                    ? "no value"
+      : is_yes_or_no(requirement.condition) ? (*requirement.value == 1 ? "yes" : "no")
+      : requirement.kept                    ? significant(*requirement.value, 6)
+                         : unlike_limit(*requirement.value, requirement.condition.limit);
   return requirement.condition.text + ": " + value + (requirement.kept ? ", kept" : ", not kept");
 }
 
